@@ -1,0 +1,23 @@
+// Ids are types: an ObjectId is not taken where a PairId is wanted.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace abstand {
+
+template <class Tag>
+class Id {
+ public:
+  constexpr explicit Id(std::uint32_t index) : index_{index} {}
+  constexpr std::uint32_t index() const { return index_; }
+  friend constexpr auto operator<=>(Id, Id) = default;
+
+ private:
+  std::uint32_t index_;
+};
+
+using ObjectId = Id<struct ObjectTag>;
+using PairId = Id<struct PairTag>;
+
+}  // namespace abstand

@@ -1,0 +1,20 @@
+// Numbers in text: the decimal point is a point in every locale, and nothing that is not finite gets in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace abstand {
+
+/// The whole of `text` as a finite double ("1", "-.5", "+2e-3"); nullopt for anything else,
+/// nan, inf, hexadecimal and trailing characters included.
+std::optional<double> parseDouble(std::string_view text);
+
+/// The whole of `text` as a decimal integer that fits an int; nullopt for anything else.
+std::optional<int> parseInt(std::string_view text);
+
+/// Shortest text that reads back as the same double; "nan", "inf", "-inf" for those.
+std::string formatDouble(double value);
+
+}  // namespace abstand

@@ -1,0 +1,29 @@
+#include "core/base/text_file.hpp"
+
+#include <fstream>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+
+std::string readFile(const std::filesystem::path& file, std::uintmax_t most_bytes, bool may_be_empty) {
+  namespace fs = std::filesystem;
+  const SourcePos pos{file.string()};
+  std::error_code ec;
+  const auto status = fs::status(file, ec);
+  if (!fs::exists(status)) throw ParseError(pos, "no such file, expected a readable file");
+  if (fs::is_directory(status)) throw ParseError(pos, "found a directory, expected a file");
+  if (!fs::is_regular_file(status)) throw ParseError(pos, "found no regular file, expected a file");
+  const auto bytes = fs::file_size(file, ec);
+  if (ec) throw ParseError(pos, "cannot be read: " + ec.message());
+  if (bytes == 0 && !may_be_empty) throw ParseError(pos, "the file is empty");
+  if (bytes > most_bytes)
+    throw ParseError(pos, "found " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most_bytes));
+  std::ifstream in(file, std::ios::binary);
+  std::string content(bytes, '\0');
+  if (!in || !in.read(content.data(), static_cast<std::streamsize>(bytes)))
+    throw ParseError(pos, "cannot be read, expected a readable file");
+  return content;
+}
+
+}  // namespace abstand

@@ -1,0 +1,53 @@
+// What the haptic structures need to know of a body: its exact surface, whatever it is made of.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/geometry/shape.hpp"
+
+namespace abstand {
+
+inline constexpr std::uint32_t kNoHint = 0xffffffffu;
+
+struct SurfacePoint {
+  Vector3d point;              ///< nearest point of the surface
+  double distance;             ///< unsigned, m
+  std::uint32_t hint{kNoHint}; ///< where it was found; speeds up a query nearby
+};
+
+/// The exact surface of one body, in the body's frame (m). Constant after construction: every function
+/// is safe from any number of threads, allocates nothing and does not throw.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+
+  /// Nearest point of the surface. `hint` is the hint of an earlier answer, or kNoHint.
+  virtual SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const = 0;
+  /// True inside. For open or self-intersecting meshes: generalised winding number above one half
+  /// (Jacobson, Kavan, Sorkine-Hornung 2013).
+  virtual bool inside(const Vector3d& p) const = 0;
+  /// Positive outside, negative inside.
+  double signedDistance(const Vector3d& p, std::uint32_t hint = kNoHint) const {
+    const double d = closest(p, hint).distance;
+    return inside(p) ? -d : d;
+  }
+
+  virtual Bounds bounds() const = 0;
+  virtual MassProperties massProperties() const = 0;
+  virtual double area() const = 0;
+  /// For drawing and sampling: the mesh itself, or a tessellation within `sagitta` (m) of the shape.
+  virtual TriangleMesh mesh(double sagitta) const = 0;
+  /// Closed and consistently oriented, so that inside and outside are certain.
+  virtual bool watertight() const = 0;
+  /// The shape, when this is one; else null.
+  virtual const Shape* shape() const { return nullptr; }
+};
+
+/// Throws UsageError for a shape that is not valid.
+std::unique_ptr<Surface> makeSurface(const Shape& shape);
+/// Takes a welded mesh. Throws UsageError for a mesh without a triangle of positive area or with
+/// coordinates that are not finite.
+std::unique_ptr<Surface> makeSurface(TriangleMesh mesh);
+
+}  // namespace abstand

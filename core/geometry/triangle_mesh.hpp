@@ -1,0 +1,41 @@
+// Triangles with shared vertices.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// Triangles over shared vertices, metres, in the body's own frame; counter-clockwise seen from
+/// outside, so that (v1 - v0) x (v2 - v0) points outwards.
+struct TriangleMesh {
+  std::vector<Vector3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  const Vector3d& corner(std::size_t triangle, int i) const { return vertices[triangles[triangle][i]]; }
+};
+
+/// Axis-aligned box; empty until the first point.
+struct Bounds {
+  Vector3d lower{Vector3d::Constant(kInfinity)};
+  Vector3d upper{Vector3d::Constant(-kInfinity)};
+  void add(const Vector3d& p) {
+    lower = lower.cwiseMin(p);
+    upper = upper.cwiseMax(p);
+  }
+  Vector3d centre() const { return 0.5 * (lower + upper); }
+  Vector3d extent() const { return upper - lower; }
+};
+
+Bounds bounds(const TriangleMesh& mesh);
+
+/// m^2.
+double surfaceArea(const TriangleMesh& mesh);
+
+/// Merges vertices closer than `tolerance` (m) and drops triangles that collapse by it.
+TriangleMesh weld(const TriangleMesh& mesh, double tolerance);
+
+}  // namespace abstand

@@ -1,0 +1,37 @@
+// Distances away from a body, certified from below.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/surface.hpp"
+
+namespace abstand {
+
+/// Nested coarse grids (each twice as wide and twice as coarse as the one before) that hold the squared
+/// distance to the surface at their vertices. d^2 - |p|^2 is a minimum of affine functions, so it is concave,
+/// and interpolating it never overestimates: d(p)^2 >= sum_i w_i d_i^2 - sum_axes h^2 t (1 - t).
+/// So lowerBound() is a true lower bound of the unsigned distance, too small by at most about 3 h^2 / (8 d).
+/// Beyond the last grid: distance to its box plus the smallest distance on its boundary.
+class FarField {
+ public:
+  FarField() = default;
+  /// `reach`: how far from the body's bounds the grids go at least (m).
+  FarField(const Surface& surface, double first_spacing, double reach, int threads = 0);
+
+  /// Never above the true unsigned distance from p to the surface (float rounding allowed for). m.
+  float lowerBound(float px, float py, float pz) const;
+  std::size_t memoryBytes() const;
+
+ private:
+  struct Level {
+    float ox, oy, oz;      ///< first vertex
+    float inv_h, h;
+    int n[3];              ///< vertices along each axis
+    std::vector<float> d2; ///< rounded down
+  };
+  std::vector<Level> levels_;
+  float box_lo_[3]{}, box_hi_[3]{};
+  float boundary_min_{0.0f};
+};
+
+}  // namespace abstand

@@ -1,0 +1,32 @@
+// The grid of voxels that a voxelmap and a float field share.
+#pragma once
+
+#include "core/geometry/triangle_mesh.hpp"
+
+namespace abstand {
+
+/// Cubes of edge `voxel_size`; voxel (0,0,0) has its centre at `first_centre`. Body frame, metres.
+struct VoxelGrid {
+  Vector3d first_centre{Vector3d::Zero()};
+  double voxel_size{0.0};
+  Vector3i size{Vector3i::Zero()};
+
+  Vector3d centre(int i, int j, int k) const { return first_centre + voxel_size * Vector3d(i, j, k); }
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * size.y() + j) * size.x() + i;
+  }
+  std::size_t cells() const { return std::size_t(size.x()) * size.y() * size.z(); }
+  /// Voxel that holds p; may lie outside the grid.
+  Vector3i voxelOf(const Vector3d& p) const {
+    return ((p - first_centre) / voxel_size).array().round().cast<int>();
+  }
+  bool contains(const Vector3i& v) const {
+    return (v.array() >= 0).all() && (v.array() < size.array()).all();
+  }
+};
+
+/// The thesis's grid: floor(extent / s) + 1 voxels about the centre of `box`, and `outer_layers` more on
+/// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3].
+VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers);
+
+}  // namespace abstand

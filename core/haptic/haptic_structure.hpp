@@ -1,0 +1,46 @@
+// Everything the collision engine knows of one body.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/haptic/far_field.hpp"
+#include "core/haptic/haptic_options.hpp"
+#include "core/haptic/near_field.hpp"
+#include "core/haptic/point_sphere_tree.hpp"
+#include "core/haptic/voxelmap.hpp"
+
+namespace abstand {
+
+/// Voxelmap and pointshell of one body [thesis 4.2.2], with its exact surface beside them. Constant after
+/// construction and shared between objects of the same shape. Body frame, metres.
+struct HapticStructure {
+  std::string name;
+  HapticOptions options;
+  std::shared_ptr<const Surface> surface;
+  std::optional<Voxelmap> voxelmap;   ///< field: layered (and wherever asked for)
+  std::optional<NearField> near_field; ///< field: float and mixed
+  FarField far_field;
+  Pointshell shell;
+  PointSphereTree tree;
+
+  MassProperties mass_properties;     ///< density 1
+  Vector3d com{Vector3d::Zero()};     ///< centre for torques
+  EnclosingSphere bounding_sphere;    ///< of the surface, not only of its points
+  VoxelGrid grid;                     ///< the effective grid, whatever the field
+  std::size_t surface_voxels{0};
+  std::size_t solid_voxels{0};
+  std::size_t triangles{0};
+  double build_ms{0.0};
+
+  /// Bound on the error of one field value near the surface plus the covering radius of the shell (m).
+  double errorBound() const;
+  std::size_t memoryBytes() const;
+};
+
+/// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
+std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name, std::shared_ptr<const Surface> surface,
+                                                            const HapticOptions& options, int threads = 0);
+
+}  // namespace abstand

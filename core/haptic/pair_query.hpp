@@ -1,0 +1,49 @@
+// Distance, contact and penalty force of two bodies.
+#pragma once
+
+#include "core/haptic/haptic_structure.hpp"
+
+namespace abstand {
+
+/// kVolume: f_i = k a_i depth_i n_i, k in N/m^3, so pressing a body into a wall gives k times the overlapping
+/// volume whatever the sampling. kThesis: f_i = k_t V_i n_i [thesis eq. 2.2], unweighted, k_t in N/m.
+enum class ForceLaw { kVolume, kThesis };
+
+struct PairOptions {
+  double margin{0.0};          ///< m, sum of both objects' safety margins
+  double stiffness{1.0e6};     ///< N/m^3 (kVolume) or N/m (kThesis)
+  ForceLaw law{ForceLaw::kVolume};
+};
+
+/// Result of one pair A, B in one cycle. World frame, SI. Distances are between the bare surfaces, without
+/// margins: positive apart, negative inside (then minus the deepest penetration). f_b = -f_a always;
+/// T_b = -T_a - (p_a - p_b) x f_a with p_a, p_b the centres of mass, so that the sum about any point is zero.
+struct PairResult {
+  double distance{kNaN};                           ///< m, signed
+  double bound{kNaN};                              ///< m; the true distance is never below distance - bound
+  Vector3d witness_a{Vector3d::Constant(kNaN)};    ///< nearest point on A (deepest, when inside)
+  Vector3d witness_b{Vector3d::Constant(kNaN)};    ///< nearest point on B
+  Vector3d force_a{Vector3d::Zero()};              ///< N, penalty force on A; on B the opposite
+  Vector3d torque_a{Vector3d::Zero()};             ///< N m, on A about A's centre of mass
+  Vector3d torque_b{Vector3d::Zero()};             ///< N m, on B about B's centre of mass
+  int contacts{0};                                 ///< shell points within the margin
+  double depth{0.0};                               ///< m, deepest penetration of the margins, >= 0
+};
+
+/// What a pair remembers from cycle to cycle, and its work space. One per pair; not shared between threads.
+struct PairScratch {
+  std::uint32_t hint_a{kNoHint};
+  std::uint32_t hint_b{kNoHint};
+  std::uint32_t last_point{kNoHint};  ///< leaf-ordered index of the last closest shell point
+};
+
+/// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points, A on a
+/// tie, so that a small body pressed into a large one is integrated over its own surface.
+bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
+
+/// Both structures must outlive the call. No allocation, no lock, no throw. The result depends only on the
+/// arguments' values, never on the thread or on earlier calls (scratch only speeds things up).
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
+               const PairOptions& options, PairScratch& scratch, PairResult& result) noexcept;
+
+}  // namespace abstand

@@ -1,0 +1,93 @@
+// The shared collision scene: objects, pairs and the lock-step cycle.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/id.hpp"
+#include "core/haptic/pair_query.hpp"
+
+namespace abstand {
+
+/// What is needed to put a body into the scene.
+struct ObjectSpec {
+  std::string name;      ///< unique in the scene
+  std::string group;     ///< a mechanism's, a human's name, or "objects"
+  std::shared_ptr<const HapticStructure> structure;
+  double margin{0.0};    ///< m, safety margin
+};
+
+/// How trustworthy an object's pose is; everything but kFresh is shown and never counts as safe.
+enum class PoseState : std::uint8_t { kFresh, kInferred, kStale, kRejected };
+
+/// One body in the scene, with its recent motion and what acts on it. World frame.
+struct Object {
+  ObjectSpec spec;
+  Transform X_WB{Transform::Identity()};
+  PoseState pose_state{PoseState::kFresh};
+  long rejected_poses{0};             ///< poses that were not finite or no rotation; the last good one stayed
+  double t{0.0};                      ///< s, of X_WB
+  Twist velocity;                     ///< instant: from the last two poses; linear of the centre of mass
+  Twist mean_velocity;                ///< over the last kMeanSamples poses
+  Wrench contact;                     ///< sum over its pairs, about its centre of mass
+  int contacts{0};
+  bool colliding{false};              ///< some pair of it has a contact (margins included)
+  Vector3d p_WCom() const { return X_WB * spec.structure->com; }
+};
+
+struct Pair {
+  ObjectId a, b;
+  PairOptions options;     ///< margin = margin_a + margin_b, kept up to date by setMargin
+  PairScratch scratch;
+  PairResult result;
+};
+
+class PairWorkers;
+
+/// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order, so the
+/// bits are the same for any number of threads. After the first step(), step() allocates nothing and locks nothing
+/// but the workers' barrier. Other threads read snapshots, never the scene.
+class Scene {
+ public:
+  Scene();
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  ObjectId addObject(ObjectSpec spec);          ///< throws UsageError for a name that is taken
+  PairId addPair(ObjectId a, ObjectId b);       ///< throws UsageError for a == b or a pair that is there
+  void setThreads(int threads);                 ///< lock-step workers; 1: the calling thread alone; 0: all cores
+  void setMargin(ObjectId object, double margin);
+  void setForceLaw(ForceLaw law, double stiffness);
+
+  /// False, and the object keeps its last pose and is flagged, when the pose is not finite or no rotation.
+  bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
+
+  /// Queries every pair at the present poses and sums the totals of the objects.
+  void step();
+
+  std::size_t objectCount() const { return objects_.size(); }
+  const Object& object(ObjectId id) const { return objects_[id.index()]; }
+  const std::vector<Object>& objects() const { return objects_; }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
+  /// The object with this name, if there is one.
+  const Object* find(const std::string& name, ObjectId* id = nullptr) const;
+  /// The thesis's relation table: the pairs of one object (row and column).
+  const std::vector<PairId>& pairsOf(ObjectId id) const { return pairs_of_[id.index()]; }
+  /// Bytes of all haptic structures, shared ones counted once.
+  std::size_t memoryBytes() const;
+
+ private:
+  struct History;
+  std::vector<Object> objects_;
+  std::vector<Pair> pairs_;
+  std::vector<std::vector<PairId>> pairs_of_;
+  std::unique_ptr<History> history_;
+  std::unique_ptr<PairWorkers> workers_;
+  int threads_{1};
+};
+
+}  // namespace abstand

@@ -1,0 +1,70 @@
+// What the window sees of a running session: values only, copied once a cycle.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+
+namespace abstand {
+
+struct ObjectSnapshot {
+  Transform X_WB{Transform::Identity()};
+  PoseState pose_state{PoseState::kFresh};
+  Vector3d p_WCom{Vector3d::Zero()};
+  Twist velocity;
+  Wrench contact;
+  double margin{0.0};
+  bool colliding{false};
+};
+
+struct PairSnapshot {
+  PairResult result;
+  double margin{0.0};
+};
+
+/// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
+struct SceneSnapshot {
+  long step{0};
+  double t{0.0};                          ///< s, simulation time
+  std::vector<ObjectSnapshot> objects;
+  std::vector<PairSnapshot> pairs;
+  std::vector<double> joint_positions;    ///< all mechanisms, one after the other (rad, m)
+  std::vector<double> joint_efforts;      ///< N m, N: caused by the contact forces
+  double cycle_us{0.0};                   ///< last cycle
+  double cycle_median_us{0.0}, cycle_p99_us{0.0};
+  long overruns{0};                       ///< cycles longer than the period
+  double real_time_factor{0.0};
+  bool playing{false};
+  int nearest_pair{-1};                   ///< index of the pair with the smallest distance, -1 without pairs
+};
+
+/// What does not change while a scene is open: names, groups, pairs, for the tree and the tables.
+struct SceneOutline {
+  struct ObjectInfo {
+    std::string name, group;
+    bool human{false};
+    bool moving{false};
+  };
+  struct JointInfo {
+    std::string mechanism, name;
+    bool prismatic{false};
+  };
+  std::vector<ObjectInfo> objects;
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<JointInfo> joints;
+  std::vector<TriangleMesh> meshes;       ///< one an object, body frame, for drawing
+  double start{0.0}, end{0.0};            ///< s
+  double frame_period{0.01};              ///< s, one step of the timeline
+  std::string title;
+};
+
+/// One point of the live plots.
+struct PlotSample {
+  double t{0.0};
+  double min_distance{0.0};   ///< m
+  double peak_force{0.0};     ///< N, largest force of a pair
+  double peak_effort{0.0};    ///< N m, largest joint torque
+};
+
+}  // namespace abstand

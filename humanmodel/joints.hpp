@@ -1,0 +1,51 @@
+// The canonical skeleton: the joints that every recording is mapped to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// Joint centres. kHead is the middle of the head, kHeadTop the vertex; kHand the tip of the middle finger's
+/// knuckle or the end of the hand; kToe the ball of the foot or the toe tip.
+enum class Joint : std::uint8_t {
+  kPelvis, kSpine, kThorax, kNeck, kHead, kHeadTop,
+  kShoulderLeft, kElbowLeft, kWristLeft, kHandLeft,
+  kShoulderRight, kElbowRight, kWristRight, kHandRight,
+  kHipLeft, kKneeLeft, kAnkleLeft, kToeLeft,
+  kHipRight, kKneeRight, kAnkleRight, kToeRight,
+  kCount
+};
+inline constexpr std::size_t kJointCount = static_cast<std::size_t>(Joint::kCount);
+
+/// "pelvis", "shoulder_left", ...
+std::string_view jointName(Joint joint);
+std::optional<Joint> parseJoint(std::string_view name);
+
+/// missing: no data in this frame. inferred: the tracker guessed it. tracked: measured.
+enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
+
+/// One moment of a person: world axes of the recording after conversion (z up, metres, right-handed).
+/// A joint that is missing holds NaN and is never used as a position.
+struct SkeletonFrame {
+  double t{0.0};   ///< s since the start of the recording
+  std::array<Vector3d, kJointCount> p;
+  std::array<JointState, kJointCount> state;
+
+  SkeletonFrame() {
+    p.fill(Vector3d::Constant(kNaN));
+    state.fill(JointState::kMissing);
+  }
+  const Vector3d& operator[](Joint j) const { return p[static_cast<std::size_t>(j)]; }
+  bool has(Joint j) const { return state[static_cast<std::size_t>(j)] != JointState::kMissing; }
+  void set(Joint j, const Vector3d& p_WJ, JointState s = JointState::kTracked) {
+    p[static_cast<std::size_t>(j)] = p_WJ;
+    state[static_cast<std::size_t>(j)] = s;
+  }
+};
+
+}  // namespace abstand

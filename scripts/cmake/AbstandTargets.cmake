@@ -1,0 +1,36 @@
+# How every target of the project is compiled, in one place.
+
+# Flags that all own code shares. No fused multiply-add unless asked for, so that results do not
+# depend on what the compiler contracts.
+add_library(abstand_flags INTERFACE)
+target_compile_options(abstand_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
+  $<$<BOOL:${ABSTAND_WERROR}>:-Werror>)
+if(ABSTAND_SANITIZE)
+  target_compile_options(abstand_flags INTERFACE -fsanitize=${ABSTAND_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(abstand_flags INTERFACE -fsanitize=${ABSTAND_SANITIZE})
+  if(ABSTAND_SANITIZE MATCHES undefined)
+    target_compile_options(abstand_flags INTERFACE -fno-sanitize-recover=undefined)
+  endif()
+endif()
+
+# abstand_library(NAME [sources]): one library a folder, seen by others as abstand::NAME.
+function(abstand_library name)
+  add_library(abstand_${name} STATIC ${ARGN})
+  add_library(abstand::${name} ALIAS abstand_${name})
+  target_include_directories(abstand_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_features(abstand_${name} PUBLIC cxx_std_20)
+  target_link_libraries(abstand_${name} PUBLIC Eigen3::Eigen Threads::Threads PRIVATE abstand_flags)
+endfunction()
+
+# abstand_test(NAME SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest.
+function(abstand_test name)
+  cmake_parse_arguments(T "" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  if(NOT T_LABELS)
+    set(T_LABELS unit)
+  endif()
+  add_executable(${name} ${T_SOURCES})
+  target_link_libraries(${name} PRIVATE ${T_LIBS} abstand_test_support GTest::gtest GTest::gmock abstand_flags)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${T_LABELS} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+endfunction()
