@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double microseconds(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 std::vector<double> timesOf(const Session& session, const RunOptions& options) {
   std::vector<double> times = options.rate ? session.frameTimes(*options.rate) : session.frameTimes();
@@ -82,7 +82,7 @@ class PairClock {
     const Object& b = scene.object(pair.b);
     const auto begin = Clock::now();
     queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch_, result_);
-    sum_us_[next_] += microseconds(Clock::now() - begin);
+    sum_us_[next_] += 1e6 * seconds(Clock::now() - begin);
     ++count_[next_];
     next_ = (next_ + 1) % sum_us_.size();
   }
@@ -146,7 +146,7 @@ void runFrames(const Session& session, const std::vector<double>& times, const R
     }
     const auto begin = Clock::now();
     cycle(t);
-    statistics.add(microseconds(Clock::now() - begin));
+    statistics.add(seconds(Clock::now() - begin));
     extremes.frame(t, results, summary);
     pair_clock.sample(session.scene());
     csv.write(t, session, results);
@@ -182,7 +182,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
 
   // The first cycle sets sizes and first-time caches; it is run once more as a frame.
   session.step(times.front());
-  CycleStatistics statistics;
+  CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
     if (options.mode == RunMode::kLockstep) {
@@ -206,11 +206,11 @@ RunSummary runScene(Session& session, const RunOptions& options) {
       });
     }
   }
-  summary.median_us = statistics.quantile(0.5);
-  summary.p99_us = statistics.quantile(0.99);
-  summary.p999_us = statistics.quantile(0.999);
-  summary.max_us = statistics.max();
-  summary.overruns = statistics.countAbove(RunSummary::kPeriodUs);
+  summary.median_us = 1e6 * statistics.median();
+  summary.p99_us = 1e6 * statistics.p99();
+  summary.p999_us = 1e6 * statistics.p999();
+  summary.max_us = 1e6 * statistics.max();
+  summary.overruns = statistics.overruns();
   for (std::size_t i = 0; i < stale.size(); ++i)
     if (stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
   return summary;
