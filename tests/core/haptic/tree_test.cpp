@@ -202,8 +202,8 @@ TEST(PointSphereTree, LeavesAreCompact) {
   for (const PointSphereTree::Node& node : tree.nodes) {
     if (node.children == 0) sum += node.radius, ++leaves;
   }
-  // Sixteen points of 29 mm^2 in a square of 21.5 mm: the sphere about their centres has a radius of 11.4 mm.
-  EXPECT_LE(sum / leaves, 0.0135);
+  // Sixteen points of 29 mm^2 fill a square whose circumscribed circle has a radius of 15.2 mm.
+  EXPECT_LE(sum / leaves, 0.0152);
 }
 
 }  // namespace
