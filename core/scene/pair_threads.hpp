@@ -8,10 +8,10 @@
 
 namespace abstand {
 
-/// Each group of pairs runs on a thread of its own, at its own pace: it takes the newest poses, queries its pairs
-/// one after the other, and publishes the results [thesis 4.2.7, 4.2.8]. Poses are handed in and results are taken
-/// out by one owner thread, through triple buffers; nobody waits for anybody. Groups can be started, paused and
-/// stopped, and pairs added and removed, while the others run.
+/// Each group of pairs runs on a thread of its own, at its own pace: it takes the newest poses, queries its
+/// pairs one after the other, and publishes the results [thesis 4.2.7, 4.2.8]. Poses are handed in and
+/// results are taken out by one owner thread, through triple buffers; nobody waits for anybody. Groups can be
+/// started, paused and stopped, and pairs added and removed, while the others run.
 class PairThreads {
  public:
   /// Objects are those of the scene at this moment; its structures must outlive this object.
@@ -28,8 +28,8 @@ class PairThreads {
 
   /// Hands the present poses, margins and time of the scene to all groups.
   void publishPoses(const Scene& scene);
-  /// Copies the newest results of all groups into `results` (size: pairs of the scene); returns the number of group
-  /// cycles finished since the last call.
+  /// Copies the newest results of all groups into `results` (size: pairs of the scene); returns the number of
+  /// group cycles finished since the last call.
   long collect(std::vector<PairResult>& results);
   /// Cycles that a group has run since it was started.
   long cycles(GroupIndex group) const;
