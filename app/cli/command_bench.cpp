@@ -1,6 +1,7 @@
 // abstand bench: the project's own figures on the scenes that it ships.
 #include <chrono>
 
+#include "app/cli/bench_scenario.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/data_folder.hpp"
@@ -95,11 +96,27 @@ int run(const CommandLine& line, const std::string& name) {
 }  // namespace
 
 void addBench(CLI::App& root, CommandLine& line) {
-  auto* command =
-      addCommand(root, line, "bench", "the project's own figures, one thread", "abstand bench hug --json");
+  auto* command = addCommand(
+      root, line, "bench", "the project's own figures, one thread; or a row of a peer benchmark",
+      "abstand bench hug --json\n  abstand bench --scenario S3_hug_human --mode distance --variant h4");
   auto name = std::make_shared<std::string>();
+  auto scenario = std::make_shared<BenchScenario>();
   command->add_option("NAME", *name, "fk, spheres, rods, hug, boxing or reach (default: all)");
-  command->callback([&line, name] { line.run = [&line, name] { return run(line, *name); }; });
+  command->add_option("--scenario", scenario->scenario, "folder of a peer benchmark's scene");
+  command->add_option("--mode", scenario->mode, "distance, collide, contact, both")
+      ->check(CLI::IsMember({"distance", "collide", "contact", "both"}));
+  command->add_option("--variant", scenario->variant, "h1, h2, h4: voxels of 1, 2, 4 mm");
+  command->add_option("--block", scenario->block, "frames in a row")->check(CLI::Range(1, 1000000));
+  command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));
+  command->add_option("--start", scenario->start, "first frame")->check(CLI::Range(0, 100000000));
+  command->add_option("--budget", scenario->budget, "seconds of measured work");
+  command->add_option("--dump", scenario->dump, "binary file of the pairs' values");
+  command->add_option("--out", scenario->out, "file that the JSON line is appended to");
+  command->callback([&line, name, scenario] {
+    line.run = [&line, name, scenario] {
+      return scenario->scenario.empty() ? run(line, *name) : benchScenario(*scenario);
+    };
+  });
 }
 
 }  // namespace abstand::cli

@@ -56,7 +56,7 @@ std::string reportText(const Recording& recording, const std::string& file) {
 
 int run(const CommandLine& line, const Arguments& args) {
   const Recording recording = openRecording(args.file, args.options);
-  if (!args.out.empty()) writeSkeletonCsv(recording, args.out);
+  if (!args.out.empty()) writeSkeletonCsv(std::filesystem::path(args.out), recording);
   line.print(reportJson(recording), reportText(recording, args.file));
   return kDone;
 }
