@@ -60,7 +60,7 @@ class SurfacePool {
   /// Triangles without area: part of the surface, but no piece comes from them.
   std::vector<SubTriangle> degenerate() const;
 
-  static constexpr double kMaxPieces = 1.0e8;
+  static constexpr double kMaxPieces = 5.0e7;
 
  private:
   SubTriangle whole(std::uint32_t t) const;

@@ -44,7 +44,7 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points) {
 float BlockTree::Box::squaredDistance(const float p[3]) const {
   float sum = 0.0f;
   for (int axis = 0; axis < 3; ++axis) {
-    const float d = std::max({lower[axis] - p[axis], p[axis] - upper[axis], 0.0f});
+    const float d = std::max(std::max(lower[axis] - p[axis], p[axis] - upper[axis]), 0.0f);
     sum += d * d;
   }
   return sum;
@@ -106,7 +106,8 @@ SampleCover::SampleCover(const std::vector<Vector3f>& points, const std::vector<
                          const std::vector<float>& weights)
     : tree_(points) {
   const std::size_t n = tree_.x.size();
-  for (auto* c : {&nx_, &ny_, &nz_, &weight_}) c->assign(n, 0.0f);
+  for (auto* c : {&nx_, &ny_, &nz_}) c->assign(n, 0.0f);
+  weight_.assign(n, 1.0f);
   for (std::size_t i = 0; i < tree_.order.size(); ++i) {
     const Vector3f& m = normals[tree_.order[i]];
     nx_[i] = m.x(), ny_[i] = m.y(), nz_[i] = m.z();
@@ -143,16 +144,18 @@ void SampleCover::visit(std::size_t node, const Centre& c) {
     return;
   }
   const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
-  float largest = -1.0f;
-  for (std::size_t i = first; i < first + BlockTree::kBlock; ++i) {
-    const float dx = tree_.x[i] - c.p[0], dy = tree_.y[i] - c.p[1], dz = tree_.z[i] - c.p[2];
-    const float ex = nx_[i] - c.n[0], ey = ny_[i] - c.n[1], ez = nz_[i] - c.n[2];
-    const float d2 = weight_[i] * (dx * dx + dy * dy + dz * dz + ex * ex + ey * ey + ez * ez);
-    const bool nearer = d2 < d2_[i];
-    d2_[i] = nearer ? d2 : d2_[i];
-    nearest_[i] = nearer ? c.id : nearest_[i];
-    largest = largest > d2_[i] ? largest : d2_[i];
+  using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
+  const auto at = [first](const std::vector<float>& v) { return Eigen::Map<const Lane>(v.data() + first); };
+  Eigen::Map<Lane> best(d2_.data() + first);
+  const Lane d2 = at(weight_) * ((at(tree_.x) - c.p[0]).square() + (at(tree_.y) - c.p[1]).square() +
+                                 (at(tree_.z) - c.p[2]).square() + (at(nx_) - c.n[0]).square() +
+                                 (at(ny_) - c.n[1]).square() + (at(nz_) - c.n[2]).square());
+  if (!(d2 < best).any()) return;
+  for (std::size_t i = 0; i < BlockTree::kBlock; ++i) {
+    if (d2[Eigen::Index(i)] < best[Eigen::Index(i)]) nearest_[first + i] = c.id;
   }
+  best = best.min(d2);
+  const float largest = best.maxCoeff();
   node_d2_[node] = largest;
 }
 
