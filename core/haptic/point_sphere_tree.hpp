@@ -1,16 +1,10 @@
 // Point-sphere tree: clusters of shell points in minimal enclosing spheres.
 #pragma once
 
+#include "core/haptic/enclosing_sphere.hpp"
 #include "core/haptic/pointshell.hpp"
 
 namespace abstand {
-
-/// Minimal enclosing sphere, by Welzl's algorithm (Gaertner 1999), of the points of a cluster.
-struct EnclosingSphere {
-  Vector3d centre{Vector3d::Zero()};
-  double radius{0.0};
-};
-EnclosingSphere minimalSphere(const std::vector<Vector3d>& points);
 
 /// Tree over a pointshell, at most kFanout children a node and at most kLeafPoints points a leaf. The points
 /// are stored again in leaf order (structure of arrays, each leaf padded to a multiple of kLane with copies
@@ -34,6 +28,8 @@ struct PointSphereTree {
   int levels{0};
 };
 
+/// Splits top-down at medians of the widest axis; leaves are full but for the last of a subtree. An empty
+/// shell gives a tree without nodes.
 PointSphereTree makeTree(const Pointshell& shell);
 
 }  // namespace abstand

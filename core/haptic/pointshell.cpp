@@ -87,7 +87,11 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
     const Vector3d centroid = cell.moment / cell.area;
     const double variance = scaled_variance * cell.spread / cell.area;
     const Vector3d variance_gradient = cell.spread_moment / cell.spread - centroid;
-    out[i] = centroid + 0.5 * (variance / cell.area * cell.rim - variance_gradient);
+    const Vector3d shift = 0.5 * (variance / cell.area * cell.rim - variance_gradient);
+    // In a narrow face the points of all cells lie at edges, and a full shift would leave the face.
+    const double reach =
+        0.5 * std::sqrt(std::max(0.0, cell.second_moment / cell.area - centroid.squaredNorm()));
+    out[i] = centroid + (shift.norm() > reach ? reach / shift.norm() : 1.0) * shift;
   }
   return out;
 }
