@@ -85,7 +85,9 @@ TEST_P(RealRecording, IsABody) {
     using J = Joint;
     for (std::size_t j = 0; j < kJointCount; ++j) ASSERT_TRUE(f.p[j].allFinite());
     const Vector3d trunk = f[J::kNeck] - f[J::kPelvis];
-    if (trunk.z() < 0.8 * trunk.norm()) continue;  // bent or lying: facing and heights say little
+    const Vector3d thighs = f[J::kKneeLeft] - f[J::kHipLeft] + f[J::kKneeRight] - f[J::kHipRight];
+    if (trunk.z() < 0.8 * trunk.norm() || thighs.z() > -0.5 * thighs.norm())
+      continue;  // bent, lying or sitting
     ++upright;
     const double lower_foot = std::min(f[J::kAnkleLeft].z(), f[J::kAnkleRight].z());  // the other may kick
     head_above += f[J::kHeadTop].z() > f[J::kPelvis].z() && f[J::kPelvis].z() > lower_foot;
