@@ -86,13 +86,14 @@ bool BvhReader::finish(std::size_t partial) {
   done_ = true;
   const auto claimed = std::to_string(head_.frames);
   if (frames_ == 0)
-    throw ParseError({file_, line_}, "found " + std::to_string(partial) +
-                                         " numbers and then the end, expected at least one frame of " +
-                                         std::to_string(values_.size()) +
-                                         (head_.frames > 0 ? " (" + claimed + " frames are claimed)" : ""));
+    throw ParseError({file_, data_line_},
+                     "found " + std::to_string(partial) +
+                         " numbers and then the end, expected at least one frame of " +
+                         std::to_string(values_.size()) +
+                         (head_.frames > 0 ? " (" + claimed + " frames are claimed)" : ""));
   if (partial > 0 || cut_)
-    warnings_.push_back({line_, "the last frame is cut after " + std::to_string(partial) + " of " +
-                                    std::to_string(values_.size()) + " numbers: it is left out"});
+    warnings_.push_back({data_line_, "the last frame is cut after " + std::to_string(partial) + " of " +
+                                         std::to_string(values_.size()) + " numbers: it is left out"});
   if (static_cast<unsigned long long>(head_.frames) != frames_)
     warnings_.push_back({head_.frames_line, "claims " + claimed + " frames, found " +
                                                 std::to_string(frames_) +
@@ -105,6 +106,7 @@ std::optional<std::span<const double>> BvhReader::next() {
   std::size_t n = 0;
   while (n < values_.size()) {
     if (lineHasMore()) {
+      data_line_ = line_;
       if (!readNumber(values_[n])) break;
       ++n;
     } else if (at_ >= text_.size()) {

@@ -51,7 +51,7 @@ class BvhReader {
   BvhHierarchy hierarchy_;
   BvhMotionHead head_;
   std::size_t at_{0}, line_start_{0};
-  int line_{1};
+  int line_{1}, data_line_{1};  ///< now, and of the last number
   bool frame_a_line_{false}, done_{false}, cut_{false};
   std::size_t frames_{0};
   std::vector<double> values_;

@@ -28,13 +28,18 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
   const auto known = [&](Joint j) {
     return std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) { return f.has(j); });
   };
+  const auto used_as_found = [&](Joint j) {
+    return raw.is_canonical || std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) {
+             return f.state[static_cast<std::size_t>(j)] == JointState::kTracked;
+           });
+  };
   std::vector<bool> used(raw.joints.size(), false);
   std::string sentence;
   for (const auto& part : partJoints()) {
     std::vector<std::string> names;
     for (const Joint j : part.joints) {
       const int i = raw.match.joint[static_cast<std::size_t>(j)];
-      if (i < 0) continue;
+      if (i < 0 || !used_as_found(j)) continue;
       used[static_cast<std::size_t>(i)] = true;
       names.push_back(raw.joints[static_cast<std::size_t>(i)]);
     }

@@ -11,7 +11,9 @@ namespace {
 constexpr double kHeadPerTrunk = 0.5;  // about the mean of the conventions in data/joint_maps, 0.3 to 0.7
 constexpr double kHandPerForearm = 0.108 / 0.146;
 constexpr double kCosOfStrayHeadTop = 0.5;  // 60 degrees
-/// Directions between points closer than this share of the larger length are noise.
+constexpr double kCosOfSole = 0.9;          // 25 degrees
+constexpr double kBallAheadPerCalf = 0.45, kBallBelowPerCalf = 0.039 / 0.246;
+/// Points nearer to each other than this, in units of the file, have no direction.
 constexpr double kSmallestLength = 1e-9;
 
 bool has(const SkeletonFrame& f, Joint a, Joint b) { return f.has(a) && f.has(b); }
@@ -83,7 +85,8 @@ std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonF
   const auto derive = [&](Joint j, auto rule) {
     if (anyHas(frames, j)) return;
     toAll(rest, frames, rule);
-    if (anyHas(frames, j)) made += (made.empty() ? "" : ", ") + std::string(jointName(j));
+    const bool is_inner = j == Joint::kSpine || j == Joint::kThorax;  // no part ends there
+    if (anyHas(frames, j) && !is_inner) made += (made.empty() ? "" : ", ") + std::string(jointName(j));
   };
 
   derive(Joint::kPelvis,
@@ -113,7 +116,7 @@ std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonF
   toAll(rest, frames, [](SkeletonFrame& f) {
     if (has(f, Joint::kHead, Joint::kHeadTop))
       f.set(Joint::kHead, 0.5 * (f[Joint::kHead] + f[Joint::kHeadTop]),
-            f.state[static_cast<std::size_t>(Joint::kHeadTop)]);
+            f.state[static_cast<std::size_t>(Joint::kHead)]);
   });
 
   const auto hand = [&](Joint elbow, Joint wrist, Joint hand_joint) {

@@ -48,11 +48,12 @@ std::unordered_map<std::string, int> indexNames(const JointMap& map, std::span<c
   std::unordered_map<std::string, int> index;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string full = plain(names[i]);
-    index.emplace(full, static_cast<int>(i));
-    index.emplace(withoutNamespace(full), static_cast<int>(i));
-    for (const auto& prefix : map.prefixes)
-      if (const auto p = plain(prefix); full.size() > p.size() && full.starts_with(p))
-        index.emplace(plain(std::string_view(full).substr(p.size())), static_cast<int>(i));
+    for (const std::string& form : {full, withoutNamespace(full)}) {
+      index.emplace(form, static_cast<int>(i));
+      for (const auto& prefix : map.prefixes)
+        if (const auto p = plain(prefix); form.size() > p.size() && form.starts_with(p))
+          index.emplace(plain(std::string_view(form).substr(p.size())), static_cast<int>(i));
+    }
   }
   return index;
 }

@@ -15,7 +15,7 @@ struct RecordingOptions {
   std::string format{"auto"};  ///< "auto", "bvh" or "csv"
   std::string units{"auto"};   ///< "auto", "m", "cm", "mm", "inches", "cmu" (1/0.45 inch), or metres per unit
   std::string up{"auto"};      ///< "auto", "x", "y", "z", "-x", "-y", "-z"
-  std::filesystem::path joint_map;  ///< empty: the best of the shipped maps
+  std::filesystem::path joint_map{};  ///< empty: the best of the shipped maps
 };
 
 /// What was understood, and why; everything that was guessed can be overridden.

@@ -35,8 +35,8 @@ class Cells {
       : line_(line), file_(file), number_(number) {}
 
   bool next(std::string_view& cell) {
+    start_ = std::min(at_, line_.size());
     if (at_ > line_.size()) return false;
-    start_ = at_;
     const auto comma = std::min(line_.find(',', at_), line_.size());
     cell = line_.substr(at_, comma - at_);
     at_ = comma + 1;

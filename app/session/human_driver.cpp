@@ -1,6 +1,7 @@
 #include "app/session/human_driver.hpp"
 
 #include "core/base/error.hpp"
+#include "humanmodel/recording_lengths.hpp"
 
 namespace abstand {
 namespace {
@@ -65,7 +66,9 @@ HumanDriver::HumanDriver(const HumanDescription& d)
     : recording_(recordingOf(d)),
       model_(modelOf(d, recording_)),
       poser_(model_, d.follow_lengths),
-      X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {}
+      X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {
+  if (recording_) poser_.calibrate(recording_->frames);
+}
 
 void HumanDriver::apply(double t, Scene& scene) {
   if (t < last_t_) poser_.reset();

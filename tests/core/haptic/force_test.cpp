@@ -107,11 +107,16 @@ TEST(VolumeLaw, TorqueIsThatOfThePressureAboutTheCentre) {
   // A box pressed flat into the edge region of the wall: the submerged part lies off its centre.
   const auto& box = structureOf(Cuboid{{0.1, 0.1, 0.1}}, FieldKind::kMixed);
   const PairResult r = press(box, fromXyzRpy({0.3, 0, 0.04}, {0, 0, 0}));
-  // Half of the base, 0.1 x 0.05, is over the wall, its middle 0.025 from the box's centre towards -x.
-  const double force = kStiffness * 0.1 * 0.05 * 0.01;
-  constexpr double kRow = 0.005 / 0.05;  // one row of points at the wall's edge may count or not
-  EXPECT_NEAR(r.force_a.z(), force, kRow * force);
-  EXPECT_NEAR(r.torque_a.y(), 0.025 * r.force_a.z(), kRow * 0.025 * force);
+  // Half of the base, 0.1 x 0.05, is over the wall. A point u from the wall's edge is min(u, 0.01) deep: its
+  // nearest face is the wall's side for u < 0.01. So F = k 0.1 (0.01^2 / 2 + 0.01 * 0.04), and u is its
+  // lever.
+  const double force = kStiffness * 0.1 * (0.5e-4 + 4e-4);
+  const double torque = kStiffness * 0.1 * (1e-6 / 3 + 0.01 * (0.05 * 0.05 - 0.01 * 0.01) / 2);
+  // The box's side towards the wall's middle is pressed too, s deep at the height -(0.04 + s); the opposite side hangs
+  // free.
+  const double side = kStiffness * 0.1 * (0.04 * 0.5e-4 + 1e-6 / 3);
+  EXPECT_NEAR(r.force_a.z(), force, kTolerance * force);
+  EXPECT_NEAR(r.torque_a.y(), torque - side, kTolerance * torque);
 }
 
 }  // namespace

@@ -32,9 +32,7 @@ std::vector<double> randomJoints(int dof, std::uint64_t seed) {
 
 // A tree of revolute, prismatic and fixed frames with offsets and scales, all drawn from the seed.
 Mechanism randomTree(std::uint64_t seed) {
-  auto draw = [&, stream = std::uint64_t{0}]() mutable {
-    return 2.0 * randomUnit(seed, ++stream) - 1.0;
-  };
+  auto draw = [&, stream = std::uint64_t{0}]() mutable { return 2.0 * randomUnit(seed, ++stream) - 1.0; };
   Mechanism m;
   for (int i = 0; i < 9; ++i) {
     MechanismFrame f;

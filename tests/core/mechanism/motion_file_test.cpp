@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
+#include "core/math/transform.hpp"
 #include "core/mechanism/motion_file.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
@@ -84,6 +85,36 @@ INSTANTIATE_TEST_SUITE_P(All, BadMotion,
                                            BadCase{"t,q0,q1\n0,1,inf\n", 2, 5, "q1"},
                                            BadCase{"t,q0,q1\n1,1,1\n1,1,1\n", 3, 1, "rising"},
                                            BadCase{"t,q0,q1\n1,1,1\n0.5,1,1\n", 3, 1, "0.5"}));
+
+TEST(MotionFile, OfTheShippedScenesIsReadAndStaysSlow) {
+  struct Case {
+    const char* file;
+    int dof;
+    double end, fastest;  // s; rad/s or m/s, with some room above what the scene wants
+  };
+  const double kArm = unit::deg(184);  // the slowest limit of the joints that turn fast here
+  for (const Case& c : {Case{"hug_alone_left.csv", 7, 20.0, kArm},
+                        {"hug_alone_right.csv", 7, 20.0, kArm},
+                        {"hug_gentle_left.csv", 7, 31.0, 0.5},
+                        {"hug_gentle_right.csv", 7, 31.0, 0.5},
+                        {"rod.csv", 1, 6.0, 2.0},
+                        {"sphere_fast.csv", 1, 8.0, 0.708},
+                        {"sphere_slow.csv", 1, 8.5, 0.354}}) {
+    SCOPED_TRACE(c.file);
+    const auto table = loadMotion(testing::projectFile(std::string("data/scenes/motion/") + c.file), c.dof);
+    EXPECT_EQ(table.start(), 0.0);
+    EXPECT_NEAR(table.end(), c.end, 1e-9);
+    std::vector<double> before(static_cast<std::size_t>(c.dof)), now(before);
+    const double dt = 0.01;
+    table.at(0.0, before);
+    for (double t = dt; t < table.end(); t += dt) {
+      table.at(t, now);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        EXPECT_LT(std::abs(now[i] - before[i]) / dt, c.fastest) << t;
+      before = now;
+    }
+  }
+}
 
 TEST(MotionFile, NamesTheFile) {
   testing::ScratchFolder folder;
