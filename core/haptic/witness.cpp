@@ -8,7 +8,7 @@ namespace {
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
 constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
-constexpr double kEnoughPart = 1e-3;  // of the distance, likewise
+constexpr double kEnoughPart = 1e-2;  // of the distance, likewise; the stated bound covers it
 
 /// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
 class Surfaces {
