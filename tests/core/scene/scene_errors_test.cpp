@@ -96,7 +96,7 @@ TEST(BadScenes, TopLevel) {
                         {"abstand: 1\ndefaults: {voxel: 0,005}\n", 2, 0, "unknown key `005`"},
                         {"abstand: 1\ndefaults: {point: [1]}\n", 2, 19, "found a list"},
                         {"abstand: 1\ndefaults: {outer_layers: 2.5}\n", 2, 26, "whole number"},
-                        {"abstand: 1\ndefaults: {outer_layers: 0}\n", 2, 26, "whole number"},
+                        {"abstand: 1\ndefaults: {outer_layers: -1}\n", 2, 26, "whole number"},
                         {"abstand: 1\ndefaults: {outer_layers: 99999999999}\n", 2, 26, "whole number"},
                         {"abstand: 1\ndefaults: {margin: -1}\n", 2, 20, "margin"},
                         {"abstand: 1\ndefaults: {stiffness: 0}\n", 2, 23, "above 0"},

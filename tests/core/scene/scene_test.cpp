@@ -19,9 +19,10 @@ constexpr double kRounding = 1e-12;
 // Differences of poses near 1 m, divided by steps of 10 ms.
 constexpr double kVelocityRounding = 1e-9;
 
+/// A coarse ball; its centre for torques is moved to `com`, so that moments matter.
 std::shared_ptr<const HapticStructure> ball(double radius, const Vector3d& com = Vector3d::Zero()) {
-  auto s = std::make_shared<HapticStructure>();
-  s->bounding_sphere.radius = radius;
+  auto s = std::make_shared<HapticStructure>(*buildHapticStructure(
+      "ball", makeSurface(Sphere{radius}), {.voxel_size = 0.02, .point_spacing = 0.04}, 1));
   s->com = com;
   return s;
 }
