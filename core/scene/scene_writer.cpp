@@ -120,8 +120,8 @@ std::string mechanismText(const MechanismDescription& m) {
 
 std::string recordingText(const RecordingDescription& r) {
   return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
-         ", units: " + scalar(r.units) + ", up: " + scalar(r.up) + ", place: {xyz: " + vector(r.place_xyz) +
-         ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
+         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) +
+         ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
 }
 
 std::string partText(const HumanPartDescription& part) {
