@@ -1,0 +1,41 @@
+// The surface of a triangle mesh.
+#pragma once
+
+#include "core/geometry/mesh_surface_sides.hpp"
+#include "core/geometry/surface.hpp"
+#include "core/geometry/winding_number.hpp"
+
+namespace abstand {
+
+/// Nearest points by a box tree; inside and outside as Surface::inside says. The hint of an answer is a slot
+/// of the tree.
+class MeshSurface final : public Surface {
+ public:
+  /// Takes a welded mesh; triangles without area are dropped. Throws UsageError for coordinates that are not
+  /// finite, an index beyond the vertices, or no triangle left.
+  explicit MeshSurface(TriangleMesh mesh);
+
+  SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const override;
+  bool inside(const Vector3d& p) const override;
+  bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const override;
+  Bounds bounds() const override { return bounds_; }
+  MassProperties massProperties() const override { return abstand::massProperties(mesh_); }
+  double area() const override { return surfaceArea(mesh_); }
+  TriangleMesh mesh(double) const override { return mesh_; }
+  bool watertight() const override { return sides_.watertight(); }
+
+  /// Closed, and the boundary of a solid: no triangle cuts another, no piece lies wrongly inside another.
+  /// Then normals decide about inside and outside; else winding numbers.
+  bool embedded() const { return sides_.embedded(); }
+  const TriangleTree& tree() const { return tree_; }
+  const WindingNumber& windingNumber() const { return winding_; }
+
+ private:
+  TriangleMesh mesh_;
+  Bounds bounds_;
+  TriangleTree tree_;
+  WindingNumber winding_;
+  MeshSides sides_;
+};
+
+}  // namespace abstand

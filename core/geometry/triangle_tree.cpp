@@ -1,0 +1,307 @@
+// Tree of axis-aligned boxes over triangles: nearest point of a mesh.
+#include "core/geometry/triangle_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+// A box's squared distance in float may be too large by a few roundings; pruning allows for them.
+constexpr float kPruneFactor = 1.0f + 4e-6f;
+// Rounding of a query point to float, relative to its size, and of the boxes' corners.
+constexpr float kFloatSlack = 3e-7f;
+// The tree's depth is bounded by halving: 4 levels of stack entries for each level of the tree.
+constexpr int kStack = 256;
+constexpr int kBins = 16;
+
+float roundDown(double v) { return std::nextafter(static_cast<float>(v), -kFloatInfinity); }
+float roundUp(double v) { return std::nextafter(static_cast<float>(v), kFloatInfinity); }
+
+double halfArea(const Bounds& box) {
+  const Vector3d e = box.extent();
+  return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();
+}
+
+}  // namespace
+
+struct TriangleTree::Local {
+  double x, y;  ///< nearest point in the triangle's frame
+  double d2;
+  Feature feature;
+};
+
+/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every
+/// run.
+class TriangleTreeBuilder {
+ public:
+  TriangleTreeBuilder(const TriangleMesh& mesh, TriangleTree& tree) : mesh_(mesh), tree_(tree) {
+    const std::size_t n = mesh.triangles.size();
+    boxes_.resize(n);
+    centres_.resize(n);
+    order_.resize(n);
+    std::iota(order_.begin(), order_.end(), 0u);
+    Bounds all;
+    for (std::size_t t = 0; t < n; ++t) {
+      for (int i = 0; i < 3; ++i) boxes_[t].add(mesh.corner(t, i));
+      all.add(boxes_[t].lower);
+      all.add(boxes_[t].upper);
+      centres_[t] = boxes_[t].centre();
+    }
+    tree_.origin_ = all.centre();
+    tree_.scale_ = roundUp(0.5 * all.extent().maxCoeff());
+    tree_.nodes_.reserve(n / 2 + 1);
+    build(0, static_cast<std::uint32_t>(n), 0);
+    tree_.triangles_.reserve(n);
+    for (const std::uint32_t t : order_) addTriangle(t);
+  }
+
+ private:
+  struct Range {
+    std::uint32_t begin, end;
+    std::uint32_t size() const { return end - begin; }
+  };
+
+  Bounds boxOf(Range r) const {
+    Bounds box;
+    for (std::uint32_t i = r.begin; i < r.end; ++i) {
+      box.add(boxes_[order_[i]].lower);
+      box.add(boxes_[order_[i]].upper);
+    }
+    return box;
+  }
+
+  // Splits by the surface area heuristic over bins along the longest axis of the centroids. Deep in a badly
+  // shaped tree, or where the bins do not part anything, at the median.
+  std::uint32_t split(Range r, int depth) {
+    Bounds centroids;
+    for (std::uint32_t i = r.begin; i < r.end; ++i) centroids.add(centres_[order_[i]]);
+    int axis = 0;
+    const double width = centroids.extent().maxCoeff(&axis);
+    const auto begin = order_.begin();
+    constexpr int kMedianDepth = 20;
+    if (width > 0.0 && depth < kMedianDepth) {
+      const double to_bin = kBins / width;
+      const auto binOf = [&](std::uint32_t t) {
+        return std::min(kBins - 1, static_cast<int>((centres_[t][axis] - centroids.lower[axis]) * to_bin));
+      };
+      std::array<Bounds, kBins> box;
+      std::array<std::uint32_t, kBins> count{};
+      for (std::uint32_t i = r.begin; i < r.end; ++i) {
+        const int b = binOf(order_[i]);
+        ++count[b];
+        box[b].add(boxes_[order_[i]].lower);
+        box[b].add(boxes_[order_[i]].upper);
+      }
+      std::array<double, kBins> cost{};
+      Bounds left, right;
+      std::uint32_t left_count = 0, right_count = 0;
+      for (int b = 0; b + 1 < kBins; ++b) {
+        left_count += count[b];
+        if (count[b] > 0) left.add(box[b].lower), left.add(box[b].upper);
+        cost[b] = left_count > 0 ? left_count * halfArea(left) : kInfinity;
+      }
+      int best = -1;
+      double best_cost = kInfinity;
+      for (int b = kBins - 2; b >= 0; --b) {
+        right_count += count[b + 1];
+        if (count[b + 1] > 0) right.add(box[b + 1].lower), right.add(box[b + 1].upper);
+        const double c = right_count > 0 ? cost[b] + right_count * halfArea(right) : kInfinity;
+        if (c < best_cost) best_cost = c, best = b;
+      }
+      if (best >= 0) {
+        const auto middle =
+            std::partition(begin + r.begin, begin + r.end, [&](std::uint32_t t) { return binOf(t) <= best; });
+        return static_cast<std::uint32_t>(middle - begin);
+      }
+    }
+    const std::uint32_t middle = r.begin + r.size() / 2;
+    std::nth_element(begin + r.begin, begin + middle, begin + r.end, [&](std::uint32_t s, std::uint32_t t) {
+      return centres_[s][axis] != centres_[t][axis] ? centres_[s][axis] < centres_[t][axis] : s < t;
+    });
+    return middle;
+  }
+
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end, int depth) {
+    std::array<Range, TriangleTree::kWidth> parts{Range{begin, end}};
+    int n = 1;
+    while (n < TriangleTree::kWidth) {
+      int largest = 0;
+      for (int i = 1; i < n; ++i) {
+        if (parts[i].size() > parts[largest].size()) largest = i;
+      }
+      if (parts[largest].size() <= TriangleTree::kLeafTriangles) break;
+      const std::uint32_t middle = split(parts[largest], depth);
+      parts[n++] = {middle, parts[largest].end};
+      parts[largest].end = middle;
+    }
+    const std::uint32_t index = static_cast<std::uint32_t>(tree_.nodes_.size());
+    tree_.nodes_.emplace_back();
+    for (int c = 0; c < TriangleTree::kWidth; ++c) {
+      const Bounds box = c < n ? boxOf(parts[c]) : Bounds{};
+      for (int k = 0; k < 3; ++k) {
+        tree_.nodes_[index].lower[k][c] = c < n ? roundDown(box.lower[k] - tree_.origin_[k]) : kFloatInfinity;
+        tree_.nodes_[index].upper[k][c] = c < n ? roundUp(box.upper[k] - tree_.origin_[k]) : -kFloatInfinity;
+      }
+      tree_.nodes_[index].index[c] = TriangleTree::kNone;
+      tree_.nodes_[index].count[c] = 0;
+    }
+    for (int c = 0; c < n; ++c) {
+      const bool leaf = parts[c].size() <= TriangleTree::kLeafTriangles;
+      const std::uint32_t child = leaf ? parts[c].begin : build(parts[c].begin, parts[c].end, depth + 1);
+      tree_.nodes_[index].index[c] = child;
+      tree_.nodes_[index].count[c] = leaf ? parts[c].size() : 0;
+    }
+    return index;
+  }
+
+  void addTriangle(std::uint32_t id) {
+    std::uint32_t rotation = 0;
+    double longest = -1.0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const double l = (mesh_.corner(id, (i + 1) % 3) - mesh_.corner(id, i)).squaredNorm();
+      if (l > longest) longest = l, rotation = i;
+    }
+    const Vector3d a = mesh_.corner(id, rotation);
+    const Vector3d ab = mesh_.corner(id, (rotation + 1) % 3) - a;
+    const Vector3d ac = mesh_.corner(id, (rotation + 2) % 3) - a;
+    TriangleTree::Triangle t;
+    t.a = a - tree_.origin_;
+    t.bx = ab.norm();
+    t.ex = ab / t.bx;
+    t.cx = ac.dot(t.ex);
+    const Vector3d height = ac - t.cx * t.ex;
+    t.cy = height.norm();
+    t.ey = height / t.cy;
+    t.n = t.ex.cross(t.ey);
+    t.id = id;
+    t.rotation = rotation;
+    tree_.triangles_.push_back(t);
+  }
+
+  const TriangleMesh& mesh_;
+  TriangleTree& tree_;
+  std::vector<Bounds> boxes_;
+  std::vector<Vector3d> centres_;
+  std::vector<std::uint32_t> order_;
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) {
+  ABSTAND_CHECK(!mesh.triangles.empty());
+  TriangleTreeBuilder(mesh, *this);
+}
+
+// In the plane of the triangle the nearest point is the projection, or lies on an edge that the projection is
+// outside of. Working in the triangle's own frame keeps slivers exact.
+TriangleTree::Local TriangleTree::closestLocal(const Triangle& t, const Vector3d& ap) {
+  const double x = ap.dot(t.ex), y = ap.dot(t.ey), z = ap.dot(t.n);
+  Local best{x, y, z * z, Feature::kFace};
+  const double ux = t.bx - t.cx;
+  const bool below = y < 0.0;
+  const bool right = ux * (y - t.cy) + t.cy * (x - t.cx) > 0.0;
+  const bool left = t.cx * y - t.cy * x > 0.0;
+  if (!(below || right || left)) return best;
+  double plane = kInfinity;
+  const auto consider = [&](double qx, double qy, Feature feature) {
+    const double d2 = (x - qx) * (x - qx) + (y - qy) * (y - qy);
+    if (d2 < plane) plane = d2, best.x = qx, best.y = qy, best.feature = feature;
+  };
+  if (below) {
+    if (x <= 0.0) {
+      consider(0.0, 0.0, Feature::kCorner0);
+    } else if (x >= t.bx) {
+      consider(t.bx, 0.0, Feature::kCorner1);
+    } else {
+      consider(x, 0.0, Feature::kEdge0);
+    }
+  }
+  if (right) {
+    const double s = ((t.bx - x) * ux + y * t.cy) / (ux * ux + t.cy * t.cy);
+    if (s <= 0.0) {
+      consider(t.bx, 0.0, Feature::kCorner1);
+    } else if (s >= 1.0) {
+      consider(t.cx, t.cy, Feature::kCorner2);
+    } else {
+      consider(t.bx - s * ux, s * t.cy, Feature::kEdge1);
+    }
+  }
+  if (left) {
+    const double s = (x * t.cx + y * t.cy) / (t.cx * t.cx + t.cy * t.cy);
+    if (s <= 0.0) {
+      consider(0.0, 0.0, Feature::kCorner0);
+    } else if (s >= 1.0) {
+      consider(t.cx, t.cy, Feature::kCorner2);
+    } else {
+      consider(s * t.cx, s * t.cy, Feature::kEdge2);
+    }
+  }
+  best.d2 += plane;
+  return best;
+}
+
+TriangleTree::Nearest TriangleTree::closestOn(std::uint32_t slot, const Vector3d& p) const {
+  const Triangle& t = triangles_[slot];
+  const Vector3d ap = p - origin_ - t.a;
+  const Local local = closestLocal(t, ap);
+  const Vector3d aq = local.x * t.ex + local.y * t.ey;
+  return {origin_ + t.a + aq, (ap - aq).norm(), slot, local.feature};
+}
+
+TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hint) const {
+  using Lanes = Eigen::Array<float, kWidth, 1>;
+  struct Entry {
+    float d2;
+    std::uint32_t index, count;
+  };
+  const Vector3d q = p - origin_;
+  std::uint32_t best_slot = hint < triangles_.size() ? hint : 0;
+  double best = closestLocal(triangles_[best_slot], q - triangles_[best_slot].a).d2;
+  float limit = static_cast<float>(best) * kPruneFactor;
+
+  const Eigen::Vector3f qf = q.cast<float>();
+  const float slack = kFloatSlack * std::max(scale_, qf.cwiseAbs().maxCoeff());
+  const Eigen::Vector3f q_hi = qf.array() + slack, q_lo = qf.array() - slack;
+  std::array<Entry, kStack> stack;
+  int top = 0;
+  stack[top++] = {0.0f, 0, 0};
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (!(entry.d2 <= limit)) continue;
+    if (entry.count > 0) {
+      for (std::uint32_t i = 0; i < entry.count; ++i) {
+        const std::uint32_t slot = entry.index + i;
+        const Triangle& t = triangles_[slot];
+        const Vector3d ap = q - t.a;
+        const double z = ap.dot(t.n);
+        if (z * z > best) continue;
+        const double d2 = closestLocal(t, ap).d2;
+        if (d2 < best || (d2 == best && slot < best_slot)) best = d2, best_slot = slot;
+      }
+      limit = static_cast<float>(best) * kPruneFactor;
+      continue;
+    }
+    const Node& node = nodes_[entry.index];
+    Lanes d2 = Lanes::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const Lanes lower = Eigen::Map<const Lanes, Eigen::Aligned16>(node.lower[k]);
+      const Lanes upper = Eigen::Map<const Lanes, Eigen::Aligned16>(node.upper[k]);
+      const Lanes gap = (lower - q_hi[k]).max(q_lo[k] - upper).max(Lanes::Zero());
+      d2 += gap * gap;
+    }
+    // Nearest child on top of the stack.
+    const int floor = top;
+    for (int c = 0; c < kWidth; ++c) {
+      if (!(d2[c] <= limit) || node.index[c] == kNone) continue;
+      int at = top++;
+      for (; at > floor && stack[at - 1].d2 < d2[c]; --at) stack[at] = stack[at - 1];
+      stack[at] = {d2[c], node.index[c], node.count[c]};
+    }
+  }
+  return closestOn(best_slot, p);
+}
+
+}  // namespace abstand

@@ -1,0 +1,109 @@
+// Tree of axis-aligned boxes over triangles: nearest point of a mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/triangle_mesh.hpp"
+
+namespace abstand {
+
+/// Which part of a triangle a point lies on. Corner i is the triangle's first (A), second (B) or third (C)
+/// corner in the order of TriangleTree::corners; edge i runs from corner i to the next.
+enum class Feature : std::uint8_t { kFace, kEdge0, kEdge1, kEdge2, kCorner0, kCorner1, kCorner2 };
+
+/// Flat tree, four children a node, boxes in float rounded outwards, split by the surface area heuristic; the
+/// triangles in double, in leaf order ("slots"). Constant after construction; queries allocate nothing, do
+/// not throw, and their answer does not depend on the hint.
+class TriangleTree {
+ public:
+  static constexpr int kWidth = 4;
+  static constexpr int kLeafTriangles = 4;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// A node's four children. `count` 0: an inner node `index`; else a leaf of `count` slots from `index`.
+  /// Unused children have an empty box and index kNone.
+  struct alignas(16) Node {
+    float lower[3][kWidth];
+    float upper[3][kWidth];
+    std::uint32_t index[kWidth];
+    std::uint32_t count[kWidth];
+  };
+  struct Nearest {
+    Vector3d point;   ///< on the triangle
+    double distance;  ///< |p - point|
+    std::uint32_t slot;
+    Feature feature;
+  };
+
+  TriangleTree() = default;
+  /// Triangles must have positive area; at least one.
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  /// Nearest point of all triangles; the smallest slot where triangles tie. `hint`: slot of an earlier answer
+  /// nearby, or kNone. Exact but for rounding.
+  Nearest closest(const Vector3d& p, std::uint32_t hint = kNone) const;
+  /// Nearest point of one triangle.
+  Nearest closestOn(std::uint32_t slot, const Vector3d& p) const;
+
+  std::size_t size() const { return triangles_.size(); }
+  /// Index of a slot's triangle in the mesh.
+  std::uint32_t triangle(std::uint32_t slot) const { return triangles_[slot].id; }
+  /// The corners A, B, C of a slot: corner (i + rotation) % 3 of the mesh's triangle.
+  int rotation(std::uint32_t slot) const { return triangles_[slot].rotation; }
+  const Vector3d& normal(std::uint32_t slot) const { return triangles_[slot].n; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// The boxes of the nodes are relative to this point.
+  const Vector3d& origin() const { return origin_; }
+
+  /// Calls fn(slot) for every triangle of a leaf whose box overlaps `box`.
+  template <class Fn>
+  void forOverlapping(const Bounds& box, Fn&& fn) const;
+
+ private:
+  /// A triangle in its own frame: A at the origin, the longest edge AB along ex, C = (cx, cy) with cy > 0.
+  struct Triangle {
+    Vector3d a, ex, ey, n;  ///< a relative to origin_
+    double bx, cx, cy;
+    std::uint32_t id;
+    std::uint32_t rotation;
+  };
+  struct Local;
+
+  static Local closestLocal(const Triangle& t, const Vector3d& ap);
+
+  Vector3d origin_{Vector3d::Zero()};
+  float scale_{0.0f};  ///< largest coordinate of a box
+  std::vector<Node> nodes_;
+  std::vector<Triangle> triangles_;
+
+  friend class TriangleTreeBuilder;
+};
+
+template <class Fn>
+void TriangleTree::forOverlapping(const Bounds& box, Fn&& fn) const {
+  const Eigen::Vector3f lo = (box.lower - origin_).cast<float>();
+  const Eigen::Vector3f hi = (box.upper - origin_).cast<float>();
+  const float slack = 1e-6f * scale_;
+  std::array<std::uint32_t, 256> stack;
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = nodes_[stack[--top]];
+    for (int c = 0; c < kWidth; ++c) {
+      bool apart = false;
+      for (int k = 0; k < 3; ++k) {
+        apart = apart || node.lower[k][c] > hi[k] + slack || node.upper[k][c] < lo[k] - slack;
+      }
+      if (apart || node.index[c] == kNone) continue;
+      if (node.count[c] == 0) {
+        stack[top++] = node.index[c];
+      } else {
+        for (std::uint32_t i = 0; i < node.count[c]; ++i) fn(node.index[c] + i);
+      }
+    }
+  }
+}
+
+}  // namespace abstand
