@@ -24,10 +24,10 @@ class FarField {
 
  private:
   struct Level {
-    float ox, oy, oz;      ///< first vertex
+    float ox, oy, oz;  ///< first vertex
     float inv_h, h;
-    int n[3];              ///< vertices along each axis
-    std::vector<float> d2; ///< rounded down
+    int n[3];               ///< vertices along each axis
+    std::vector<float> d2;  ///< rounded down
   };
   std::vector<Level> levels_;
   float box_lo_[3]{}, box_hi_[3]{};

@@ -9,9 +9,10 @@
 
 namespace abstand {
 
-/// Signed distances (positive outside) at grid vertices, in blocks of 8 x 8 x 8 cells (9^3 vertices, so that a
-/// sample never leaves its block). Dense: every block of the grid is there. Sparse: only blocks that come within the
-/// band of the surface, and the blocks inside the body. Trilinear between vertices. Constant after construction.
+/// Signed distances (positive outside) at grid vertices, in blocks of 8 x 8 x 8 cells (9^3 vertices, so that
+/// a sample never leaves its block). Dense: every block of the grid is there. Sparse: only blocks that come
+/// within the band of the surface, and the blocks inside the body. Trilinear between vertices. Constant after
+/// construction.
 class NearField {
  public:
   static constexpr int kCells = 8;
@@ -22,12 +23,11 @@ class NearField {
   /// `band` (m): outside the body, blocks farther than this from the surface are left out; infinity: dense.
   NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads = 0);
 
-  /// Trilinear signed distance and its gradient (unit-less, not normalised). False when p lies in no block.
+  /// Trilinear signed distance. False, and `distance` untouched, when p lies in no block or is not finite.
   bool sample(float px, float py, float pz, float& distance) const;
-  bool sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const;
 
-  /// Certified for every p with sample() true: |sample - true signed distance| <= errorBound(). At most sqrt(3)/2
-  /// voxels for any 1-Lipschitz function [design.md, 5]; smaller where the builder could prove it.
+  /// Certified for every p with sample() true: |sample - true signed distance| <= errorBound(), sqrt(3)/2
+  /// voxels and rounding, as for any 1-Lipschitz function.
   double errorBound() const { return error_bound_; }
   double band() const { return band_; }
   std::size_t memoryBytes() const;
@@ -38,7 +38,7 @@ class NearField {
   float ox_{0}, oy_{0}, oz_{0}, inv_h_{0};
   int blocks_[3]{0, 0, 0};
   std::vector<std::uint32_t> block_index_;
-  std::vector<float> values_;     ///< 729 a block
+  std::vector<float> values_;  ///< 729 a block
   double error_bound_{0.0};
   double band_{0.0};
 };

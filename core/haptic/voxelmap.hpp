@@ -14,10 +14,10 @@ namespace abstand {
 /// 26-neighbour steps away from the surface voxels. Constant after construction.
 struct Voxelmap {
   VoxelGrid grid;
-  std::vector<std::int16_t> layer;   ///< grid.index order
-  std::size_t surface_voxels{0};     ///< layer 0
-  std::size_t solid_voxels{0};       ///< layer >= 0
-  bool inside_doubtful{false};       ///< the mesh is not watertight; winding numbers decided
+  std::vector<std::int16_t> layer;  ///< grid.index order
+  std::size_t surface_voxels{0};    ///< layer 0
+  std::size_t solid_voxels{0};      ///< layer >= 0
+  bool inside_doubtful{false};      ///< the mesh is not watertight; winding numbers decided
 
   std::int16_t at(const Vector3i& v) const { return layer[grid.index(v.x(), v.y(), v.z())]; }
 };
