@@ -5,14 +5,12 @@
 
 #include "core/base/error.hpp"
 #include "core/haptic/pointshell_pool.hpp"
-#include "tests/core/haptic/shell_surface.hpp"
+#include "tests/core/haptic/half_space.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
 namespace abstand {
 namespace {
-
-using testing::ShellSurface;
 
 constexpr double kSpacing = 0.005;
 /// Areas are stored as floats.
@@ -49,7 +47,7 @@ double totalArea(const Pointshell& shell) {
 }
 
 TEST(Pointshell, ThesisSphereHasAboutAsManyPoints) {
-  const Pointshell shell = makePointshell(ShellSurface(Sphere{0.05}), kSpacing);
+  const Pointshell shell = makePointshell(*makeSurface(Sphere{0.05}), kSpacing);
   EXPECT_GE(shell.size(), 1000u);
   EXPECT_LE(shell.size(), 1200u);
 }
@@ -57,9 +55,9 @@ TEST(Pointshell, ThesisSphereHasAboutAsManyPoints) {
 TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
-    const ShellSurface surface(body.shape);
-    const Pointshell shell = makePointshell(surface, kSpacing);
-    EXPECT_NEAR(totalArea(shell) / surface.area(), 1.0, kAreaTolerance);
+    const auto surface = makeSurface(body.shape);
+    const Pointshell shell = makePointshell(*surface, kSpacing);
+    EXPECT_NEAR(totalArea(shell) / surface->area(), 1.0, kAreaTolerance);
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < shell.size(); ++i) {
       const Vector3d p = shell.point(i), n = shell.normal(i);
@@ -69,9 +67,9 @@ TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
       ASSERT_LT(distanceTo(body.shape, p + 1e-6 * n).distance, -0.9e-6);
       sum += shell.area[i] * n;
     }
-    EXPECT_LE(sum.norm(), 1e-3 * surface.area());
+    EXPECT_LE(sum.norm(), 1e-3 * surface->area());
     // "About spacing^2" a point, and never fewer than the flat density gives.
-    const double mean = surface.area() / shell.size() / (kSpacing * kSpacing);
+    const double mean = surface->area() / shell.size() / (kSpacing * kSpacing);
     EXPECT_LE(mean, 1.3);
     EXPECT_GE(mean, body.name == "plate" ? 0.4 : 0.65);
   }
@@ -79,7 +77,7 @@ TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
 
 TEST(Pointshell, EachFaceOfACuboidKeepsItsArea) {
   const Vector3d size(0.2, 0.15, 0.1);
-  const Pointshell shell = makePointshell(ShellSurface(Cuboid{size}), kSpacing);
+  const Pointshell shell = makePointshell(*makeSurface(Cuboid{size}), kSpacing);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       double area = 0.0;
@@ -94,8 +92,8 @@ TEST(Pointshell, EachFaceOfACuboidKeepsItsArea) {
 TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
-    const ShellSurface surface(body.shape);
-    const Pointshell shell = makePointshell(surface, kSpacing);
+    const auto surface = makeSurface(body.shape);
+    const Pointshell shell = makePointshell(*surface, kSpacing);
     EXPECT_LE(shell.covering_radius, 0.95 * kSpacing);
     std::vector<Vector3f> points;
     for (std::size_t i = 0; i < shell.size(); ++i) points.push_back(shell.point(i).cast<float>());
@@ -115,8 +113,8 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
 }
 
 TEST(Pointshell, EveryPrefixIsACoarserShell) {
-  const ShellSurface surface(Ellipsoid{{0.06, 0.09, 0.12}});
-  const Pointshell shell = makePointshell(surface, kSpacing);
+  const auto surface = makeSurface(Ellipsoid{{0.06, 0.09, 0.12}});
+  const Pointshell shell = makePointshell(*surface, kSpacing);
   for (std::size_t m = 32; m <= shell.size(); m *= 2) {
     std::vector<Vector3f> points;
     for (std::size_t i = 0; i < m; ++i) points.push_back(shell.point(i).cast<float>());
@@ -127,37 +125,37 @@ TEST(Pointshell, EveryPrefixIsACoarserShell) {
       farthest = std::max(farthest, nearest.distance(shell.point(i), index));
     // A hexagonal packing covers within 0.62 sqrt(area per point); farthest points within about 0.9, and
     // centring moves each by half a spacing at most.
-    EXPECT_LE(farthest, 1.05 * std::sqrt(surface.area() / static_cast<double>(m)) + 0.5 * kSpacing) << m;
+    EXPECT_LE(farthest, 1.05 * std::sqrt(surface->area() / static_cast<double>(m)) + 0.5 * kSpacing) << m;
   }
 }
 
 TEST(Pointshell, IsTheSameOnEveryRun) {
-  const ShellSurface surface(Cylinder{0.05, 0.12});
-  const Pointshell one = makePointshell(surface, kSpacing), two = makePointshell(surface, kSpacing);
+  const auto surface = makeSurface(Cylinder{0.05, 0.12});
+  const Pointshell one = makePointshell(*surface, kSpacing), two = makePointshell(*surface, kSpacing);
   EXPECT_EQ(one.x, two.x);
   EXPECT_EQ(one.nz, two.nz);
   EXPECT_EQ(one.area, two.area);
 }
 
 TEST(Pointshell, RefusesWhatItCannotSample) {
-  EXPECT_THROW(makePointshell(ShellSurface(Sphere{0.05}), 0.0), UsageError);
-  EXPECT_THROW(makePointshell(ShellSurface(Sphere{0.05}), kNaN), UsageError);
+  EXPECT_THROW(makePointshell(*makeSurface(Sphere{0.05}), 0.0), UsageError);
+  EXPECT_THROW(makePointshell(*makeSurface(Sphere{0.05}), kNaN), UsageError);
   const TriangleMesh flat{{Vector3d::Zero(), Vector3d::UnitX(), 2.0 * Vector3d::UnitX()}, {{0, 1, 2}}};
-  EXPECT_THROW(makePointshell(ShellSurface(flat), kSpacing), UsageError);
+  EXPECT_THROW(makePointshell(*makeSurface(flat), kSpacing), UsageError);
   const TriangleMesh huge{{Vector3d::Zero(), 1e9 * Vector3d::UnitX(), 1e9 * Vector3d::UnitY()}, {{0, 1, 2}}};
-  EXPECT_THROW(makePointshell(ShellSurface(huge), kSpacing), UsageError);
+  EXPECT_THROW(makePointshell(*makeSurface(huge), kSpacing), UsageError);
 }
 
 TEST(Pointshell, OpenSliversAndSmallBodiesGetPoints) {
   const TriangleMesh sliver{{Vector3d::Zero(), Vector3d(1.0, 0.0, 0.0), Vector3d(0.5, 1e-6, 0.0)},
                             {{0, 1, 2}}};
-  const Pointshell thin = makePointshell(ShellSurface(sliver), kSpacing);
+  const Pointshell thin = makePointshell(*makeSurface(sliver), kSpacing);
   EXPECT_GE(thin.size(), 100u);
   EXPECT_LE(thin.covering_radius, kSpacing);
-  const ShellSurface grain(Sphere{1e-4});
-  const Pointshell small = makePointshell(grain, kSpacing);
+  const auto grain = makeSurface(Sphere{1e-4});
+  const Pointshell small = makePointshell(*grain, kSpacing);
   EXPECT_GE(small.size(), 4u);
-  EXPECT_NEAR(totalArea(small) / grain.area(), 1.0, kAreaTolerance);
+  EXPECT_NEAR(totalArea(small) / grain->area(), 1.0, kAreaTolerance);
 }
 
 /// Presses a body into a wall, in many orientations and depths, and compares with the exact overlap.
@@ -192,7 +190,7 @@ TEST(Pointshell, PressingAnyShapeIntoAWallGivesTheOverlap) {
   for (const Body& body : bodies()) {
     if (body.name == "plate") continue;
     SCOPED_TRACE(body.name);
-    pressIntoWall(tessellate(body.shape, 2e-5), makePointshell(ShellSurface(body.shape), kSpacing));
+    pressIntoWall(tessellate(body.shape, 2e-5), makePointshell(*makeSurface(body.shape), kSpacing));
   }
 }
 
@@ -200,7 +198,7 @@ TEST(Pointshell, PressingTheBunnyIntoAWallGivesTheOverlap) {
   const auto file = testing::sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
   const TriangleMesh mesh = testing::readOff(file, 0.2);
-  const Pointshell shell = makePointshell(ShellSurface(mesh), kSpacing);
+  const Pointshell shell = makePointshell(*makeSurface(mesh), kSpacing);
   EXPECT_NEAR(totalArea(shell) / surfaceArea(mesh), 1.0, kAreaTolerance);
   pressIntoWall(mesh, shell);
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/haptic/point_sphere_tree.hpp"
-#include "tests/core/haptic/shell_surface.hpp"
+#include "tests/core/haptic/half_space.hpp"
 #include "tests/support/random_pose.hpp"
 
 namespace abstand {
@@ -108,7 +108,7 @@ TEST(MinimalSphere, HoldsForCosphericalAndFlatSets) {
 class Tree : public ::testing::TestWithParam<double> {};
 
 TEST_P(Tree, HoldsEveryPointOnceInsideItsSpheres) {
-  const Pointshell shell = makePointshell(testing::ShellSurface(Cuboid{{0.2, 0.1, 0.05}}), GetParam());
+  const Pointshell shell = makePointshell(*makeSurface(Cuboid{{0.2, 0.1, 0.05}}), GetParam());
   const PointSphereTree tree = makeTree(shell);
   ASSERT_FALSE(tree.nodes.empty());
   ASSERT_EQ(tree.x.size() % PointSphereTree::kLane, 0u);
@@ -195,7 +195,7 @@ TEST(PointSphereTree, SmallShells) {
 }
 
 TEST(PointSphereTree, LeavesAreCompact) {
-  const Pointshell shell = makePointshell(testing::ShellSurface(Sphere{0.1}), 0.005);
+  const Pointshell shell = makePointshell(*makeSurface(Sphere{0.1}), 0.005);
   const PointSphereTree tree = makeTree(shell);
   double sum = 0.0;
   int leaves = 0;

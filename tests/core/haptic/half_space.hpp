@@ -1,4 +1,4 @@
-// A surface for tests of the pointshell, and exact overlaps with a half-space.
+// Exact overlaps of meshes and pointshells with a half-space.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,6 @@
 #include "core/haptic/pointshell.hpp"
 
 namespace abstand::testing {
-
-/// A shape or a mesh without any search structure: only what sampling asks for.
-class ShellSurface final : public Surface {
- public:
-  explicit ShellSurface(const Shape& shape) : shape_(shape), mesh_(tessellate(shape, 1e-4)) {}
-  explicit ShellSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
-
-  SurfacePoint closest(const Vector3d& p, std::uint32_t) const override {
-    const ShapeDistance d = distanceTo(*shape_, p);
-    return {d.nearest, std::abs(d.distance), 0};
-  }
-  bool inside(const Vector3d& p) const override { return distanceTo(*shape_, p).distance < 0.0; }
-  Bounds bounds() const override { return abstand::bounds(mesh_); }
-  MassProperties massProperties() const override { return abstand::massProperties(mesh_); }
-  double area() const override { return shape_ ? surfaceArea(*shape_) : surfaceArea(mesh_); }
-  TriangleMesh mesh(double sagitta) const override { return shape_ ? tessellate(*shape_, sagitta) : mesh_; }
-  bool watertight() const override { return true; }
-  const Shape* shape() const override { return shape_ ? &*shape_ : nullptr; }
-
- private:
-  std::optional<Shape> shape_;
-  TriangleMesh mesh_;
-};
 
 /// Volume of a closed mesh where direction . x < level: the pyramid sums of the clipped triangles, by the
 /// divergence theorem with the vector field (level - direction . x) direction, which is zero on the cut.
