@@ -290,6 +290,18 @@ TEST_F(SceneFile, DescribedScenesReadBackTheSame) {
   }
 }
 
+TEST_F(SceneFile, ShippedScenesReadBackTheSame) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::projectFile("data/scenes"))) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path());
+    const auto scene = loadScene(entry.path());
+    expectSame(scene, parseScene(describeScene(scene), entry.path()));
+    ++scenes;
+  }
+  EXPECT_GT(scenes, 0);
+}
+
 TEST_F(SceneFile, AnyPoseReadsBackWithinRounding) {
   SceneDescription scene;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -139,7 +139,7 @@ TEST(BadScenes, Objects) {
           {"  - {name: a, shape: {sphere: {radius: 1}}, marign: 1}\n", 3, 45, "did you mean `margin`?"},
           {"  - {name: a, shape: {sphere: {radius: 1}}}\n  - {name: a, shape: {sphere: {radius: 1}}}\n", 4,
            12, "taken already"},
-          {"  - {name: '', shape: {sphere: {radius: 1}}}\n", 3, 12, "1 to 1000 characters"},
+          {"  - {name: '', shape: {sphere: {radius: 1}}}\n", 3, 12, "1 to 4096 characters"},
           {"  - {name: [a], shape: {sphere: {radius: 1}}}\n", 3, 12, "found a list"},
           {"  - {name: 'a,b', shape: {sphere: {radius: 1}}}\n", 3, 12, "no comma"},
           {"  - {name: \"a\\nb\", shape: {sphere: {radius: 1}}}\n", 3, 12, "line break"},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/base/error.hpp"
 #include "core/base/state_hash.hpp"
@@ -19,12 +20,16 @@ constexpr double kRounding = 1e-12;
 // Differences of poses near 1 m, divided by steps of 10 ms.
 constexpr double kVelocityRounding = 1e-9;
 
-/// A coarse ball; its centre for torques is moved to `com`, so that moments matter.
-std::shared_ptr<const HapticStructure> ball(double radius, const Vector3d& com = Vector3d::Zero()) {
-  auto s = std::make_shared<HapticStructure>(*buildHapticStructure(
-      "ball", makeSurface(Sphere{radius}), {.voxel_size = 0.02, .point_spacing = 0.04}, 1));
-  s->com = com;
-  return s;
+/// A coarse ball of `cm` centimetres; its centre for torques is moved to `com`, so that moments matter.
+std::shared_ptr<const HapticStructure> ball(int cm, const Vector3d& com = Vector3d::Zero()) {
+  static std::map<int, std::shared_ptr<const HapticStructure>> built;
+  auto& one = built[cm];
+  if (!one)
+    one = buildHapticStructure("ball", makeSurface(Sphere{unit::cm(cm)}),
+                               {.voxel_size = 0.04, .point_spacing = 0.04});
+  auto moved = std::make_shared<HapticStructure>(*one);
+  moved->com = com;
+  return moved;
 }
 
 Transform at(double x, double y = 0.0, double z = 0.0) {
@@ -37,8 +42,7 @@ Transform at(double x, double y = 0.0, double z = 0.0) {
 Scene crowd(int n) {
   Scene scene;
   for (int i = 0; i < n; ++i)
-    scene.addObject(
-        {"ball" + std::to_string(i), "objects", ball(0.2 + 0.01 * i, Vector3d(0.01 * i, 0, 0)), 0.01});
+    scene.addObject({"ball" + std::to_string(i), "objects", ball(20 + i, Vector3d(0.01 * i, 0, 0)), 0.01});
   for (std::uint32_t a = 0; a < static_cast<std::uint32_t>(n); ++a)
     for (std::uint32_t b = a + 1; b < static_cast<std::uint32_t>(n); ++b)
       scene.addPair(ObjectId(a), ObjectId(b));
@@ -95,7 +99,7 @@ TEST(Scene, StepsWithoutObjectsOrPairs) {
   scene.step();
   scene.setThreads(3);
   scene.step();
-  scene.addObject({"a", "objects", ball(1.0)});
+  scene.addObject({"a", "objects", ball(20)});
   scene.step();
   EXPECT_EQ(scene.object(ObjectId(0)).contacts, 0);
 }
@@ -167,12 +171,12 @@ TEST(Scene, TotalsOfTheLastStepAreForgotten) {
 
 TEST(Scene, NamesAndPairsAreUnique) {
   Scene scene;
-  const ObjectId a = scene.addObject({"a", "g", ball(1.0), 0.1});
-  const ObjectId b = scene.addObject({"b", "g", ball(1.0), 0.2});
-  EXPECT_THROW(scene.addObject({"a", "h", ball(1.0)}), UsageError);
-  EXPECT_THROW(scene.addObject({"", "h", ball(1.0)}), UsageError);
-  EXPECT_THROW(scene.addObject({"c", "h", ball(1.0), -0.1}), UsageError);
-  EXPECT_THROW(scene.addObject({"c", "h", ball(1.0), kNaN}), UsageError);
+  const ObjectId a = scene.addObject({"a", "g", ball(20), 0.1});
+  const ObjectId b = scene.addObject({"b", "g", ball(20), 0.2});
+  EXPECT_THROW(scene.addObject({"a", "h", ball(20)}), UsageError);
+  EXPECT_THROW(scene.addObject({"", "h", ball(20)}), UsageError);
+  EXPECT_THROW(scene.addObject({"c", "h", ball(20), -0.1}), UsageError);
+  EXPECT_THROW(scene.addObject({"c", "h", ball(20), kNaN}), UsageError);
   EXPECT_EQ(scene.objectCount(), 2u);
   scene.addPair(b, a);
   EXPECT_THROW(scene.addPair(a, b), UsageError);
@@ -201,7 +205,7 @@ TEST(Scene, MarginsAndForceLawReachThePairs) {
 
   scene.setForceLaw(ForceLaw::kThesis, 7.0);
   EXPECT_THROW(scene.setForceLaw(ForceLaw::kVolume, kNaN), UsageError);
-  const ObjectId late = scene.addObject({"late", "objects", ball(1.0)});
+  const ObjectId late = scene.addObject({"late", "objects", ball(20)});
   scene.addPair(ObjectId(0), late);
   for (const Pair& p : scene.pairs()) {
     EXPECT_EQ(p.options.law, ForceLaw::kThesis);
@@ -211,12 +215,12 @@ TEST(Scene, MarginsAndForceLawReachThePairs) {
 
 TEST(Scene, SharedStructuresCountOnce) {
   Scene scene;
-  const auto shared = ball(1.0);
+  const auto shared = ball(20);
   scene.addObject({"a", "g", shared});
   const std::size_t one = scene.memoryBytes();
   scene.addObject({"b", "g", shared});
   EXPECT_EQ(scene.memoryBytes(), one);
-  scene.addObject({"c", "g", ball(1.0)});
+  scene.addObject({"c", "g", ball(20)});
   EXPECT_EQ(scene.memoryBytes(), 2 * one);
 }
 
@@ -255,7 +259,7 @@ TEST(ScenePoses, ConstantMotionGivesItsVelocity) {
   // Turns about a fixed axis while it drifts; the centre of mass lies off the origin.
   const Vector3d omega(0.7, -1.1, 0.4), drift(0.3, 0.2, -0.1), com(0.1, 0.05, -0.2);
   Scene scene;
-  const ObjectId id = scene.addObject({"a", "g", ball(0.1, com)});
+  const ObjectId id = scene.addObject({"a", "g", ball(20, com)});
   const double dt = 0.01;
   const auto poseAt = [&](double t) {
     Transform X = at(0);
