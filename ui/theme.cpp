@@ -32,6 +32,8 @@ QStatusBar { border-top: 1px solid palette(mid); }
 QStatusBar::item { border: 0; }
 QHeaderView::section { background: palette(button); border: 0; border-right: 1px solid palette(mid);
   border-bottom: 1px solid palette(mid); padding: 3px 6px; }
+QHeaderView::up-arrow, QHeaderView::down-arrow { subcontrol-origin: padding; subcontrol-position: center left;
+  left: 3px; width: 9px; height: 9px; }
 QAbstractItemView { border: 1px solid palette(mid); }
 QScrollArea { border: 0; }
 QToolTip { padding: 3px; }

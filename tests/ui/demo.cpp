@@ -1,5 +1,5 @@
 // The window with a made-up session: to look at, and for pictures.
-// ui_demo [--screenshot FILE.png] [--at SECONDS] [--size WxH] [--dark] [--velocities] [--select NAME]
+// ui_demo [--screenshot FILE.png] [--at SECONDS] [--size WxH] [--dark] [--velocities] [--select NAME] [--stale NAME] [--camera KEY] [--empty]
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -29,7 +29,7 @@ void spin(int ms) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepareOpenGl();
+  prepareOpenGl(true);
   QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("AbstandDemo"));
   QCoreApplication::setApplicationName(QStringLiteral("Demo"));
@@ -39,6 +39,9 @@ int main(int argc, char** argv) {
                       {"size", "Size of the window.", "WxH", "1440x900"},
                       {"dark", "Dark theme."},
                       {"velocities", "Show velocities."},
+                      {"stale", "Lose the pose of an object.", "name"},
+                      {"camera", "1, 3, 5 or 7, as the keys.", "key", "5"},
+                      {"empty", "No session."},
                       {"select", "Choose an object.", "name"}});
   options.process(app);
 
@@ -48,7 +51,7 @@ int main(int argc, char** argv) {
   window.resize(size.value(0).toInt(), size.value(1).toInt());
   window.actions()[ActionId::kDarkTheme]->setChecked(options.isSet("dark"));
   window.actions()[ActionId::kVelocities]->setChecked(options.isSet("velocities"));
-  window.setSession(&session);
+  if (!options.isSet("empty")) window.setSession(&session);
   window.show();
   if (!options.isSet("screenshot")) {
     QTimer clock;
@@ -67,6 +70,10 @@ int main(int argc, char** argv) {
   }
   window.playback().setPlaying(false);
   if (options.isSet("select")) window.selection().setObjects({session.indexOf(options.value("select").toStdString())});
+  if (options.isSet("stale"))
+    session.setPoseState(session.indexOf(options.value("stale").toStdString()), abstand::PoseState::kStale);
+  for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso})
+    if (window.actions()[id]->shortcut().toString() == options.value("camera")) window.actions()[id]->trigger();
   spin(400);
   std::printf("%ld frames, %s, last %lld ms\n", window.viewport().framesDrawn(), qPrintable(openGlInfo().renderer),
               static_cast<long long>(wall.elapsed()));

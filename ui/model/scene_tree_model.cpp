@@ -141,14 +141,16 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
     }
     if (role == Qt::ToolTipRole) {
       switch (group.kind) {
-        case GroupKind::kMechanism: return tr("Mechanism with %n link(s)", "", static_cast<int>(group.objects.size()));
-        case GroupKind::kHuman: return tr("Person with %n body part(s)", "", static_cast<int>(group.objects.size()));
-        case GroupKind::kObjects: return tr("%n object(s) in the room", "", static_cast<int>(group.objects.size()));
+        case GroupKind::kMechanism: return tr("Mechanism, links: %1").arg(group.objects.size());
+        case GroupKind::kHuman: return tr("Person, body parts: %1").arg(group.objects.size());
+        case GroupKind::kObjects: return tr("In the room: %1").arg(group.objects.size());
       }
     }
     return {};
   }
-  if (role == Qt::DisplayRole && in_contact > 0) return tr("⚠ %n in contact", "", static_cast<int>(in_contact));
+  if (role == Qt::DisplayRole && in_contact > 0) return QStringLiteral("⚠ %1").arg(in_contact);
+  if (role == Qt::ToolTipRole && in_contact > 0) return tr("In contact: %1").arg(in_contact);
+  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ForegroundRole && in_contact > 0) return QBrush(QColor(kVermillion));
   return {};
 }

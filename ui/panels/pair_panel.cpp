@@ -45,9 +45,9 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
-  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96}, {+PairTableModel::kDistance, 110},
-                                      {+PairTableModel::kBound, 92}, {+PairTableModel::kMargin, 92},
-                                      {+PairTableModel::kForce, 80}, {+PairTableModel::kContacts, 76}})
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96}, {+PairTableModel::kDistance, 126},
+                                      {+PairTableModel::kBound, 104}, {+PairTableModel::kMargin, 104},
+                                      {+PairTableModel::kForce, 88}, {+PairTableModel::kContacts, 86}})
     header->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;
@@ -102,7 +102,7 @@ void PairPanel::followSelection() {
 }
 
 void PairPanel::showCount() {
-  count_->setText(tr("%1 of %n pair(s)", "", model_->rowCount()).arg(filter_->rowCount()));
+  count_->setText(tr("%1 of %2 pairs").arg(filter_->rowCount()).arg(model_->rowCount()));
 }
 
 }  // namespace abstand::ui

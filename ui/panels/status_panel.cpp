@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPalette>
 #include <QStatusBar>
+#include <algorithm>
 
 #include "ui/format.hpp"
 #include "ui/theme.hpp"
@@ -18,22 +19,32 @@ void colourText(QLabel* label, bool alarm) {
   if (label->palette().color(QPalette::WindowText) != palette.color(QPalette::WindowText)) label->setPalette(palette);
 }
 
+constexpr int kAround = 12;  // px left and right of a text
+
+void setText(QLabel* label, const QString& text) {
+  label->setText(text);
+  // Labels only grow, so that what stands beside them keeps its place.
+  label->setMinimumWidth(std::max(label->minimumWidth(), label->fontMetrics().horizontalAdvance(text) + 2 * kAround));
+}
+
 }  // namespace
 
 StatusPanel::StatusPanel(QStatusBar* bar)
     : QObject(bar), nearest_{new QLabel(bar)}, cycle_{new QLabel(bar)}, overruns_{new QLabel(bar)},
       real_time_{new QLabel(bar)} {
   bar->setSizeGripEnabled(false);
-  auto* banner = new QLabel(tr("Analysis tool, not a safety function"), bar);
+  auto* banner = new QLabel(bar);
+  setText(banner, tr("Analysis tool, not a safety function"));
   banner->setForegroundRole(QPalette::PlaceholderText);
-  banner->setContentsMargins(8, 0, 8, 0);
+  banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
   overruns_->setToolTip(tr("Cycles that took longer than their period"));
   real_time_->setToolTip(tr("Simulation time by wall time"));
-  bar->addPermanentWidget(nearest_);
+  nearest_->setContentsMargins(8, 0, 8, 0);
+  bar->addWidget(nearest_, 1);
   for (QLabel* label : {cycle_, overruns_, real_time_}) {
-    label->setContentsMargins(10, 0, 10, 0);
+    label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
   bar->addPermanentWidget(banner);
@@ -55,9 +66,9 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
   } else {
     nearest_->clear();
   }
-  cycle_->setText(tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
-  overruns_->setText(tr("Overruns %1").arg(snapshot.overruns));
-  real_time_->setText(tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
+  setText(cycle_, tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
+  setText(overruns_, tr("Overruns %1").arg(snapshot.overruns));
+  setText(real_time_, tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }
 
 void StatusPanel::clear() {

@@ -115,6 +115,7 @@ void TimeStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.drawImage(band(), heat_);
   paintMarks(painter);
+  painter.setBrush(Qt::NoBrush);
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(band().adjusted(-1, -1, 0, 0));
   paintTicks(painter);

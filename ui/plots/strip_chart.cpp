@@ -9,9 +9,11 @@
 #include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,7 @@ namespace {
 
 constexpr double kShortestWindow = 0.05;   // s
 constexpr double kZoomStep = 0.8;          // a notch of the wheel
+constexpr int kTimeLabelOverhang = 14;     // px
 constexpr double kValueAxisWidth = 44.0;   // px; the same for all charts, so that their times line up
 
 }  // namespace
@@ -72,6 +75,8 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
     plot_->axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
   }
   plot_->axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(kValueAxisWidth);
+  // The same overhang of the last label, whether there is one or not.
+  plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(kTimeLabelOverhang, kTimeLabelOverhang);
   plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
   plot_->setAxisMaxMajor(QwtPlot::xBottom, 6);
   if (text_.time_axis) {
@@ -147,8 +152,7 @@ void StripChart::fitValues() {
 }
 
 void StripChart::applyPalette() {
-  QPalette p = palette();
-  plot_->setPalette(p);
+  const QPalette p = QApplication::palette();
   plot_->setCanvasBackground(p.color(QPalette::Base));
   QColor line = p.color(QPalette::Mid);
   line.setAlpha(140);
@@ -159,7 +163,12 @@ void StripChart::applyPalette() {
 double StripChart::timeAt(int x) const { return plot_->canvasMap(QwtPlot::xBottom).invTransform(x); }
 
 void StripChart::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) applyPalette();
+  // Later, because a style sheet that is set anew gives the canvas its old colours back after this event.
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+    QTimer::singleShot(0, this, [this] {
+      applyPalette();
+      refresh();
+    });
   QWidget::changeEvent(event);
 }
 

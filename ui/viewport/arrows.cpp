@@ -13,7 +13,7 @@ constexpr double kLongest = 0.40;         // m, straight arrows
 constexpr double kLargestArc = 0.16;      // m, radius of a torque's arc
 constexpr double kShortest = 0.06;        // m, so that an arrow can be seen as one
 constexpr double kSmallestArc = 0.04;     // m
-constexpr double kForceRadius = 0.009;    // m
+constexpr double kForceRadius = 0.012;    // m
 constexpr double kVelocityRadius = 0.004; // m
 
 /// Factor from value to length, and the largest arrow for the legend.

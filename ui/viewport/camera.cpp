@@ -15,7 +15,7 @@ constexpr double kViewAngle = 32.0;                        // degrees, vertical
 constexpr double kOrbitPerPixel = 0.0075;                  // rad
 constexpr double kSteepest = 0.5 * kPi - 1e-3;             // rad; at the pole "up" would be lost
 constexpr double kNearest = 0.05, kFarthest = 200.0;       // m
-constexpr double kRoom = 1.06;                             // around a fitted box
+constexpr double kRoom = 0.93;                             // of a fitted box, whose corners are mostly empty
 
 }  // namespace
 

@@ -19,7 +19,7 @@ constexpr std::size_t kTriangleBudget = 60000;   // more cost too much where the
 constexpr double kShadowLift = 0.002;            // m above the floor
 constexpr double kShadowThickness = 1e-3;        // of the object's height; a flat matrix could not be inverted
 // Where the key light comes from, per metre of height.
-constexpr double kLightX = -0.35, kLightY = 0.25;
+constexpr double kLightX = -0.12, kLightY = -0.40;
 
 void setColour(vtkProperty* property, const QColor& c) { property->SetColor(c.redF(), c.greenF(), c.blueF()); }
 
@@ -42,8 +42,11 @@ bool show(vtkActor* actor, bool visible) {
 }  // namespace
 
 void ObjectActors::open(const SceneOutline& outline, Theme theme) {
-  for (const Item& item : items_)
-    for (const auto& actor : {item.body, item.outline, item.shadow}) renderer_->RemoveActor(actor);
+  for (const Item& item : items_) {
+    renderer_->RemoveActor(item.body);
+    renderer_->RemoveActor(item.outline);
+    back_->RemoveActor(item.shadow);
+  }
   items_.assign(outline.objects.size(), {});
   infos_ = outline.objects;
   theme_ = theme;
@@ -58,17 +61,17 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
     item.shadow_pose = vtkSmartPointer<vtkMatrix4x4>::New();
     static const TriangleMesh kNothing;
     const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
-    item.shadow = addActor(data.shadow, item.shadow_pose);
+    item.shadow = addActor(back_, data.shadow, item.shadow_pose);
     item.shadow->GetProperty()->LightingOff();
-    item.outline = addActor(data.hull, item.pose);
+    item.outline = addActor(renderer_, data.hull, item.pose);
     item.outline->GetProperty()->LightingOff();
     item.outline->GetProperty()->FrontfaceCullingOn();
     item.outline->VisibilityOff();
-    item.body = addActor(data.surface, item.pose);
+    item.body = addActor(renderer_, data.surface, item.pose);
     vtkProperty* look = item.body->GetProperty();
     look->SetInterpolationToGouraud();
-    look->SetAmbient(0.22);
-    look->SetDiffuse(0.78);
+    look->SetAmbient(0.30);
+    look->SetDiffuse(0.80);
     look->SetSpecular(0.12);
     look->SetSpecularPower(18.0);
     look->BackfaceCullingOn();
@@ -76,14 +79,14 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
   setTheme(theme);
 }
 
-vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkPolyData* data, vtkMatrix4x4* pose) {
+vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetUserMatrix(pose);
-  renderer_->AddActor(actor);
+  renderer->AddActor(actor);
   return actor;
 }
 

@@ -22,7 +22,8 @@ class Selection;
 /// Drawn so that the state is seen without colour too: contact has an outline, a lost pose is hollow.
 class ObjectActors {
  public:
-  explicit ObjectActors(vtkRenderer* renderer) : renderer_{renderer} {}
+  /// Bodies and outlines into `renderer`, shadows into `back`.
+  ObjectActors(vtkRenderer* renderer, vtkRenderer* back) : renderer_{renderer}, back_{back} {}
 
   void open(const SceneOutline& outline, Theme theme);
   void setTheme(Theme theme);
@@ -45,11 +46,12 @@ class ObjectActors {
     bool visible{true};
   };
 
-  vtkSmartPointer<vtkActor> addActor(vtkPolyData* data, vtkMatrix4x4* pose);
+  static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
   bool place(Item& item, const Transform& X_WB);
   bool paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options);
 
   vtkRenderer* renderer_;
+  vtkRenderer* back_;
   std::vector<Item> items_;
   std::vector<SceneOutline::ObjectInfo> infos_;
   Theme theme_{Theme::kLight};

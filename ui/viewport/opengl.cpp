@@ -11,7 +11,7 @@
 
 namespace abstand::ui {
 
-void prepareOpenGl() {
+void prepareOpenGl(bool exact_pixels) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") &&
       (qEnvironmentVariable("XDG_SESSION_TYPE") == QLatin1String("wayland") ||
        !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")))
@@ -20,7 +20,7 @@ void prepareOpenGl() {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(exact_pixels ? Qt::AA_DisableHighDpiScaling : Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 }

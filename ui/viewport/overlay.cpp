@@ -15,7 +15,8 @@ namespace {
 constexpr double kAxisLength = 30.0;   // px
 constexpr double kMargin = 14.0;       // px from the edges
 constexpr int kMarkWidth = 34;         // px, of the legend's arrows
-constexpr double kLabelLift = 22.0;    // px from the point to its label
+constexpr double kNameLift = 66.0;     // px from a point up to a name, so that the names do not hide the contact
+constexpr double kValueDrop = 30.0;    // px from a point down to a value
 
 void arrow(QPainter& p, QPointF from, QPointF to, double head) {
   p.drawLine(from, to);
@@ -29,6 +30,15 @@ void arrow(QPainter& p, QPointF from, QPointF to, double head) {
   p.setPen(Qt::NoPen);
   p.drawPolygon(QVector<QPointF>{to + u * 2.0, to - u * head + side * head * 0.5, to - u * head - side * head * 0.5});
   p.restore();
+}
+
+QColor edgeColour(OverlayLabel::Style style) {
+  switch (style) {
+    case OverlayLabel::Style::kContact: return QColor(kVermillion);
+    case OverlayLabel::Style::kNear: return QColor(kAmber);
+    case OverlayLabel::Style::kPlain: break;
+  }
+  return QColor(0xff8a95a1);
 }
 
 void legendMark(QPainter& p, const LegendLine& line, const QRectF& box) {
@@ -97,30 +107,41 @@ void Overlay::paintLabels(QPainter& painter) const {
   font.setWeight(QFont::DemiBold);
   painter.setFont(font);
   const QFontMetricsF metrics(font, const_cast<Overlay*>(this));
-  for (const OverlayLabel& label : content_.labels) {
+  // Lower points first, so that the lines up to the labels cross each other less; all lines below all labels.
+  std::vector<std::pair<const OverlayLabel*, QRectF>> placed;
+  std::vector<const OverlayLabel*> order;
+  for (const OverlayLabel& label : content_.labels) order.push_back(&label);
+  std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->at.y() > b->at.y(); });
+  for (const OverlayLabel* each : order) {
+    const OverlayLabel& label = *each;
     if (!rect().adjusted(-20, -20, 20, 20).contains(label.at.toPoint())) continue;
     QRectF box(0, 0, metrics.horizontalAdvance(label.text) + 16, metrics.height() + 6);
-    box.moveCenter(label.at - QPointF(0, kLabelLift));
+    box.moveCenter(label.at + QPointF(0, label.below ? kValueDrop : -kNameLift));
     const auto overlaps = [&](const QRectF& other) { return other.adjusted(-2, -2, 2, 2).intersects(box); };
     for (int tries = 0; tries < 12 && std::any_of(taken.begin(), taken.end(), overlaps); ++tries)
-      box.translate(0, -(box.height() + 3));
+      box.translate(0, (label.below ? 1.0 : -1.0) * (box.height() + 3));
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
     box.moveTop(std::max(box.top(), 4.0));
     taken.push_back(box);
-
-    const bool contact = label.style == OverlayLabel::Style::kContact;
-    const QColor edge(contact ? kVermillion : label.style == OverlayLabel::Style::kNear ? kAmber : 0xff8a95a1);
+    placed.emplace_back(&label, box);
+    painter.setPen(QPen(edgeColour(label.style), 1.2));
+    painter.drawLine(label.at, QPointF(std::clamp(label.at.x(), box.left(), box.right()),
+                                       label.below ? box.top() : box.bottom()));
+  }
+  for (const auto& [label, box] : placed) {
+    const bool contact = label->style == OverlayLabel::Style::kContact;
+    const QColor edge = edgeColour(label->style);
     painter.setPen(QPen(edge, 1.2));
-    painter.drawLine(label.at, QPointF(std::clamp(label.at.x(), box.left(), box.right()), box.bottom()));
     painter.setBrush(contact ? edge : colours.label_back);
     painter.drawRoundedRect(box, 4.0, 4.0);
     painter.setPen(contact ? QColor(Qt::white) : colours.label_text);
-    painter.drawText(box, Qt::AlignCenter, label.text);
+    painter.drawText(box, Qt::AlignCenter, label->text);
   }
 }
 
 void Overlay::paintAxes(QPainter& painter) const {
   static constexpr QRgb kAxisColours[3]{0xffa8483c, 0xff4d7f4a, 0xff3f63a0};
+  const int lighter = themeOf(palette()) == Theme::kDark ? 150 : 100;
   static const QString kNames[3]{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const QPointF origin(kMargin + kAxisLength + 6, height() - kMargin - kAxisLength - 6);
   QFont font = this->font();
@@ -129,7 +150,7 @@ void Overlay::paintAxes(QPainter& painter) const {
   for (int k = 0; k < 3; ++k) {
     const QPointF d = content_.axes[static_cast<std::size_t>(k)];
     const QPointF tip = origin + kAxisLength * d;
-    painter.setPen(QPen(QColor(kAxisColours[k]), 2.2, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(QColor(kAxisColours[k]).lighter(lighter), 2.2, Qt::SolidLine, Qt::RoundCap));
     arrow(painter, origin, tip, 7.0);
     if (std::hypot(d.x(), d.y()) < 0.15) continue;
     const QPointF at = tip + 9.0 * d / std::hypot(d.x(), d.y());

@@ -13,6 +13,7 @@ struct OverlayLabel {
   QPointF at;
   QString text;
   Style style{Style::kPlain};
+  bool below{false};   ///< the label stands below its point, else well above it
 };
 
 struct OverlaySegment {

@@ -74,8 +74,8 @@ void show(vtkActor* actor, Sheet& sheet, bool lines) {
 
 }  // namespace
 
-Room::Room(vtkRenderer* renderer)
-    : renderer_{renderer}, floor_{vtkSmartPointer<vtkActor>::New()}, grid_{vtkSmartPointer<vtkActor>::New()} {
+Room::Room(vtkRenderer* back, vtkRenderer* bodies)
+    : renderer_{back}, floor_{vtkSmartPointer<vtkActor>::New()}, grid_{vtkSmartPointer<vtkActor>::New()} {
   for (const auto& actor : {floor_, grid_}) {
     actor->GetProperty()->LightingOff();
     actor->PickableOff();
@@ -83,20 +83,20 @@ Room::Room(vtkRenderer* renderer)
     renderer_->AddActor(actor);
   }
   renderer_->GradientBackgroundOn();
-  renderer_->AutomaticLightCreationOff();
-  renderer_->RemoveAllLights();
+  bodies->AutomaticLightCreationOff();
+  bodies->RemoveAllLights();
 
   vtkNew<vtkLight> key;
   key->SetLightTypeToSceneLight();
-  key->SetPosition(-3.5, 2.5, 10.0);
+  key->SetPosition(-1.2, -4.0, 10.0);
   key->SetFocalPoint(0.0, 0.0, 0.0);
-  key->SetIntensity(0.62);
-  renderer_->AddLight(key);
+  key->SetIntensity(0.55);
+  bodies->AddLight(key);
   vtkNew<vtkLight> head;
   head->SetLightTypeToCameraLight();
   head->SetPosition(0.35, 0.35, 1.0);
-  head->SetIntensity(0.52);
-  renderer_->AddLight(head);
+  head->SetIntensity(0.62);
+  bodies->AddLight(head);
   setTheme(Theme::kLight);
 }
 

@@ -13,7 +13,8 @@ namespace abstand::ui {
 /// A round floor that fades into the background, lines every half metre, axes through the origin.
 class Room {
  public:
-  explicit Room(vtkRenderer* renderer);
+  /// Background, floor and grid in `back`, light also in `bodies`.
+  Room(vtkRenderer* back, vtkRenderer* bodies);
   void setTheme(Theme theme);
   void setVisible(bool visible);
   /// Floor below everything in `box`, but no higher than z = 0; wide enough for it.

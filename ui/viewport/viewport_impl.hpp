@@ -40,8 +40,8 @@ struct Viewport::Impl {
 
   QVTKOpenGLNativeWidget* gl{nullptr};   // null without OpenGL
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkRenderer> front;   // drawn over the bodies, so that arrows are not hidden in them
+  // Three layers, each drawn over the one before: floor and shadows, bodies, arrows (which bodies must not hide).
+  vtkNew<vtkRenderer> back, renderer, front;
   Room room;
   ObjectActors objects;
   Arrows arrows;

@@ -13,7 +13,7 @@ namespace abstand::ui {
 namespace {
 
 constexpr std::size_t kClosestPairs = 4;    // lines; more hide the scene
-constexpr std::size_t kContactLabels = 5;
+constexpr std::size_t kContactLabels = 4;
 constexpr double kFarLine = 1.5;            // m; farther apart nothing is near
 
 QPointF axis(const Camera& camera, const Vector3d& direction) {
@@ -70,7 +70,7 @@ void Viewport::Impl::addClosest() {
     const auto style = contact ? OverlayLabel::Style::kContact
                        : near  ? OverlayLabel::Style::kNear
                                : OverlayLabel::Style::kPlain;
-    content.labels.push_back({0.5 * (a + b), millimetresWithUnit(result.distance), style});
+    content.labels.push_back({0.5 * (a + b), millimetresWithUnit(result.distance), style, true});
   }
 }
 
