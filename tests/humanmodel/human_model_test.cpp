@@ -148,6 +148,12 @@ TEST(HumanModel, MassesSumAndInertiaIsOfARealBody) {
   const HumanPart& thigh = man.part(BodyPart::kThighLeft);
   EXPECT_NEAR((thigh.com - thigh.p_proximal).norm(), .4095 * thigh.length, kRounding);
   EXPECT_NEAR(thigh.inertia(2, 2), thigh.mass * std::pow(.149 * thigh.length, 2), kRounding);
+  // A palm that faces inwards is hardest to turn about the axis through it, y.
+  const HumanPart& hand = man.part(BodyPart::kHandLeft);
+  EXPECT_NEAR(hand.inertia(1, 1) / hand.inertia(0, 0), std::pow(.628 / .513, 2), kRounding);
+  // A foot lies: its long axis is x.
+  const HumanPart& foot = man.part(BodyPart::kFootLeft);
+  EXPECT_NEAR(foot.inertia(0, 0), foot.mass * std::pow(.124 * foot.length, 2), kRounding);
 }
 
 TEST(HumanModel, StandsFromTheFloorToItsHeight) {
