@@ -54,9 +54,13 @@ void Poser::reset() {
 }
 
 void Poser::calibrate(std::span<const SkeletonFrame> recording) {
-  if (const auto ratio = legRatio(*model_, recording)) {
-    leg_ratio_ = std::clamp(*ratio, kSmallestRatio, kLargestRatio);
-    calibrated_ = true;
+  const std::optional<double> ratio = legRatio(*model_, recording);
+  if (!ratio) return;
+  leg_ratio_ = std::clamp(*ratio, kSmallestRatio, kLargestRatio);
+  calibrated_ = true;
+  if (const auto ankle = standingAnkle(recording, floor_)) {
+    recorded_ankle_ = *ankle;
+    model_ankle_ = model_->rest[Joint::kAnkleLeft].z();
   }
 }
 
@@ -163,7 +167,8 @@ double Poser::liftOf(double hip_height, const SkeletonFrame& frame) {
   if (!calibrated_)
     if (const auto ratio = legRatio(*model_, frame))
       leg_ratio_ = std::clamp(*ratio, kSmallestRatio, kLargestRatio);
-  return (leg_ratio_ - 1.0) * (hip_height - floor_);
+  const double recorded = hip_height - floor_;
+  return model_ankle_ + leg_ratio_ * (recorded - recorded_ankle_) - recorded;
 }
 
 }  // namespace abstand

@@ -42,8 +42,10 @@ class Poser {
   /// `floor`: height of the floor in the frames, m.
   explicit Poser(const HumanModel& model, bool follow_lengths = false, double floor = 0.0);
 
-  /// Takes the leg length of the recording from the medians of the whole of it, instead of from every frame
-  /// for itself: noisy legs then do not move the hips. May allocate.
+  /// Takes the legs of the recording from medians over the whole of it, instead of from every frame for
+  /// itself: noisy legs then do not move the hips. Where the recording's floor is the poser's, heights are
+  /// scaled above the ankles: ankles that stood in the recording stand at the model's own height. May
+  /// allocate.
   void calibrate(std::span<const SkeletonFrame> recording);
 
   /// No allocation, no throw. A frame with numbers that are not finite changes nothing but state and age.
@@ -82,7 +84,8 @@ class Poser {
   double floor_;
   double leg_ratio_{1.0};
   bool calibrated_{false};
-  double lift_{0.0};  ///< m, added to recorded heights
+  double recorded_ankle_{0.0}, model_ankle_{0.0};  ///< m, above the floor when standing; 0 where not known
+  double lift_{0.0};                               ///< m, added to recorded heights
   std::array<Vector3d, kBodyPartCount>
       p_joint_on_parent_;  ///< of each part's inner joint, in the parent's frame
   HumanPose before_;       ///< of the last frame

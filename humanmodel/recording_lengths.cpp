@@ -11,28 +11,41 @@ namespace {
 
 using enum Joint;
 constexpr std::size_t kMostFrames = 200;
-constexpr double kShortestBone = 1e-3;  // m; shorter ones are joints that a format repeats
+constexpr double kShortestBone = 1e-3;    // m; shorter ones are joints that a format repeats
+constexpr double kGroundQuantile = 0.05;  // some frames may be broken or below a sloping floor
+constexpr double kHighestAnkle = 0.25;    // m; a tall person's is 0.09, a thick sole or a marker adds to it
 
 struct Leg {
   Joint hip, knee, ankle;
 };
 constexpr Leg kLegs[] = {{kHipLeft, kKneeLeft, kAnkleLeft}, {kHipRight, kKneeRight, kAnkleRight}};
 
-/// Median of what `measure` finds in the sampled frames.
+/// A quantile (0 to 1) of what `measure` finds in the sampled frames.
 template <class Measure>
-std::optional<double> medianOf(std::span<const SkeletonFrame> frames, Measure measure) {
+std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double quantile, Measure measure) {
   std::vector<double> found;
   const std::size_t samples = std::min(frames.size(), kMostFrames);
   found.reserve(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const std::size_t at = samples == 1 ? 0 : i * (frames.size() - 1) / (samples - 1);
     const std::optional<double> value = measure(frames[at]);
-    if (value && std::isfinite(*value) && *value > kShortestBone) found.push_back(*value);
+    if (value && std::isfinite(*value)) found.push_back(*value);
   }
   if (found.empty()) return std::nullopt;
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  return *middle;
+  const auto rank = static_cast<std::size_t>(quantile * static_cast<double>(found.size()));
+  const auto wanted = found.begin() + static_cast<std::ptrdiff_t>(std::min(rank, found.size() - 1));
+  std::nth_element(found.begin(), wanted, found.end());
+  return *wanted;
+}
+
+/// Median length of a bone; joints that coincide are not counted.
+template <class Measure>
+std::optional<double> medianOf(std::span<const SkeletonFrame> frames, Measure measure) {
+  return quantileOf(frames, 0.5, [&](const SkeletonFrame& frame) -> std::optional<double> {
+    const std::optional<double> length = measure(frame);
+    if (!length || !(*length > kShortestBone)) return std::nullopt;
+    return length;
+  });
 }
 
 /// `bone` gives the recording's distance of two joints.
@@ -76,6 +89,18 @@ std::optional<double> legRatio(const HumanModel& model, const SkeletonFrame& fra
     if (!frame.has(a) || !frame.has(b)) return std::nullopt;
     return (frame[a] - frame[b]).norm();
   });
+}
+
+std::optional<double> standingAnkle(std::span<const SkeletonFrame> frames, double floor) {
+  const std::optional<double> z =
+      quantileOf(frames, kGroundQuantile, [](const SkeletonFrame& frame) -> std::optional<double> {
+        std::optional<double> lower;
+        for (const Leg& leg : kLegs)
+          if (frame.has(leg.ankle)) lower = std::min(lower.value_or(kInfinity), frame[leg.ankle].z());
+        return lower;
+      });
+  if (!z || !(*z - floor >= 0.0 && *z - floor <= kHighestAnkle)) return std::nullopt;
+  return *z - floor;
 }
 
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames) {

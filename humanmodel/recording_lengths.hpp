@@ -18,6 +18,11 @@ std::optional<double> legRatio(const HumanModel& model, std::span<const Skeleton
 /// The same for one frame alone. No allocation.
 std::optional<double> legRatio(const HumanModel& model, const SkeletonFrame& frame);
 
+/// Height above z = `floor` of the ankles on the ground: the 5 % quantile, over at most 200 frames taken
+/// evenly, of the lower ankle. Nothing when no ankle was recorded, and when the height is below 0 or above
+/// 0.25 m: the floor of such a recording lies elsewhere.
+std::optional<double> standingAnkle(std::span<const SkeletonFrame> frames, double floor);
+
 /// The options with the lengths of torso, head, upper arms, forearms, thighs and calves set so that the
 /// model's bones are as long as the recording's: "the recording's own bone lengths rule". Left and right get
 /// their mean. Girths stay, and so does a length that the user gave. Hands and feet stay, because formats end

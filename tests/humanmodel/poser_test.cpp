@@ -120,6 +120,23 @@ TEST(Poser, CalibrationKeepsNoisyLegsFromMovingTheHips) {
   EXPECT_LT((calm.X_WP[0].translation() - noisy.X_WP[0].translation()).norm(), kRounding);
 }
 
+TEST(Poser, CalibrationPutsTheSolesOnTheFloorWhateverTheRecordedAnkleHeight) {
+  const HumanModel m = person(1.9);
+  for (const double floor : {0.0, 0.4})
+    for (const double ankle : {0.02, 0.07, 0.15}) {
+      std::vector<SkeletonFrame> recording(40, person(1.62).rest);
+      const double up = floor + ankle - recording[0][Joint::kAnkleLeft].z();
+      for (SkeletonFrame& frame : recording)
+        for (Vector3d& p : frame.p) p.z() += up;
+      Poser poser(m, false, floor);
+      poser.calibrate(recording);
+      HumanPose pose;
+      poser.pose(recording[0], pose);
+      const double half_height = 0.5 * m.part(BodyPart::kFootLeft).depth;
+      EXPECT_NEAR(pose.X_WP[index(BodyPart::kFootLeft)].translation().z() - half_height, floor, kRounding);
+    }
+}
+
 TEST(Poser, FollowedJointsStandWhereTheyWereRecorded) {
   const HumanModel m = person(1.62);  // as tall as the recorded person
   Poser poser(m, true);

@@ -68,6 +68,20 @@ TEST(RecordingLengths, WrongUnitsAreRefusedByName) {
   EXPECT_THROW(makeHuman(withRecordingLengths({}, recording)), UsageError);
 }
 
+TEST(RecordingLengths, StandingAnkle) {
+  std::vector<SkeletonFrame> recording = standing(1.8, 100);
+  const double ankle = recording[0][Joint::kAnkleLeft].z();
+  // Half of the time in the air, and one frame below the ground.
+  for (std::size_t i = 0; i < 50; ++i)
+    for (Vector3d& p : recording[i].p) p.z() += 0.3;
+  recording[70].set(Joint::kAnkleLeft, {0.0, 0.0, -3.0});
+  ASSERT_TRUE(standingAnkle(recording, 0.0));
+  EXPECT_NEAR(*standingAnkle(recording, 0.0), ankle, kRounding);
+  EXPECT_FALSE(standingAnkle(recording, 1.0)) << "the floor is elsewhere";
+  EXPECT_FALSE(standingAnkle(recording, -0.9));
+  EXPECT_FALSE(standingAnkle({}, 0.0));
+}
+
 TEST(RecordingLengths, LegRatio) {
   const std::vector<SkeletonFrame> recording = standing(1.6, 10);
   HumanOptions options;
