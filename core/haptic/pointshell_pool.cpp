@@ -112,6 +112,7 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
     const double pitch = tips.pitch(piece.centroid());
     return area > pitch * pitch * max_area;
   };
+  std::size_t count = 0;
   std::vector<SubTriangle> stack;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (normals_[t].isZero()) continue;
@@ -120,11 +121,15 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
       const SubTriangle piece = stack.back();
       stack.pop_back();
       split_.push_back(tooLarge(piece));
-      if (!split_.back()) continue;
+      if (!split_.back()) {
+        if (++count <= kMostStored) pieces_.push_back(piece);
+        continue;
+      }
       stack.resize(stack.size() + 2);
       piece.split(stack[stack.size() - 1], stack[stack.size() - 2]);
     }
   }
+  if (count > kMostStored) pieces_ = {};
 }
 
 SubTriangle SurfacePool::whole(std::uint32_t t) const {

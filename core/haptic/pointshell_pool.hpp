@@ -26,8 +26,8 @@ struct SubTriangle {
 Vector3d closestPoint(const SubTriangle& triangle, const Vector3d& p);
 
 /// The pieces of a mesh, none longer than `max_edge` nor larger than `max_area`; near tips smaller by the
-/// square of the pitch. They are made anew on every walk, always in the same order, so that a large surface
-/// costs little memory. The mesh must outlive this object.
+/// square of the pitch. More than kMostStored pieces are not kept but made anew on every walk, in the same
+/// order, so that a large surface costs little memory. The mesh must outlive this object.
 class SurfacePool {
  public:
   /// Throws UsageError when there would be more than kMaxPieces.
@@ -36,6 +36,10 @@ class SurfacePool {
   /// Calls visit(index, const SubTriangle&) for every piece of positive area.
   template <class Visit>
   void walk(Visit visit) const {
+    if (!pieces_.empty()) {
+      for (std::uint32_t i = 0; i < pieces_.size(); ++i) visit(i, pieces_[i]);
+      return;
+    }
     std::vector<SubTriangle> stack;
     std::uint32_t index = 0;
     std::size_t decision = 0;
@@ -61,6 +65,7 @@ class SurfacePool {
   std::vector<SubTriangle> degenerate() const;
 
   static constexpr double kMaxPieces = 5.0e7;
+  static constexpr std::size_t kMostStored = 1'000'000;
 
  private:
   SubTriangle whole(std::uint32_t t) const;
@@ -68,7 +73,8 @@ class SurfacePool {
   const TriangleMesh& mesh_;
   std::vector<Vector3d> normals_;
   std::vector<std::uint8_t> sharp_;
-  std::vector<bool> split_;  ///< in the order of the walk: is this triangle halved?
+  std::vector<bool> split_;          ///< in the order of the walk: is this triangle halved?
+  std::vector<SubTriangle> pieces_;  ///< in the order of the walk; empty when there are too many
 };
 
 }  // namespace abstand

@@ -41,40 +41,28 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points) {
 
 }  // namespace
 
-float BlockTree::Box::squaredDistance(const float p[3]) const {
-  float sum = 0.0f;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float d = std::max(std::max(lower[axis] - p[axis], p[axis] - upper[axis]), 0.0f);
-    sum += d * d;
-  }
-  return sum;
-}
-
 BlockTree::BlockTree(const std::vector<Vector3f>& points) : order(mortonOrder(points)) {
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   leaves = std::bit_ceil(std::max<std::size_t>(blocks, 1));
   constexpr float kFar = std::numeric_limits<float>::infinity();
-  boxes.assign(2 * leaves, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}});
+  boxes.assign(2 * leaves,
+               {Eigen::Array4f(kFar, kFar, kFar, 0.0f), Eigen::Array4f(-kFar, -kFar, -kFar, 0.0f)});
   for (auto* c : {&x, &y, &z}) c->assign(blocks * kBlock, kFar);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Vector3f& p = points[order[i]];
     x[i] = p.x(), y[i] = p.y(), z[i] = p.z();
     Box& box = boxes[leaves + i / kBlock];
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = std::min(box.lower[axis], p[axis]);
-      box.upper[axis] = std::max(box.upper[axis], p[axis]);
-    }
+    box.lower = box.lower.min(corner(p));
+    box.upper = box.upper.max(corner(p));
   }
   for (std::size_t n = leaves - 1; n > 0; --n) {
-    for (int axis = 0; axis < 3; ++axis) {
-      boxes[n].lower[axis] = std::min(boxes[2 * n].lower[axis], boxes[2 * n + 1].lower[axis]);
-      boxes[n].upper[axis] = std::max(boxes[2 * n].upper[axis], boxes[2 * n + 1].upper[axis]);
-    }
+    boxes[n].lower = boxes[2 * n].lower.min(boxes[2 * n + 1].lower);
+    boxes[n].upper = boxes[2 * n].upper.max(boxes[2 * n + 1].upper);
   }
 }
 
 double NearestPoint::distance(const Vector3d& p, std::uint32_t& index, double limit) const {
-  const float q[3] = {float(p.x()), float(p.y()), float(p.z())};
+  const Eigen::Array4f q = BlockTree::corner(p.cast<float>());
   constexpr std::uint32_t kNone = 0xffffffffu;
   float best = static_cast<float>(limit * limit);
   std::uint32_t at = kNone;
@@ -84,7 +72,7 @@ double NearestPoint::distance(const Vector3d& p, std::uint32_t& index, double li
   return (Vector3d(tree_.x[at], tree_.y[at], tree_.z[at]) - p).norm();
 }
 
-void NearestPoint::visit(std::size_t node, const float p[3], float& best, std::uint32_t& index) const {
+void NearestPoint::visit(std::size_t node, const Eigen::Array4f& p, float& best, std::uint32_t& index) const {
   if (node >= tree_.leaves) {
     const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
     const std::size_t last = std::min(first + BlockTree::kBlock, tree_.order.size());
@@ -132,7 +120,7 @@ void SampleCover::reset() {
 }
 
 void SampleCover::add(std::uint32_t centre, const Vector3f& p, const Vector3f& n) {
-  visit(1, {centre, {p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}});
+  visit(1, {centre, BlockTree::corner(p), n});
 }
 
 void SampleCover::visit(std::size_t node, const Centre& c) {

@@ -12,10 +12,14 @@ namespace abstand {
 struct BlockTree {
   static constexpr std::size_t kBlock = 16;
 
+  /// The fourth component is not used; it makes one vector register of each corner.
   struct Box {
-    float lower[3], upper[3];
-    float squaredDistance(const float p[3]) const;
+    Eigen::Array4f lower, upper;
+    float squaredDistance(const Eigen::Array4f& p) const {
+      return (lower - p).max(p - upper).max(0.0f).matrix().squaredNorm();
+    }
   };
+  static Eigen::Array4f corner(const Vector3f& p) { return {p.x(), p.y(), p.z(), 0.0f}; }
 
   explicit BlockTree(const std::vector<Vector3f>& points);
 
@@ -34,7 +38,7 @@ class NearestPoint {
   double distance(const Vector3d& p, std::uint32_t& index, double limit = kInfinity) const;
 
  private:
-  void visit(std::size_t node, const float p[3], float& best, std::uint32_t& index) const;
+  void visit(std::size_t node, const Eigen::Array4f& p, float& best, std::uint32_t& index) const;
   BlockTree tree_;
 };
 
@@ -59,7 +63,8 @@ class SampleCover {
  private:
   struct Centre {
     std::uint32_t id;
-    float p[3], n[3];
+    Eigen::Array4f p;
+    Vector3f n;
   };
   void visit(std::size_t node, const Centre& centre);
 
