@@ -9,9 +9,10 @@ namespace abstand::mesh_file {
 namespace {
 
 /// Instances of instances grow by powers; these bound what a small file can unfold to. Work counts
-/// characters read, again for every instance, and elements passed; it is worth some seconds.
+/// characters read, again for every instance, and elements passed, and may grow to a multiple of the file.
 constexpr int kDeepestNode = 256;
-constexpr std::size_t kMostWork = std::size_t{1} << 30;
+constexpr std::size_t kLeastWork = std::size_t{64} << 20;
+constexpr std::size_t kMostInstances = 32;
 constexpr std::size_t kWorkOfElement = 64;
 constexpr std::size_t kMostVertices = 20'000'000;
 constexpr std::size_t kMostTriangles = 20'000'000;
@@ -28,7 +29,8 @@ struct Range {
 
 class Reader {
  public:
-  Reader(const XmlElement& root, const std::string& name) : root_(root), name_(name) {}
+  Reader(const XmlElement& root, std::size_t file_size, const std::string& name)
+      : root_(root), name_(name), most_work_(kLeastWork + kMostInstances * file_size) {}
 
   TriangleMesh run() {
     if (root_.name != "COLLADA")
@@ -86,7 +88,7 @@ class Reader {
 
   void spend(const XmlElement& e) {
     work_ += e.text.size() + kWorkOfElement * (1 + e.children.size());
-    if (work_ > kMostWork) fail(e, "found nodes that contain themselves, or too many instances");
+    if (work_ > most_work_) fail(e, "found nodes that contain themselves, or too many instances");
   }
 
   std::vector<double> numbers(const XmlElement& e) {
@@ -272,6 +274,7 @@ class Reader {
 
   const XmlElement& root_;
   const std::string& name_;
+  std::size_t most_work_;
   std::map<std::string_view, const XmlElement*> ids_;
   std::size_t work_{0};
   TriangleMesh mesh_;
@@ -285,7 +288,7 @@ class Reader {
 
 TriangleMesh readDae(std::string_view content, const std::string& name) {
   const XmlElement root = parseXml(content, name);
-  return Reader(root, name).run();
+  return Reader(root, content.size(), name).run();
 }
 
 }  // namespace abstand::mesh_file
