@@ -1,7 +1,9 @@
-// Mesh files; the only fence around assimp.
+// Mesh files: STL, OBJ, PLY, OFF and COLLADA in, STL and OBJ out.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "core/geometry/mesh_report.hpp"
 
@@ -12,12 +14,27 @@ struct LoadedMesh {
   MeshReport report;
 };
 
-/// Reads STL (ascii, binary), OBJ, PLY, OFF, DAE and what else assimp knows; triangulates, applies node
-/// transforms, multiplies by `scale` (metres per file unit), welds, turns an inside-out closed mesh.
-/// Throws ParseError with the file's name for anything that gives no triangle.
+/// Reads STL (ascii, binary), OBJ, PLY, OFF and DAE, told apart by the extension in any case; of a file
+/// with several bodies or nodes, all of them, in their places.
+///
+/// Coordinates times `scale` are metres. A DAE file's own unit is applied as well, so that a DAE that
+/// states its unit needs no scale. Its up axis is not: axes stay as the file has them, as URDF expects.
+/// Polygons are cut into triangles, vertices welded (within 1e-6 of the mesh's diagonal), degenerate
+/// triangles dropped and counted, and a closed mesh that is inside out is turned; report.remarks say so.
+///
+/// The readers are our own and take memory in proportion to the file, whatever its header claims; no
+/// other file is read, whatever the file refers to. Throws ParseError with the file's name for
+/// anything that gives no triangle, for coordinates that are not finite or beyond 1e6 m, and for a
+/// file larger than 512 MiB; UsageError for a scale that is not finite and positive.
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale = 1.0);
 
-/// Binary STL or OBJ by the extension, written whole or not at all. Throws UsageError.
+/// loadMesh for the content of a file: `format` is the extension without the point ("stl"), `name` goes
+/// into errors.
+LoadedMesh parseMesh(std::string_view content, std::string_view format, const std::string& name,
+                     double scale = 1.0);
+
+/// Binary STL or OBJ by the extension, metres, written whole or not at all. STL has single precision.
+/// Throws UsageError.
 void saveMesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace abstand

@@ -15,6 +15,8 @@ template <class... F>
 struct Overload : F... {
   using F::operator()...;
 };
+template <class... F>
+Overload(F...) -> Overload<F...>;  // clang 14 needs it
 
 /// How a shape is written on the command line.
 struct Spelling {
