@@ -13,7 +13,13 @@ struct MassProperties {
 };
 
 /// Exact for a closed mesh by the divergence theorem (Eberly, Polyhedral Mass Properties).
-/// For an open mesh whose signed volume is not positive, the centre of the surface area stands in.
+/// An open mesh is closed by cones to the centre of its bounds. Where that encloses no positive volume,
+/// or its centre of mass lies outside the bounds, the mesh is no solid: volume and inertia are 0, and the
+/// centre of the surface area stands in (the centre of the bounds when there is no area).
 MassProperties massProperties(const TriangleMesh& mesh);
+
+/// m^3; positive for a closed mesh whose triangles face outwards. For an open mesh, the volume of the
+/// cones from the centre of its bounds.
+double signedVolume(const TriangleMesh& mesh);
 
 }  // namespace abstand

@@ -32,7 +32,12 @@ using Shape = std::variant<Sphere, Ellipsoid, Cuboid, Cylinder, Capsule>;
 /// "sphere", "ellipsoid", "cuboid", "cylinder" or "capsule".
 std::string_view shapeName(const Shape& shape);
 
-/// Throws UsageError when a dimension is not finite and positive (a capsule's length may be 0).
+/// Limits of a shape's dimensions, m. They keep squares, areas and inertias far from overflow.
+inline constexpr double kLeastDimension = 1e-6;
+inline constexpr double kMostDimension = 1e6;
+
+/// Throws UsageError when a dimension is not finite or not between the limits (a capsule's length may
+/// be 0 too). The functions below take valid shapes only.
 void validate(const Shape& shape);
 
 /// `sphere:r`, `cuboid:x,y,z`, `ellipsoid:a,b,c`, `cylinder:r,l`, `capsule:r,l` in metres.
@@ -41,7 +46,8 @@ std::optional<Shape> parseShape(std::string_view text);
 
 /// Nearest point of the surface, and the signed distance to it: positive outside, negative inside.
 /// Exact to 1e-12 relative; the ellipsoid by a safeguarded Newton iteration (Eberly, Distance from a
-/// Point to an Ellipsoid). Where several points are nearest, one of them. No allocation.
+/// Point to an Ellipsoid). Where several points are nearest, one of them. p is finite and nearer than
+/// 1e100 m. No allocation; pure.
 struct ShapeDistance {
   Vector3d nearest;
   double distance;
@@ -49,11 +55,16 @@ struct ShapeDistance {
 ShapeDistance distanceTo(const Shape& shape, const Vector3d& p);
 
 Bounds bounds(const Shape& shape);
-double surfaceArea(const Shape& shape);  ///< m^2; ellipsoid by Carlson's symmetric integrals or to 1e-9 relative
+double surfaceArea(const Shape& shape);  ///< m^2, to rounding (ellipsoid: Carlson's symmetric integrals)
 MassProperties massProperties(const Shape& shape);
 
+/// Most triangles that tessellate() makes.
+inline constexpr std::size_t kMostTessellation = 4'000'000;
+
 /// Closed mesh with vertices on the surface and outward triangles. No point of the shape's surface is
-/// farther than `sagitta` (m) from the mesh. At least 32 triangles round a curved circumference.
+/// farther than `sagitta` (m) from the mesh. At least 32 triangles round a curved circumference; a ball
+/// is covered evenly, without poles, and an ellipsoid is a stretched ball.
+/// Throws UsageError when `sagitta` is not positive, or so small that it takes kMostTessellation.
 TriangleMesh tessellate(const Shape& shape, double sagitta);
 
 }  // namespace abstand

@@ -35,7 +35,9 @@ Bounds bounds(const TriangleMesh& mesh);
 /// m^2.
 double surfaceArea(const TriangleMesh& mesh);
 
-/// Merges vertices closer than `tolerance` (m) and drops triangles that collapse by it.
+/// Merges vertices within `tolerance` (m; 0 merges equal ones) and drops triangles that collapse by it
+/// and vertices that no triangle uses. The first vertex of a cluster stands for the others, so none
+/// moves by more than the tolerance. Vertices are numbered in the order in which triangles use them.
 TriangleMesh weld(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace abstand
