@@ -19,16 +19,16 @@ struct HapticStructure {
   std::string name;
   HapticOptions options;
   std::shared_ptr<const Surface> surface;
-  std::optional<Voxelmap> voxelmap;   ///< field: layered (and wherever asked for)
-  std::optional<NearField> near_field; ///< field: float and mixed
+  std::optional<Voxelmap> voxelmap;     ///< field: layered (and wherever asked for)
+  std::optional<NearField> near_field;  ///< field: float and mixed
   FarField far_field;
   Pointshell shell;
   PointSphereTree tree;
 
-  MassProperties mass_properties;     ///< density 1
-  Vector3d com{Vector3d::Zero()};     ///< centre for torques
-  EnclosingSphere bounding_sphere;    ///< of the surface, not only of its points
-  VoxelGrid grid;                     ///< the effective grid, whatever the field
+  MassProperties mass_properties;   ///< density 1
+  Vector3d com{Vector3d::Zero()};   ///< centre for torques
+  EnclosingSphere bounding_sphere;  ///< of the surface, not only of its points
+  VoxelGrid grid;                   ///< the effective grid, whatever the field
   std::size_t surface_voxels{0};
   std::size_t solid_voxels{0};
   std::size_t triangles{0};
@@ -40,7 +40,8 @@ struct HapticStructure {
 };
 
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
-std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name, std::shared_ptr<const Surface> surface,
+std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
+                                                            std::shared_ptr<const Surface> surface,
                                                             const HapticOptions& options, int threads = 0);
 
 }  // namespace abstand

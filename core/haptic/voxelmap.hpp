@@ -14,15 +14,17 @@ namespace abstand {
 /// 26-neighbour steps away from the surface voxels. Constant after construction.
 struct Voxelmap {
   VoxelGrid grid;
-  std::vector<std::int16_t> layer;   ///< grid.index order
-  std::size_t surface_voxels{0};     ///< layer 0
-  std::size_t solid_voxels{0};       ///< layer >= 0
-  bool inside_doubtful{false};       ///< the mesh is not watertight; winding numbers decided
+  std::vector<std::int16_t> layer;  ///< grid.index order
+  std::size_t surface_voxels{0};    ///< layer 0
+  std::size_t solid_voxels{0};      ///< layer >= 0
+  bool inside_doubtful{false};      ///< the mesh is not watertight; winding numbers decided
 
   std::int16_t at(const Vector3i& v) const { return layer[grid.index(v.x(), v.y(), v.z())]; }
 };
 
-/// Voxelizes on `threads` threads (0: as many as the machine has).
+/// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.
+/// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
+/// voxelmap_sides.hpp.
 Voxelmap makeVoxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads = 0);
 
 }  // namespace abstand

@@ -1,0 +1,151 @@
+// Signed float distances about the surface.
+#include "core/haptic/near_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/parallel.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr int kCells = NearField::kCells;
+constexpr int kVertices = NearField::kVertices;
+constexpr double kEpsilon = 0x1p-23;
+constexpr double kMostBytes = 2e9;
+constexpr double kDiagonal = 1.7320508075688774;
+
+double distanceToBox(const Bounds& box, const Vector3d& p) {
+  return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
+}
+
+// Whether a cube about c, with this many voxels along an edge, comes within the band or holds a part of the
+// inside. The distance changes by no more than the way, so one query decides for all but the cubes at the rim
+// of the band; those are parted once.
+bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int voxels, double h,
+              double band, std::uint32_t& hint) {
+  const double half = 0.5 * voxels * h;
+  if (distanceToBox(body, c) > band + kDiagonal * half) return false;
+  const SurfacePoint nearest = surface.closest(c, hint);
+  hint = nearest.hint;
+  if (nearest.distance <= band + half || surface.inside(c, nearest)) return true;
+  if (nearest.distance > band + kDiagonal * half) return false;
+  if (voxels < kCells) return true;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3d way = 0.5 * half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    if (isNeeded(surface, body, c + way, voxels / 2, h, band, hint)) return true;
+  }
+  return false;
+}
+
+// Values at the 9^3 vertices from `origin` on, back and forth so that each vertex is next to the one before
+// it: its nearest triangle is a good hint. When the two distances together exceed the way between the
+// vertices, no surface lies between and the sign stays; but across the holes of an open mesh the sign changes
+// anywhere.
+void fillBlock(const Surface& surface, const Vector3d& origin, double h, float* values) {
+  constexpr double kSure = 1.0 + 1e-9;
+  const bool closed = surface.watertight();
+  SurfacePoint nearest;
+  double before = 0.0;
+  bool inside = false;
+  int i = 0, j = 0, di = 1, dj = 1;
+  for (int k = 0; k < kVertices; ++k) {
+    for (int row = 0; row < kVertices; ++row) {
+      for (int column = 0; column < kVertices; ++column) {
+        const Vector3d p = origin + h * Vector3d(i, j, k);
+        nearest = surface.closest(p, nearest.hint);
+        if (!closed || !(nearest.distance + before > h * kSure)) inside = surface.inside(p, nearest);
+        before = nearest.distance;
+        values[(k * kVertices + j) * kVertices + i] = static_cast<float>(inside ? -before : before);
+        if (column + 1 < kVertices) i += di;
+      }
+      di = -di;
+      if (row + 1 < kVertices) j += dj;
+    }
+    dj = -dj;
+  }
+}
+
+}  // namespace
+
+NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads) : grid_(grid) {
+  const double h = grid.voxel_size;
+  const Vector3d corner = grid.first_centre.array() - 0.5 * h;
+  ox_ = static_cast<float>(corner.x());
+  oy_ = static_cast<float>(corner.y());
+  oz_ = static_cast<float>(corner.z());
+  inv_h_ = static_cast<float>(1.0 / h);
+  // The vertices lie where sample() takes them to be.
+  const Vector3d origin(ox_, oy_, oz_);
+  const double step = 1.0 / double(inv_h_);
+  for (int k = 0; k < 3; ++k) {
+    blocks_[k] = (grid.size[k] + kCells - 1) / kCells;
+    cells_[k] = static_cast<float>(blocks_[k] * kCells);
+  }
+  const std::size_t all = std::size_t(blocks_[0]) * blocks_[1] * blocks_[2];
+  const auto blockOrigin = [&](std::size_t b) -> Vector3d {
+    const Vector3d place(double(b % blocks_[0]), double(b / blocks_[0] % blocks_[1]),
+                         double(b / (std::size_t(blocks_[0]) * blocks_[1])));
+    return origin + kCells * step * place;
+  };
+
+  const Bounds body = surface.bounds();
+  std::vector<char> needed(all, 1);
+  if (std::isfinite(band)) {
+    parallelFor(threads, std::size_t(blocks_[1]) * blocks_[2], [&](std::size_t row) {
+      std::uint32_t hint = kNoHint;
+      for (std::size_t b = row * blocks_[0]; b < (row + 1) * blocks_[0]; ++b) {
+        const Vector3d centre = blockOrigin(b).array() + 0.5 * kCells * step;
+        needed[b] = isNeeded(surface, body, centre, kCells, step, band, hint);
+      }
+    });
+  }
+  block_index_.assign(all, kNoBlock);
+  std::vector<std::size_t> kept;
+  for (std::size_t b = 0; b < all; ++b) {
+    if (!needed[b]) continue;
+    block_index_[b] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(b);
+  }
+  if (double(kept.size()) * kBlockValues * sizeof(float) > kMostBytes) {
+    throw UsageError(
+        "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
+  }
+  values_.resize(kept.size() * kBlockValues);
+  parallelFor(threads, kept.size(), [&](std::size_t n) {
+    fillBlock(surface, blockOrigin(kept[n]), step, &values_[n * kBlockValues]);
+  });
+
+  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
+  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
+  const double rounding =
+      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + (end - origin).norm());
+  error_bound_ = 0.5 * kDiagonal * step + rounding;
+  const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
+  band_ = std::max(0.0, std::min(band, margin) - rounding);
+}
+
+bool NearField::sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const {
+  float x, y, z;
+  const float* v = cellOf(px, py, pz, x, y, z);
+  if (!v) return false;
+  constexpr int kRow = kVertices, kSlice = kVertices * kVertices;
+  const float d00 = v[1] - v[0], d10 = v[kRow + 1] - v[kRow], d01 = v[kSlice + 1] - v[kSlice],
+              d11 = v[kSlice + kRow + 1] - v[kSlice + kRow];
+  const float a = v[0] + x * d00, b = v[kRow] + x * d10, c = v[kSlice] + x * d01,
+              d = v[kSlice + kRow] + x * d11;
+  const float near = a + y * (b - a), far = c + y * (d - c);
+  const float dx_near = d00 + y * (d10 - d00), dx_far = d01 + y * (d11 - d01);
+  distance = near + z * (far - near);
+  gradient[0] = (dx_near + z * (dx_far - dx_near)) * inv_h_;
+  gradient[1] = ((b - a) + z * ((d - c) - (b - a))) * inv_h_;
+  gradient[2] = (far - near) * inv_h_;
+  return true;
+}
+
+std::size_t NearField::memoryBytes() const {
+  return values_.capacity() * sizeof(float) + block_index_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace abstand
