@@ -1,7 +1,6 @@
 // A person's recorded motion, whatever file it came from.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -13,41 +12,43 @@ namespace abstand {
 
 /// What a user may say about a file instead of letting the reader guess.
 struct RecordingOptions {
-  std::string format{"auto"};   ///< "auto", "bvh", ...
-  std::string units{"auto"};    ///< "auto", "m", "cm", "mm", "inches", or metres per unit as a number
-  std::string up{"auto"};       ///< "auto", "x", "y", "z", "-x", "-y", "-z"
-  std::filesystem::path joint_map;   ///< empty: the best of the shipped maps
+  std::string format{"auto"};  ///< "auto", "bvh" or "csv"
+  std::string units{"auto"};   ///< "auto", "m", "cm", "mm", "inches", "cmu" (1/0.45 inch), or metres per unit
+  std::string up{"auto"};      ///< "auto", "x", "y", "z", "-x", "-y", "-z"
+  std::filesystem::path joint_map{};  ///< empty: the best of the shipped maps
 };
 
 /// What was understood, and why; everything that was guessed can be overridden.
 struct RecordingReport {
   std::string format;
-  double rate{0.0};              ///< Hz
-  double duration{0.0};          ///< s
-  std::string units_guess;       ///< e.g. "cm"
+  double rate{0.0};         ///< Hz
+  double duration{0.0};     ///< s, from the first frame to the last
+  std::string units_guess;  ///< e.g. "cm"; "free" where the person was scaled to a stature
   std::string units_reason;
-  double scale{1.0};             ///< metres per unit of the file
-  std::string up;                ///< "y"
+  double scale{1.0};  ///< metres per unit of the file
+  std::string up;     ///< "y"
   std::string up_reason;
-  double stature{0.0};           ///< m, estimated from the bones
-  std::string joint_map;         ///< name of the map in use
-  std::vector<std::string> joints;                            ///< names in the file
-  std::map<std::string, std::vector<std::string>> mapped;     ///< body part -> joints of the file
+  double stature{0.0};                                     ///< m, estimated from the bones; 0: not known
+  std::string joint_map;                                   ///< name of the map in use
+  std::vector<std::string> joints;                         ///< names in the file
+  std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
-  std::vector<std::string> missing_parts;                     ///< parts that this file cannot move
-  std::size_t gaps{0};           ///< frames in which a mapped joint is missing or not finite
-  std::vector<std::string> warnings;                          ///< "LINE: text" where a line is known
+  std::vector<std::string> missing_parts;  ///< parts that this file cannot move
+  std::size_t gaps{0};                     ///< frames in which a mapped joint is missing or not finite
+  std::vector<std::string> warnings;       ///< "LINE: text" where a line is known
 };
 
 struct Recording {
   RecordingReport report;
-  std::vector<SkeletonFrame> frames;   ///< t rises; canonical joints, metres, z up
+  std::vector<SkeletonFrame> frames;  ///< t rises; canonical joints, metres, z up
 
   /// The frame at time t: the recorded one at or just before it (no interpolation), clamped at both ends.
   const SkeletonFrame& at(double t) const;
 };
 
-/// Reads a recording of any known format, found by its content. Throws ParseError.
+/// Reads a recording of any known format, found by its content. BVH frames lie at t = i * frame time, as they
+/// stand in the file (a T-pose at the start stays). Throws ParseError for the file and UsageError for the
+/// options.
 Recording openRecording(const std::filesystem::path& file, const RecordingOptions& options = {});
 
 }  // namespace abstand

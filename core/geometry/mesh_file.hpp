@@ -8,7 +8,7 @@
 namespace abstand {
 
 struct LoadedMesh {
-  TriangleMesh mesh;    ///< metres, welded, no degenerate triangle
+  TriangleMesh mesh;  ///< metres, welded, no degenerate triangle
   MeshReport report;
 };
 

@@ -30,13 +30,12 @@ double halfArea(const Bounds& box) {
 }  // namespace
 
 struct TriangleTree::Local {
-  double x, y;  ///< nearest point in the triangle's frame
+  double x, y;   ///< nearest point in the triangle's frame
   double d2;
   Feature feature;
 };
 
-/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every
-/// run.
+/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every run.
 class TriangleTreeBuilder {
  public:
   TriangleTreeBuilder(const TriangleMesh& mesh, TriangleTree& tree) : mesh_(mesh), tree_(tree) {
@@ -114,8 +113,8 @@ class TriangleTreeBuilder {
         if (c < best_cost) best_cost = c, best = b;
       }
       if (best >= 0) {
-        const auto middle =
-            std::partition(begin + r.begin, begin + r.end, [&](std::uint32_t t) { return binOf(t) <= best; });
+        const auto middle = std::partition(begin + r.begin, begin + r.end,
+                                           [&](std::uint32_t t) { return binOf(t) <= best; });
         return static_cast<std::uint32_t>(middle - begin);
       }
     }

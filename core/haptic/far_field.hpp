@@ -12,11 +12,11 @@ namespace abstand {
 /// and interpolating it never overestimates: d(p)^2 >= sum_i w_i d_i^2 - sum_axes h^2 t (1 - t).
 /// So lowerBound() is a true lower bound of the unsigned distance, too small by at most about 3 h^2 / (8 d).
 /// Level k reaches kMargin spacings of its own (or more) beyond the body's bounds, so that outside of the
-/// levels before it d is at least kMargin / 2 spacings and the bound is within about 3 % of d. Beyond the
+/// levels before it d is at least kMargin / 2 spacings and the bound is within about 10 % of d. Beyond the
 /// last grid: distance to its box plus the smallest distance on its boundary.
 class FarField {
  public:
-  static constexpr int kMargin = 5;
+  static constexpr int kMargin = 4;
 
   FarField() = default;
   /// `reach`: how far from the body's bounds the grids go at least (m). `first_spacing` and `reach` are

@@ -25,7 +25,8 @@ struct VoxelGrid {
   }
 };
 
-inline constexpr double kMostVoxels = 4e8;
+/// Of one grid.
+inline constexpr double kMostVoxels = 1e9;
 
 /// The thesis's grid: floor(extent / s) + 1 voxels about the centre of `box`, and `outer_layers` more on
 /// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3]. Throws UsageError for

@@ -1,6 +1,7 @@
 // Builds everything the collision engine knows of one body.
 #include "core/haptic/haptic_structure.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -13,9 +14,12 @@ namespace {
 // Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
 // where its own error is a small part of the distance.
 constexpr double kBand = 4.0;
-constexpr double kFarSpacing = 4.0;
-// How far the far field's grids reach, in diagonals of the body's box; beyond, distances to the box do.
-constexpr double kFarReach = 4.0;
+// Spacing of the far field's first grid: so many voxels, or this part of the body's extent, whichever is
+// more.
+constexpr double kFarSpacing = 2.0;
+constexpr double kFarPart = 1.0 / 16.0;
+// m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
+constexpr double kFarReach = 2.0;
 // Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
 constexpr double kSagitta = 0.1;
 
@@ -47,7 +51,8 @@ std::size_t bytesOf(const PointSphereTree& tree) {
 }  // namespace
 
 double HapticStructure::errorBound() const {
-  const double layer_error = std::sqrt(3.0) * grid.voxel_size;
+  // The count of layers is certain to a voxel's diagonal, and its sign on the surface layer to half of one.
+  const double layer_error = 1.5 * std::sqrt(3.0) * grid.voxel_size;
   return (near_field ? near_field->errorBound() : layer_error) + shell.covering_radius;
 }
 
@@ -83,7 +88,8 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
     s.near_field.emplace(*s.surface, s.grid, options.field == FieldKind::kMixed ? kBand * h : kInfinity,
                          threads);
   }
-  s.far_field = FarField(*s.surface, kFarSpacing * h, kFarReach * box.extent().norm(), threads);
+  s.far_field =
+      FarField(*s.surface, std::max(kFarSpacing * h, kFarPart * box.extent().maxCoeff()), kFarReach, threads);
   s.shell = makePointshell(*s.surface, options.point_spacing);
   s.tree = makeTree(s.shell);
 

@@ -1,6 +1,8 @@
 // Distance, contact and penalty force of two bodies.
 #pragma once
 
+#include <array>
+
 #include "core/haptic/haptic_structure.hpp"
 
 namespace abstand {
@@ -10,8 +12,8 @@ namespace abstand {
 enum class ForceLaw { kVolume, kThesis };
 
 struct PairOptions {
-  double margin{0.0};          ///< m, sum of both objects' safety margins
-  double stiffness{1.0e6};     ///< N/m^3 (kVolume) or N/m (kThesis)
+  double margin{0.0};       ///< m, sum of both objects' safety margins
+  double stiffness{1.0e6};  ///< N/m^3 (kVolume) or N/m (kThesis)
   ForceLaw law{ForceLaw::kVolume};
 };
 
@@ -19,31 +21,41 @@ struct PairOptions {
 /// margins: positive apart, negative inside (then minus the deepest penetration). f_b = -f_a always;
 /// T_b = -T_a - (p_a - p_b) x f_a with p_a, p_b the centres of mass, so that the sum about any point is zero.
 struct PairResult {
-  double distance{kNaN};                           ///< m, signed
-  double bound{kNaN};                              ///< m; the true distance is never below distance - bound
-  Vector3d witness_a{Vector3d::Constant(kNaN)};    ///< nearest point on A (deepest, when inside)
-  Vector3d witness_b{Vector3d::Constant(kNaN)};    ///< nearest point on B
-  Vector3d force_a{Vector3d::Zero()};              ///< N, penalty force on A; on B the opposite
-  Vector3d torque_a{Vector3d::Zero()};             ///< N m, on A about A's centre of mass
-  Vector3d torque_b{Vector3d::Zero()};             ///< N m, on B about B's centre of mass
-  int contacts{0};                                 ///< shell points within the margin
-  double depth{0.0};                               ///< m, deepest penetration of the margins, >= 0
+  double distance{kNaN};                         ///< m, signed
+  double bound{kNaN};                            ///< m; the true distance is never below distance - bound
+  Vector3d witness_a{Vector3d::Constant(kNaN)};  ///< nearest point on A (deepest, when inside)
+  Vector3d witness_b{Vector3d::Constant(kNaN)};  ///< nearest point on B
+  Vector3d force_a{Vector3d::Zero()};            ///< N, penalty force on A; on B the opposite
+  Vector3d torque_a{Vector3d::Zero()};           ///< N m, on A about A's centre of mass
+  Vector3d torque_b{Vector3d::Zero()};           ///< N m, on B about B's centre of mass
+  int contacts{0};                               ///< shell points within the margin
+  double depth{0.0};                             ///< m, deepest penetration of the margins, >= 0
 };
 
-/// What a pair remembers from cycle to cycle, and its work space. One per pair; not shared between threads.
+/// Work space of one query. One per pair or thread; nothing in it outlives a call.
 struct PairScratch {
-  std::uint32_t hint_a{kNoHint};
-  std::uint32_t hint_b{kNoHint};
-  std::uint32_t last_point{kNoHint};  ///< leaf-ordered index of the last closest shell point
+  struct Entry {
+    float lower_bound;  ///< of the true distance of every point below the node
+    std::uint32_t node;
+  };
+  /// Depth-first with at most kFanout - 1 waiting siblings a level; a tree of 2^32 points has 11 levels.
+  std::array<Entry, 16 * PointSphereTree::kFanout> stack;
 };
 
-/// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points, A on a
-/// tie, so that a small body pressed into a large one is integrated over its own surface.
+/// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,
+/// A on a tie, so that a small body pressed into a large one is integrated over its own surface.
 bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
 
 /// Both structures must outlive the call. No allocation, no lock, no throw. The result depends only on the
-/// arguments' values, never on the thread or on earlier calls (scratch only speeds things up).
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
-               const PairOptions& options, PairScratch& scratch, PairResult& result) noexcept;
+/// arguments' values, never on the thread or on earlier calls.
+///
+/// How: the point-sphere tree of one body is searched in the field of the other, branch and bound, with
+/// certified lower bounds f of the true distance (field_sampler.hpp). So every shell point is at least best_f
+/// away, and every surface point at least best_f - covering radius. The best point is then moved along the
+/// exact surfaces (witness.hpp) to a pair of points on both surfaces whose distance is reported: distance -
+/// bound = best_f - covering radius. Inside, the depth is that of the point body's surface in the field body.
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+               PairResult& result) noexcept;
 
 }  // namespace abstand

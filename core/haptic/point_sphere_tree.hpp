@@ -1,39 +1,35 @@
 // Point-sphere tree: clusters of shell points in minimal enclosing spheres.
 #pragma once
 
+#include "core/haptic/enclosing_sphere.hpp"
 #include "core/haptic/pointshell.hpp"
 
 namespace abstand {
 
-/// Minimal enclosing sphere, by Welzl's algorithm (Gaertner 1999), of the points of a cluster.
-struct EnclosingSphere {
-  Vector3d centre{Vector3d::Zero()};
-  double radius{0.0};
-};
-EnclosingSphere minimalSphere(const std::vector<Vector3d>& points);
-
 /// Tree over a pointshell, at most kFanout children a node and at most kLeafPoints points a leaf. The points
-/// are stored again in leaf order (structure of arrays, each leaf padded to a multiple of kLane with copies of its
-/// last point whose area is 0), so that a leaf is one stretch of memory. Constant after construction.
+/// are stored again in leaf order (structure of arrays, each leaf padded to a multiple of kLane with copies
+/// of its last point whose area is 0), so that a leaf is one stretch of memory. Constant after construction.
 struct PointSphereTree {
   static constexpr int kFanout = 8;
   static constexpr int kLeafPoints = 16;
   static constexpr int kLane = 8;
 
   struct Node {
-    float cx, cy, cz;            ///< centre of the minimal enclosing sphere of the node's points (body frame, m)
-    float radius;                ///< rounded up: every point of the node is inside
-    std::uint32_t first_child;   ///< children are consecutive nodes
-    std::uint32_t first_point;   ///< into the leaf-ordered arrays (padded)
-    std::uint16_t children;      ///< 0 for a leaf
-    std::uint16_t points;        ///< of a leaf: how many real points, padding not counted; of an inner node 0
+    float cx, cy, cz;  ///< centre of the minimal enclosing sphere of the node's points (body frame, m)
+    float radius;      ///< rounded up: every point of the node is inside
+    std::uint32_t first_child;  ///< children are consecutive nodes
+    std::uint32_t first_point;  ///< into the leaf-ordered arrays (padded)
+    std::uint16_t children;     ///< 0 for a leaf
+    std::uint16_t points;       ///< of a leaf: how many real points, padding not counted; of an inner node 0
   };
-  std::vector<Node> nodes;       ///< nodes[0] is the root; breadth-first
-  std::vector<float> x, y, z, nx, ny, nz, area;   ///< leaf order, padded
-  std::vector<std::uint32_t> shell_index;         ///< leaf order -> index in the Pointshell
+  std::vector<Node> nodes;                       ///< nodes[0] is the root; breadth-first
+  std::vector<float> x, y, z, nx, ny, nz, area;  ///< leaf order, padded
+  std::vector<std::uint32_t> shell_index;        ///< leaf order -> index in the Pointshell
   int levels{0};
 };
 
+/// Splits top-down at medians of the widest axis; leaves are full but for the last of a subtree. An empty
+/// shell gives a tree without nodes.
 PointSphereTree makeTree(const Pointshell& shell);
 
 }  // namespace abstand

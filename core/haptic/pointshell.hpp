@@ -9,13 +9,17 @@
 namespace abstand {
 
 /// Structure of arrays in the body's frame (m). Point i has position, inward unit normal and the area (m^2)
-/// that it stands for; the areas sum to the surface's area within 1 %. The order is such that the first m
-/// points, for any m, are a uniform coarser shell (farthest-point order). Constant after construction.
+/// that it stands for; the areas sum to the area of the surface (of the mesh, for a mesh) within 1e-6. Faces
+/// that meet at a sharp edge are sampled apart, so that a normal belongs to one face; elsewhere the normal is
+/// the exact one of a shape, or the mean over a mesh's surface that the point stands for. The points lie so
+/// that sum_i a_i depth_i n_i over a half-space is the overlapping volume times its normal without bias, in
+/// any orientation. The order is such that the first m points, for any m, are a uniform coarser shell
+/// (farthest-point order; the last few fill holes). Constant after construction.
 struct Pointshell {
   std::vector<float> x, y, z;
   std::vector<float> nx, ny, nz;
   std::vector<float> area;
-  double spacing{0.0};          ///< as asked for
+  double spacing{0.0};  ///< as asked for
   /// Certified: no point of the surface is farther than this from the nearest shell point.
   double covering_radius{0.0};
 
@@ -24,7 +28,12 @@ struct Pointshell {
   Vector3d normal(std::size_t i) const { return Vector3d(nx[i], ny[i], nz[i]); }
 };
 
-/// Samples uniformly with the pitch `spacing` (mean area per point about spacing^2), the same on every run.
+/// Samples uniformly with the pitch `spacing` (m), the same on every run: farthest-point sampling (Gonzalez
+/// 1985; Eldar et al. 1997) of a fine subdivision, then one step of centring (Lloyd). The mean area per point
+/// is about 2 / sqrt(3) spacing^2 on gently curved surfaces: 1,090 points for the thesis's sphere. Corners,
+/// tips and strongly curved places get up to six times as many points per area, so that a body may have about
+/// half as many points more. Throws UsageError for a spacing that is not positive or far too small for the
+/// surface, and for a surface without area.
 Pointshell makePointshell(const Surface& surface, double spacing);
 
 }  // namespace abstand

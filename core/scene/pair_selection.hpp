@@ -16,9 +16,10 @@ struct SelectableBody {
 };
 
 /// Indices (a < b) into `bodies`, in order, by the rules of the scene file: default, minus adjacent (pairs of
-/// `adjacent`, given by the mechanisms and the human), minus exclude, plus include. Throws ParseError for a name that
-/// is not there, with the nearest one.
-std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& bodies, const PairsDescription& rules,
+/// `adjacent`, given by the mechanisms and the human), minus exclude, plus include. Throws ParseError for a
+/// name that is not there, with the nearest one.
+std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& bodies,
+                                             const PairsDescription& rules,
                                              const std::vector<std::pair<int, int>>& adjacent);
 
 }  // namespace abstand

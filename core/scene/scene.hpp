@@ -1,8 +1,11 @@
 // The shared collision scene: objects, pairs and the lock-step cycle.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -13,10 +16,10 @@ namespace abstand {
 
 /// What is needed to put a body into the scene.
 struct ObjectSpec {
-  std::string name;      ///< unique in the scene
-  std::string group;     ///< a mechanism's, a human's name, or "objects"
+  std::string name;   ///< unique in the scene
+  std::string group;  ///< a mechanism's, a human's name, or "objects"
   std::shared_ptr<const HapticStructure> structure;
-  double margin{0.0};    ///< m, safety margin
+  double margin{0.0};  ///< m, safety margin
 };
 
 /// How trustworthy an object's pose is; everything but kFresh is shown and never counts as safe.
@@ -27,42 +30,59 @@ struct Object {
   ObjectSpec spec;
   Transform X_WB{Transform::Identity()};
   PoseState pose_state{PoseState::kFresh};
-  long rejected_poses{0};             ///< poses that were not finite or no rotation; the last good one stayed
-  double t{0.0};                      ///< s, of X_WB
-  Twist velocity;                     ///< instant: from the last two poses; linear of the centre of mass
-  Twist mean_velocity;                ///< over the last kMeanSamples poses
-  Wrench contact;                     ///< sum over its pairs, about its centre of mass
+  long rejected_poses{0};  ///< poses that were not finite or no rotation; the last good one stayed
+  double t{0.0};           ///< s, of X_WB
+  Twist velocity;          ///< instant: from the last two poses; linear of the centre of mass
+  Twist mean_velocity;     ///< over the last Scene::kMeanSamples poses
+  Wrench contact;          ///< sum over its pairs, about its centre of mass
   int contacts{0};
-  bool colliding{false};              ///< some pair of it has a contact (margins included)
+  bool colliding{false};  ///< some pair of it has a contact (margins included)
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
 };
 
-struct Pair {
+/// On cache lines of its own, because neighbours are worked on by different threads.
+struct alignas(64) Pair {
   ObjectId a, b;
-  PairOptions options;     ///< margin = margin_a + margin_b, kept up to date by setMargin
+  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
   PairScratch scratch;
   PairResult result;
 };
 
 class PairWorkers;
 
-/// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order, so the
-/// bits are the same for any number of threads. After the first step(), step() allocates nothing and locks nothing
-/// but the workers' barrier. Other threads read snapshots, never the scene.
+/// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order,
+/// so the bits are the same for any number of threads. After the first step(), step() allocates nothing and
+/// locks nothing but the workers' barrier. Other threads read snapshots, never the scene.
 class Scene {
  public:
+  /// Poses in the mean velocity.
+  static constexpr int kMeanSamples = 10;
+  /// Poses closer in time than this (s) count as one.
+  static constexpr double kLeastTimeStep = 1e-9;
+  /// A pose farther from the origin than this (m) is refused.
+  static constexpr double kFarthest = 1e6;
+  static constexpr int kMostThreads = 256;
+
   Scene();
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
 
-  ObjectId addObject(ObjectSpec spec);          ///< throws UsageError for a name that is taken
-  PairId addPair(ObjectId a, ObjectId b);       ///< throws UsageError for a == b or a pair that is there
-  void setThreads(int threads);                 ///< lock-step workers; 1: the calling thread alone; 0: all cores
-  void setMargin(ObjectId object, double margin);
+  /// Throws UsageError for a name that is empty or taken and for a margin that is negative or not finite.
+  ObjectId addObject(ObjectSpec spec);
+  PairId addPair(ObjectId a, ObjectId b);  ///< throws UsageError for a == b or a pair that is there
+  /// Lock-step threads, the calling one included; 1: the calling thread alone; 0: all cores. Not during
+  /// step(). Throws UsageError for a number below 0 or above kMostThreads.
+  void setThreads(int threads);
+  int threads() const { return threads_; }
+  void setMargin(ObjectId object, double margin);  ///< throws UsageError, as addObject
+  /// For all pairs, those that are added later too. Throws UsageError unless finite and not negative.
   void setForceLaw(ForceLaw law, double stiffness);
 
-  /// False, and the object keeps its last pose and is flagged, when the pose is not finite or no rotation.
+  /// False, and the object keeps its last pose and is flagged kRejected, when the pose is not finite, no
+  /// rotation or farther than kFarthest from the origin, or t is not finite. Velocities come from the rise of
+  /// t: at the same t the pose is replaced and the velocities stay; at an earlier t (a jump back in a
+  /// recording) they start again from zero.
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
 
   /// Queries every pair at the present poses and sums the totals of the objects.
@@ -73,7 +93,7 @@ class Scene {
   const std::vector<Object>& objects() const { return objects_; }
   const std::vector<Pair>& pairs() const { return pairs_; }
   const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
-  /// The object with this name, if there is one.
+  /// The object with this name, or null. The pointer holds until the next addObject.
   const Object* find(const std::string& name, ObjectId* id = nullptr) const;
   /// The thesis's relation table: the pairs of one object (row and column).
   const std::vector<PairId>& pairsOf(ObjectId id) const { return pairs_of_[id.index()]; }
@@ -81,12 +101,18 @@ class Scene {
   std::size_t memoryBytes() const;
 
  private:
-  struct History;
+  class History;
+  void addUp();
+
   std::vector<Object> objects_;
   std::vector<Pair> pairs_;
   std::vector<std::vector<PairId>> pairs_of_;
-  std::unique_ptr<History> history_;
+  std::unordered_map<std::string, std::uint32_t> index_of_;
+  std::unordered_set<std::uint64_t> pair_keys_;
+  std::vector<History> histories_;
   std::unique_ptr<PairWorkers> workers_;
+  ForceLaw law_{ForceLaw::kVolume};
+  double stiffness_{PairOptions{}.stiffness};
   int threads_{1};
 };
 

@@ -23,11 +23,11 @@ struct BodySettings {
 
 struct LinkDescription {
   std::string name;
-  int frame{0};                          ///< id of the frame it moves with; 0: the base
-  std::filesystem::path mesh;            ///< absolute; empty when a shape is given
+  int frame{0};                ///< id of the frame it moves with; 0: the base
+  std::filesystem::path mesh;  ///< absolute; empty when a shape is given
   double scale{1.0};
   std::optional<Shape> shape;
-  Transform X_FL{Transform::Identity()}; ///< link in its frame (`pose`)
+  Transform X_FL{Transform::Identity()};  ///< link in its frame (`pose`)
   BodySettings settings;
   SourcePos pos;
 };
@@ -35,15 +35,15 @@ struct LinkDescription {
 struct MechanismDescription {
   std::string name;
   std::filesystem::path file;
-  Transform X_WB{Transform::Identity()}; ///< `base`
-  std::vector<double> q;                 ///< empty: all zero
-  std::filesystem::path motion;          ///< empty: none
+  Transform X_WB{Transform::Identity()};  ///< `base`
+  std::vector<double> q;                  ///< empty: all zero
+  std::filesystem::path motion;           ///< empty: none
   std::vector<LinkDescription> links;
   SourcePos pos;
 };
 
 struct RecordingDescription {
-  std::filesystem::path file;            ///< empty: stands in the rest pose
+  std::filesystem::path file;  ///< empty: stands in the rest pose
   std::string format{"auto"}, units{"auto"}, up{"auto"};
   Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
   double place_yaw{0.0};                 ///< rad, about world z
@@ -60,10 +60,10 @@ struct HumanDescription {
   std::string name;
   double height{1.75};
   std::optional<double> mass;
-  std::optional<std::string> sex;        ///< "f" or "m"
+  std::optional<std::string> sex;  ///< "f" or "m"
   std::string preset{"anthropometric"};
   BodySettings settings;
-  bool follow_lengths{false};            ///< `lengths: recording`
+  bool follow_lengths{false};  ///< `lengths: recording`
   std::map<std::string, HumanPartDescription> parts;
   RecordingDescription recording;
   SourcePos pos;
@@ -91,7 +91,7 @@ struct PairsDescription {
 struct SceneDefaults {
   HapticOptions haptic;
   double margin{0.0};
-  double stiffness{1.0e6};               ///< N/m^3, or N/m with `law: thesis`
+  double stiffness{1.0e6};  ///< N/m^3, or N/m with `law: thesis`
   bool thesis_law{false};
 };
 
@@ -108,8 +108,9 @@ struct SceneDescription {
   ThreadGroups threads;
 };
 
-/// Reads a scene file (cli contract, YAML). Relative paths are resolved against the scene file's folder. Throws
-/// ParseError with file, line and column; unknown keys come with the nearest known one, missing files at their line.
+/// Reads a scene file (cli contract, YAML). Relative paths are resolved against the scene file's folder.
+/// Throws ParseError with file, line and column; unknown keys come with the nearest known one, missing files
+/// at their line.
 SceneDescription loadScene(const std::filesystem::path& file);
 SceneDescription parseScene(const std::string& text, const std::filesystem::path& file);
 

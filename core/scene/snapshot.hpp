@@ -26,18 +26,22 @@ struct PairSnapshot {
 /// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
 struct SceneSnapshot {
   long step{0};
-  double t{0.0};                          ///< s, simulation time
+  double t{0.0};  ///< s, simulation time
   std::vector<ObjectSnapshot> objects;
   std::vector<PairSnapshot> pairs;
-  std::vector<double> joint_positions;    ///< all mechanisms, one after the other (rad, m)
-  std::vector<double> joint_efforts;      ///< N m, N: caused by the contact forces
-  double cycle_us{0.0};                   ///< last cycle
+  std::vector<double> joint_positions;  ///< all mechanisms, one after the other (rad, m)
+  std::vector<double> joint_efforts;    ///< N m, N: caused by the contact forces
+  double cycle_us{0.0};                 ///< last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
-  long overruns{0};                       ///< cycles longer than the period
+  long overruns{0};  ///< cycles longer than the period
   double real_time_factor{0.0};
   bool playing{false};
-  int nearest_pair{-1};                   ///< index of the pair with the smallest distance, -1 without pairs
+  int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
+
+/// Fills objects, pairs and nearest_pair (the first of equal ones; pairs that were never queried do not
+/// count) and leaves the rest alone. Allocates nothing when the sizes are right already.
+void capture(const Scene& scene, SceneSnapshot& snapshot);
 
 /// What does not change while a scene is open: names, groups, pairs, for the tree and the tables.
 struct SceneOutline {
@@ -53,18 +57,18 @@ struct SceneOutline {
   std::vector<ObjectInfo> objects;
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
-  std::vector<TriangleMesh> meshes;       ///< one an object, body frame, for drawing
-  double start{0.0}, end{0.0};            ///< s
-  double frame_period{0.01};              ///< s, one step of the timeline
+  std::vector<TriangleMesh> meshes;  ///< one an object, body frame, for drawing
+  double start{0.0}, end{0.0};       ///< s
+  double frame_period{0.01};         ///< s, one step of the timeline
   std::string title;
 };
 
 /// One point of the live plots.
 struct PlotSample {
   double t{0.0};
-  double min_distance{0.0};   ///< m
-  double peak_force{0.0};     ///< N, largest force of a pair
-  double peak_effort{0.0};    ///< N m, largest joint torque
+  double min_distance{0.0};  ///< m
+  double peak_force{0.0};    ///< N, largest force of a pair
+  double peak_effort{0.0};   ///< N m, largest joint torque
 };
 
 }  // namespace abstand

@@ -15,10 +15,12 @@ double randomUnit(std::uint64_t seed, std::uint64_t stream) {
 
 Transform randomPose(std::uint64_t seed, double reach) {
   // uniform rotation (Shoemake 1992)
-  const double u1 = randomUnit(seed, 1), u2 = 2 * kPi * randomUnit(seed, 2), u3 = 2 * kPi * randomUnit(seed, 3);
+  const double u1 = randomUnit(seed, 1), u2 = 2 * kPi * randomUnit(seed, 2),
+               u3 = 2 * kPi * randomUnit(seed, 3);
   const double a = std::sqrt(1 - u1), b = std::sqrt(u1);
   Transform X = Transform::Identity();
-  X.linear() = Quaterniond(b * std::cos(u3), a * std::sin(u2), a * std::cos(u2), b * std::sin(u3)).toRotationMatrix();
+  X.linear() =
+      Quaterniond(b * std::cos(u3), a * std::sin(u2), a * std::cos(u2), b * std::sin(u3)).toRotationMatrix();
   for (int i = 0; i < 3; ++i) X.translation()[i] = reach * (2 * randomUnit(seed, 10 + i) - 1);
   return X;
 }

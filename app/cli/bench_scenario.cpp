@@ -1,0 +1,149 @@
+// abstand bench --scenario: one row of a peer benchmark's tables.
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include "app/bench/scenario.hpp"
+#include "app/cli/bench_scenario.hpp"
+#include "core/base/error.hpp"
+#include "core/geometry/mesh_file.hpp"
+#include "core/haptic/pair_query.hpp"
+
+namespace abstand::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// VmHWM of this process in MB.
+double highWaterMb() {
+  std::ifstream in("/proc/self/status");
+  for (std::string word; in >> word;)
+    if (word == "VmHWM:") {
+      double kb = 0;
+      in >> kb;
+      return kb / 1024.0;
+    }
+  return 0.0;
+}
+
+HapticOptions variantOptions(const std::string& variant) {
+  HapticOptions o;
+  if (variant == "h4") {
+    o.voxel_size = o.point_spacing = 0.004;
+  } else if (variant == "h2") {
+    o.voxel_size = 0.002;
+    o.point_spacing = 0.003;
+  } else if (variant == "h1") {
+    o.voxel_size = o.point_spacing = 0.001;
+  } else {
+    throw UsageError("--variant: found '" + variant + "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm)");
+  }
+  return o;
+}
+
+using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
+
+Structures build(const Scenario& scenario, const HapticOptions& options) {
+  Structures structures;
+  for (const auto& body : scenario.bodies) {
+    std::shared_ptr<const Surface> surface = makeSurface(loadMesh(body.mesh, body.scale).mesh);
+    structures.push_back(buildHapticStructure(body.name, surface, options));
+  }
+  return structures;
+}
+
+/// The value that the harness wants of a pair.
+double value(const PairResult& r, const std::string& mode) {
+  if (mode == "collide") return r.distance <= 0.0 ? 1.0 : 0.0;
+  if (mode == "contact") return std::max(0.0, -r.distance);
+  return r.distance;
+}
+
+nlohmann::ordered_json statistics(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  double sum = 0.0;
+  for (double s : seconds) sum += s;
+  const auto us = [](double s) { return std::round(s * 1e9) / 1e3; };
+  const std::size_t n = seconds.size();
+  return {{"median", us(seconds[n / 2])},
+          {"p99", us(seconds[std::min(n - 1, n * 99 / 100)])},
+          {"max", us(seconds[n - 1])},
+          {"min", us(seconds[0])},
+          {"mean", us(sum / static_cast<double>(n))}};
+}
+
+void writeDump(const std::string& file, const std::vector<std::int32_t>& frames, std::size_t pairs,
+               const std::vector<float>& values) {
+  std::ofstream out(file, std::ios::binary);
+  const std::int32_t head[2] = {static_cast<std::int32_t>(frames.size()), static_cast<std::int32_t>(pairs)};
+  out.write(reinterpret_cast<const char*>(head), sizeof head);
+  out.write(reinterpret_cast<const char*>(frames.data()),
+            static_cast<std::streamsize>(frames.size() * sizeof(std::int32_t)));
+  out.write(reinterpret_cast<const char*>(values.data()),
+            static_cast<std::streamsize>(values.size() * sizeof(float)));
+  if (!out) throw UsageError(file + ": cannot be written");
+}
+
+}  // namespace
+
+int benchScenario(const BenchScenario& args) {
+  const Scenario scenario = loadScenario(args.scenario);
+  const double before = highWaterMb();
+  const auto build_begin = Clock::now();
+  const Structures structures = build(scenario, variantOptions(args.variant));
+  const double build_s = secondsSince(build_begin);
+
+  PairScratch scratch;
+  std::vector<PairResult> results(scenario.pairs.size());
+  const auto frame = [&](std::size_t f) {
+    const Transform* X_WB = scenario.frame(f);
+    for (std::size_t i = 0; i < scenario.pairs.size(); ++i) {
+      const auto a = static_cast<std::size_t>(scenario.pairs[i].first),
+                 b = static_cast<std::size_t>(scenario.pairs[i].second);
+      queryPair(*structures[a], X_WB[a], *structures[b], X_WB[b], {}, scratch, results[i]);
+    }
+  };
+  std::vector<double> times;
+  std::vector<std::int32_t> frames;
+  std::vector<float> values;
+  double spent = 0.0;
+  std::size_t touching = 0;
+  for (std::size_t f = static_cast<std::size_t>(args.start); f < scenario.frames() && spent <= args.budget;
+       ++f) {
+    if ((static_cast<int>(f) - args.start) % args.period >= args.block) continue;
+    if (times.empty()) frame(f);  // one frame unmeasured
+    const auto begin = Clock::now();
+    frame(f);
+    times.push_back(secondsSince(begin));
+    spent += times.back();
+    frames.push_back(static_cast<std::int32_t>(f));
+    for (const PairResult& r : results) {
+      values.push_back(static_cast<float>(value(r, args.mode)));
+      if (r.distance <= 0.0) ++touching;
+    }
+    if (interrupted()) return kInterrupted;
+  }
+  if (times.empty()) throw UsageError("no frame of the scenario was chosen");
+  if (!args.dump.empty()) writeDump(args.dump, frames, scenario.pairs.size(), values);
+  const nlohmann::ordered_json row{
+      {"peer", "abstand"},
+      {"variant", args.variant},
+      {"scenario", scenario.name},
+      {"mode", args.mode},
+      {"frames", times.size()},
+      {"pairs", scenario.pairs.size()},
+      {"build_s", build_s},
+      {"us", statistics(times)},
+      {"hwm_mb", highWaterMb()},
+      {"hwm_before_build_mb", before},
+      {"touching_per_frame", static_cast<double>(touching) / static_cast<double>(times.size())}};
+  std::cout << row.dump() << std::endl;
+  if (!args.out.empty()) std::ofstream(args.out, std::ios::app) << row.dump() << "\n";
+  return kDone;
+}
+
+}  // namespace abstand::cli

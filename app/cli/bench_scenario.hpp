@@ -1,0 +1,19 @@
+// abstand bench --scenario: one row of a peer benchmark's tables.
+#pragma once
+
+#include "app/cli/command_line.hpp"
+
+namespace abstand::cli {
+
+/// The peer harness's command line: frames f with (f - start) mod period < block are run, until `budget`
+/// seconds of measured work are spent; one JSON line on stdout, values of the pairs into `dump`.
+struct BenchScenario {
+  std::string scenario, mode{"distance"}, variant{"h4"}, dump, out;
+  int block{10}, period{100}, start{0};
+  double budget{60.0};
+};
+
+/// Every mode runs the whole query (distance, witnesses and force). Throws ParseError, UsageError.
+int benchScenario(const BenchScenario& args);
+
+}  // namespace abstand::cli

@@ -1,0 +1,122 @@
+// abstand bench: the project's own figures on the scenes that it ships.
+#include <chrono>
+
+#include "app/cli/bench_scenario.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/run/run_scene.hpp"
+#include "core/base/data_folder.hpp"
+#include "core/base/error.hpp"
+#include "core/mechanism/mech_file.hpp"
+#include "core/scene/cycle_statistics.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Benchmark {
+  const char* name;
+  const char* scene;  ///< below data/scenes
+  const char* what;
+};
+constexpr Benchmark kScenes[] = {
+    {"spheres", "spheres.yaml", "three spheres, 3 pairs"}, {"rods", "rods.yaml", "two rods, 1 pair"},
+    {"hug", "hug_alone.yaml", "HUG alone, 79 pairs"},      {"boxing", "hug_boxing.yaml", "HUG and a boxer"},
+    {"reach", "hug_reach.yaml", "HUG and a reach"},
+};
+constexpr int kFkBatch = 100;
+constexpr int kFkSamples = 2000;
+
+nlohmann::ordered_json benchFk() {
+  using Clock = std::chrono::steady_clock;
+  const Mechanism chain = loadMechanism(dataFolder() / "robots" / "chain" / "chain.mech");
+  MechanismState state;
+  const std::vector<double> q(static_cast<std::size_t>(chain.dof), 0.3);
+  forward(chain, q, state);
+  CycleStatistics statistics(kInfinity);
+  for (int i = 0; i < kFkSamples; ++i) {
+    const auto begin = Clock::now();
+    for (int k = 0; k < kFkBatch; ++k) forward(chain, q, state);
+    statistics.add(std::chrono::duration<double>(Clock::now() - begin).count() / kFkBatch);
+  }
+  return {{"name", "fk"},
+          {"what", "forward kinematics of three links"},
+          {"median_ns", 1e9 * statistics.median()},
+          {"p99_ns", 1e9 * statistics.p99()}};
+}
+
+nlohmann::ordered_json benchScene(const CommandLine& line, const Benchmark& benchmark) {
+  SessionOptions options;
+  options.threads = 1;
+  Session session(loadScene(dataFolder() / "scenes" / benchmark.scene), options);
+  RunOptions run;
+  run.progress = progressBar(line, benchmark.name);
+  run.interrupted = interrupted;
+  const RunSummary s = runScene(session, run);
+  return {{"name", benchmark.name},     {"what", benchmark.what},         {"pairs", s.pairs},
+          {"frames", s.frames},         {"median_ns", 1e3 * s.median_us}, {"p99_ns", 1e3 * s.p99_us},
+          {"p999_ns", 1e3 * s.p999_us}, {"build_ms", s.build_ms},         {"memory_bytes", s.memory_bytes}};
+}
+
+int run(const CommandLine& line, const std::string& name) {
+  nlohmann::ordered_json document{{"benchmarks", nlohmann::ordered_json::array()}};
+  std::string text;
+  std::vector<std::string> known{"fk"};
+  bool found = false;
+  const auto add = [&](const nlohmann::ordered_json& row) {
+    found = true;
+    document["benchmarks"].push_back(row);
+    text += format("%-8s %12.0f ns median %12.0f ns p99  %s", row["name"].get<std::string>().c_str(),
+                   row["median_ns"].get<double>(), row["p99_ns"].get<double>(),
+                   row["what"].get<std::string>().c_str());
+    if (row.contains("build_ms"))
+      text += format(", built in %.0f ms, %.1f MB", row["build_ms"].get<double>(),
+                     row["memory_bytes"].get<double>() * 1e-6);
+    text += "\n";
+  };
+  if (name.empty() || name == "fk") add(benchFk());
+  for (const Benchmark& b : kScenes) {
+    known.emplace_back(b.name);
+    if (!name.empty() && name != b.name) continue;
+    try {
+      add(benchScene(line, b));
+    } catch (const ParseError& e) {
+      if (!name.empty()) throw;
+      line.warn(std::string(b.name) + " left out: " + e.what());
+    }
+    if (interrupted()) return kInterrupted;
+  }
+  if (!found) {
+    std::string list;
+    for (const auto& k : known) list += (list.empty() ? "" : ", ") + k;
+    throw UsageError("there is no benchmark '" + name + "', expected one of " + list);
+  }
+  line.print(document, text);
+  return kDone;
+}
+
+}  // namespace
+
+void addBench(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(
+      root, line, "bench", "the project's own figures, one thread; or a row of a peer benchmark",
+      "abstand bench hug --json\n  abstand bench --scenario S3_hug_human --mode distance --variant h4");
+  auto name = std::make_shared<std::string>();
+  auto scenario = std::make_shared<BenchScenario>();
+  command->add_option("NAME", *name, "fk, spheres, rods, hug, boxing or reach (default: all)");
+  command->add_option("--scenario", scenario->scenario, "folder of a peer benchmark's scene");
+  command->add_option("--mode", scenario->mode, "distance, collide, contact, both")
+      ->check(CLI::IsMember({"distance", "collide", "contact", "both"}));
+  command->add_option("--variant", scenario->variant, "h1, h2, h4: voxels of 1, 2, 4 mm");
+  command->add_option("--block", scenario->block, "frames in a row")->check(CLI::Range(1, 1000000));
+  command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));
+  command->add_option("--start", scenario->start, "first frame")->check(CLI::Range(0, 100000000));
+  command->add_option("--budget", scenario->budget, "seconds of measured work");
+  command->add_option("--dump", scenario->dump, "binary file of the pairs' values");
+  command->add_option("--out", scenario->out, "file that the JSON line is appended to");
+  command->callback([&line, name, scenario] {
+    line.run = [&line, name, scenario] {
+      return scenario->scenario.empty() ? run(line, *name) : benchScenario(*scenario);
+    };
+  });
+}
+
+}  // namespace abstand::cli

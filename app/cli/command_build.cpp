@@ -1,0 +1,137 @@
+// abstand build: haptic structures of meshes and shapes.
+#include <iostream>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/output_file.hpp"
+#include "core/geometry/mesh_file.hpp"
+#include "core/haptic/haptic_structure.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr double kDrawingSagitta = 2e-4;  // m, of the written mesh of a shape
+
+struct Arguments {
+  std::vector<std::string> meshes;
+  std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
+  int outer_layers{20};
+};
+
+struct Body {
+  std::string name;
+  std::shared_ptr<const Surface> surface;
+  std::vector<std::string> remarks;
+};
+
+Body load(const std::string& text, double scale) {
+  if (const auto shape = parseShape(text)) return {text, makeSurface(*shape), {}};
+  LoadedMesh mesh = loadMesh(text, scale);
+  Body body{std::filesystem::path(text).stem().string(), nullptr, mesh.report.remarks};
+  body.surface = makeSurface(std::move(mesh.mesh));
+  return body;
+}
+
+/// Shell points with inward normals and areas, for any viewer of PLY files.
+void writeShell(const Pointshell& shell, const std::filesystem::path& file) {
+  OutputFile out(file);
+  out.stream() << "ply\nformat ascii 1.0\ncomment pointshell: inward normals, area in m^2\nelement vertex "
+               << shell.size();
+  for (const char* p : {"x", "y", "z", "nx", "ny", "nz", "area"}) out.stream() << "\nproperty float " << p;
+  out.stream() << "\nend_header\n";
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    for (float v : {shell.x[i], shell.y[i], shell.z[i], shell.nx[i], shell.ny[i], shell.nz[i]})
+      out.stream() << formatDouble(v) << ' ';
+    out.stream() << formatDouble(shell.area[i]) << '\n';
+  }
+  out.commit();
+}
+
+void writeStructure(const HapticStructure& s, const std::filesystem::path& folder) {
+  std::error_code ec;
+  std::filesystem::create_directories(folder, ec);
+  std::string stem = s.name;
+  for (char& c : stem)
+    if (c == ':' || c == ',' || c == '/') c = '_';
+  saveMesh(s.surface->mesh(kDrawingSagitta), folder / (stem + ".stl"));
+  writeShell(s.shell, folder / (stem + ".shell.ply"));
+}
+
+nlohmann::ordered_json structureJson(const HapticStructure& s, const Body& body) {
+  return {{"name", s.name},
+          {"triangles", s.triangles},
+          {"watertight", s.surface->watertight()},
+          {"voxels", {s.grid.size.x(), s.grid.size.y(), s.grid.size.z()}},
+          {"surface_voxels", s.surface_voxels},
+          {"solid_voxels", s.solid_voxels},
+          {"points", s.shell.size()},
+          {"levels", s.tree.levels},
+          {"memory_bytes", s.memoryBytes()},
+          {"build_ms", s.build_ms},
+          {"error_bound", s.errorBound()},
+          {"covering_radius", s.shell.covering_radius},
+          {"field", fieldName(s.options.field)},
+          {"volume", s.mass_properties.volume},
+          {"remarks", body.remarks}};
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  HapticOptions options;
+  options.voxel_size = number(args.voxel, "--voxel");
+  options.point_spacing = number(args.point, "--point");
+  options.outer_layers = args.outer_layers;
+  options.field = *parseFieldKind(args.field);
+  options.validate();
+  const double scale = number(args.scale, "--scale");
+
+  nlohmann::ordered_json document{{"structures", nlohmann::ordered_json::array()}};
+  std::string text;
+  auto failed = nlohmann::ordered_json::array();
+  for (const auto& name : args.meshes) {
+    try {
+      const Body body = load(name, scale);
+      const auto s = buildHapticStructure(body.name, body.surface, options);
+      if (!args.out.empty()) writeStructure(*s, args.out);
+      document["structures"].push_back(structureJson(*s, body));
+      text += format(
+          "%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %.0f ms\n",
+          s->name.c_str(), s->grid.size.x(), s->grid.size.y(), s->grid.size.z(), s->shell.size(),
+          s->triangles, s->surface->watertight() ? "" : " (not watertight)", 1e3 * s->errorBound(),
+          static_cast<double>(s->memoryBytes()) * 1e-6, s->build_ms);
+      for (const auto& remark : body.remarks) text += "  " + remark + "\n";
+    } catch (const ParseError& e) {
+      if (args.meshes.size() == 1) throw;
+      std::cerr << e.what() << std::endl;
+      failed.push_back({{"name", name}, {"error", e.what()}});
+    }
+  }
+  if (!failed.empty()) document["failed"] = failed;
+  line.print(document, text);
+  if (failed.empty()) return kDone;
+  return failed.size() == args.meshes.size() ? kBadInput : kPartly;
+}
+
+}  // namespace
+
+void addBuild(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "build", "haptic structures (voxelmap, field, pointshell) of meshes and shapes",
+                 "abstand build sphere:0.05 link1.stl --voxel 0.005 --point 0.005 --out structures");
+  auto args = std::make_shared<Arguments>();
+  command
+      ->add_option("MESH", args->meshes,
+                   "mesh files, or sphere:r, cuboid:x,y,z, ellipsoid:a,b,c, cylinder:r,l, capsule:r,l (m)")
+      ->required();
+  command->add_option("--voxel", args->voxel, "voxel size in m");
+  command->add_option("--point", args->point, "pitch of the pointshell in m");
+  command->add_option("--outer-layers", args->outer_layers, "layers of voxels outside the surface")
+      ->check(CLI::Range(0, 10000));
+  command->add_option("--field", args->field, "layered, float or mixed")
+      ->check(CLI::IsMember({"layered", "float", "mixed"}));
+  command->add_option("--scale", args->scale, "metres a unit of the mesh files");
+  command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each");
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,102 @@
+// abstand check: the gate for scripts.
+#include <iostream>
+
+#include "app/cli/command_line.hpp"
+#include "app/run/check_report.hpp"
+#include "app/run/distance_check.hpp"
+#include "app/run/run_scene.hpp"
+#include "core/base/error.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, min_distance, margins, junit, report;
+  std::vector<std::string> recordings;
+  std::string poses;
+  bool dry_run{false}, strict{false};
+};
+
+int dryRun(const CommandLine& line, const SceneDescription& scene) {
+  const std::string text = describeScene(scene);
+  line.print({{"passed", true}, {"scene", text}}, text);
+  return kDone;
+}
+
+nlohmann::ordered_json violationJson(const Violation& v) {
+  nlohmann::ordered_json j{
+      {"a", v.a},        {"b", v.b}, {"start", v.start}, {"end", v.end}, {"min_distance", v.min_distance},
+      {"limit", v.limit}};
+  if (!v.recording.empty()) j["recording"] = v.recording;
+  return j;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  const SceneDescription scene = loadScene(args.scene);
+  if (args.dry_run) return dryRun(line, scene);
+  if (args.min_distance.empty()) throw UsageError("--min-distance is required (or --dry-run)");
+  const double limit = number(args.min_distance, "--min-distance");
+
+  CheckResult all;
+  std::vector<std::string> recordings = args.recordings;
+  if (recordings.empty()) recordings.emplace_back();
+  for (const auto& recording : recordings) {
+    SessionOptions options;
+    options.recording = recording;
+    options.poses = args.poses;
+    Session session(scene, options);
+    if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
+    DistanceCheck check(session.scene(), limit, !args.margins.empty(), recording);
+    RunOptions run;
+    run.progress = progressBar(line, recording.empty() ? "check" : recording);
+    run.interrupted = interrupted;
+    run.on_frame = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
+    const RunSummary summary = runScene(session, run);
+    check.finish(summary, all);
+    if (summary.interrupted) return kInterrupted;
+  }
+  const bool passed = all.violations.empty() && (!args.strict || all.unproven.empty());
+  nlohmann::ordered_json document{{"passed", passed}, {"min_distance_limit", limit}, {"frames", all.frames}};
+  std::string text;
+  for (const auto* list : {&all.violations, &all.unproven}) {
+    auto rows = nlohmann::ordered_json::array();
+    for (const Violation& v : *list) {
+      rows.push_back(violationJson(v));
+      text += format("%s: %s to %s, %.3f s to %.3f s, %.1f mm (limit %.1f mm)\n",
+                     list == &all.violations ? "broken" : "not proven", v.a.c_str(), v.b.c_str(), v.start,
+                     v.end, 1e3 * v.min_distance, 1e3 * v.limit);
+    }
+    document[list == &all.violations ? "violations" : "unproven"] = rows;
+  }
+  document["stale"] = all.stale;
+  for (const auto& name : all.stale)
+    line.warn(name + " was stale or refused at some time: its distances are not proven");
+  text += passed ? "passed\n" : "not passed\n";
+  if (!args.junit.empty()) writeJunit(all, args.scene, args.junit);
+  if (!args.report.empty()) writeHtmlReport(all, args.scene, limit, args.report);
+  line.print(document, text);
+  return passed ? kDone : kLimitBroken;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "check", "the gate for scripts: exit 1 when a limit is broken",
+                 "abstand check cell.yaml --recording reach.bvh --min-distance 0.1 --junit result.xml");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("SCENE", args->scene, "scene file")->required();
+  command->add_option("--recording", args->recordings, "recordings, each checked in turn");
+  command->add_option("--poses", args->poses, "CSV of poses that named objects follow");
+  command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
+  command->add_option("--margins", args->margins,
+                      "YAML, NAME: metres; a pair then needs the sum of its margins too");
+  command->add_option("--junit", args->junit, "JUnit XML");
+  command->add_option("--report", args->report, "HTML page");
+  command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
+  command->add_flag("--strict", args->strict,
+                    "fail also where distance minus its error bound is below the limit");
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,116 @@
+// abstand human: the parametric human from the height.
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/geometry/mesh_file.hpp"
+#include "humanmodel/human_model.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr double kMeshSagitta = 2e-4;  // m, of the written meshes
+
+struct Arguments {
+  std::string height, mass, sex, preset{"anthropometric"}, out;
+  std::vector<std::string> set;
+};
+
+/// PART.KEY=VALUE
+void applyOverride(HumanOptions& options, const std::string& text) {
+  const std::size_t dot = text.find('.'), equals = text.find('=');
+  if (dot == std::string::npos || equals == std::string::npos || equals < dot)
+    throw UsageError("--set: found '" + text +
+                     "', expected PART.contour=VALUE (or length, breadth, depth, shape)");
+  const std::string part_name = text.substr(0, dot), key = text.substr(dot + 1, equals - dot - 1);
+  const std::string value = text.substr(equals + 1);
+  const auto part = parsePart(part_name);
+  if (!part) {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < kBodyPartCount; ++i) known.emplace_back(partName(static_cast<BodyPart>(i)));
+    const std::string near = nearestName(part_name, known);
+    throw UsageError("--set: there is no part '" + part_name + "'" +
+                     (near.empty() ? "" : ", did you mean '" + near + "'?"));
+  }
+  PartOverride& o = options.overrides[*part];
+  if (key == "shape")
+    o.shape = value;
+  else if (key == "length")
+    o.length = number(value, "--set " + text);
+  else if (key == "contour")
+    o.contour = number(value, "--set " + text);
+  else if (key == "breadth")
+    o.breadth = number(value, "--set " + text);
+  else if (key == "depth")
+    o.depth = number(value, "--set " + text);
+  else
+    throw UsageError("--set: found '" + key + "', expected contour, length, breadth, depth or shape");
+}
+
+nlohmann::ordered_json partJson(const HumanPart& p) {
+  nlohmann::ordered_json j{{"name", partName(p.part)},
+                           {"shape", shapeName(p.shape)},
+                           {"length", p.length},
+                           {"contour", p.contour}};
+  if (const auto* e = std::get_if<Ellipsoid>(&p.shape)) j["semi_axes"] = toJson(e->semi_axes);
+  if (const auto* c = std::get_if<Cuboid>(&p.shape)) j["size"] = toJson(c->size);
+  j["mass"] = p.mass;
+  j["com"] = toJson(p.com);
+  j["inertia"] = toJson(p.inertia);
+  j["proximal"] = toJson(p.p_proximal);
+  j["distal"] = toJson(p.p_distal);
+  j["proximal_joint"] = jointName(p.proximal);
+  j["distal_joint"] = jointName(p.distal);
+  return j;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  HumanOptions options;
+  options.height = number(args.height, "--height");
+  if (!args.mass.empty()) options.mass = number(args.mass, "--mass");
+  if (!args.sex.empty()) options.sex = args.sex == "f" ? Sex::kFemale : Sex::kMale;
+  options.preset = args.preset == "thesis" ? HumanPreset::kThesis : HumanPreset::kAnthropometric;
+  for (const auto& s : args.set) applyOverride(options, s);
+  const HumanModel human = makeHuman(options);
+
+  nlohmann::ordered_json document{{"height", human.height},
+                                  {"mass", human.mass},
+                                  {"preset", args.preset},
+                                  {"parts", nlohmann::ordered_json::array()}};
+  std::string text = format("%.3f m, %.1f kg, preset %s\n%-14s %-10s %9s %9s %8s\n", human.height, human.mass,
+                            args.preset.c_str(), "part", "shape", "length m", "contour m", "mass kg");
+  for (const HumanPart& p : human.parts) {
+    document["parts"].push_back(partJson(p));
+    text += format("%-14s %-10s %9.4f %9.4f %8.2f\n", std::string(partName(p.part)).c_str(),
+                   std::string(shapeName(p.shape)).c_str(), p.length, p.contour, p.mass);
+  }
+  if (!args.out.empty()) {
+    std::error_code ec;
+    std::filesystem::create_directories(args.out, ec);
+    for (const HumanPart& p : human.parts)
+      saveMesh(tessellate(p.shape, kMeshSagitta),
+               std::filesystem::path(args.out) / (std::string(partName(p.part)) + ".stl"));
+    text += "meshes: " + args.out + "\n";
+  }
+  line.print(document, text);
+  return kDone;
+}
+
+}  // namespace
+
+void addHuman(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "human", "the parametric human: fourteen parts from the height",
+                 "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("--height", args->height, "stature in m (0.5 to 2.5)")->required();
+  command->add_option("--mass", args->mass, "body mass in kg");
+  command->add_option("--sex", args->sex, "f or m (default: the mean of both)")
+      ->check(CLI::IsMember({"f", "m"}));
+  command->add_option("--preset", args->preset, "thesis or anthropometric")
+      ->check(CLI::IsMember({"thesis", "anthropometric"}));
+  command->add_option("--set", args->set, "PART.contour=m, also length, breadth, depth, shape");
+  command->add_option("--out", args->out, "folder for one mesh a part");
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,68 @@
+// What all subcommands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace abstand::cli {
+
+inline constexpr int kSchemaVersion = 1;
+
+/// Exit codes of the contract.
+enum ExitCode : int {
+  kDone = 0,
+  kLimitBroken = 1,
+  kWrongUsage = 2,
+  kBadInput = 3,
+  kInternal = 4,
+  kPartly = 5,
+  kInterrupted = 130
+};
+
+/// The chosen subcommand, and how it shall answer.
+struct CommandLine {
+  bool json{false};
+  bool quiet{false};
+  std::function<int()> run;  ///< set by the subcommand that was chosen
+
+  /// One JSON document, or the text for people, on stdout; nothing with --quiet (but JSON when asked for).
+  void print(nlohmann::ordered_json document, const std::string& text) const;
+  /// One line on stderr, "warning: ..."; not with --quiet.
+  void warn(const std::string& text) const;
+};
+
+/// A subcommand with --json, --quiet and an example in its help.
+CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
+                     const std::string& example);
+
+void addFk(CLI::App& root, CommandLine& line);
+void addBuild(CLI::App& root, CommandLine& line);
+void addHuman(CLI::App& root, CommandLine& line);
+void addSkeleton(CLI::App& root, CommandLine& line);
+void addRun(CLI::App& root, CommandLine& line);
+void addCheck(CLI::App& root, CommandLine& line);
+void addBench(CLI::App& root, CommandLine& line);
+
+/// "0.3,-1,2e-3" as numbers. Throws UsageError that names `option`.
+std::vector<double> numberList(const std::string& text, const std::string& option);
+/// A finite number. Throws UsageError that names `option`.
+double number(const std::string& text, const std::string& option);
+
+nlohmann::ordered_json toJson(const Eigen::Vector3d& v);
+nlohmann::ordered_json toJson(const Eigen::Isometry3d& X);  ///< 3 rows of 4
+nlohmann::ordered_json toJson(const Eigen::Matrix3d& M);
+
+/// True once the user pressed Ctrl-C.
+bool interrupted();
+void catchInterrupts();
+
+/// A progress bar on stderr when that is a terminal and neither --quiet nor NO_COLOR forbid it.
+std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label);
+
+/// printf into a string.
+std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
+
+}  // namespace abstand::cli

@@ -1,0 +1,105 @@
+// abstand run: a whole scene over its motion.
+#include "app/cli/command_line.hpp"
+#include "app/run/run_scene.hpp"
+#include "core/base/error.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, start, end, rate, mode{"lockstep"};
+  SessionOptions session;
+  RunOptions run;
+};
+
+nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& e) {
+  if (!e) return nullptr;
+  return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
+}
+
+nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) {
+  nlohmann::ordered_json j{
+      {"frames", s.frames},
+      {"objects", s.objects},
+      {"pairs", s.pairs},
+      {"cycle_us", {{"median", s.median_us}, {"p99", s.p99_us}, {"p999", s.p999_us}, {"max", s.max_us}}},
+      {"overruns", s.overruns},
+      {"period_us", RunSummary::kPeriodUs},
+      {"min_distance", extremeJson(s.min_distance)},
+      {"contacts", s.contacts},
+      {"peak_force", s.peak_force ? s.peak_force->value : 0.0},
+      {"peak_force_at", extremeJson(s.peak_force)}};
+  j["slowest_pair"] = nullptr;
+  if (s.slowest_pair)
+    j["slowest_pair"] = {
+        {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
+  j["build_ms"] = s.build_ms;
+  j["memory_bytes"] = s.memory_bytes;
+  j["stale"] = s.stale;
+  j["remarks"] = session.remarks();
+  j["interrupted"] = s.interrupted;
+  return j;
+}
+
+std::string summaryText(const RunSummary& s, const Session& session) {
+  std::string text = format("%zu frames, %zu objects, %zu pairs; structures %.0f ms, %.1f MB\n", s.frames,
+                            s.objects, s.pairs, s.build_ms, static_cast<double>(s.memory_bytes) * 1e-6);
+  text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.median_us,
+                 s.p99_us, s.p999_us, s.max_us, s.overruns);
+  if (s.min_distance)
+    text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
+                   s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
+  if (s.peak_force)
+    text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
+                   s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,
+                   s.contacts);
+  for (const auto& name : s.stale) text += "stale or refused poses: " + name + "\n";
+  for (const auto& remark : session.remarks()) text += remark + "\n";
+  return text;
+}
+
+int run(const CommandLine& line, Arguments& args) {
+  if (!args.start.empty()) args.run.start = number(args.start, "--start");
+  if (!args.end.empty()) args.run.end = number(args.end, "--end");
+  if (!args.rate.empty()) {
+    args.run.rate = number(args.rate, "--rate");
+    if (*args.run.rate < 0.001 || *args.run.rate > 1e6)
+      throw UsageError("--rate: found " + args.rate + ", expected 0.001 to 1000000 Hz");
+  }
+  args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
+  args.run.progress = progressBar(line, "run");
+  args.run.interrupted = interrupted;
+  Session session(loadScene(args.scene), args.session);
+  const RunSummary summary = runScene(session, args.run);
+  line.print(summaryJson(summary, session), summaryText(summary, session));
+  return summary.interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void addRun(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "run", "runs a scene over its motion: distances, forces, joint efforts",
+                 "abstand run data/scenes/hug_boxing.yaml --json --pairs-out pairs.csv");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("SCENE", args->scene, "scene file")->required();
+  command->add_option("--poses", args->session.poses, "CSV of poses that named objects follow");
+  command->add_option("--recording", args->session.recording, "recording that replaces the scene's");
+  command->add_option("--start", args->start, "first time in s");
+  command->add_option("--end", args->end, "last time in s");
+  command->add_option("--rate", args->rate, "frames a second (default: the recording's own)");
+  command
+      ->add_option("--threads", args->session.threads, "lock-step threads (0: all cores; same bits for any)")
+      ->check(CLI::Range(0, 256));
+  command->add_option("--mode", args->mode, "lockstep or live (pair threads in real time)")
+      ->check(CLI::IsMember({"lockstep", "live"}));
+  command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
+  command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
+  command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");
+  command->add_option("--session", args->run.session_log, "HDF5 log of the run");
+  command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
+      ->check(CLI::Range(1, 1000000));
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

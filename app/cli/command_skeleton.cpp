@@ -1,0 +1,78 @@
+// abstand skeleton: reads a recording, says what was understood, and converts it.
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "tracking/recording.hpp"
+#include "tracking/skeleton_csv.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::string file, out;
+  RecordingOptions options;
+};
+
+nlohmann::ordered_json reportJson(const Recording& recording) {
+  const RecordingReport& r = recording.report;
+  return {{"format", r.format},
+          {"frames", recording.frames.size()},
+          {"rate", r.rate},
+          {"duration", r.duration},
+          {"units_guess", r.units_guess},
+          {"units_reason", r.units_reason},
+          {"scale", r.scale},
+          {"up", r.up},
+          {"up_reason", r.up_reason},
+          {"stature", r.stature},
+          {"joint_map", r.joint_map},
+          {"joints", r.joints},
+          {"mapped", r.mapped},
+          {"not_mapped", r.not_mapped},
+          {"missing_parts", r.missing_parts},
+          {"gaps", r.gaps},
+          {"warnings", r.warnings}};
+}
+
+std::string join(const std::vector<std::string>& words) {
+  std::string s;
+  for (const auto& w : words) s += (s.empty() ? "" : ", ") + w;
+  return s;
+}
+
+std::string reportText(const Recording& recording, const std::string& file) {
+  const RecordingReport& r = recording.report;
+  std::string text = format("%s: %s, %zu frames at %.6g Hz, %.2f s\n", file.c_str(), r.format.c_str(),
+                            recording.frames.size(), r.rate, r.duration);
+  text += format("units: %s (%.6g m a unit): %s\n", r.units_guess.c_str(), r.scale, r.units_reason.c_str());
+  text += format("up: %s: %s\n", r.up.c_str(), r.up_reason.c_str());
+  text += format("stature: %.3f m\njoint map: %s\n", r.stature, r.joint_map.c_str());
+  for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
+  if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
+  if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
+  if (r.gaps > 0) text += format("frames with gaps: %zu\n", r.gaps);
+  for (const auto& w : r.warnings) text += "warning: " + w + "\n";
+  return text;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  const Recording recording = openRecording(args.file, args.options);
+  if (!args.out.empty()) writeSkeletonCsv(std::filesystem::path(args.out), recording);
+  line.print(reportJson(recording), reportText(recording, args.file));
+  return kDone;
+}
+
+}  // namespace
+
+void addSkeleton(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "skeleton", "reads a recording of a person, reports and converts it",
+                             "abstand skeleton boxing.bvh --out boxing.csv");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("FILE", args->file, "the recording")->required();
+  command->add_option("--format", args->options.format, "auto, bvh or csv");
+  command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
+  command->add_option("--up", args->options.up, "auto, x, y, z, -x, -y, -z");
+  command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

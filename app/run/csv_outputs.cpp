@@ -1,0 +1,106 @@
+#include "app/run/csv_outputs.hpp"
+
+#include <charconv>
+
+namespace abstand {
+namespace {
+
+/// `,value`, shortest digits that read back as the same double, in every locale.
+void addNumber(std::string& line, double value) {
+  char buffer[32];
+  const auto r = std::to_chars(buffer, buffer + sizeof buffer, value);
+  line += ',';
+  line.append(buffer, r.ptr);
+}
+
+void addVector(std::string& line, const Vector3d& v) {
+  for (int i = 0; i < 3; ++i) addNumber(line, v[i]);
+}
+
+void startLine(std::string& line, double t) {
+  line.clear();
+  addNumber(line, t);
+  line.erase(0, 1);
+}
+
+std::unique_ptr<OutputFile> open(const std::filesystem::path& file, const std::string& header) {
+  if (file.empty()) return nullptr;
+  auto out = std::make_unique<OutputFile>(file);
+  out->stream() << header << '\n';
+  return out;
+}
+
+std::string jointsHeader(const Session& session) {
+  std::string header = "t";
+  for (const char* what : {"q", "effort"})
+    for (std::size_t m = 0; m < session.mechanisms().size(); ++m)
+      for (int j = 0; j < session.mechanisms()[m]->dof(); ++j)
+        header += "," + session.description().mechanisms[m].name + "." + what + std::to_string(j);
+  return header;
+}
+
+}  // namespace
+
+CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session)
+    : pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz")),
+      objects_(
+          open(paths.objects, "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding")),
+      joints_(open(paths.joints, jointsHeader(session))) {}
+
+void CsvOutputs::write(double t, const Session& session, const std::vector<PairResult>& results) {
+  if (pairs_) writePairs(t, session, results);
+  if (objects_) writeObjects(t, session);
+  if (joints_) writeJoints(t, session);
+}
+
+void CsvOutputs::writePairs(double t, const Session& session, const std::vector<PairResult>& results) {
+  const Scene& scene = session.scene();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Pair& pair = scene.pairs()[i];
+    const PairResult& r = results[i];
+    startLine(line_, t);
+    line_ += ',' + scene.object(pair.a).spec.name + ',' + scene.object(pair.b).spec.name;
+    addNumber(line_, r.distance);
+    addNumber(line_, r.bound);
+    addVector(line_, r.force_a);
+    addVector(line_, r.torque_a);
+    line_ += ',' + std::to_string(r.contacts);
+    addVector(line_, r.witness_a);
+    addVector(line_, r.witness_b);
+    line_ += '\n';
+    pairs_->stream() << line_;
+  }
+}
+
+void CsvOutputs::writeObjects(double t, const Session& session) {
+  for (const Object& o : session.scene().objects()) {
+    const Quaterniond q(o.X_WB.linear());
+    startLine(line_, t);
+    line_ += ',' + o.spec.name;
+    addVector(line_, o.X_WB.translation());
+    addVector(line_, q.vec());
+    addNumber(line_, q.w());
+    addVector(line_, o.velocity.linear);
+    addVector(line_, o.velocity.angular);
+    addVector(line_, o.contact.force);
+    addVector(line_, o.contact.torque);
+    line_ += o.colliding ? ",1\n" : ",0\n";
+    objects_->stream() << line_;
+  }
+}
+
+void CsvOutputs::writeJoints(double t, const Session& session) {
+  startLine(line_, t);
+  for (const auto& m : session.mechanisms())
+    for (double q : m->q()) addNumber(line_, q);
+  for (double effort : session.jointEfforts()) addNumber(line_, effort);
+  line_ += '\n';
+  joints_->stream() << line_;
+}
+
+void CsvOutputs::commit() {
+  for (auto* file : {&pairs_, &objects_, &joints_})
+    if (*file) (*file)->commit();
+}
+
+}  // namespace abstand

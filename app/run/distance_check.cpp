@@ -1,0 +1,60 @@
+#include "app/run/distance_check.hpp"
+
+#include <algorithm>
+
+namespace abstand {
+
+DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins, std::string recording)
+    : scene_(scene),
+      recording_(std::move(recording)),
+      broken_(scene.pairs().size()),
+      unproven_(scene.pairs().size()) {
+  for (const Pair& pair : scene.pairs())
+    limits_.push_back(with_margins ? std::max(limit, pair.options.margin) : limit);
+}
+
+void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t,
+                          double distance, bool broken) {
+  if (!broken) {
+    if (open.active) closed.push_back(open.violation);
+    open.active = false;
+    return;
+  }
+  if (!open.active) {
+    const Pair& p = scene_.pairs()[pair];
+    open = {true,
+            {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, t, t, distance, limits_[pair],
+             recording_}};
+  }
+  open.violation.end = t;
+  open.violation.min_distance = std::min(open.violation.min_distance, distance);
+}
+
+void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const double d = results[i].distance, limit = limits_[i];
+    // Written so that a distance that is not a number counts as broken.
+    const bool broken = !(d >= limit);
+    watch(broken_[i], closed_broken_, i, t, d, broken);
+    watch(unproven_[i], closed_unproven_, i, t, d, !broken && !(d - results[i].bound >= limit));
+  }
+}
+
+void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {
+  const auto close = [](std::vector<Open>& open, std::vector<Violation>& closed,
+                        std::vector<Violation>& into) {
+    for (Open& o : open)
+      if (o.active) closed.push_back(o.violation);
+    open.clear();
+    std::stable_sort(closed.begin(), closed.end(),
+                     [](const auto& x, const auto& y) { return x.start < y.start; });
+    into.insert(into.end(), closed.begin(), closed.end());
+  };
+  close(broken_, closed_broken_, all.violations);
+  close(unproven_, closed_unproven_, all.unproven);
+  all.frames += summary.frames;
+  for (const auto& name : summary.stale)
+    if (std::find(all.stale.begin(), all.stale.end(), name) == all.stale.end()) all.stale.push_back(name);
+}
+
+}  // namespace abstand

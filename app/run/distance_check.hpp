@@ -1,0 +1,56 @@
+// Times during which a pair was closer than allowed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/run/run_scene.hpp"
+
+namespace abstand {
+
+/// A stretch of frames in which a pair broke its limit. Times in s, distances in m.
+struct Violation {
+  std::string a, b;
+  double start{0.0}, end{0.0};
+  double min_distance{0.0};
+  double limit{0.0};
+  std::string recording;
+};
+
+struct CheckResult {
+  std::vector<Violation> violations;  ///< distance < limit
+  std::vector<Violation> unproven;    ///< limit <= distance, but distance - bound < limit
+  std::vector<std::string> stale;
+  std::size_t frames{0};
+};
+
+/// Watches the pairs of a scene frame by frame.
+class DistanceCheck {
+ public:
+  /// `with_margins`: a pair needs max(limit, sum of its two margins) instead of `limit` alone.
+  DistanceCheck(const Scene& scene, double limit, bool with_margins, std::string recording);
+
+  void frame(double t, const std::vector<PairResult>& results);
+  /// Closes what is open and adds everything to `all`, in order of time.
+  void finish(const RunSummary& summary, CheckResult& all);
+
+ private:
+  struct Open {
+    bool active{false};
+    Violation violation;
+  };
+  void watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t, double distance,
+             bool broken);
+
+  const Scene& scene_;
+  std::string recording_;
+  std::vector<double> limits_;
+  std::vector<Open> broken_, unproven_;
+  std::vector<Violation> closed_broken_, closed_unproven_;
+};
+
+/// Reads `NAME: metres` lines (YAML map) and sets the objects' margins. Throws ParseError.
+void applyMargins(Scene& scene, const std::filesystem::path& file);
+
+}  // namespace abstand

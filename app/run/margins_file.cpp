@@ -1,0 +1,51 @@
+// `NAME: metres` lines; the simplest YAML map, read without a library so that names with slashes need no
+// care.
+#include <sstream>
+
+#include "app/run/distance_check.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/text_file.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 1 << 20;
+
+std::string trimmed(const std::string& s) {
+  const auto first = s.find_first_not_of(" \t\r\"'");
+  const auto last = s.find_last_not_of(" \t\r\"'");
+  return first == std::string::npos ? "" : s.substr(first, last - first + 1);
+}
+
+}  // namespace
+
+void applyMargins(Scene& scene, const std::filesystem::path& file) {
+  std::istringstream in(readFile(file, kMostBytes));
+  std::vector<std::string> names;
+  for (const Object& o : scene.objects()) names.push_back(o.spec.name);
+  int line = 0;
+  for (std::string text; std::getline(in, text);) {
+    ++line;
+    text = text.substr(0, text.find('#'));
+    if (trimmed(text).empty()) continue;
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos)
+      throw ParseError({file.string(), line, 1}, "found '" + trimmed(text) + "', expected NAME: METRES");
+    const std::string name = trimmed(text.substr(0, colon)), value = trimmed(text.substr(colon + 1));
+    ObjectId id(0);
+    if (!scene.find(name, &id)) {
+      const std::string near = nearestName(name, names);
+      throw ParseError({file.string(), line, 1},
+                       "found '" + name + "', expected the name of an object of the scene",
+                       near.empty() ? "" : "did you mean '" + near + "'?");
+    }
+    const auto margin = parseDouble(value);
+    if (!margin || *margin < 0.0)
+      throw ParseError({file.string(), line, static_cast<int>(colon) + 2},
+                       "found '" + value + "', expected a margin in metres, not negative");
+    scene.setMargin(id, *margin);
+  }
+}
+
+}  // namespace abstand

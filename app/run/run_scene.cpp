@@ -1,0 +1,219 @@
+#include "app/run/run_scene.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "app/run/session_log.hpp"
+#include "core/base/error.hpp"
+#include "core/base/pacer.hpp"
+#include "core/scene/cycle_statistics.hpp"
+#include "core/scene/pair_threads.hpp"
+
+namespace abstand {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+std::vector<double> timesOf(const Session& session, const RunOptions& options) {
+  std::vector<double> times = options.rate ? session.frameTimes(*options.rate) : session.frameTimes();
+  // A nanosecond of tolerance, so that an end like 0.3 takes the frame at 0.30000000000000004.
+  constexpr double kTolerance = 1e-9;
+  std::erase_if(times, [&](double t) {
+    return (options.start && t < *options.start - kTolerance) ||
+           (options.end && t > *options.end + kTolerance);
+  });
+  if (times.empty()) throw UsageError("no frame lies between --start and --end");
+  return times;
+}
+
+/// Collects what a frame says of the extremes.
+class Extremes {
+ public:
+  explicit Extremes(const Session& session) : session_(session) {}
+
+  void frame(double t, const std::vector<PairResult>& results, RunSummary& summary) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const PairResult& r = results[i];
+      if (r.distance < distance_) {
+        distance_ = r.distance;
+        distance_pair_ = i;
+        distance_t_ = t;
+      }
+      const double force = r.force_a.norm();
+      if (force > force_) {
+        force_ = force;
+        force_pair_ = i;
+        force_t_ = t;
+      }
+      if (r.contacts > 0) ++summary.contacts;
+    }
+  }
+
+  void finish(RunSummary& summary) const {
+    if (distance_ < kInfinity) summary.min_distance = extreme(distance_pair_, distance_t_, distance_);
+    if (force_ > 0.0) summary.peak_force = extreme(force_pair_, force_t_, force_);
+  }
+
+  RunSummary::Extreme extreme(std::size_t pair, double t, double value) const {
+    const Scene& scene = session_.scene();
+    const Pair& p = scene.pairs()[pair];
+    return {scene.object(p.a).spec.name, scene.object(p.b).spec.name, t, value};
+  }
+
+ private:
+  const Session& session_;
+  double distance_{kInfinity}, distance_t_{0.0};
+  double force_{0.0}, force_t_{0.0};
+  std::size_t distance_pair_{0}, force_pair_{0};
+};
+
+/// Times one pair a frame, in turn, outside the measured cycle.
+class PairClock {
+ public:
+  explicit PairClock(const Scene& scene) : sum_us_(scene.pairs().size()), count_(scene.pairs().size()) {}
+
+  void sample(const Scene& scene) {
+    if (sum_us_.empty()) return;
+    const Pair& pair = scene.pairs()[next_];
+    const Object& a = scene.object(pair.a);
+    const Object& b = scene.object(pair.b);
+    const auto begin = Clock::now();
+    queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch_, result_);
+    sum_us_[next_] += 1e6 * seconds(Clock::now() - begin);
+    ++count_[next_];
+    next_ = (next_ + 1) % sum_us_.size();
+  }
+
+  void finish(const Extremes& extremes, RunSummary& summary) const {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < sum_us_.size(); ++i) {
+      if (count_[i] == 0 || sum_us_[i] / count_[i] <= worst) continue;
+      worst = sum_us_[i] / count_[i];
+      summary.slowest_pair = extremes.extreme(i, 0.0, worst);
+    }
+  }
+
+ private:
+  std::vector<double> sum_us_;
+  std::vector<int> count_;
+  std::size_t next_{0};
+  PairScratch scratch_;
+  PairResult result_;
+};
+
+/// The groups of pairs that live mode runs: the scene file's, or one group a core.
+std::vector<std::vector<PairId>> liveGroups(const Session& session) {
+  const Scene& scene = session.scene();
+  std::vector<std::vector<PairId>> groups;
+  if (session.description().threads.empty()) {
+    groups.resize(std::max(1u, std::thread::hardware_concurrency()));
+    for (std::size_t i = 0; i < scene.pairs().size(); ++i)
+      groups[i % groups.size()].push_back(PairId(static_cast<std::uint32_t>(i)));
+    return groups;
+  }
+  for (const auto& names : session.description().threads) {
+    auto& group = groups.emplace_back();
+    for (const auto& [a, b] : names) {
+      for (std::size_t i = 0; i < scene.pairs().size(); ++i) {
+        const std::string& x = scene.object(scene.pairs()[i].a).spec.name;
+        const std::string& y = scene.object(scene.pairs()[i].b).spec.name;
+        if ((x == a && y == b) || (x == b && y == a)) group.push_back(PairId(static_cast<std::uint32_t>(i)));
+      }
+    }
+  }
+  return groups;
+}
+
+/// Cycles of one run over all frames; lock step and live differ only in `cycle`.
+template <class Cycle>
+void runFrames(const Session& session, const std::vector<double>& times, const RunOptions& options, bool last,
+               RunSummary& summary, CycleStatistics& statistics, std::vector<PairResult>& results,
+               Cycle cycle) {
+  CsvOutputs csv(last ? options.csv : CsvPaths{}, session);
+  std::unique_ptr<SessionLog> log;
+  if (last && !options.session_log.empty()) log = std::make_unique<SessionLog>(options.session_log, session);
+  Extremes extremes(session);
+  PairClock pair_clock(session.scene());
+  summary.contacts = 0;
+  summary.frames = 0;
+  for (const double t : times) {
+    if (options.interrupted && options.interrupted()) {
+      summary.interrupted = true;
+      break;
+    }
+    const auto begin = Clock::now();
+    cycle(t);
+    statistics.add(seconds(Clock::now() - begin));
+    extremes.frame(t, results, summary);
+    pair_clock.sample(session.scene());
+    csv.write(t, session, results);
+    if (log) log->write(t, session, results);
+    if (last && options.on_frame) options.on_frame(t, results);
+    ++summary.frames;
+    if (options.progress) options.progress(summary.frames, times.size());
+  }
+  extremes.finish(summary);
+  pair_clock.finish(extremes, summary);
+  csv.commit();
+  if (log) log->commit();
+}
+
+}  // namespace
+
+RunSummary runScene(Session& session, const RunOptions& options) {
+  const std::vector<double> times = timesOf(session, options);
+  Scene& scene = session.scene();
+  RunSummary summary;
+  summary.objects = scene.objectCount();
+  summary.pairs = scene.pairs().size();
+  summary.build_ms = session.buildMs();
+  summary.memory_bytes = scene.memoryBytes();
+  std::vector<PairResult> results(summary.pairs);
+  std::vector<bool> stale(summary.objects);
+  const auto watch = [&] {
+    for (std::size_t i = 0; i < stale.size(); ++i) {
+      const PoseState s = scene.objects()[i].pose_state;
+      if (s == PoseState::kStale || s == PoseState::kRejected) stale[i] = true;
+    }
+  };
+
+  // The first cycle sets sizes and first-time caches; it is run once more as a frame.
+  session.step(times.front());
+  CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
+  for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
+    const bool last = repeat + 1 == options.repeat;
+    if (options.mode == RunMode::kLockstep) {
+      runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
+        session.step(t);
+        for (std::size_t i = 0; i < results.size(); ++i) results[i] = scene.pairs()[i].result;
+        watch();
+      });
+    } else {
+      PairThreads threads(scene);
+      for (auto& group : liveGroups(session)) threads.start(threads.addGroup(std::move(group)));
+      const double period =
+          times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
+      Pacer pacer{std::chrono::nanoseconds(static_cast<long>(period * 1e9))};
+      runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
+        session.applyMotion(t);
+        threads.publishPoses(scene);
+        pacer.wait();
+        threads.collect(results);
+        watch();
+      });
+    }
+  }
+  summary.median_us = 1e6 * statistics.median();
+  summary.p99_us = 1e6 * statistics.p99();
+  summary.p999_us = 1e6 * statistics.p999();
+  summary.max_us = 1e6 * statistics.max();
+  summary.overruns = statistics.overruns();
+  for (std::size_t i = 0; i < stale.size(); ++i)
+    if (stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
+  return summary;
+}
+
+}  // namespace abstand

@@ -1,0 +1,50 @@
+// Runs a whole scene over its motion and sums it up.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/run/csv_outputs.hpp"
+#include "app/session/session.hpp"
+
+namespace abstand {
+
+enum class RunMode { kLockstep, kLive };
+
+struct RunOptions {
+  std::optional<double> start, end;  ///< s
+  std::optional<double> rate;        ///< Hz; without: the frames of the recording
+  RunMode mode{RunMode::kLockstep};
+  int repeat{1};
+  CsvPaths csv;
+  std::filesystem::path session_log;  ///< HDF5; empty: none
+  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<bool()> interrupted;  ///< asked once a frame
+  /// Called once a frame with the results in scene order; the last repeat only.
+  std::function<void(double t, const std::vector<PairResult>&)> on_frame;
+};
+
+struct RunSummary {
+  struct Extreme {
+    std::string a, b;
+    double t{0.0}, value{0.0};
+  };
+  std::size_t frames{0}, objects{0}, pairs{0};
+  double median_us{0.0}, p99_us{0.0}, p999_us{0.0}, max_us{0.0};
+  long overruns{0};  ///< cycles longer than kPeriodUs
+  std::optional<Extreme> min_distance;
+  std::optional<Extreme> peak_force;    ///< N, largest force of a pair
+  long contacts{0};                     ///< pairs in contact, counted over all frames
+  std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
+  std::vector<std::string> stale;       ///< objects that were stale or refused at some time
+  double build_ms{0.0};
+  std::size_t memory_bytes{0};
+  bool interrupted{false};
+  static constexpr double kPeriodUs = 1000.0;
+};
+
+/// Throws UsageError for a range without a frame and for files that cannot be written.
+RunSummary runScene(Session& session, const RunOptions& options);
+
+}  // namespace abstand

@@ -1,0 +1,81 @@
+#include "app/session/human_driver.hpp"
+
+#include "core/base/error.hpp"
+#include "humanmodel/recording_lengths.hpp"
+
+namespace abstand {
+namespace {
+
+HumanOptions optionsOf(const HumanDescription& d) {
+  HumanOptions o;
+  o.height = d.height;
+  o.mass = d.mass;
+  if (d.sex) o.sex = *d.sex == "f" ? Sex::kFemale : Sex::kMale;
+  o.preset = d.preset == "thesis" ? HumanPreset::kThesis : HumanPreset::kAnthropometric;
+  for (const auto& [name, part] : d.parts) {
+    const auto id = parsePart(name);
+    ABSTAND_CHECK(id.has_value());
+    PartOverride& p = o.overrides[*id];
+    const auto take = [&, &numbers = part.numbers](const char* key, std::optional<double>& into) {
+      if (const auto it = numbers.find(key); it != numbers.end()) into = it->second;
+    };
+    take("length", p.length);
+    take("contour", p.contour);
+    take("breadth", p.breadth);
+    take("depth", p.depth);
+    p.shape = part.shape;
+  }
+  return o;
+}
+
+std::optional<Recording> recordingOf(const HumanDescription& d) {
+  if (d.recording.file.empty()) return std::nullopt;
+  RecordingOptions o;
+  o.format = d.recording.format;
+  o.units = d.recording.units;
+  o.up = d.recording.up;
+  return openRecording(d.recording.file, o);
+}
+
+HumanModel modelOf(const HumanDescription& d, const std::optional<Recording>& recording) {
+  HumanOptions options = optionsOf(d);
+  if (d.follow_lengths && recording) options = withRecordingLengths(options, recording->frames);
+  try {
+    return makeHuman(options);
+  } catch (const UsageError& e) {
+    throw ParseError(d.pos, std::string(e.what()) + " (person '" + d.name + "')");
+  }
+}
+
+PoseState poseState(PartState s) {
+  switch (s) {
+    case PartState::kTracked:
+      return PoseState::kFresh;
+    case PartState::kInferred:
+      return PoseState::kInferred;
+    case PartState::kHeld:
+    case PartState::kNone:
+      return PoseState::kStale;
+  }
+  return PoseState::kStale;
+}
+
+}  // namespace
+
+HumanDriver::HumanDriver(const HumanDescription& d)
+    : recording_(recordingOf(d)),
+      model_(modelOf(d, recording_)),
+      poser_(model_, d.follow_lengths),
+      X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {
+  if (recording_) poser_.calibrate(recording_->frames);
+}
+
+void HumanDriver::apply(double t, Scene& scene) {
+  if (t < last_t_) poser_.reset();
+  last_t_ = t;
+  poser_.pose(recording_ ? recording_->at(t) : model_.rest, pose_);
+  for (std::size_t i = 0; i < kBodyPartCount; ++i)
+    if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * pose_.X_WP[i], t, poseState(pose_.state[i]));
+}
+
+}  // namespace abstand

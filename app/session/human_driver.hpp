@@ -1,0 +1,39 @@
+// Moves a person's parts after a recording.
+#pragma once
+
+#include "core/scene/scene.hpp"
+#include "core/scene/scene_description.hpp"
+#include "humanmodel/poser.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand {
+
+/// One person of a session. Loop thread only.
+class HumanDriver {
+ public:
+  /// Reads the recording (if any) and makes the model. Throws ParseError, UsageError.
+  explicit HumanDriver(const HumanDescription& description);
+  HumanDriver(const HumanDriver&) = delete;
+  HumanDriver& operator=(const HumanDriver&) = delete;
+
+  void bind(BodyPart part, ObjectId object) { objects_[static_cast<std::size_t>(part)] = object; }
+
+  /// Poses all parts for time t: the recorded frame at or just before t. A part that the recording does not
+  /// show is marked stale. No allocation, no throw.
+  void apply(double t, Scene& scene);
+
+  const HumanModel& model() const { return model_; }
+  /// Null for a person who stands still.
+  const Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+
+ private:
+  std::optional<Recording> recording_;
+  HumanModel model_;
+  Poser poser_;
+  HumanPose pose_;
+  Transform X_WR_;  ///< recording in world
+  double last_t_{-kInfinity};
+  std::array<std::optional<ObjectId>, kBodyPartCount> objects_;
+};
+
+}  // namespace abstand

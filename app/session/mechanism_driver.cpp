@@ -1,0 +1,75 @@
+#include "app/session/mechanism_driver.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/mechanism/mech_file.hpp"
+
+namespace abstand {
+
+MechanismDriver::MechanismDriver(const MechanismDescription& description)
+    : mechanism_(loadMechanism(description.file)), X_WB_(description.X_WB), q_(description.q) {
+  const auto dof = static_cast<std::size_t>(mechanism_.dof);
+  if (q_.empty()) q_.assign(dof, 0.0);
+  if (q_.size() != dof)
+    throw ParseError(description.pos, "found " + std::to_string(q_.size()) + " values in q of '" +
+                                          description.name + "', expected " + std::to_string(dof) +
+                                          ", one a degree of freedom");
+  if (!description.motion.empty()) motion_ = loadMotion(description.motion, mechanism_.dof);
+  for (const auto& link : description.links) {
+    const int frame = link.frame == 0 ? -1 : mechanism_.indexOf(link.frame);
+    if (link.frame != 0 && frame < 0)
+      throw ParseError(link.pos, "found frame " + std::to_string(link.frame) + " of link '" + link.name +
+                                     "', expected a frame of " + description.file.string());
+    links_.push_back({frame, link.X_FL, std::nullopt});
+  }
+  forward(mechanism_, q_, state_);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks() const {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const auto carriesLink = [&](int frame) {
+    return std::any_of(links_.begin(), links_.end(), [&](const Link& l) { return l.frame == frame; });
+  };
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    // The nearest frame towards the base that carries a link.
+    int up = links_[i].frame;
+    while (up >= 0) {
+      up = mechanism_.frames[static_cast<std::size_t>(up)].parent;
+      if (carriesLink(up)) break;
+    }
+    for (std::size_t j = 0; j < links_.size(); ++j) {
+      if (i == j) continue;
+      const bool same_frame = links_[i].frame == links_[j].frame && i < j;
+      if (same_frame || (links_[i].frame >= 0 && links_[j].frame == up && links_[j].frame != links_[i].frame))
+        pairs.emplace_back(std::min(i, j), std::max(i, j));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+void MechanismDriver::apply(double t, Scene& scene) {
+  if (motion_) motion_->at(t, q_);
+  forward(mechanism_, q_, state_);
+  for (const Link& link : links_) {
+    if (!link.object) continue;
+    const Transform X_WF = link.frame < 0 ? X_WB_ : X_WB_ * state_.X_BF[static_cast<std::size_t>(link.frame)];
+    scene.setPose(*link.object, X_WF * link.X_FL, t);
+  }
+}
+
+void MechanismDriver::efforts(const Scene& scene, std::span<double> out) const {
+  std::fill(out.begin(), out.end(), 0.0);
+  const Transform X_BW = X_WB_.inverse();
+  for (const Link& link : links_) {
+    if (!link.object || link.frame < 0) continue;
+    const Object& object = scene.object(*link.object);
+    if (!object.colliding) continue;
+    const Wrench w_B{X_BW.linear() * object.contact.force, X_BW.linear() * object.contact.torque};
+    addJointEfforts(mechanism_, state_, link.frame, X_BW * object.p_WCom(), w_B, out);
+  }
+}
+
+}  // namespace abstand

@@ -1,0 +1,49 @@
+// Moves a mechanism's links and turns their contact into joint efforts.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/mechanism/mechanism.hpp"
+#include "core/mechanism/motion_file.hpp"
+#include "core/scene/scene.hpp"
+#include "core/scene/scene_description.hpp"
+
+namespace abstand {
+
+/// One mechanism of a session. Loop thread only.
+class MechanismDriver {
+ public:
+  /// Reads the mechanism and its motion. Throws ParseError.
+  explicit MechanismDriver(const MechanismDescription& description);
+
+  /// Says which object is the description's link number `link`.
+  void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
+  /// Pairs of links (numbers) that share a joint: no other link stands between them in the tree of frames.
+  std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
+
+  /// Joint values at time t, forward kinematics, poses of all links. No allocation, no throw.
+  void apply(double t, Scene& scene);
+  /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
+  void efforts(const Scene& scene, std::span<double> out) const;
+
+  int dof() const { return mechanism_.dof; }
+  const Mechanism& mechanism() const { return mechanism_; }
+  const std::vector<double>& q() const { return q_; }
+  const std::optional<MotionTable>& motion() const { return motion_; }
+
+ private:
+  struct Link {
+    int frame;  ///< index into the mechanism's frames, -1: the base
+    Transform X_FL;
+    std::optional<ObjectId> object;
+  };
+  Mechanism mechanism_;
+  MechanismState state_;
+  Transform X_WB_;
+  std::vector<double> q_;
+  std::optional<MotionTable> motion_;
+  std::vector<Link> links_;
+};
+
+}  // namespace abstand

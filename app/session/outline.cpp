@@ -1,0 +1,47 @@
+// What the window needs to know of a session once.
+#include <set>
+
+#include "app/session/session.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kDrawingSagitta = 5e-4;  // m: finer than anyone sees in the window
+
+}  // namespace
+
+SceneOutline Session::outline() const {
+  SceneOutline outline;
+  std::set<std::string> people, movers;
+  for (const auto& h : description_.humans) {
+    people.insert(h.name);
+    if (!h.recording.file.empty()) movers.insert(h.name);
+  }
+  for (const auto& m : description_.mechanisms)
+    if (!m.motion.empty()) movers.insert(m.name);
+  for (const Object& o : scene_.objects()) {
+    outline.objects.push_back(
+        {o.spec.name, o.spec.group, people.contains(o.spec.group), movers.contains(o.spec.group)});
+    outline.meshes.push_back(o.spec.structure->surface->mesh(kDrawingSagitta));
+  }
+  for (const Pair& p : scene_.pairs())
+    outline.pairs.emplace_back(static_cast<int>(p.a.index()), static_cast<int>(p.b.index()));
+  for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
+    const Mechanism& mechanism = mechanisms_[m]->mechanism();
+    std::vector<SceneOutline::JointInfo> joints(static_cast<std::size_t>(mechanism.dof));
+    for (const auto& frame : mechanism.frames)
+      if (frame.dof >= 0)
+        joints[static_cast<std::size_t>(frame.dof)] = {description_.mechanisms[m].name, frame.name,
+                                                       frame.type == JointType::kPrismatic};
+    outline.joints.insert(outline.joints.end(), joints.begin(), joints.end());
+  }
+  const auto times = frameTimes();
+  outline.start = times.front();
+  outline.end = times.back();
+  if (times.size() > 1)
+    outline.frame_period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  outline.title = description_.file.filename().string();
+  return outline;
+}
+
+}  // namespace abstand

@@ -1,0 +1,197 @@
+#include "app/session/session.hpp"
+
+#include <algorithm>
+
+#include "core/scene/pair_selection.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kMotionRate = 1000.0;  // Hz, where only joint motion sets the pace
+
+std::string fileName(const std::filesystem::path& p) { return p.filename().string(); }
+
+}  // namespace
+
+Session::Session(SceneDescription description, const SessionOptions& options)
+    : description_(std::move(description)) {
+  if (!options.recording.empty())
+    for (auto& human : description_.humans) human.recording.file = options.recording;
+
+  // Everything that can fail by a bad file is read before anything costly is built.
+  std::vector<Planned> plan;
+  planMechanisms(plan);
+  planHumans(plan);
+  planObjects(plan);
+  if (!options.poses.empty()) poses_ = loadPoses(options.poses);
+  library_.build();
+
+  for (auto& body : plan)
+    body.placed(scene_.addObject({body.name, body.group, library_.get(body.key), body.margin}));
+  selectAndAddPairs();
+  if (poses_) bindPoses(options.poses);
+  for (const auto& remark : library_.remarks()) remarks_.push_back(remark);
+
+  std::size_t dof = 0;
+  for (const auto& m : mechanisms_) dof += static_cast<std::size_t>(m->dof());
+  joint_efforts_.assign(dof, 0.0);
+  scene_.setForceLaw(description_.defaults.thesis_law ? ForceLaw::kThesis : ForceLaw::kVolume,
+                     description_.defaults.stiffness);
+  scene_.setThreads(options.threads);
+}
+
+HapticOptions Session::hapticOptions(const BodySettings& settings) const {
+  HapticOptions o = description_.defaults.haptic;
+  o.voxel_size = settings.voxel.value_or(o.voxel_size);
+  o.point_spacing = settings.point.value_or(o.point_spacing);
+  o.outer_layers = settings.outer_layers.value_or(o.outer_layers);
+  return o;
+}
+
+void Session::planMechanisms(std::vector<Planned>& plan) {
+  for (const auto& d : description_.mechanisms) {
+    mechanisms_.push_back(std::make_unique<MechanismDriver>(d));
+    MechanismDriver* driver = mechanisms_.back().get();
+    const int first = static_cast<int>(plan.size());
+    for (std::size_t i = 0; i < d.links.size(); ++i) {
+      const auto& link = d.links[i];
+      const HapticOptions options = hapticOptions(link.settings);
+      const auto key = link.shape ? library_.request(*link.shape, options)
+                                  : library_.request(link.mesh, link.scale, options);
+      plan.push_back({link.name, d.name, key, link.settings.margin.value_or(description_.defaults.margin),
+                      [driver, i](ObjectId id) { driver->bind(i, id); }});
+    }
+    for (const auto& [a, b] : driver->adjacentLinks())
+      adjacent_.emplace_back(first + static_cast<int>(a), first + static_cast<int>(b));
+  }
+}
+
+void Session::planHumans(std::vector<Planned>& plan) {
+  for (const auto& d : description_.humans) {
+    humans_.push_back(std::make_unique<HumanDriver>(d));
+    HumanDriver* driver = humans_.back().get();
+    const int first = static_cast<int>(plan.size());
+    for (const HumanPart& part : driver->model().parts) {
+      const std::string part_name{partName(part.part)};
+      BodySettings settings = d.settings;
+      if (const auto it = d.parts.find(part_name); it != d.parts.end()) {
+        const auto& numbers = it->second.numbers;
+        if (const auto n = numbers.find("margin"); n != numbers.end()) settings.margin = n->second;
+        if (const auto n = numbers.find("voxel"); n != numbers.end()) settings.voxel = n->second;
+        if (const auto n = numbers.find("point"); n != numbers.end()) settings.point = n->second;
+      }
+      plan.push_back({d.name + "/" + part_name, d.name, library_.request(part.shape, hapticOptions(settings)),
+                      settings.margin.value_or(description_.defaults.margin),
+                      [driver, id = part.part](ObjectId object) { driver->bind(id, object); }});
+    }
+    for (const auto& [a, b] : adjacentParts()) {
+      const int i = first + static_cast<int>(a), j = first + static_cast<int>(b);
+      adjacent_.emplace_back(std::min(i, j), std::max(i, j));
+    }
+    if (const Recording* r = driver->recording()) {
+      const auto& report = r->report;
+      remarks_.push_back(fileName(d.recording.file) + ": read as " + report.units_guess + ", " + report.up +
+                         " up, stature " + std::to_string(report.stature).substr(0, 4) + " m");
+      for (const auto& part : report.missing_parts)
+        remarks_.push_back(fileName(d.recording.file) + ": nothing moves " + part);
+    }
+  }
+}
+
+void Session::planObjects(std::vector<Planned>& plan) {
+  for (const auto& d : description_.objects) {
+    const HapticOptions options = hapticOptions(d.settings);
+    const auto key =
+        d.shape ? library_.request(*d.shape, options) : library_.request(d.mesh, d.scale, options);
+    plan.push_back({d.name, "objects", key, d.settings.margin.value_or(description_.defaults.margin),
+                    [this, X_WB = d.X_WB](ObjectId id) { scene_.setPose(id, X_WB, 0.0); }});
+  }
+}
+
+void Session::selectAndAddPairs() {
+  std::vector<SelectableBody> bodies;
+  for (const Object& o : scene_.objects()) bodies.push_back({o.spec.name, o.spec.group});
+  for (const auto& [a, b] : selectPairs(bodies, description_.pairs, adjacent_))
+    scene_.addPair(ObjectId(static_cast<std::uint32_t>(a)), ObjectId(static_cast<std::uint32_t>(b)));
+}
+
+void Session::bindPoses(const std::filesystem::path& file) {
+  for (const auto& name : poses_->names) {
+    ObjectId id(0);
+    if (!scene_.find(name, &id)) {
+      std::vector<std::string> known;
+      for (const Object& o : scene_.objects()) known.push_back(o.spec.name);
+      const std::string near = nearestName(name, known);
+      throw ParseError({file.string(), 1},
+                       "found '" + name + "', expected the name of an object of the scene",
+                       near.empty() ? "" : "did you mean '" + near + "'?");
+    }
+    poses_objects_.push_back(id);
+  }
+}
+
+void Session::applyMotion(double t) {
+  for (const auto& m : mechanisms_) m->apply(t, scene_);
+  for (const auto& h : humans_) h->apply(t, scene_);
+  if (poses_) {
+    const std::size_t row = poses_->rowAt(t);
+    for (std::size_t i = 0; i < poses_objects_.size(); ++i)
+      scene_.setPose(poses_objects_[i], poses_->pose(row, i), t);
+  }
+}
+
+void Session::step(double t) {
+  applyMotion(t);
+  scene_.step();
+  std::size_t first = 0;
+  for (const auto& m : mechanisms_) {
+    const auto n = static_cast<std::size_t>(m->dof());
+    m->efforts(scene_, std::span(joint_efforts_).subspan(first, n));
+    first += n;
+  }
+}
+
+std::vector<double> Session::frameTimes() const {
+  for (const auto& h : humans_) {
+    if (!h->recording()) continue;
+    std::vector<double> t;
+    for (const auto& frame : h->recording()->frames) t.push_back(frame.t);
+    return t;
+  }
+  if (poses_) return poses_->t;
+  bool moves = false;
+  for (const auto& m : mechanisms_) moves = moves || m->motion();
+  return moves ? frameTimes(kMotionRate) : std::vector<double>{0.0};
+}
+
+std::vector<double> Session::frameTimes(double rate) const {
+  double start = kInfinity, end = -kInfinity;
+  const auto cover = [&](double from, double to) {
+    start = std::min(start, from);
+    end = std::max(end, to);
+  };
+  for (const auto& h : humans_)
+    if (h->recording()) cover(h->recording()->frames.front().t, h->recording()->frames.back().t);
+  if (poses_) cover(poses_->t.front(), poses_->t.back());
+  // Joint motion alone sets the range only where nobody is recorded.
+  if (start > end)
+    for (const auto& m : mechanisms_)
+      if (m->motion()) cover(m->motion()->start(), m->motion()->end());
+  if (start > end) return {0.0};
+  std::vector<double> t;
+  const auto count = static_cast<std::size_t>((end - start) * rate + 1e-6) + 1;
+  for (std::size_t i = 0; i < count; ++i) t.push_back(start + static_cast<double>(i) / rate);
+  return t;
+}
+
+void Session::capture(double t, SceneSnapshot& out) const {
+  abstand::capture(scene_, out);
+  out.t = t;
+  out.joint_efforts = joint_efforts_;
+  out.joint_positions.resize(joint_efforts_.size());
+  std::size_t i = 0;
+  for (const auto& m : mechanisms_)
+    for (double q : m->q()) out.joint_positions[i++] = q;
+}
+
+}  // namespace abstand

@@ -1,0 +1,80 @@
+// A running scene: files in, cycles out. The same object serves window, command line and tests. No Qt.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/session/human_driver.hpp"
+#include "app/session/mechanism_driver.hpp"
+#include "app/session/poses_file.hpp"
+#include "app/session/structure_library.hpp"
+#include "core/scene/snapshot.hpp"
+
+namespace abstand {
+
+struct SessionOptions {
+  std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
+  std::filesystem::path poses;      ///< `--poses`; empty: none
+  int threads{0};                   ///< lock-step workers; 0: all cores
+};
+
+/// Loads everything that a scene names, builds the haptic structures, and steps. Not shared between threads.
+class Session {
+ public:
+  /// Throws ParseError, UsageError.
+  Session(SceneDescription description, const SessionOptions& options);
+
+  /// One cycle at simulation time t: kinematics, poses, pairs, totals, joint efforts. After the first call no
+  /// allocation and no throw.
+  void step(double t);
+  /// The first half of step(): poses only, for live mode, where the pairs run on threads of their own.
+  void applyMotion(double t);
+
+  /// Times (s) of the frames: of the first recording; else of the poses; else every millisecond of the
+  /// longest joint motion; else 0 alone.
+  std::vector<double> frameTimes() const;
+  /// The same range at a fixed rate (Hz).
+  std::vector<double> frameTimes(double rate) const;
+
+  Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
+  const SceneDescription& description() const { return description_; }
+  const std::vector<std::unique_ptr<MechanismDriver>>& mechanisms() const { return mechanisms_; }
+  const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }
+  const std::vector<double>& jointEfforts() const { return joint_efforts_; }
+  double buildMs() const { return library_.buildMs(); }
+  /// What a user should know: remarks about meshes, guesses and gaps of recordings.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+  SceneOutline outline() const;
+  /// Fills everything but the timing. No allocation once `out` has its sizes.
+  void capture(double t, SceneSnapshot& out) const;
+
+ private:
+  /// A body before its structure is built; `placed` hears which object it became.
+  struct Planned {
+    std::string name, group;
+    StructureLibrary::Key key;
+    double margin;
+    std::function<void(ObjectId)> placed;
+  };
+  void planMechanisms(std::vector<Planned>& plan);
+  void planHumans(std::vector<Planned>& plan);
+  void planObjects(std::vector<Planned>& plan);
+  void selectAndAddPairs();
+  void bindPoses(const std::filesystem::path& file);
+  HapticOptions hapticOptions(const BodySettings& settings) const;
+
+  SceneDescription description_;
+  Scene scene_;
+  StructureLibrary library_;
+  std::vector<std::unique_ptr<MechanismDriver>> mechanisms_;
+  std::vector<std::unique_ptr<HumanDriver>> humans_;
+  std::optional<PosesTable> poses_;
+  std::vector<ObjectId> poses_objects_;
+  std::vector<std::pair<int, int>> adjacent_;
+  std::vector<double> joint_efforts_;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace abstand

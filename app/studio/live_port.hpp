@@ -1,0 +1,30 @@
+// The window's view of a live session.
+#pragma once
+
+#include <memory>
+
+#include "app/session/live_session.hpp"
+#include "ui/session_port.hpp"
+
+namespace abstand {
+
+/// Hands the window's wishes to the loop's thread as values.
+class LivePort final : public ui::SessionPort {
+ public:
+  explicit LivePort(std::unique_ptr<LiveSession> live) : live_(std::move(live)) {}
+
+  const SceneOutline& outline() const override { return live_->outline(); }
+  bool takeSnapshot(SceneSnapshot& out) override { return live_->takeSnapshot(out); }
+  void drainPlot(std::vector<PlotSample>& out) override { live_->drainPlot(out); }
+  void play(bool on) override { live_->send(command::Play{on}); }
+  void step(int frames) override { live_->send(command::Step{frames}); }
+  void seek(double t) override { live_->send(command::Seek{t}); }
+  void setSpeed(double factor) override { live_->send(command::Speed{factor}); }
+  void setLoop(bool on) override { live_->send(command::Loop{on}); }
+  void setMargin(int object, double metres) override { live_->send(command::Margin{object, metres}); }
+
+ private:
+  std::unique_ptr<LiveSession> live_;
+};
+
+}  // namespace abstand

@@ -1,0 +1,130 @@
+// abstand-studio: the desktop program.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTextStream>
+#include <QTimer>
+
+#include "app/studio/studio.hpp"
+#include "core/base/number.hpp"
+#include "ui/theme.hpp"
+#include "ui/viewport/opengl.hpp"
+#include "ui/window_grab.hpp"
+
+namespace {
+
+using namespace abstand;
+
+constexpr int kWrongUsage = 2, kBadInput = 3;
+constexpr int kSettle_ms = 700;  // until the first snapshots are drawn
+const QSize kDefaultSize(1500, 950);
+
+int fail(int code, const QString& text) {
+  QTextStream(stderr) << text << "\n";
+  return code;
+}
+
+struct Arguments {
+  QString scene, recording, screenshot;
+  QSize size{kDefaultSize};
+  double at{0.0};
+  double play_s{0.0};
+};
+
+/// False, with a sentence on stderr, for wrong usage.
+bool parse(const QApplication& app, Arguments& args) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QCoreApplication::translate(
+      "main",
+      "Shows how close people come to robots. An analysis tool, not a safety function.\n"
+      "Example: abstand-studio data/scenes/hug_boxing.yaml --at 5"));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument("scene", QCoreApplication::translate("main", "scene file"), "[SCENE]");
+  parser.addOption(
+      {"recording", QCoreApplication::translate("main", "recording that replaces the scene's"), "FILE"});
+  parser.addOption({"at", QCoreApplication::translate("main", "start at this time"), "SECONDS"});
+  parser.addOption({"screenshot", QCoreApplication::translate("main", "save a picture of the window and end"),
+                    "FILE.png"});
+  parser.addOption({"size", QCoreApplication::translate("main", "size of the window"), "WxH"});
+  parser.addOption({"play", QCoreApplication::translate("main", "play this long first"), "SECONDS"});
+  if (!parser.parse(app.arguments())) {
+    fail(kWrongUsage, "abstand-studio: error: " + parser.errorText());
+    return false;
+  }
+  if (parser.isSet("help")) parser.showHelp();
+  if (parser.isSet("version")) parser.showVersion();
+  const auto number = [&](const char* option, double& into) {
+    if (!parser.isSet(option)) return true;
+    const auto v = parseDouble(parser.value(option).toStdString());
+    if (v && *v >= 0.0)
+      into = *v;
+    else
+      fail(kWrongUsage, QString("abstand-studio: error: --%1: found '%2', expected seconds")
+                            .arg(option, parser.value(option)));
+    return v && *v >= 0.0;
+  };
+  if (!number("at", args.at) || !number("play", args.play_s)) return false;
+  if (parser.isSet("size")) {
+    const QStringList wh = parser.value("size").split('x');
+    if (wh.size() == 2) args.size = QSize(wh[0].toInt(), wh[1].toInt());
+    if (wh.size() != 2 || args.size.width() < 200 || args.size.height() < 200) {
+      fail(kWrongUsage, "abstand-studio: error: --size: expected WxH, at least 200x200");
+      return false;
+    }
+  }
+  args.scene = parser.positionalArguments().value(0);
+  args.recording = parser.value("recording");
+  args.screenshot = parser.value("screenshot");
+  if (parser.positionalArguments().size() > 1) {
+    fail(kWrongUsage, "abstand-studio: error: expected one scene");
+    return false;
+  }
+  return true;
+}
+
+/// Plays for `play_s`, then waits until the moment is drawn, saves the picture and ends the program.
+void takePicture(ui::MainWindow& window, const Arguments& args) {
+  if (args.play_s > 0.0) window.playback().setPlaying(true);
+  QTimer::singleShot(static_cast<int>(1000.0 * args.play_s), &window, [&window, args] {
+    window.playback().setPlaying(false);
+    QTimer::singleShot(kSettle_ms, &window, [&window, args] {
+      if (ui::grabWindow(window).save(args.screenshot)) {
+        QApplication::exit(0);
+      } else {
+        QApplication::exit(
+            fail(kWrongUsage, "abstand-studio: error: " + args.screenshot + ": cannot be written"));
+      }
+    });
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using abstand::Studio;
+  ui::prepareOpenGl();
+  QCoreApplication::setOrganizationName("Abstand");
+  QCoreApplication::setApplicationName("abstand-studio");
+  QApplication app(argc, argv);
+  Arguments args;
+  if (!parse(app, args)) return kWrongUsage;
+  if (!args.screenshot.isEmpty()) {
+    // A picture must not depend on how the last user left the window.
+    QCoreApplication::setApplicationName("abstand-studio-picture");
+    QSettings().clear();
+  }
+  ui::applyTheme(app, ui::themeOf(app.palette()));
+  ui::MainWindow window;
+  window.resize(args.size);
+  window.show();
+  Studio studio(window);
+  if (!args.scene.isEmpty()) studio.openScene(args.scene, args.recording, args.at);
+  if (!args.screenshot.isEmpty()) {
+    QObject::connect(&studio, &Studio::ready, &window, [&] { takePicture(window, args); });
+    QObject::connect(&studio, &Studio::failed, &window,
+                     [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); });
+    if (args.scene.isEmpty()) takePicture(window, args);
+  }
+  return QApplication::exec();
+}

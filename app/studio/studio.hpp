@@ -1,0 +1,44 @@
+// Opens scenes and recordings in the window.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <future>
+#include <memory>
+
+#include "app/studio/live_port.hpp"
+#include "ui/main_window.hpp"
+
+namespace abstand {
+
+/// Owns the session that the window shows. Loading runs on a thread of its own, so that the window stays
+/// alive; a file that cannot be read leaves what was there before.
+class Studio : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Studio(ui::MainWindow& window);
+  ~Studio() override;
+
+  /// Begins to load; ready() or failed() follows. An empty recording: as the scene says.
+  void openScene(const QString& scene, const QString& recording, double t);
+  /// Replaces the recording of the people in the present scene.
+  void openRecording(const QString& recording);
+
+ Q_SIGNALS:
+  void ready();
+  void failed(const QString& problem);
+
+ private:
+  struct Loaded;
+  void take(std::shared_ptr<Loaded> loaded);
+
+  ui::MainWindow& window_;
+  std::unique_ptr<LivePort> port_;
+  QString scene_;
+  std::future<void> loading_;
+  int request_{0};  ///< number of the newest request; answers to older ones are dropped
+};
+
+}  // namespace abstand

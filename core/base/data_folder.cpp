@@ -1,0 +1,17 @@
+#include "core/base/data_folder.hpp"
+
+#include <cstdlib>
+
+namespace abstand {
+
+std::filesystem::path dataFolder() {
+  namespace fs = std::filesystem;
+  if (const char* set = std::getenv("ABSTAND_DATA"); set != nullptr && *set != '\0') return set;
+  std::error_code ec;
+  const fs::path source{ABSTAND_SOURCE_DATA_FOLDER};
+  if (fs::is_directory(source, ec)) return source;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ec);
+  return program.parent_path().parent_path() / "share" / "abstand";
+}
+
+}  // namespace abstand

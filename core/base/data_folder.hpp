@@ -1,0 +1,14 @@
+// Where the files that the program brings along are found.
+#pragma once
+
+#include <filesystem>
+
+namespace abstand {
+
+/// The folder with robots, joint maps, tables and example scenes: the environment's ABSTAND_DATA where it is
+/// set and not empty, else the `data` folder of the source that this program was built from while it exists,
+/// else
+/// `../share/abstand` beside the program's own folder. The folder itself is not checked. Any thread.
+std::filesystem::path dataFolder();
+
+}  // namespace abstand

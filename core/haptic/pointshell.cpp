@@ -1,0 +1,250 @@
+// Points spread evenly over a surface: farthest-point sampling, centring, areas and normals.
+#include "core/haptic/pointshell.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/haptic/pointshell_cover.hpp"
+#include "core/haptic/pointshell_pool.hpp"
+#include "core/haptic/pointshell_tips.hpp"
+#include "core/haptic/pointshell_tree.hpp"
+
+namespace abstand {
+namespace {
+
+// Lengths are multiples of the spacing.
+constexpr double kSagitta = 0.01;
+/// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
+/// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
+/// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
+constexpr double kStop = 0.84;
+constexpr double kFill = 0.79;
+/// A difference of 1 between two unit normals counts as this distance.
+constexpr double kNormalLength = 1.0;
+constexpr double kPiecesPerPoint = 20.0;
+constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
+constexpr double kMaxEdge = 0.5;
+/// A shell gets at most this many times as many points because of its tips.
+constexpr double kTipExtra = 1.35;
+
+/// The surface that one point stands for.
+struct Cell {
+  double area{0.0};
+  Vector3d moment{Vector3d::Zero()};  ///< integral of the position
+  Vector3d normal{Vector3d::Zero()};  ///< integral of the outward normal
+  Vector3d rim{Vector3d::Zero()};  ///< integral of the conormal over its sharp edges (outwards, in the face)
+  double second_moment{0.0};       ///< integral of |x|^2
+  double spread{0.0};              ///< integral of u = 1 / density
+  Vector3d spread_moment{Vector3d::Zero()};  ///< integral of u x
+};
+
+std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>& density,
+                              const std::vector<std::uint32_t>& nearest, std::size_t count) {
+  std::vector<Cell> cells(count);
+  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
+    Cell& cell = cells[nearest[i]];
+    const double area = piece.area();
+    const Vector3d& normal = pool.normal(piece.triangle);
+    const Vector3d centroid = piece.centroid();
+    cell.area += area;
+    cell.spread += area / density[i];
+    cell.spread_moment += area / density[i] * centroid;
+    cell.moment += area * centroid;
+    cell.normal += area * normal;
+    double edges2 = 0.0;
+    for (int e = 0; e < 3; ++e) {
+      const Vector3d edge = piece.corner[(e + 1) % 3] - piece.corner[e];
+      edges2 += edge.squaredNorm();
+      if ((piece.sharp >> e & 1u) != 0) cell.rim += edge.cross(normal);
+    }
+    cell.second_moment += area * (centroid.squaredNorm() + edges2 / 36.0);
+  });
+  return cells;
+}
+
+/// Where a cell's point should lie so that sums over the shell are unbiased. A linear function is integrated
+/// exactly by its value at the centroid; but where the depth is clamped to zero, sum_i a_i max(0, f_i) falls
+/// short by sigma^2 / 2 |grad f| on average per unit length of the contour f = 0 (sigma^2: variance of a cell
+/// along one axis). Over the touching part of a face that is, by the divergence theorem,
+///   1/2 (integral of sigma^2 grad f over the sharp edges, outwards - integral of grad sigma^2 . grad f over
+///   the face),
+/// so shifts by sigma^2 / 2 (conormal length of the sharp edges) / area - grad sigma^2 / 2 make up for it,
+/// whatever f. sigma^2 goes with u = 1 / density, and grad sigma^2 = sigma^2 grad u / u = covariance(x, u) /
+/// u within the cell.
+std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
+  double scaled_variance = 0.0, area = 0.0;
+  for (const Cell& cell : cells) {
+    if (cell.area <= 0.0) continue;
+    scaled_variance +=
+        0.5 * cell.area / cell.spread * (cell.second_moment - cell.moment.squaredNorm() / cell.area);
+    area += cell.area;
+  }
+  scaled_variance /= area;
+  std::vector<Vector3d> out(cells.size(), Vector3d::Zero());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell& cell = cells[i];
+    if (cell.area <= 0.0) continue;
+    const Vector3d centroid = cell.moment / cell.area;
+    const double variance = scaled_variance * cell.spread / cell.area;
+    const Vector3d variance_gradient = cell.spread_moment / cell.spread - centroid;
+    const Vector3d shift = 0.5 * (variance / cell.area * cell.rim - variance_gradient);
+    // In a narrow face the points of all cells lie at edges, and a full shift would leave the face.
+    const double reach =
+        0.5 * std::sqrt(std::max(0.0, cell.second_moment / cell.area - centroid.squaredNorm()));
+    out[i] = centroid + (shift.norm() > reach ? reach / shift.norm() : 1.0) * shift;
+  }
+  return out;
+}
+
+/// Nearest point to each target on the surface of its own cell.
+std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
+                                const std::vector<Vector3d>& target) {
+  std::vector<Vector3d> out(target.size());
+  std::vector<double> best(target.size(), kInfinity);
+  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
+    const std::uint32_t c = nearest[i];
+    const Vector3d p = closestPoint(piece, target[c]);
+    const double d2 = (p - target[c]).squaredNorm();
+    if (d2 < best[c]) best[c] = d2, out[c] = p;
+  });
+  return out;
+}
+
+/// Outward unit normal of a shape at p; `near` tells on which side of an edge p is.
+Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near) {
+  struct Visitor {
+    const Vector3d &p, &near;
+    Vector3d operator()(const Sphere&) const { return p.normalized(); }
+    Vector3d operator()(const Ellipsoid& e) const {
+      return p.cwiseQuotient(e.semi_axes.cwiseProduct(e.semi_axes)).normalized();
+    }
+    Vector3d operator()(const Cuboid&) const {
+      int axis = 0;
+      near.cwiseAbs().maxCoeff(&axis);
+      return std::copysign(1.0, near[axis]) * Vector3d::Unit(axis);
+    }
+    Vector3d operator()(const Cylinder&) const {
+      if (std::abs(near.z()) > std::sqrt(0.5)) return {0.0, 0.0, std::copysign(1.0, near.z())};
+      return Vector3d(p.x(), p.y(), 0.0).normalized();
+    }
+    Vector3d operator()(const Capsule& c) const {
+      return (p - Vector3d(0.0, 0.0, std::clamp(p.z(), -0.5 * c.length, 0.5 * c.length))).normalized();
+    }
+  };
+  return std::visit(Visitor{p, near}, shape);
+}
+
+/// Points per area at each sample, as a multiple of the usual density: 1 but near tips. There it grows, so
+/// that the small overlap of a corner pressed in a little is still felt by enough points; within kTipExtra.
+std::vector<float> pointDensity(const TipField& tips, const std::vector<Vector3f>& samples,
+                                const std::vector<float>& areas) {
+  std::vector<float> density(samples.size(), 1.0f);
+  double area = 0.0, extra = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double pitch = tips.pitch(samples[i].cast<double>());
+    density[i] = static_cast<float>(1.0 / (pitch * pitch));
+    area += areas[i];
+    extra += areas[i] * (density[i] - 1.0);
+  }
+  if (extra > (kTipExtra - 1.0) * area) {
+    const float share = static_cast<float>((kTipExtra - 1.0) * area / extra);
+    for (float& d : density) d = 1.0f + share * (d - 1.0f);
+  }
+  return density;
+}
+
+std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double length) {
+  std::vector<Vector3f> out;
+  for (const Cell& cell : cells) out.push_back((length * cell.normal.normalized()).cast<float>());
+  return out;
+}
+
+/// The samples of a surface, one a piece.
+struct Samples {
+  std::vector<Vector3f> position, normal;  ///< normal: outward, kNormalLength spacings long
+  std::vector<float> area;
+  double total_area{0.0};
+};
+
+Samples takeSamples(const SurfacePool& pool, double normal_length) {
+  Samples out;
+  pool.walk([&](std::uint32_t, const SubTriangle& piece) {
+    const double area = piece.area();
+    out.position.push_back(piece.centroid().cast<float>());
+    out.normal.push_back((normal_length * pool.normal(piece.triangle)).cast<float>());
+    out.area.push_back(static_cast<float>(area));
+    out.total_area += area;
+  });
+  return out;
+}
+
+/// Adds the farthest sample as a centre until all are within `reach`; returns the number of centres.
+std::uint32_t fill(SampleCover& cover, const Samples& samples, std::uint32_t count, double reach) {
+  const float reach2 = static_cast<float>(reach * reach);
+  float d2 = 0.0f;
+  for (std::uint32_t next = cover.farthest(d2); d2 > reach2; next = cover.farthest(d2)) {
+    cover.add(count++, samples.position[next], samples.normal[next]);
+  }
+  return count;
+}
+
+}  // namespace
+
+Pointshell makePointshell(const Surface& surface, double spacing) {
+  if (!(spacing > 0.0) || !std::isfinite(spacing)) {
+    throw UsageError("point spacing is " + std::to_string(spacing) + " m, expected a positive length");
+  }
+  const Shape* shape = surface.shape();
+  const TriangleMesh mesh = surface.mesh(kSagitta * spacing);
+  const TipField tips(mesh, spacing);
+  const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, tips);
+  const double normal_length = kNormalLength * spacing;
+  const Samples samples = takeSamples(pool, normal_length);
+  if (samples.position.empty()) throw UsageError("a surface without area has no shell points");
+  const std::vector<float> density = pointDensity(tips, samples.position, samples.area);
+
+  SampleCover cover(samples.position, samples.normal, density);
+  std::uint32_t count = fill(cover, samples, 0, kStop * spacing);
+  std::vector<std::uint32_t> nearest = cover.nearest();
+  std::vector<Cell> cells = gatherCells(pool, density, nearest, count);
+  const std::vector<Vector3d> centred = onSurface(pool, nearest, targets(cells));
+  const std::vector<Vector3f> normals = scaledNormals(cells, normal_length);
+  cover.reset();
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (cells[k].area > 0.0) cover.add(k, centred[k].cast<float>(), normals[k]);
+  }
+  count = fill(cover, samples, count, kFill * spacing);
+  nearest = cover.nearest();
+  cells = gatherCells(pool, density, nearest, count);
+  const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
+
+  Pointshell shell;
+  shell.spacing = spacing;
+  const double area_scale = shape != nullptr ? surface.area() / samples.total_area : 1.0;
+  std::vector<std::uint32_t> kept(count, 0);
+  std::vector<Vector3f> positions;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (cells[k].area <= 0.0) continue;
+    Vector3d p = points[k], n = cells[k].normal.normalized();
+    if (shape != nullptr) {
+      p = surface.closest(p).point;
+      n = shapeNormal(*shape, p, n);
+    }
+    kept[k] = static_cast<std::uint32_t>(positions.size());
+    positions.push_back(p.cast<float>());
+    shell.x.push_back(positions.back().x());
+    shell.y.push_back(positions.back().y());
+    shell.z.push_back(positions.back().z());
+    shell.nx.push_back(static_cast<float>(-n.x()));
+    shell.ny.push_back(static_cast<float>(-n.y()));
+    shell.nz.push_back(static_cast<float>(-n.z()));
+    shell.area.push_back(static_cast<float>(area_scale * cells[k].area));
+  }
+  for (std::uint32_t& k : nearest) k = kept[k];
+  // No point of a shape's surface is farther than the sagitta from its mesh.
+  shell.covering_radius =
+      coveringRadius(pool, positions, nearest) + (shape != nullptr ? kSagitta * spacing : 0.0);
+  return shell;
+}
+
+}  // namespace abstand

@@ -1,0 +1,99 @@
+// Corners and tips of a surface by angle defects.
+#include "core/haptic/pointshell_tips.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace abstand {
+namespace {
+
+constexpr double kTipAngle = 1.0;   ///< rad, in a cube of 3 x 3 x 3 cells
+constexpr double kCellAngle = 0.2;  ///< rad, in its middle cell
+
+struct Cell {
+  std::array<std::int64_t, 3> key;
+  double defect;
+  double weight;      ///< of the convex vertices
+  Vector3d position;  ///< their weighted sum
+};
+
+/// 2 pi minus the angles about each vertex; 0 at open edges, where it means nothing.
+std::vector<double> angleDefects(const TriangleMesh& mesh) {
+  std::vector<double> angle(mesh.vertices.size(), 0.0);
+  std::vector<Vector3d> turn(mesh.vertices.size(), Vector3d::Zero());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = mesh.triangles[t][i];
+      const Vector3d to_next = mesh.corner(t, (i + 1) % 3) - mesh.vertices[v];
+      const Vector3d to_last = mesh.corner(t, (i + 2) % 3) - mesh.vertices[v];
+      angle[v] += std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
+      // About an inner vertex every edge comes once as the next and once as the last.
+      turn[v] += to_next - to_last;
+    }
+  }
+  for (std::size_t v = 0; v < angle.size(); ++v) {
+    const double scale = mesh.vertices[v].cwiseAbs().maxCoeff() + turn[v].cwiseAbs().maxCoeff();
+    angle[v] = angle[v] > 0.0 && turn[v].norm() <= 1e-9 * scale ? 2.0 * kPi - angle[v] : 0.0;
+  }
+  return angle;
+}
+
+}  // namespace
+
+std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
+  const std::vector<double> defect = angleDefects(mesh);
+  std::vector<Cell> cells;
+  for (std::size_t v = 0; v < defect.size(); ++v) {
+    if (defect[v] == 0.0) continue;
+    const Vector3d key = (mesh.vertices[v] / scale).array().floor();
+    if (!(key.cwiseAbs().maxCoeff() < 1e15)) continue;
+    const double weight = std::max(defect[v], 0.0);
+    cells.push_back({{std::int64_t(key.x()), std::int64_t(key.y()), std::int64_t(key.z())},
+                     defect[v],
+                     weight,
+                     weight * mesh.vertices[v]});
+  }
+  const auto by_key = [](const Cell& l, const Cell& r) { return l.key < r.key; };
+  std::stable_sort(cells.begin(), cells.end(), by_key);
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    if (cells[i].key == cells[last].key) {
+      cells[last].defect += cells[i].defect;
+      cells[last].weight += cells[i].weight;
+      cells[last].position += cells[i].position;
+    } else {
+      cells[++last] = cells[i];
+    }
+  }
+  if (!cells.empty()) cells.resize(last + 1);
+
+  std::vector<Vector3f> tips;
+  for (const Cell& cell : cells) {
+    if (cell.defect < kCellAngle) continue;
+    double sum = 0.0;
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        Cell probe = cell;
+        probe.key = {cell.key[0] + dx, cell.key[1] + dy, cell.key[2] - 1};
+        auto it = std::lower_bound(cells.begin(), cells.end(), probe, by_key);
+        for (; it != cells.end() && it->key[0] == probe.key[0] && it->key[1] == probe.key[1] &&
+               it->key[2] <= cell.key[2] + 1;
+             ++it) {
+          sum += it->defect;
+        }
+      }
+    }
+    if (sum >= kTipAngle) tips.push_back((cell.position / cell.weight).cast<float>());
+  }
+  return tips;
+}
+
+TipField::TipField(const TriangleMesh& mesh, double spacing)
+    : reach_(kReach * spacing), tips_(findTips(mesh, spacing)) {}
+
+double TipField::pitch(const Vector3d& p) const {
+  std::uint32_t tip = 0;
+  return std::clamp(tips_.distance(p, tip, reach_) / reach_, kSmallest, 1.0);
+}
+
+}  // namespace abstand

@@ -1,0 +1,72 @@
+// Blocks of neighbouring points with their boxes, for farthest-point sampling and nearest-point questions.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// Points in Morton order, in blocks of kBlock, under a complete binary tree of boxes.
+struct BlockTree {
+  static constexpr std::size_t kBlock = 16;
+
+  struct Box {
+    float lower[3], upper[3];
+    float squaredDistance(const float p[3]) const;
+  };
+
+  explicit BlockTree(const std::vector<Vector3f>& points);
+
+  std::size_t leaves{1};  ///< a power of two; node n has the children 2n and 2n + 1, the root is 1
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> order;  ///< position in the blocks -> index of the point
+  std::vector<float> x, y, z;        ///< padded to whole blocks
+};
+
+/// Nearest of a fixed set of points.
+class NearestPoint {
+ public:
+  explicit NearestPoint(const std::vector<Vector3f>& points) : tree_(points) {}
+  /// Distance from p to the nearest point, and its index; `limit` and no index when none is nearer than
+  /// `limit` (m).
+  double distance(const Vector3d& p, std::uint32_t& index, double limit = kInfinity) const;
+
+ private:
+  void visit(std::size_t node, const float p[3], float& best, std::uint32_t& index) const;
+  BlockTree tree_;
+};
+
+/// Samples of a surface that get covered by centres, one after the other. Distances are in the six dimensions
+/// of position and scaled normal, so that faces that meet at an angle and the two sides of a plate do not
+/// cover each other, and strongly curved places get more centres.
+class SampleCover {
+ public:
+  /// `normals`: unit normals times the length that a difference of 1 between normals counts for (m).
+  /// `weights`, at least 1: factors of the squared distances to each sample; where they are larger, centres
+  /// come closer.
+  SampleCover(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
+              const std::vector<float>& weights);
+
+  void reset();
+  void add(std::uint32_t centre, const Vector3f& point, const Vector3f& normal);
+  /// Index of the sample that is farthest from all centres, and its weighted squared distance.
+  std::uint32_t farthest(float& squared_distance) const;
+  /// For every sample, in the order given to the constructor, the nearest centre.
+  std::vector<std::uint32_t> nearest() const;
+
+ private:
+  struct Centre {
+    std::uint32_t id;
+    float p[3], n[3];
+  };
+  void visit(std::size_t node, const Centre& centre);
+
+  BlockTree tree_;
+  std::vector<float> nx_, ny_, nz_, weight_, d2_;
+  std::vector<std::uint32_t> nearest_;
+  std::vector<float> node_d2_;  ///< largest d2_ below each node
+};
+
+}  // namespace abstand

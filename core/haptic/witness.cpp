@@ -1,0 +1,85 @@
+#include "core/haptic/witness.hpp"
+
+#include <algorithm>
+
+namespace abstand {
+namespace {
+
+constexpr int kProjections = 8;       // alternating projections gain little after that
+constexpr int kDepthSteps = 6;        // halvings of the step inside
+constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
+constexpr double kEnoughPart = 1e-2;  // of the distance, likewise; the stated bound covers it
+
+/// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
+class Surfaces {
+ public:
+  Surfaces(const Surface& points, const Surface& field, const Transform& X_FP)
+      : points_(points), field_(field), X_FP_(X_FP), X_PF_(X_FP.inverse()) {}
+
+  Vector3d toPoints(const Vector3d& p_F) {
+    const SurfacePoint s = points_.closest(X_PF_ * p_F, hint_points_);
+    hint_points_ = s.hint;
+    return X_FP_ * s.point;
+  }
+  Vector3d toField(const Vector3d& p_F) {
+    const SurfacePoint s = field_.closest(p_F, hint_field_);
+    hint_field_ = s.hint;
+    return s.point;
+  }
+  bool inField(const Vector3d& p_F) const { return field_.inside(p_F); }
+
+ private:
+  const Surface& points_;
+  const Surface& field_;
+  Transform X_FP_, X_PF_;
+  std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};
+};
+
+void approach(Surfaces& surfaces, Witness& w) {
+  for (int i = 0; i < kProjections; ++i) {
+    const Vector3d p = surfaces.toPoints(w.on_field);
+    const Vector3d q = surfaces.toField(p);
+    const double d = (p - q).norm();
+    const double gain = w.distance - d;
+    if (gain <= 0.0) return;
+    w = {p, q, d};
+    if (gain < std::max(kEnough, kEnoughPart * d)) return;
+  }
+}
+
+void deepen(Surfaces& surfaces, Witness& w, double step) {
+  for (int i = 0; i < kDepthSteps; ++i) {
+    const double depth = -w.distance;
+    if (depth < 1e-12) return;
+    const Vector3d inward = (w.on_points - w.on_field) / depth;
+    const Vector3d p = surfaces.toPoints(w.on_points + step * inward);
+    const Vector3d q = surfaces.toField(p);
+    const double deeper = (p - q).norm();
+    if (deeper > depth && surfaces.inField(p)) {
+      const double gain = deeper - depth;
+      w = {p, q, -deeper};
+      if (gain < kEnough) return;
+    } else {
+      step *= 0.5;
+    }
+  }
+}
+
+}  // namespace
+
+Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
+                      const Vector3d& start, double step, int inside_known) noexcept {
+  Surfaces surfaces(points, field, X_FP);
+  const Vector3d q = surfaces.toField(start);
+  Witness w{start, q, (start - q).norm()};
+  const bool inside = inside_known < 0 || (inside_known == 0 && surfaces.inField(start));
+  if (inside) {
+    w.distance = -w.distance;
+    deepen(surfaces, w, step);
+  } else {
+    approach(surfaces, w);
+  }
+  return w;
+}
+
+}  // namespace abstand

@@ -1,0 +1,24 @@
+// The nearest pair of points on two exact surfaces, from a good start. Internal to core/haptic.
+#pragma once
+
+#include "core/geometry/surface.hpp"
+
+namespace abstand {
+
+/// Two points, one on each surface, in the frame of the field body F, and their signed distance (negative
+/// when `on_points` lies inside F; then |distance| is its depth).
+struct Witness {
+  Vector3d on_points;
+  Vector3d on_field;
+  double distance;
+};
+
+/// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
+/// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
+/// inside, by projected steps against the gradient of at most `step` (m). `inside_known` < 0: start is inside
+/// F, > 0: outside, 0: not known, F is asked. A local search: it ends at a nearest pair of the neighbourhood.
+/// No allocation, no throw.
+Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
+                      const Vector3d& start, double step, int inside_known) noexcept;
+
+}  // namespace abstand

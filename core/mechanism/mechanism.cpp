@@ -1,0 +1,28 @@
+// The constant side of a mechanism.
+#include "core/mechanism/mechanism.hpp"
+
+#include <cmath>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+
+int Mechanism::indexOf(int id) const {
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (frames[i].id == id) return static_cast<int>(i);
+  return -1;
+}
+
+void Mechanism::prepare() {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    auto& f = frames[i];
+    ABSTAND_CHECK(f.parent >= -1 && f.parent < static_cast<int>(i));
+    ABSTAND_CHECK(f.dof >= -1 && f.dof < dof && (f.dof < 0 || f.type != JointType::kFixed));
+    // RotZ(theta) and TransZ(d) commute, so the variable one can stand last whichever it is.
+    f.X_PJ = Eigen::AngleAxisd(f.alpha, Vector3d::UnitX()) * Eigen::Translation3d(f.a, 0.0, f.d) *
+             Eigen::AngleAxisd(f.theta, Vector3d::UnitZ());
+  }
+  prepared = true;
+}
+
+}  // namespace abstand

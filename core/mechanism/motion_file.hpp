@@ -1,0 +1,38 @@
+// Recorded joint motion: a table of joint values over time.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace abstand {
+
+/// Constant after loading; shared by all threads. Always has at least one row.
+class MotionTable {
+ public:
+  /// `q` holds `dof` values a row, in SI (rad, m); `t` (s) rises strictly.
+  MotionTable(std::vector<double> t, std::vector<double> q, int dof);
+
+  int dof() const { return dof_; }
+  std::size_t rows() const { return t_.size(); }
+  double start() const { return t_.front(); }
+  double end() const { return t_.back(); }
+
+  /// Joint values at time t (s): linear between rows, the first or last row outside. `q` has dof() places.
+  /// No allocation, no throw.
+  void at(double t, std::span<double> q) const;
+
+ private:
+  std::vector<double> t_, q_;
+  int dof_;
+};
+
+/// Reads a CSV file with the header `t,q0,q1,...` (as many as `dof`) and one row a moment: finite numbers in
+/// SI, t rising strictly. Throws ParseError with file, line and column.
+MotionTable loadMotion(const std::filesystem::path& file, int dof);
+
+/// The same from text; `name` stands for the file in messages.
+MotionTable parseMotion(const std::string& text, const std::string& name, int dof);
+
+}  // namespace abstand

@@ -1,0 +1,323 @@
+// Live mode: a thread a group, triple buffers both ways, sleep on a counter.
+#include "core/scene/pair_threads.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "core/base/error.hpp"
+#include "core/base/triple_buffer.hpp"
+
+namespace abstand {
+namespace {
+
+/// What the owner hands in.
+struct PoseSet {
+  std::vector<Transform> X_WB;       ///< one an object
+  std::vector<PairOptions> options;  ///< one a pair
+  double t{-kInfinity};
+  long number{0};  ///< counts publications; t may jump back
+};
+
+/// Which pairs a group has. `index` has room for all pairs of the scene, so that it never grows.
+struct PairList {
+  std::vector<std::uint32_t> index;
+  std::size_t count{0};
+};
+
+/// What a group hands out: results[k] belongs to pair index[k].
+struct ResultSet {
+  PairList pairs;
+  std::vector<PairResult> results;
+  double t{-kInfinity};
+  long number{0};  ///< of the poses
+  long cycle{0};
+};
+
+struct PairBodies {
+  std::uint32_t a, b;
+};
+
+/// What all groups read and nobody changes.
+struct World {
+  std::vector<std::shared_ptr<const HapticStructure>> structures;
+  std::vector<PairBodies> pairs;
+
+  void query(std::uint32_t pair, const PoseSet& poses, PairScratch& scratch, PairResult& result) const {
+    const auto [a, b] = pairs[pair];
+    queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair], scratch,
+              result);
+  }
+};
+
+enum class Order : std::uint8_t { kRun, kPause, kStop };
+
+class Group {
+ public:
+  Group(const World& world, const PoseSet& poses, PairList pairs)
+      : world_(world),
+        poses_(poses),
+        wanted_(pairs),
+        results_(emptyResults(world)),
+        pairs_(std::move(pairs)) {}
+  ~Group() { stop(); }
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+  void start() {
+    order_.store(Order::kRun, std::memory_order_release);
+    if (thread_.joinable()) {
+      wake();
+      return;
+    }
+    first_cycle_ = cycles_.load(std::memory_order_relaxed);
+    thread_ = std::jthread([this] { run(); });
+  }
+
+  void pause() {
+    if (!thread_.joinable()) return;
+    order_.store(Order::kPause, std::memory_order_release);
+    wake();
+  }
+
+  void stop() {
+    if (!thread_.joinable()) return;
+    order_.store(Order::kStop, std::memory_order_release);
+    wake();
+    thread_.join();
+  }
+
+  void publish(const PoseSet& poses) {
+    poses_.back() = poses;
+    poses_.publish();
+    wake();
+  }
+
+  const PairList& pairs() const { return pairs_; }
+
+  void setPairs(const PairList& pairs) {
+    pairs_ = pairs;
+    wanted_.back() = pairs;
+    wanted_.publish();
+    wake();
+  }
+
+  const ResultSet& latest() { return results_.latest(); }
+  long cycles() const { return cycles_.load(std::memory_order_acquire) - first_cycle_; }
+
+  long collected{0};  ///< the owner's: cycle of the results that it has seen
+
+ private:
+  static ResultSet emptyResults(const World& world) {
+    ResultSet set;
+    set.pairs.index.resize(world.pairs.size());
+    set.results.resize(world.pairs.size());
+    return set;
+  }
+
+  void wake() {
+    signal_.fetch_add(1, std::memory_order_release);
+    signal_.notify_one();
+  }
+
+  void run() {
+    for (bool begun = false;;) {
+      // Whatever the owner does after this line changes the signal, so that waiting on it misses nothing.
+      const std::uint32_t signal = signal_.load(std::memory_order_acquire);
+      const Order order = order_.load(std::memory_order_acquire);
+      if (order == Order::kStop) return;
+      if (order == Order::kPause || (begun && !poses_.fresh() && !wanted_.fresh())) {
+        signal_.wait(signal, std::memory_order_acquire);
+        continue;
+      }
+      begun = true;
+      cycle();
+    }
+  }
+
+  void cycle() {
+    const PoseSet& poses = poses_.latest();
+    const PairList& pairs = wanted_.latest();
+    ResultSet& out = results_.back();
+    out.pairs.count = pairs.count;
+    out.t = poses.t;
+    out.number = poses.number;
+    for (std::size_t k = 0; k < pairs.count; ++k) {
+      out.pairs.index[k] = pairs.index[k];
+      world_.query(pairs.index[k], poses, scratch_, out.results[k]);
+    }
+    const long cycle = cycles_.load(std::memory_order_relaxed) + 1;
+    out.cycle = cycle;
+    // Before the results, so that whoever has seen them finds their cycle counted.
+    cycles_.store(cycle, std::memory_order_release);
+    results_.publish();
+  }
+
+  const World& world_;
+  TripleBuffer<PoseSet> poses_;      ///< owner to group
+  TripleBuffer<PairList> wanted_;    ///< owner to group
+  TripleBuffer<ResultSet> results_;  ///< group to owner
+  PairList pairs_;                   ///< the owner's copy of what it wants
+  PairScratch scratch_;
+  long first_cycle_{0};  ///< the owner's
+  alignas(64) std::atomic<std::uint32_t> signal_{0};
+  std::atomic<Order> order_{Order::kRun};
+  alignas(64) std::atomic<long> cycles_{0};  ///< over all threads that this group has had
+  std::jthread thread_;
+};
+
+}  // namespace
+
+struct PairThreads::Impl {
+  static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
+
+  World world;
+  PoseSet poses;  ///< published last
+  std::vector<std::unique_ptr<Group>> groups;
+  std::vector<std::size_t> group_of;  ///< of each pair
+  std::vector<PairResult> results;    ///< newest of each pair
+  std::vector<double> result_time;
+  std::vector<long> result_number;  ///< of the poses; -1: no result yet
+  std::vector<std::string> pair_names;
+  PairScratch scratch;
+
+  Group& group(GroupIndex index) {
+    ABSTAND_CHECK(index < groups.size());
+    return *groups[index];
+  }
+
+  void take(const Scene& scene) {
+    ABSTAND_CHECK(scene.objectCount() >= world.structures.size() &&
+                  scene.pairs().size() >= world.pairs.size());
+    double latest = -kInfinity;
+    for (std::size_t i = 0; i < poses.X_WB.size(); ++i) {
+      poses.X_WB[i] = scene.objects()[i].X_WB;
+      latest = std::max(latest, scene.objects()[i].t);
+    }
+    for (std::size_t i = 0; i < poses.options.size(); ++i) poses.options[i] = scene.pairs()[i].options;
+    poses.t = latest;
+    ++poses.number;
+  }
+
+  void checkFree(PairId pair) const {
+    ABSTAND_CHECK(pair.index() < world.pairs.size());
+    if (group_of[pair.index()] == kNoGroup) return;
+    throw UsageError("pair " + pair_names[pair.index()] +
+                     ": in a thread group already, expected to be in one only");
+  }
+
+  /// Takes a pair into a list, with a first result.
+  void admit(PairId pair, GroupIndex group, PairList& list) {
+    const std::uint32_t i = pair.index();
+    group_of[i] = group;
+    list.index[list.count++] = i;
+    world.query(i, poses, scratch, results[i]);
+    result_time[i] = poses.t;
+    result_number[i] = poses.number;
+  }
+};
+
+PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
+  Impl& m = *impl_;
+  const auto& objects = scene.objects();
+  for (const Object& object : objects) m.world.structures.push_back(object.spec.structure);
+  for (const Pair& pair : scene.pairs()) {
+    m.world.pairs.push_back({pair.a.index(), pair.b.index()});
+    m.pair_names.push_back("`" + objects[pair.a.index()].spec.name + "`, `" +
+                           objects[pair.b.index()].spec.name + "`");
+  }
+  m.poses.X_WB.resize(objects.size());
+  m.poses.options.resize(scene.pairs().size());
+  m.group_of.assign(scene.pairs().size(), Impl::kNoGroup);
+  m.results.resize(scene.pairs().size());
+  m.result_time.assign(scene.pairs().size(), -kInfinity);
+  m.result_number.assign(scene.pairs().size(), -1);
+  m.take(scene);
+}
+
+PairThreads::~PairThreads() = default;
+
+PairThreads::GroupIndex PairThreads::addGroup(std::vector<PairId> pairs) {
+  Impl& m = *impl_;
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    m.checkFree(pairs[k]);
+    if (k > 0 && pairs[k] == pairs[k - 1]) {
+      throw UsageError("pair " + m.pair_names[pairs[k].index()] + ": twice in a thread group, expected once");
+    }
+  }
+  PairList list;
+  list.index.resize(m.world.pairs.size());
+  m.groups.reserve(m.groups.size() + 1);
+  for (const PairId pair : pairs) m.admit(pair, m.groups.size(), list);
+  m.groups.push_back(std::make_unique<Group>(m.world, m.poses, std::move(list)));
+  return m.groups.size() - 1;
+}
+
+void PairThreads::start(GroupIndex group) { impl_->group(group).start(); }
+void PairThreads::pause(GroupIndex group) { impl_->group(group).pause(); }
+void PairThreads::stop(GroupIndex group) { impl_->group(group).stop(); }
+long PairThreads::cycles(GroupIndex group) const { return impl_->group(group).cycles(); }
+
+void PairThreads::addPair(GroupIndex group, PairId pair) {
+  Impl& m = *impl_;
+  Group& target = m.group(group);
+  m.checkFree(pair);
+  PairList list = target.pairs();
+  m.admit(pair, group, list);
+  target.setPairs(list);
+}
+
+void PairThreads::removePair(GroupIndex group, PairId pair) {
+  Impl& m = *impl_;
+  Group& target = m.group(group);
+  ABSTAND_CHECK(pair.index() < m.world.pairs.size());
+  if (m.group_of[pair.index()] != group) {
+    throw UsageError("pair " + m.pair_names[pair.index()] + ": not in this thread group");
+  }
+  PairList list = target.pairs();
+  const auto end = list.index.begin() + static_cast<std::ptrdiff_t>(list.count);
+  std::copy(std::find(list.index.begin(), end, pair.index()) + 1, end,
+            std::find(list.index.begin(), end, pair.index()));
+  --list.count;
+  m.group_of[pair.index()] = Impl::kNoGroup;
+  target.setPairs(list);
+}
+
+void PairThreads::publishPoses(const Scene& scene) {
+  impl_->take(scene);
+  for (const auto& group : impl_->groups) group->publish(impl_->poses);
+}
+
+long PairThreads::collect(std::vector<PairResult>& results) {
+  Impl& m = *impl_;
+  ABSTAND_CHECK(results.size() >= m.results.size());
+  long finished = 0;
+  for (std::size_t g = 0; g < m.groups.size(); ++g) {
+    Group& group = *m.groups[g];
+    const ResultSet& set = group.latest();
+    finished += set.cycle - group.collected;
+    if (set.cycle == group.collected) continue;
+    group.collected = set.cycle;
+    for (std::size_t k = 0; k < set.pairs.count; ++k) {
+      const std::uint32_t i = set.pairs.index[k];
+      // A pair that left the group meanwhile keeps what it had, and one that has just been added may be
+      // ahead.
+      if (m.group_of[i] != g || set.number < m.result_number[i]) continue;
+      m.results[i] = set.results[k];
+      m.result_time[i] = set.t;
+      m.result_number[i] = set.number;
+    }
+  }
+  for (std::size_t i = 0; i < m.results.size(); ++i) {
+    if (m.result_number[i] >= 0) results[i] = m.results[i];
+  }
+  return finished;
+}
+
+double PairThreads::resultTime(PairId pair) const {
+  ABSTAND_CHECK(pair.index() < impl_->result_time.size());
+  return impl_->result_time[pair.index()];
+}
+
+}  // namespace abstand

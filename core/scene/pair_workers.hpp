@@ -1,0 +1,46 @@
+// Threads that share out the pairs of one cycle.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace abstand {
+
+/// Runs a task for each index of a range on the calling thread and on threads that sleep in between. Which
+/// thread takes which index is left to chance, so a task may only write what belongs to its index. One owner
+/// thread.
+class PairWorkers {
+ public:
+  /// `task(context, index)`; must not throw.
+  using Task = void (*)(void* context, std::size_t index);
+
+  /// Throws std::system_error when the machine gives no more threads.
+  explicit PairWorkers(int helpers);
+  ~PairWorkers();
+  PairWorkers(const PairWorkers&) = delete;
+  PairWorkers& operator=(const PairWorkers&) = delete;
+
+  /// Returns when the task has run for every index of [0, count), count < 2^32. The caller works too and
+  /// waits only for helpers that have taken something, not for those that have yet to wake up. No allocation,
+  /// no lock.
+  void run(std::size_t count, Task task, void* context) noexcept;
+
+ private:
+  void help() noexcept;
+  void takeAll() noexcept;
+  void stopAll() noexcept;
+
+  Task task_{nullptr};
+  void* context_{nullptr};
+  /// Indices not yet taken (low half) and the cycle (high half), so that a helper that wakes up late cannot
+  /// take from a later cycle by what it saw of an earlier one.
+  alignas(64) std::atomic<std::uint64_t> ticket_{0};
+  alignas(64) std::atomic<std::uint32_t> unfinished_{0};
+  alignas(64) std::atomic<std::uint32_t> cycle_{0};
+  std::atomic<bool> stop_{false};
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace abstand

@@ -1,0 +1,248 @@
+#include "core/scene/scene_body_reader.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/base/number.hpp"
+
+namespace abstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr YamlRange kPositionRange{-1e4, 1e4, "m"};
+constexpr YamlRange kAngleRange{-1e3, 1e3, "rad"};
+constexpr YamlRange kJointRange{-1e6, 1e6};
+constexpr YamlRange kScaleRange{0.0, 1e6, "", true};
+constexpr YamlRange kSizeRange{0.0, 1e3, "m", true};
+constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
+constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
+constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
+constexpr int kMostFrameId = 1000000;
+
+double needNumber(const YamlFields& fields, std::string_view key, const YamlRange& range) {
+  fields.need(key);
+  return *fields.number(key, range);
+}
+
+Vector3d needVector(const YamlFields& fields, std::string_view key, const YamlRange& range) {
+  fields.need(key);
+  return *fields.vector(key, range);
+}
+
+Transform pose(const YamlFields& parent, std::string_view key) {
+  const auto* node = parent.find(key);
+  if (!node) return Transform::Identity();
+  const YamlFields fields(*node, parent.file(), "`" + std::string(key) + "`", {"xyz", "rpy"});
+  return fromXyzRpy(fields.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
+                    fields.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
+}
+
+BodySettings settings(const YamlFields& fields) {
+  BodySettings s;
+  s.voxel = fields.number("voxel", kVoxelRange);
+  s.point = fields.number("point", kVoxelRange);
+  s.margin = fields.number("margin", kMarginRange);
+  s.outer_layers = fields.integer("outer_layers", 1, kMostOuterLayers);
+  return s;
+}
+
+Shape shape(const YamlNode& node, const std::string& file) {
+  const YamlFields kinds(node, file, "`shape`", {"sphere", "ellipsoid", "cuboid", "cylinder", "capsule"});
+  if (node.keys.size() != 1)
+    throw ParseError(kinds.pos(),
+                     "found " + std::to_string(node.keys.size()) + " shapes in `shape`, expected one",
+                     "for example {sphere: {radius: 0.05}}");
+  const std::string kind = node.keys.front().text;
+  const auto fields = [&](std::vector<std::string> keys) {
+    return YamlFields(node.items.front(), file, "`" + kind + "`", std::move(keys));
+  };
+  if (kind == "sphere") return Sphere{needNumber(fields({"radius"}), "radius", kSizeRange)};
+  if (kind == "ellipsoid") return Ellipsoid{needVector(fields({"semi_axes"}), "semi_axes", kSizeRange)};
+  if (kind == "cuboid") return Cuboid{needVector(fields({"size"}), "size", kSizeRange)};
+  const auto round = fields({"radius", "length"});
+  const double radius = needNumber(round, "radius", kSizeRange);
+  if (kind == "cylinder") return Cylinder{radius, needNumber(round, "length", kSizeRange)};
+  return Capsule{radius, needNumber(round, "length", kCapsuleLengthRange)};
+}
+
+HumanPartDescription humanPart(const YamlNode& node, const std::string& file, const std::string& name) {
+  const YamlFields fields(node, file, "the part `" + name + "`",
+                          {"contour", "length", "breadth", "depth", "shape", "margin", "voxel", "point"});
+  HumanPartDescription part;
+  const auto keep = [&](const char* key, const YamlRange& range) {
+    if (const auto value = fields.number(key, range)) part.numbers[key] = *value;
+  };
+  for (const char* key : {"contour", "length", "breadth", "depth"}) keep(key, kPartRange);
+  keep("margin", kMarginRange);
+  for (const char* key : {"voxel", "point"}) keep(key, kVoxelRange);
+  part.shape = fields.choice("shape", {"ellipsoid", "cuboid"});
+  return part;
+}
+
+}  // namespace
+
+const std::vector<std::string>& humanPartNames() {
+  static const std::vector<std::string> names{"torso",        "head",          "biceps_left", "biceps_right",
+                                              "forearm_left", "forearm_right", "hand_left",   "hand_right",
+                                              "thigh_left",   "thigh_right",   "calf_left",   "calf_right",
+                                              "foot_left",    "foot_right"};
+  return names;
+}
+
+std::string SceneBodyReader::newName(const YamlFields& fields, std::set<std::string>& taken,
+                                     const char* kind) {
+  const YamlNode& node = fields.need("name");
+  const std::string name = yamlText(node, file_, "`name`");
+  if (name.find_first_of(",\"") != std::string::npos || name.front() == ' ' || name.back() == ' ')
+    throw ParseError(
+        fields.pos(node),
+        "found " + yamlFound(node) + " for `name`, expected no comma, no quotation mark and no outer blanks",
+        "names stand in the headers of CSV files");
+  if (!taken.insert(name).second)
+    throw ParseError(
+        fields.pos(node),
+        "found the " + std::string(kind) + " name " + yamlFound(node) +
+            " that is taken already, expected a new one",
+        name == "objects" && &taken == &groups_ ? "`objects` is the group of all single objects" : "");
+  return name;
+}
+
+void SceneBodyReader::addBody(std::string name, const SourcePos& pos) {
+  if (bodies_.size() >= kMostBodies)
+    throw ParseError(pos, "found more than " + std::to_string(kMostBodies) + " bodies, expected fewer");
+  bodies_.push_back(std::move(name));
+}
+
+std::string SceneBodyReader::newBody(const YamlFields& fields) {
+  std::string name = newName(fields, body_names_, "body");
+  addBody(name, fields.pos());
+  return name;
+}
+
+fs::path SceneBodyReader::existingFile(const YamlNode& node, const std::string& label,
+                                       const char* expected) const {
+  const std::string text = yamlText(node, file_, label);
+  const fs::path path = (folder_ / text).lexically_normal();
+  std::error_code ec;
+  const auto status = fs::status(path, ec);
+  if (fs::is_regular_file(status)) return path;
+  const SourcePos pos{file_, node.line, node.column};
+  if (fs::exists(status))
+    throw ParseError(pos, "found " + std::string(fs::is_directory(status) ? "a folder" : "no regular file") +
+                              " at " + path.string() + " for " + label + ", expected " + expected);
+  throw ParseError(pos, "found no file " + path.string() + " for " + label + ", expected " + expected,
+                   fs::path(text).is_absolute()
+                       ? ""
+                       : "the path is relative to the folder of the scene file, " + folder_.string());
+}
+
+template <class Body>
+void SceneBodyReader::meshOrShape(const YamlFields& fields, Body& body) const {
+  const auto* mesh = fields.find("mesh");
+  const auto* shape_node = fields.find("shape");
+  if (!mesh == !shape_node)
+    throw ParseError(shape_node ? fields.keyPos("shape") : fields.pos(),
+                     std::string("found ") + (mesh ? "both" : "neither") +
+                         " `mesh` and `shape` in one body, expected one of them");
+  if (mesh) body.mesh = existingFile(*mesh, "`mesh`", "a mesh");
+  if (shape_node) body.shape = shape(*shape_node, file_);
+  if (shape_node && fields.find("scale"))
+    throw ParseError(fields.keyPos("scale"), "found `scale` beside `shape`, expected it beside a mesh only",
+                     "the sizes of a shape are in metres");
+  body.scale = fields.number("scale", kScaleRange).value_or(1.0);
+}
+
+LinkDescription SceneBodyReader::link(const YamlNode& node) {
+  const YamlFields fields(
+      node, file_, "a link",
+      {"name", "frame", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin"});
+  LinkDescription l;
+  l.pos = fields.pos();
+  l.name = newBody(fields);
+  fields.need("frame");
+  l.frame = *fields.integer("frame", 0, kMostFrameId);
+  meshOrShape(fields, l);
+  l.X_FL = pose(fields, "pose");
+  l.settings = settings(fields);
+  return l;
+}
+
+MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
+  const YamlFields fields(node, file_, "a mechanism", {"name", "file", "base", "q", "motion", "links"});
+  MechanismDescription m;
+  m.pos = fields.pos();
+  m.name = newName(fields, groups_, "group");
+  m.file = existingFile(fields.need("file"), "`file`", "a mechanism (.mech or .urdf)");
+  m.X_WB = pose(fields, "base");
+  for (const auto& q : fields.list("q")) m.q.push_back(yamlNumber(q, file_, "`q`", kJointRange));
+  if (const auto* motion = fields.find("motion"))
+    m.motion = existingFile(*motion, "`motion`", "a CSV of joint values");
+  for (const auto& l : fields.list("links")) m.links.push_back(link(l));
+  return m;
+}
+
+RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
+  const YamlFields fields(node, file_, "`recording`", {"file", "format", "units", "up", "place"});
+  RecordingDescription r;
+  r.pos = fields.pos();
+  r.file = existingFile(fields.need("file"), "`file`", "a recording");
+  r.format = fields.text("format").value_or(r.format);
+  if (const auto* units = fields.find("units")) {
+    if (units->kind == YamlNode::Kind::kScalar && parseDouble(units->text))
+      yamlNumber(*units, file_, "`units`", kScaleRange);
+    r.units = yamlText(*units, file_, "`units`");
+  }
+  r.up = fields.choice("up", {"auto", "x", "y", "z", "-x", "-y", "-z"}).value_or(r.up);
+  if (const auto* place = fields.find("place")) {
+    const YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
+    r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);
+    r.place_yaw = p.number("yaw", kAngleRange).value_or(0.0);
+  }
+  return r;
+}
+
+HumanDescription SceneBodyReader::human(const YamlNode& node) {
+  const YamlFields fields(node, file_, "a human",
+                          {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
+                           "voxel", "point", "outer_layers", "margin"});
+  HumanDescription h;
+  h.pos = fields.pos();
+  h.name = newName(fields, groups_, "group");
+  for (const auto& part : humanPartNames()) {
+    std::string body = h.name + "/" + part;
+    if (!body_names_.insert(body).second)
+      throw ParseError(fields.pos(fields.need("name")),
+                       "found the body `" + body + "` a second time, expected another name for the human");
+    addBody(std::move(body), h.pos);
+  }
+  h.height = fields.number("height", kHeightRange).value_or(h.height);
+  h.mass = fields.number("mass", kMassRange);
+  h.sex = fields.choice("sex", {"f", "m"});
+  h.preset = fields.choice("preset", {"anthropometric", "thesis"}).value_or(h.preset);
+  h.follow_lengths = fields.choice("lengths", {"model", "recording"}).value_or("model") == "recording";
+  h.settings = settings(fields);
+  if (const auto* parts = fields.find("parts")) {
+    const YamlFields known(*parts, file_, "`parts`", humanPartNames());
+    for (std::size_t i = 0; i < parts->keys.size(); ++i)
+      h.parts[parts->keys[i].text] = humanPart(parts->items[i], file_, parts->keys[i].text);
+  }
+  if (const auto* node_recording = fields.find("recording")) h.recording = recording(*node_recording);
+  return h;
+}
+
+ObjectDescription SceneBodyReader::object(const YamlNode& node) {
+  const YamlFields fields(
+      node, file_, "an object",
+      {"name", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin"});
+  ObjectDescription o;
+  o.pos = fields.pos();
+  o.name = newBody(fields);
+  meshOrShape(fields, o);
+  o.X_WB = pose(fields, "pose");
+  o.settings = settings(fields);
+  return o;
+}
+
+}  // namespace abstand

@@ -1,0 +1,55 @@
+// The bodies of a scene file: mechanisms, people and things. Internal to the scene reader.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene_description.hpp"
+#include "core/scene/yaml_reader.hpp"
+
+namespace abstand {
+
+inline constexpr YamlRange kVoxelRange{1e-5, 10.0, "m"};
+inline constexpr YamlRange kMarginRange{0.0, 10.0, "m"};
+inline constexpr int kMostOuterLayers = 1000;
+/// All pairs of more bodies would not fit into memory.
+inline constexpr std::size_t kMostBodies = 1000;
+
+/// Reads bodies one after the other and keeps their names apart.
+class SceneBodyReader {
+ public:
+  /// `folder`: what relative paths are relative to. The file's name must outlive the reader.
+  SceneBodyReader(const std::string& file, std::filesystem::path folder)
+      : file_{file}, folder_{std::move(folder)} {}
+
+  MechanismDescription mechanism(const YamlNode& node);
+  HumanDescription human(const YamlNode& node);
+  ObjectDescription object(const YamlNode& node);
+
+  /// All bodies so far, in order: links and objects as written, parts of people as PERSON/PART.
+  const std::vector<std::string>& bodies() const { return bodies_; }
+
+ private:
+  LinkDescription link(const YamlNode& node);
+  RecordingDescription recording(const YamlNode& node);
+  std::string newName(const YamlFields& fields, std::set<std::string>& taken, const char* kind);
+  std::string newBody(const YamlFields& fields);
+  void addBody(std::string name, const SourcePos& pos);
+  std::filesystem::path existingFile(const YamlNode& node, const std::string& label,
+                                     const char* expected) const;
+  template <class Body>
+  void meshOrShape(const YamlFields& fields, Body& body) const;
+
+  const std::string& file_;
+  std::filesystem::path folder_;
+  std::set<std::string> groups_{"objects"};
+  std::set<std::string> body_names_;
+  std::vector<std::string> bodies_;
+};
+
+/// Parts of a person, in the order of scene files.
+const std::vector<std::string>& humanPartNames();
+
+}  // namespace abstand

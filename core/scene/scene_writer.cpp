@@ -1,0 +1,184 @@
+// Writes a scene description as YAML.
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/number.hpp"
+#include "core/scene/scene_description.hpp"
+
+namespace abstand {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string s = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') s += '\\';
+    if (static_cast<unsigned char>(c) < 0x20) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned>(c));
+      s += code;
+    } else {
+      s += c;
+    }
+  }
+  return s + '"';
+}
+
+/// Plain where YAML cannot take it for anything but this text.
+std::string scalar(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  bool plain = !text.empty() && letter(text.front());
+  for (const char c : text)
+    plain = plain && (letter(c) || (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-');
+  return plain && text != "null" && text != "Null" && text != "NULL" ? text : quoted(text);
+}
+
+/// Fixed-axis angles of R, also near a pitch of 90 degrees, where roll and yaw are one: yaw is taken from
+/// what roll leaves of R.
+Vector3d rpyOf(const Matrix3d& R) {
+  const double roll = std::atan2(R(2, 1), R(2, 2));
+  const double pitch = std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2)));
+  const double s = std::sin(roll), c = std::cos(roll);
+  const double yaw = std::atan2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2));
+  return {roll, pitch, yaw};
+}
+
+double rounded(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  for (char& c : text)
+    if (c == ',') c = '.';  // another locale's decimal point
+  return parseDouble(text).value_or(value);
+}
+
+/// The angles with the fewest digits that give the same matrix to the bit: what a person wrote, as a rule.
+/// Where there are none, the angles as computed.
+Vector3d neatRpy(const Matrix3d& R) {
+  const Vector3d rpy = rpyOf(R);
+  for (int digits = 3; digits <= 17; ++digits) {
+    Vector3d neat;
+    for (int i = 0; i < 3; ++i) neat[i] = std::abs(rpy[i]) < 1e-14 ? 0.0 : rounded(rpy[i], digits);
+    if (fromXyzRpy(Vector3d::Zero(), neat).linear() == R) return neat;
+  }
+  return rpy;
+}
+
+std::string vector(const Vector3d& v) {
+  return "[" + formatDouble(v.x()) + ", " + formatDouble(v.y()) + ", " + formatDouble(v.z()) + "]";
+}
+
+std::string pose(const Transform& X) {
+  return "{xyz: " + vector(X.translation()) + ", rpy: " + vector(neatRpy(X.linear())) + "}";
+}
+
+struct ShapeText {
+  std::string operator()(const Sphere& s) const {
+    return "{sphere: {radius: " + formatDouble(s.radius) + "}}";
+  }
+  std::string operator()(const Ellipsoid& s) const {
+    return "{ellipsoid: {semi_axes: " + vector(s.semi_axes) + "}}";
+  }
+  std::string operator()(const Cuboid& s) const { return "{cuboid: {size: " + vector(s.size) + "}}"; }
+  std::string operator()(const Cylinder& s) const { return round("cylinder", s.radius, s.length); }
+  std::string operator()(const Capsule& s) const { return round("capsule", s.radius, s.length); }
+  static std::string round(const char* name, double radius, double length) {
+    return std::string("{") + name + ": {radius: " + formatDouble(radius) +
+           ", length: " + formatDouble(length) + "}}";
+  }
+};
+
+/// `before` each setting, `after` it.
+std::string settings(const BodySettings& s, const char* before = ", ", const char* after = "") {
+  std::string t;
+  if (s.voxel) t += before + ("voxel: " + formatDouble(*s.voxel)) + after;
+  if (s.point) t += before + ("point: " + formatDouble(*s.point)) + after;
+  if (s.outer_layers) t += before + ("outer_layers: " + std::to_string(*s.outer_layers)) + after;
+  if (s.margin) t += before + ("margin: " + formatDouble(*s.margin)) + after;
+  return t;
+}
+
+template <class Body>
+std::string meshOrShape(const Body& body) {
+  if (body.shape) return ", shape: " + std::visit(ShapeText{}, *body.shape);
+  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + formatDouble(body.scale);
+}
+
+std::string mechanismText(const MechanismDescription& m) {
+  std::string s = "  - name: " + scalar(m.name) + "\n    file: " + scalar(m.file.string()) +
+                  "\n    base: " + pose(m.X_WB) + "\n";
+  if (!m.q.empty()) {
+    s += "    q: [";
+    for (std::size_t i = 0; i < m.q.size(); ++i) s += (i ? ", " : "") + formatDouble(m.q[i]);
+    s += "]\n";
+  }
+  if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
+  if (!m.links.empty()) s += "    links:\n";
+  for (const auto& l : m.links)
+    s += "      - {name: " + scalar(l.name) + ", frame: " + std::to_string(l.frame) + meshOrShape(l) +
+         ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
+  return s;
+}
+
+std::string recordingText(const RecordingDescription& r) {
+  return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
+         ", units: " + scalar(r.units) + ", up: " + scalar(r.up) + ", place: {xyz: " + vector(r.place_xyz) +
+         ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
+}
+
+std::string partText(const HumanPartDescription& part) {
+  std::string s;
+  for (const auto& [key, value] : part.numbers)
+    s += (s.empty() ? "" : ", ") + key + ": " + formatDouble(value);
+  if (part.shape) s += (s.empty() ? "shape: " : ", shape: ") + *part.shape;
+  return "{" + s + "}";
+}
+
+std::string humanText(const HumanDescription& h) {
+  std::string s = "  - name: " + scalar(h.name) + "\n    height: " + formatDouble(h.height) + "\n";
+  if (h.mass) s += "    mass: " + formatDouble(*h.mass) + "\n";
+  if (h.sex) s += "    sex: " + *h.sex + "\n";
+  s += "    preset: " + h.preset + "\n    lengths: " + (h.follow_lengths ? "recording" : "model") + "\n";
+  s += settings(h.settings, "    ", "\n");
+  if (!h.parts.empty()) s += "    parts:\n";
+  for (const auto& [name, part] : h.parts) s += "      " + name + ": " + partText(part) + "\n";
+  return h.recording.file.empty() ? s : s + recordingText(h.recording);
+}
+
+std::string pairList(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  std::string s = "[";
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    s += (i ? ", [" : "[") + scalar(pairs[i].first) + ", " + scalar(pairs[i].second) + "]";
+  return s + "]";
+}
+
+}  // namespace
+
+std::string describeScene(const SceneDescription& scene) {
+  const auto& d = scene.defaults;
+  std::string s = "abstand: 1\ndefaults: {voxel: " + formatDouble(d.haptic.voxel_size) +
+                  ", point: " + formatDouble(d.haptic.point_spacing) +
+                  ", outer_layers: " + std::to_string(d.haptic.outer_layers) +
+                  ", field: " + std::string(fieldName(d.haptic.field)) +
+                  ", margin: " + formatDouble(d.margin) + ", stiffness: " + formatDouble(d.stiffness) +
+                  ", law: " + (d.thesis_law ? "thesis" : "volume") + "}\n";
+  if (!scene.mechanisms.empty()) s += "mechanisms:\n";
+  for (const auto& m : scene.mechanisms) s += mechanismText(m);
+  if (!scene.humans.empty()) s += "humans:\n";
+  for (const auto& h : scene.humans) s += humanText(h);
+  if (!scene.objects.empty()) s += "objects:\n";
+  for (const auto& o : scene.objects)
+    s += "  - {name: " + scalar(o.name) + meshOrShape(o) + ", pose: " + pose(o.X_WB) + settings(o.settings) +
+         "}\n";
+  const auto& p = scene.pairs;
+  s += std::string("pairs:\n  default: ") +
+       (p.standard == PairDefault::kAll    ? "all"
+        : p.standard == PairDefault::kNone ? "none"
+                                           : "between_groups") +
+       "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
+       "\n  exclude: " + pairList(p.exclude) + "\n  include: " + pairList(p.include) + "\n";
+  if (scene.threads.empty()) return s + "threads: auto\n";
+  s += "threads:\n";
+  for (const auto& group : scene.threads) s += "  - " + pairList(group) + "\n";
+  return s;
+}
+
+}  // namespace abstand

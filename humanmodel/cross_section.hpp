@@ -1,0 +1,16 @@
+// Cross-sections of parts: breadth, depth and the contour around them.
+#pragma once
+
+namespace abstand {
+
+enum class PartShape { kEllipsoid, kCuboid };
+
+/// Perimeter of the ellipse (complete elliptic integral of the second kind) or of the rectangle with these full
+/// extents, in their unit. A circle of radius b gives 2 pi b, a rectangle 2 (breadth + depth).
+double contourOf(PartShape shape, double breadth, double depth);
+
+/// The other extent of a cross-section that is `extent` wide and `contour` around. The contour must exceed
+/// 2 extent, that of a strip without thickness.
+double extentFor(PartShape shape, double contour, double extent);
+
+}  // namespace abstand

@@ -1,0 +1,2 @@
+#include "humanmodel/poser.hpp"
+namespace abstand { struct Poser::Aim{}; Poser::Poser(const HumanModel& m, bool f, double fl):model_(&m),follow_lengths_(f),floor_(fl){(void)model_;(void)follow_lengths_;} void Poser::pose(const SkeletonFrame&, HumanPose& o){ for(auto&x:o.X_WP) x.setIdentity(); o.state.fill(PartState::kTracked);} void Poser::reset(){} void Poser::calibrate(std::span<const SkeletonFrame>){} }

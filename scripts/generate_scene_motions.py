@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Makes the joint motions of the scenes in data/scenes/motion: CSV with the columns t,q0,q1,... (s, rad or m).
+
+Python's standard library only. The two arms of HUG move as mirror images of each other.
+"""
+import math
+import os
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "scenes", "motion")
+
+# Left arm: the hands apart in front of the column, and the handles 3 cm from each other.
+APART = (0.016, -0.909, -1.175, 1.933, -0.955, -0.321, 0.142)
+CLOSE = (-0.174, -1.747, -1.240, 1.838, 0.593, 0.421, -0.667)
+
+ALONE_PERIOD, ALONE_TIMES = 5.0, 4            # s, and how often the hands come together
+GENTLE_LENGTH = 31.0                          # s, longer than the recording
+GENTLE = ((0.08, 7.0), (0.10, 6.0), (0.10, 9.0), (0.12, 5.0), (0.15, 4.0), (0.10, 3.5), (0.20, 4.5))  # rad, s
+
+SPHERE_CORNER = 0.25                          # m, half the side of the square that the centres stay in
+SPHERE_TIME = 8.0                             # s
+
+ROD_TURN, ROD_TIME = math.pi / 2, 2.0         # rad and s from lying side by side to touching
+
+
+def minimum_jerk(s):
+    """From 0 to 1 with no speed and no acceleration at the ends."""
+    s = min(max(s, 0.0), 1.0)
+    return s ** 3 * (10 - 15 * s + 6 * s * s)
+
+
+def mirrored(q):
+    """The joint values that put the right arm into the mirror image of the left."""
+    return tuple(v if i % 2 else -v for i, v in enumerate(q))
+
+
+def write(name, rows):
+    with open(os.path.join(FOLDER, name), "w", newline="\n") as out:
+        out.write("t," + ",".join(f"q{i}" for i in range(len(rows[0][1]))) + "\n")
+        for t, q in rows:
+            out.write(f"{t:.6g}," + ",".join(f"{v:.6g}" for v in q) + "\n")
+
+
+def times(end, step):
+    return [i * step for i in range(round(end / step) + 1)]
+
+
+def hug_alone():
+    """Hands together and apart, again and again."""
+    rows = []
+    for t in times(ALONE_PERIOD * ALONE_TIMES, 0.05):
+        phase = t % ALONE_PERIOD / ALONE_PERIOD
+        s = minimum_jerk(phase / 0.45) if phase < 0.5 else minimum_jerk((0.95 - phase) / 0.45)
+        rows.append((t, tuple(a + s * (b - a) for a, b in zip(APART, CLOSE))))
+    return rows
+
+
+def hug_gentle():
+    """Slow swings of every joint about the posture with the hands apart."""
+    return [(t, tuple(q + size * math.sin(2 * math.pi * t / period) for q, (size, period) in zip(APART, GENTLE)))
+            for t in times(GENTLE_LENGTH, 0.05)]
+
+
+def bouncing(start, direction, speed):
+    """To and fro on the diagonal between -end and end at constant speed: rows at the turns are enough."""
+    end = SPHERE_CORNER * math.sqrt(2)
+    t, q = 0.0, start * end
+    rows = [(t, (q,))]
+    while t < SPHERE_TIME:
+        wall = direction * end
+        if wall != q:
+            t += abs(wall - q) / speed
+            q = wall
+            rows.append((t, (q,)))
+        direction = -direction
+    return rows
+
+
+def rod():
+    """Turns into the other rod, rests there, turns back."""
+    rows = []
+    for t in times(3 * ROD_TIME, 0.02):
+        s = minimum_jerk(t / ROD_TIME) if t < 1.5 * ROD_TIME else minimum_jerk((3 * ROD_TIME - t) / ROD_TIME)
+        rows.append((t, (s * ROD_TURN,)))
+    return rows
+
+
+def main():
+    os.makedirs(FOLDER, exist_ok=True)
+    for name, rows in (("hug_alone", hug_alone()), ("hug_gentle", hug_gentle())):
+        write(name + "_left.csv", rows)
+        write(name + "_right.csv", [(t, mirrored(q)) for t, q in rows])
+    # Half a diagonal takes the fast ones 0.5 s. The slow one starts half way out, so that it comes through the
+    # centre with them every second time; from a corner, at half the speed, it never would.
+    half = SPHERE_CORNER * math.sqrt(2)
+    write("sphere_fast.csv", bouncing(-1.0, 1, half / 0.5))
+    write("sphere_slow.csv", bouncing(0.5, 1, half / 1.0))
+    write("rod.csv", rod())
+
+
+if __name__ == "__main__":
+    main()

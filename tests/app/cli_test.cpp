@@ -1,0 +1,185 @@
+// The contract of the command line: exit codes, one line of error, JSON keys.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text_file.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+namespace {
+
+using nlohmann::json;
+
+struct Answer {
+  int code;
+  std::string out, err;
+};
+
+class Cli : public ::testing::Test {
+ protected:
+  ScratchFolder folder_;
+
+  Answer run(const std::string& arguments) {
+    const auto out = folder_.path() / "stdout", err = folder_.path() / "stderr";
+    const std::string command = std::string("cd '") + projectFile("").string() +
+                                "' && '" ABSTAND_PROGRAM "' " + arguments + " >'" + out.string() + "' 2>'" +
+                                err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(out, 1 << 28, true),
+            readFile(err, 1 << 20, true)};
+  }
+  json runJson(const std::string& arguments) {
+    const Answer a = run(arguments + " --json");
+    EXPECT_EQ(a.code, 0) << a.err;
+    return json::parse(a.out, nullptr, false);
+  }
+  std::string write(const std::string& name, const std::string& text) {
+    return folder_.write(name, text).string();
+  }
+};
+
+const char* kBallAndWall = R"(abstand: 1
+defaults: {voxel: 0.005, point: 0.005}
+objects:
+  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}, pose: {xyz: [-0.1, 0, 0]}}
+  - {name: ball, shape: {sphere: {radius: 0.05}}}
+)";
+
+/// The ball flies at the wall at 1 m/s and stops `stop` before it; 101 frames.
+std::string ballPoses(double stop) {
+  std::string csv = "t";
+  for (const char* c : {"r00", "r01", "r02", "tx", "r10", "r11", "r12", "ty", "r20", "r21", "r22", "tz"})
+    csv += std::string(",ball.") + c;
+  csv += "\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = i * 0.01;
+    csv +=
+        std::to_string(t) + ",1,0,0," + std::to_string(std::max(1.0 - t, stop) + 0.05) + ",0,1,0,0,0,0,1,0\n";
+  }
+  return csv;
+}
+
+TEST_F(Cli, WrongUsageIsTwo) {
+  for (const char* bad :
+       {"", "nothing", "fk", "human --height 0", "human --height nan", "build sphere:0.05 --voxel -1",
+        "build sphere:-1", "run --mode sideways x.yaml", "bench nosuch"}) {
+    const Answer a = run(bad);
+    EXPECT_EQ(a.code, 2) << bad << ": " << a.err;
+    EXPECT_FALSE(a.err.empty()) << bad;
+  }
+}
+
+TEST_F(Cli, HelpShowsAnExample) {
+  for (const char* command : {"fk", "build", "human", "skeleton", "run", "check", "bench"}) {
+    const Answer a = run(std::string(command) + " --help");
+    EXPECT_EQ(a.code, 0);
+    EXPECT_NE(a.out.find("Example:"), std::string::npos) << command;
+  }
+}
+
+TEST_F(Cli, BadFilesAreThreeAndNothingIsWritten) {
+  const std::string out = (folder_.path() / "out.csv").string();
+  for (const auto& arguments :
+       {"run " + write("a.yaml", "abstand: 1\nobjekts: []\n") + " --pairs-out " + out,
+        "run " + write("b.yaml", "{{{{"), "run " + folder_.path().string(),
+        "run " + write("c.yaml", "abstand: 1\nobjects: [{name: a, mesh: missing.stl}]\n"),
+        "build " + write("d.stl", "solid nothing"), "fk " + write("e.mech", "chain\n"),
+        "skeleton " + write("f.bvh", "HIERARCHY\nROOT a\n{\n"),
+        "run " + write("g.yaml", kBallAndWall) + " --poses " + write("g.csv", "t,ball.r00\n0,1\n")}) {
+    const Answer a = run(arguments);
+    EXPECT_EQ(a.code, 3) << arguments << ": " << a.err;
+    EXPECT_NE(a.err.find("error: "), std::string::npos) << a.err;
+    EXPECT_LE(std::count(a.err.begin(), a.err.end(), '\n'), 2) << a.err;
+  }
+  EXPECT_FALSE(exists(std::filesystem::path(out)));
+}
+
+TEST_F(Cli, TypoInASceneNamesTheNearestKey) {
+  const Answer a = run("run " + write("a.yaml", "abstand: 1\nobjekts: []\n"));
+  EXPECT_NE(a.err.find("a.yaml:2:1: error:"), std::string::npos) << a.err;
+  EXPECT_NE(a.err.find("objects"), std::string::npos) << a.err;
+}
+
+TEST_F(Cli, BuildGivesTheThesisSphere) {
+  const json s = runJson("build sphere:0.05 --voxel 0.005 --point 0.005 --outer-layers 20")["structures"][0];
+  EXPECT_EQ(s["voxels"], json({61, 61, 61}));
+  EXPECT_NEAR(s["points"].get<double>(), 1066, 120);
+  for (const char* key : {"name", "triangles", "watertight", "surface_voxels", "solid_voxels", "levels",
+                          "memory_bytes", "build_ms", "error_bound"})
+    EXPECT_TRUE(s.contains(key)) << key;
+}
+
+TEST_F(Cli, BuildOfGoodAndBadIsPartlyDone) {
+  const Answer a = run("build sphere:0.02 missing.stl --json");
+  EXPECT_EQ(a.code, 5);
+  const json j = json::parse(a.out);
+  EXPECT_EQ(j["structures"].size(), 1u);
+  EXPECT_EQ(j["failed"][0]["name"], "missing.stl");
+}
+
+TEST_F(Cli, RunAndCheckAgreeWithAKnownApproach) {
+  const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(0.12));
+  const std::string pairs = (folder_.path() / "p.csv").string();
+  const json j = runJson("run " + scene + " --poses " + poses + " --pairs-out " + pairs);
+  EXPECT_EQ(j["frames"], 101);
+  EXPECT_EQ(j["pairs"], 1);
+  EXPECT_NEAR(j["min_distance"]["value"].get<double>(), 0.12, 0.00125);
+  for (const char* key : {"objects", "cycle_us", "overruns", "contacts", "peak_force", "slowest_pair",
+                          "build_ms", "memory_bytes", "schema_version", "version"})
+    EXPECT_TRUE(j.contains(key)) << key;
+  const std::string csv = readFile(pairs);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
+  EXPECT_EQ(run("check " + scene + " --poses " + poses + " --min-distance 0.10").code, 0);
+  const std::string junit = (folder_.path() / "j.xml").string(), html = (folder_.path() / "r.html").string();
+  const Answer broken = run("check " + scene + " --poses " + poses + " --min-distance 0.15 --json --junit " +
+                            junit + " --report " + html);
+  EXPECT_EQ(broken.code, 1);
+  const json violation = json::parse(broken.out)["violations"][0];
+  EXPECT_EQ(violation["a"], "wall");
+  EXPECT_NEAR(violation["start"].get<double>(), 0.85,
+              0.011);  // the frame at which the ball is first below 0.15 m
+  EXPECT_NEAR(violation["end"].get<double>(), 1.0, 1e-9);
+  EXPECT_NE(readFile(junit).find("failures=\"1\""), std::string::npos);
+  EXPECT_NE(readFile(html).find("Not passed"), std::string::npos);
+}
+
+TEST_F(Cli, MarginsOfAFileAreLimits) {
+  const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(0.12));
+  const std::string margins = write("margins.yaml", "ball: 0.1  # the person\nwall: 0.05\n");
+  EXPECT_EQ(run("check " + scene + " --poses " + poses + " --min-distance 0.10 --margins " + margins).code,
+            1);
+  const Answer bad =
+      run("check " + scene + " --min-distance 0.10 --margins " + write("bad.yaml", "bal: 0.1\n"));
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_NE(bad.err.find("did you mean 'ball'"), std::string::npos) << bad.err;
+}
+
+TEST_F(Cli, LostTrackingIsRefusedFlaggedAndSaid) {
+  std::string csv = ballPoses(0.12);
+  csv.replace(csv.rfind("1,0,0,0.17"), 1, "nan");
+  const json j = runJson("run " + write("s.yaml", kBallAndWall) + " --poses " + write("m.csv", csv));
+  EXPECT_EQ(j["stale"], json({"ball"}));
+  EXPECT_FALSE(j["min_distance"]["value"].is_null());
+}
+
+TEST_F(Cli, DryRunPrintsASceneThatReadsBack) {
+  const Answer a = run("check --dry-run " + write("s.yaml", kBallAndWall));
+  EXPECT_EQ(a.code, 0);
+  const Answer again = run("check --dry-run " + write("again.yaml", a.out));
+  EXPECT_EQ(again.out, a.out);
+}
+
+TEST_F(Cli, SessionLogIsHdf5) {
+  const std::string log = (folder_.path() / "run.h5").string();
+  runJson("run " + write("s.yaml", kBallAndWall) + " --poses " + write("m.csv", ballPoses(0.12)) +
+          " --session " + log);
+  EXPECT_EQ(readFile(log).substr(1, 3), "HDF");
+}
+
+}  // namespace
+}  // namespace abstand::testing

@@ -1,0 +1,123 @@
+// Whole sessions: the same bits for any number of threads, third law over a run, live play.
+#include "app/session/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "app/run/run_scene.hpp"
+#include "app/session/live_session.hpp"
+#include "core/base/state_hash.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+namespace {
+
+std::unique_ptr<Session> openReach(int threads = 1) {
+  SessionOptions options;
+  options.threads = threads;
+  return std::make_unique<Session>(loadScene(projectFile("data/scenes/hug_reach.yaml")), options);
+}
+
+void add(StateHash& hash, const Vector3d& v) {
+  for (int i = 0; i < 3; ++i) hash.add(v[i]);
+}
+
+std::uint64_t runHash(Session& session) {
+  StateHash hash;
+  for (int i = 0; i < 40; ++i) {
+    session.step(0.05 * i);
+    for (const Pair& p : session.scene().pairs()) {
+      hash.add(p.result.distance);
+      hash.add(p.result.bound);
+      add(hash, p.result.force_a);
+      add(hash, p.result.torque_b);
+      add(hash, p.result.witness_a);
+    }
+    for (const Object& o : session.scene().objects()) add(hash, o.contact.torque);
+    for (double e : session.jointEfforts()) hash.add(e);
+  }
+  return hash.value();
+}
+
+TEST(Session, SameBitsForAnyNumberOfThreads) {
+  auto session = openReach();
+  const auto expected = runHash(*session);
+  for (const int threads : {2, 3, 7, 16}) {
+    session = openReach(threads);
+    EXPECT_EQ(runHash(*session), expected) << threads << " threads";
+  }
+}
+
+TEST(Session, TheCycleAllocatesNothing) {
+  auto session = openReach();
+  session->step(0.0);
+  session->step(0.01);
+  const NoAlloc guard;
+  for (int i = 2; i < 60; ++i) session->step(0.05 * i);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(Session, ForcesOfAllObjectsCancel) {
+  auto session = openReach();
+  for (std::uint32_t i = 0; i < session->scene().objectCount(); ++i)
+    session->scene().setMargin(ObjectId(i), 0.05);
+  double largest = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    session->step(0.1 * i);
+    Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
+    double force_scale = 1e-30, moment_scale = 1e-30;
+    for (const Object& o : session->scene().objects()) {
+      force += o.contact.force;
+      moment += o.contact.torque + o.p_WCom().cross(o.contact.force);
+      force_scale += o.contact.force.norm();
+      moment_scale += o.contact.torque.norm() + o.p_WCom().norm() * o.contact.force.norm();
+    }
+    largest = std::max(largest, force_scale);
+    EXPECT_LE(force.norm(), 1e-9 * force_scale);
+    EXPECT_LE(moment.norm(), 1e-9 * moment_scale);
+  }
+  EXPECT_GT(largest, 1.0);  // something did touch
+}
+
+TEST(Session, SecondRunOfTheSameSessionGivesTheSameNumbers) {
+  auto session = openReach();
+  const auto first = runHash(*session);
+  EXPECT_EQ(runHash(*session), first);
+}
+
+TEST(LiveSession, PlaysSeeksAndTakesMargins) {
+  LiveSession live(openReach(), 0.0);
+  SceneSnapshot snapshot;
+  const auto waitFor = [&](auto condition) {
+    // Generous: a sanitizer build on a loaded machine is slow, and nothing here is about time.
+    for (int i = 0; i < 3000; ++i) {
+      live.takeSnapshot(snapshot);
+      if (snapshot.step > 0 && condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  };
+  EXPECT_TRUE(waitFor([&] { return snapshot.t == 0.0; }));
+  live.send(command::Seek{1.0});
+  EXPECT_TRUE(waitFor([&] { return snapshot.t == 1.0; }));
+  live.send(command::Margin{0, 0.123});
+  EXPECT_TRUE(waitFor([&] { return snapshot.objects[0].margin == 0.123; }));
+  live.send(command::Step{1});
+  EXPECT_TRUE(waitFor([&] { return snapshot.t > 1.0; }));
+  EXPECT_NEAR(snapshot.t, 1.0 + live.outline().frame_period, 1e-12);
+  live.send(command::Play{true});
+  EXPECT_TRUE(waitFor([&] { return snapshot.playing && snapshot.t > 1.05; }));
+  live.send(command::Seek{kNaN});
+  live.send(command::Margin{-1, 1.0});
+  live.send(command::Play{false});
+  EXPECT_TRUE(waitFor([&] { return !snapshot.playing; }));
+  EXPECT_TRUE(std::isfinite(snapshot.t));
+  std::vector<PlotSample> samples;
+  live.drainPlot(samples);
+  EXPECT_GT(samples.size(), 5u);
+}
+
+}  // namespace
+}  // namespace abstand::testing

@@ -1,0 +1,101 @@
+// Thesis 5.3: three spheres in a box, each pair on a thread of its own. Two meet in the first loop, all three
+// in the next.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "app/session/session.hpp"
+#include "core/scene/pair_threads.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+namespace {
+
+std::unique_ptr<Session> openSpheres() {
+  SessionOptions options;
+  options.threads = 1;
+  return std::make_unique<Session>(loadScene(projectFile("data/scenes/spheres.yaml")), options);
+}
+
+TEST(ThesisSpheres, StructuresAreThoseOfTheThesis) {
+  const auto session = openSpheres();
+  ASSERT_EQ(session->scene().objectCount(), 3u);
+  ASSERT_EQ(session->scene().pairs().size(), 3u);
+  for (const Object& o : session->scene().objects()) {
+    EXPECT_EQ(o.spec.structure->grid.size, Vector3i(61, 61, 61));
+    EXPECT_NEAR(static_cast<double>(o.spec.structure->shell.size()), 1066, 120);
+  }
+}
+
+TEST(ThesisSpheres, TwoMeetInTheFirstLoopAllThreeInTheNext) {
+  const auto session = openSpheres();
+  // A meeting is a stretch of frames in which some pair is in contact.
+  std::vector<std::set<std::size_t>> meetings;
+  bool open = false;
+  for (const double t : session->frameTimes()) {
+    session->step(t);
+    bool any = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PairResult& r = session->scene().pairs()[i].result;
+      if (r.contacts == 0) continue;
+      if (!open) meetings.emplace_back();
+      open = any = true;
+      meetings.back().insert(i);
+    }
+    open = any;
+  }
+  ASSERT_GE(meetings.size(), 2u);
+  EXPECT_EQ(meetings[0].size(), 1u);
+  EXPECT_EQ(meetings[1].size(), 3u);
+}
+
+TEST(ThesisSpheres, ForcesPointAlongTheLineOfCentres) {
+  const auto session = openSpheres();
+  int touching = 0;
+  for (const double t : session->frameTimes()) {
+    session->step(t);
+    for (const Pair& p : session->scene().pairs()) {
+      if (p.result.contacts < 5) continue;
+      ++touching;
+      const Vector3d away = session->scene().object(p.a).p_WCom() - session->scene().object(p.b).p_WCom();
+      if (away.norm() < 0.02) continue;  // nearly through each other: no direction
+      const Vector3d force = p.result.force_a.normalized();
+      // A handful of points at 5 mm cannot weigh the direction better than this.
+      EXPECT_GT(force.dot(away.normalized()), 0.95) << "t = " << t;
+    }
+  }
+  EXPECT_GT(touching, 10);
+}
+
+TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
+  const auto session = openSpheres();
+  PairThreads threads(session->scene());
+  std::vector<PairThreads::GroupIndex> groups;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    groups.push_back(threads.addGroup({PairId(i)}));
+    threads.start(groups.back());
+  }
+  std::vector<PairResult> live(3);
+  const auto times = session->frameTimes();
+  for (std::size_t k = 0; k < times.size(); k += times.size() / 40 + 1) {
+    session->step(times[k]);
+    threads.publishPoses(session->scene());
+    // Until every thread has seen these poses; bounded, so that a mistake fails instead of hanging.
+    const auto same = [&] {
+      threads.collect(live);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (live[i].distance != session->scene().pairs()[i].result.distance) return false;
+      return true;
+    };
+    bool agreed = false;
+    for (int attempt = 0; attempt < 5000 && !(agreed = same()); ++attempt)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(agreed) << "t = " << times[k];
+  }
+  for (auto g : groups) threads.stop(g);
+}
+
+}  // namespace
+}  // namespace abstand::testing

@@ -1,0 +1,29 @@
+// From joints in a file's own axes and units to a recording in metres with z up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tracking/bvh_hierarchy.hpp"
+#include "tracking/joint_map.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand {
+
+/// What a reader found, before anything is derived, scaled or turned.
+struct RawRecording {
+  std::string format;
+  std::vector<std::string> joints;  ///< names in the file
+  JointMatch match;
+  SkeletonFrame rest;                 ///< the file's rest pose, where it has one
+  std::vector<SkeletonFrame> frames;  ///< canonical joints in the file's axes and units; at least one
+  double rate{0.0};                   ///< Hz
+  std::vector<FileWarning> warnings;
+  bool is_canonical{false};  ///< metres, z up and canonical joints already: nothing is guessed or derived
+};
+
+/// Derives what is missing, chooses up axis and units, turns and scales, and writes the report. Throws
+/// UsageError for options that mean nothing.
+Recording convert(RawRecording raw, const RecordingOptions& options);
+
+}  // namespace abstand

@@ -1,0 +1,28 @@
+// Which axis of a recording points up, and the turn that makes it z.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "humanmodel/joints.hpp"
+
+namespace abstand {
+
+struct UpChoice {
+  std::string axis{"y"};  ///< "x", "y", "z", "-x", "-y" or "-z"
+  std::string reason;
+  std::string warning;  ///< empty: nothing to warn of
+};
+
+/// Picks the axis: `wanted` is "auto" or an axis (UsageError for anything else). With "auto" it is the axis
+/// nearest to the mean direction from the feet to the head over sampled frames. Where that direction wavers
+/// (a person who rolls on the floor), the rest pose decides, if it stands: legs opposite to the trunk. A
+/// standing rest pose that contradicts the frames is a warning: the person may be lying all the time.
+UpChoice chooseUp(const std::string& wanted, const SkeletonFrame& rest,
+                  const std::vector<SkeletonFrame>& frames);
+
+/// The proper rotation that takes `axis` to z and, for an axis other than z, keeps one of the other two: y up
+/// goes by (x, y, z) -> (x, -z, y).
+Matrix3d rotationToZUp(const std::string& axis);
+
+}  // namespace abstand
