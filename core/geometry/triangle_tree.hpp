@@ -22,7 +22,7 @@ class TriangleTree {
   static constexpr int kLeafTriangles = 4;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// A node's four children. `count` 0: an inner node `index`; else a leaf of `count` slots from `index`. Unused
+  /// A node's four children. `count` 0: the inner node `index`; else the leaf `index`, of `count` slots. Unused
   /// children have an empty box and index kNone.
   struct alignas(16) Node {
     float lower[3][kWidth];
@@ -41,7 +41,7 @@ class TriangleTree {
   /// Triangles must have positive area; at least one.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Nearest point of all triangles; the smallest slot where triangles tie. `hint`: slot of an earlier answer nearby,
+  /// Nearest point of all triangles (p nearer than 1e18 m); the smallest slot where triangles tie. `hint`: slot of an earlier answer nearby,
   /// or kNone. Exact but for rounding of double.
   Nearest closest(const Vector3d& p, std::uint32_t hint = kNone) const;
   /// Nearest point of one triangle.
@@ -54,6 +54,8 @@ class TriangleTree {
   int rotation(std::uint32_t slot) const { return triangles_[slot].rotation; }
   const Vector3d& normal(std::uint32_t slot) const { return triangles_[slot].n; }
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// The first slot of a leaf; the others follow it.
+  std::uint32_t firstSlot(std::uint32_t leaf) const { return leaves_[leaf].first; }
   /// The boxes of the nodes are relative to this point.
   const Vector3d& origin() const { return origin_; }
 
@@ -70,13 +72,26 @@ class TriangleTree {
     std::uint32_t rotation;
   };
   struct Local;
+  using Lanes = Eigen::Array<float, kLeafTriangles, 1>;
+  /// A leaf's triangles side by side in float, to tell which of them are worth a look in double. Unused lanes
+  /// repeat the last triangle.
+  struct Leaf {
+    Lanes a[3], ex[3], ey[3], n[3];
+    Lanes bx, cx, cy, ux;       ///< ux = bx - cx
+    Lanes per_ac2, per_bc2;     ///< 1 / squared lengths of edges AC and BC
+    std::uint32_t first, count;
+  };
 
   static Local closestLocal(const Triangle& t, const Vector3d& ap);
+  static Lanes squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q);
+  static Lanes squaredDistances(const Node& node, const Eigen::Vector3f& low, const Eigen::Vector3f& high);
+  std::uint32_t descend(const Eigen::Vector3f& q) const;
 
   Vector3d origin_{Vector3d::Zero()};
   float scale_{0.0f};   ///< largest coordinate of a box
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
+  std::vector<Leaf> leaves_;
 
   friend class TriangleTreeBuilder;
 };
@@ -100,7 +115,8 @@ void TriangleTree::forOverlapping(const Bounds& box, Fn&& fn) const {
       if (node.count[c] == 0) {
         stack[top++] = node.index[c];
       } else {
-        for (std::uint32_t i = 0; i < node.count[c]; ++i) fn(node.index[c] + i);
+        const std::uint32_t first = firstSlot(node.index[c]);
+        for (std::uint32_t i = 0; i < node.count[c]; ++i) fn(first + i);
       }
     }
   }

@@ -9,6 +9,11 @@
 namespace abstand {
 namespace {
 
+// m: a grain of dust, and a hall.
+constexpr double kLeastPitch = 1e-5;
+constexpr double kMostPitch = 10.0;
+constexpr int kMostOuterLayers = 10'000;
+
 void requireLength(const char* name, double value) {
   if (std::isfinite(value) && value >= kLeastPitch && value <= kMostPitch) return;
   throw UsageError(std::string(name) + " is " + std::to_string(value) + " m; it must lie between " +

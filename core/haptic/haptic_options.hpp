@@ -13,11 +13,6 @@ enum class FieldKind { kLayered, kFloat, kMixed };
 std::string_view fieldName(FieldKind kind);
 std::optional<FieldKind> parseFieldKind(std::string_view text);
 
-/// Limits of voxel size and point spacing, m, and of the layers.
-inline constexpr double kLeastPitch = 1e-5;
-inline constexpr double kMostPitch = 10.0;
-inline constexpr int kMostOuterLayers = 10'000;
-
 struct HapticOptions {
   double voxel_size{0.005};     ///< m; half of the smallest feature that matters
   double point_spacing{0.005};  ///< m; pitch of the pointshell

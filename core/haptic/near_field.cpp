@@ -39,31 +39,63 @@ bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int
   return false;
 }
 
-// Values at the 9^3 vertices from `origin` on, back and forth so that each vertex is next to the one before
-// it: its nearest triangle is a good hint. When the two distances together exceed the way between the
-// vertices, no surface lies between and the sign stays; but across the holes of an open mesh the sign changes
-// anywhere.
-void fillBlock(const Surface& surface, const Vector3d& origin, double h, float* values) {
+// Which blocks are kept, as seen from one of them: at (1, 0, 0) the next along x, and so on.
+struct Neighbours {
+  std::uint32_t block[2][2][2];   ///< [z][y][x]
+
+  // The block that computes a vertex: the farthest along the axes that holds it.
+  std::uint32_t owner(int i, int j, int k) const {
+    return block[k == kCells ? 1 : 0][j == kCells ? 1 : 0][i == kCells ? 1 : 0];
+  }
+};
+
+// Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth, so
+// that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances together
+// exceed the way between the vertices, no surface lies between and the sign stays; but across the holes of an open
+// mesh the sign changes anywhere.
+void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h, float* values) {
   constexpr double kSure = 1.0 + 1e-9;
   const bool closed = surface.watertight();
-  SurfacePoint nearest;
-  double before = 0.0;
+  const std::uint32_t self = neighbours.block[0][0][0];
+  SurfacePoint nearest{origin, -1.0, kNoHint};
+  Vector3d before = origin;
   bool inside = false;
   int i = 0, j = 0, di = 1, dj = 1;
   for (int k = 0; k < kVertices; ++k) {
     for (int row = 0; row < kVertices; ++row) {
       for (int column = 0; column < kVertices; ++column) {
-        const Vector3d p = origin + h * Vector3d(i, j, k);
-        nearest = surface.closest(p, nearest.hint);
-        if (!closed || !(nearest.distance + before > h * kSure)) inside = surface.inside(p, nearest);
-        before = nearest.distance;
-        values[(k * kVertices + j) * kVertices + i] = static_cast<float>(inside ? -before : before);
+        const std::uint32_t owner = neighbours.owner(i, j, k);
+        if (owner == self || owner == NearField::kNoBlock) {
+          const Vector3d p = origin + h * Vector3d(i, j, k);
+          const double distance_before = nearest.distance;
+          nearest = surface.closest(p, nearest.hint);
+          const bool same_side = closed && nearest.distance + distance_before > kSure * (p - before).norm();
+          if (!same_side || distance_before < 0.0) inside = surface.inside(p, nearest);
+          before = p;
+          values[(k * kVertices + j) * kVertices + i] =
+              static_cast<float>(inside ? -nearest.distance : nearest.distance);
+        }
         if (column + 1 < kVertices) i += di;
       }
       di = -di;
       if (row + 1 < kVertices) j += dj;
     }
     dj = -dj;
+  }
+}
+
+// The vertices that fillBlock left to their owners.
+void copyFromOwners(const Neighbours& neighbours, float* all_values, float* values) {
+  for (int k = 0; k < kVertices; ++k) {
+    for (int j = 0; j < kVertices; ++j) {
+      for (int i = k == kCells || j == kCells ? 0 : kCells; i < kVertices; ++i) {
+        const std::uint32_t owner = neighbours.owner(i, j, k);
+        if (owner == neighbours.block[0][0][0] || owner == NearField::kNoBlock) continue;
+        const int at = ((k % kCells) * kVertices + j % kCells) * kVertices + i % kCells;
+        values[(k * kVertices + j) * kVertices + i] =
+            all_values[std::size_t(owner) * NearField::kBlockValues + at];
+      }
+    }
   }
 }
 
@@ -113,8 +145,24 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
         "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
   }
   values_.resize(kept.size() * kBlockValues);
+  const auto neighboursOf = [&](std::size_t b) {
+    const int place[3] = {int(b % blocks_[0]), int(b / blocks_[0] % blocks_[1]),
+                          int(b / (std::size_t(blocks_[0]) * blocks_[1]))};
+    Neighbours neighbours;
+    for (int c = 0; c < 8; ++c) {
+      const int x = place[0] + (c & 1), y = place[1] + (c >> 1 & 1), z = place[2] + (c >> 2);
+      const bool there = x < blocks_[0] && y < blocks_[1] && z < blocks_[2];
+      neighbours.block[c >> 2][c >> 1 & 1][c & 1] =
+          there ? block_index_[(std::size_t(z) * blocks_[1] + y) * blocks_[0] + x] : kNoBlock;
+    }
+    return neighbours;
+  };
   parallelFor(threads, kept.size(), [&](std::size_t n) {
-    fillBlock(surface, blockOrigin(kept[n]), step, &values_[n * kBlockValues]);
+    fillBlock(surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, &values_[n * kBlockValues]);
+  });
+  // Owners are filled; what is read here was computed above and is written by none.
+  parallelFor(threads, kept.size(), [&](std::size_t n) {
+    copyFromOwners(neighboursOf(kept[n]), values_.data(), &values_[n * kBlockValues]);
   });
 
   // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
