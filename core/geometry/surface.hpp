@@ -11,9 +11,9 @@ namespace abstand {
 inline constexpr std::uint32_t kNoHint = 0xffffffffu;
 
 struct SurfacePoint {
-  Vector3d point;              ///< nearest point of the surface
-  double distance;             ///< unsigned, m
-  std::uint32_t hint{kNoHint}; ///< where it was found; speeds up a query nearby
+  Vector3d point;               ///< nearest point of the surface
+  double distance;              ///< unsigned, m
+  std::uint32_t hint{kNoHint};  ///< where it was found; speeds up a query nearby
 };
 
 /// The exact surface of one body, in the body's frame (m). Constant after construction: every function
@@ -25,8 +25,9 @@ class Surface {
   /// Nearest point of the surface. `hint` is the hint of an earlier answer, or kNoHint.
   virtual SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const = 0;
   /// True inside. Shapes: exact. Meshes that are closed and do not intersect themselves: the side of the
-  /// angle-weighted normal at the nearest point (Baerentzen, Aanaes 2005). Others: generalised winding number above
-  /// one half (Jacobson, Kavan, Sorkine-Hornung 2013).
+  /// angle-weighted normal at the nearest point (Baerentzen, Aanaes 2005). Others: generalised winding number
+  /// (Jacobson, Kavan, Sorkine-Hornung 2013) beyond one half, of either sign, as pieces of such meshes may be
+  /// inside out. Outside of the bounds always false.
   virtual bool inside(const Vector3d& p) const = 0;
   /// inside(p), given closest(p), which makes it cheaper.
   virtual bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const = 0;

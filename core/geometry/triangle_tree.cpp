@@ -33,12 +33,13 @@ double halfArea(const Bounds& box) {
 }  // namespace
 
 struct TriangleTree::Local {
-  double x, y;   ///< nearest point in the triangle's frame
+  double x, y;  ///< nearest point in the triangle's frame
   double d2;
   Feature feature;
 };
 
-/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every run.
+/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every
+/// run.
 class TriangleTreeBuilder {
  public:
   TriangleTreeBuilder(const TriangleMesh& mesh, TriangleTree& tree) : mesh_(mesh), tree_(tree) {
@@ -117,8 +118,8 @@ class TriangleTreeBuilder {
         if (c < best_cost) best_cost = c, best = b;
       }
       if (best >= 0) {
-        const auto middle = std::partition(begin + r.begin, begin + r.end,
-                                           [&](std::uint32_t t) { return binOf(t) <= best; });
+        const auto middle =
+            std::partition(begin + r.begin, begin + r.end, [&](std::uint32_t t) { return binOf(t) <= best; });
         return static_cast<std::uint32_t>(middle - begin);
       }
     }
@@ -205,7 +206,9 @@ class TriangleTreeBuilder {
     t.cx = ac.dot(t.ex);
     const Vector3d height = ac - t.cx * t.ex;
     t.cy = height.norm();
+    // A second step, as in a sliver `height` is mostly rounding along ex.
     t.ey = height / t.cy;
+    t.ey = (t.ey - t.ey.dot(t.ex) * t.ex).normalized();
     t.n = t.ex.cross(t.ey);
     t.id = id;
     t.rotation = rotation;
@@ -374,8 +377,8 @@ TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hin
       }
       continue;
     }
-    // With the hint's or the descent's triangle as a limit the order hardly matters; so nothing is sorted, and
-    // nothing depends on a branch that is hard to foresee.
+    // With the hint's or the descent's triangle as a limit the order hardly matters; so nothing is sorted,
+    // and nothing depends on a branch that is hard to foresee.
     const Node& node = nodes_[entry.index];
     const Lanes d2 = squaredDistances(node, low, high);
     for (int c = 0; c < kWidth; ++c) {

@@ -41,7 +41,7 @@ bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int
 
 // Which blocks are kept, as seen from one of them: at (1, 0, 0) the next along x, and so on.
 struct Neighbours {
-  std::uint32_t block[2][2][2];   ///< [z][y][x]
+  std::uint32_t block[2][2][2];  ///< [z][y][x]
 
   // The block that computes a vertex: the farthest along the axes that holds it.
   std::uint32_t owner(int i, int j, int k) const {
@@ -49,11 +49,12 @@ struct Neighbours {
   }
 };
 
-// Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth, so
-// that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances together
-// exceed the way between the vertices, no surface lies between and the sign stays; but across the holes of an open
-// mesh the sign changes anywhere.
-void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h, float* values) {
+// Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
+// so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
+// together exceed the way between the vertices, no surface lies between and the sign stays; but across the
+// holes of an open mesh the sign changes anywhere.
+void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
+               float* values) {
   constexpr double kSure = 1.0 + 1e-9;
   const bool closed = surface.watertight();
   const std::uint32_t self = neighbours.block[0][0][0];

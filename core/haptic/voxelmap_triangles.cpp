@@ -40,9 +40,9 @@ struct Projection {
   }
 };
 
-// Separating-axis test in the form of Schwarz and Seidel (Fast Parallel Surface and Solid Voxelization, 2010),
-// column by column along the axis that the triangle faces most: its plane leaves few voxels of a column. `t` in
-// voxels: voxel (i, j, k) is the cube from (i, j, k) to (i + 1, j + 1, k + 1).
+// Separating-axis test in the form of Schwarz and Seidel (Fast Parallel Surface and Solid Voxelization,
+// 2010), column by column along the axis that the triangle faces most: its plane leaves few voxels of a
+// column. `t` in voxels: voxel (i, j, k) is the cube from (i, j, k) to (i + 1, j + 1, k + 1).
 template <class Mark>
 void forVoxels(const std::array<Vector3d, 3>& t, const Vector3i& size, Mark&& mark) {
   Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
