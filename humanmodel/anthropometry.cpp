@@ -39,13 +39,16 @@ constexpr double kMildGrowth = 1.0 / 3.0;
 constexpr Pair kButtockGirth{.581, .627};
 constexpr Pair kChestBreadth{.165, .166}, kWaistBreadth{.186, .184}, kHipBreadth{.197, .217};
 constexpr Pair kChestDepth{.145, .152}, kWaistDepth{.136, .131}, kButtockDepth{.140, .143};
-constexpr Pair kHeadGirth{.327, .345}, kHeadBreadth{.088, .091}, kHeadDepth{.114, .117}, kNeckGirth{.227, .203};
-constexpr Pair kForearmGirth{.177, .162}, kWristGirth{.100, .095}, kHandGirth{.121, .115}, kHandBreadth{.050, .048};
+constexpr Pair kHeadGirth{.327, .345}, kHeadBreadth{.088, .091}, kHeadDepth{.114, .117},
+    kNeckGirth{.227, .203};
+constexpr Pair kForearmGirth{.177, .162}, kWristGirth{.100, .095}, kHandGirth{.121, .115},
+    kHandBreadth{.050, .048};
 constexpr Pair kCalfGirth{.224, .229};
 constexpr Pair kFootLength{.154, .151}, kFootBreadth{.058, .057};
 constexpr Pair kHeadAndNeck{.136, .143};  // stature less cervicale height
 constexpr Pair kAcromialHeight{.820, .820}, kCrotchHeight{.482, .480};
-constexpr Pair kAcromionTrochanter{.307, .301}, kTrochanterEpicondyle{.233, .233}, kEpicondyleMalleolus{.238, .248};
+constexpr Pair kAcromionTrochanter{.307, .301}, kTrochanterEpicondyle{.233, .233},
+    kEpicondyleMalleolus{.238, .248};
 constexpr Pair kAcromionRadiale{.191, .191}, kRadialeStylion{.153, .148}, kHandLength{.110, .111};
 constexpr Pair kBiacromialBreadth{.237, .224};
 
@@ -53,7 +56,8 @@ constexpr Pair kBiacromialBreadth{.237, .224};
 
 double meanBodyMassIndex(std::optional<Sex> sex) {
   const auto index_of = [](double mass, double stature) { return mass / (stature * stature); };
-  return Pair{index_of(kMeanMass.men, kMeanStature.men), index_of(kMeanMass.women, kMeanStature.women)}.at(sex);
+  return Pair{index_of(kMeanMass.men, kMeanStature.men), index_of(kMeanMass.women, kMeanStature.women)}.at(
+      sex);
 }
 
 BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex) {

@@ -24,8 +24,8 @@ struct BodyMeasures {
 };
 
 /// Means of ANSUR II (Gordon et al. 2014, US Army, fit adults: 4,082 men, 1,986 women) as shares of stature.
-/// Chest, waist, thigh and biceps girths follow lines in the body mass index fitted to the same data; the rest
-/// of the body follows as the .cpp says. `height` m, `mass` kg, both in range.
+/// Chest, waist, thigh and biceps girths follow lines in the body mass index fitted to the same data; the
+/// rest of the body follows as the .cpp says. `height` m, `mass` kg, both in range.
 BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex);
 
 }  // namespace abstand

@@ -5,7 +5,7 @@ namespace abstand {
 namespace {
 
 constexpr std::array<std::string_view, kBodyPartCount> kNames{
-    "torso",     "head",       "biceps_left", "biceps_right", "forearm_left", "forearm_right", "hand_left",
+    "torso",      "head",       "biceps_left", "biceps_right", "forearm_left", "forearm_right", "hand_left",
     "hand_right", "thigh_left", "thigh_right", "calf_left",    "calf_right",   "foot_left",     "foot_right"};
 
 using enum BodyPart;

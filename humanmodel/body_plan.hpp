@@ -12,21 +12,21 @@ namespace abstand {
 struct Segment {
   PartShape shape{PartShape::kEllipsoid};
   double length{0.0}, breadth{0.0}, depth{0.0};  ///< as in HumanPart
-  /// Girth that an ellipsoid still has at its two joints, as a share of its largest girth: 0 ends it in a point
-  /// at the joint, more lets it reach past the joint. Below 1. Cuboids and feet do not use it.
+  /// Girth that an ellipsoid still has at its two joints, as a share of its largest girth: 0 ends it in a
+  /// point at the joint, more lets it reach past the joint. Below 1. Cuboids and feet do not use it.
   double proximal_share{0.0}, distal_share{0.0};
 };
 
 /// A body before overrides, left and right alike.
 struct BodyPlan {
   std::array<Segment, kPartKindCount> segments;
-  double ankle_height{0.0};       ///< m
-  double toe_height{0.0};         ///< m, of the toe joint
-  double heel_share{0.0};         ///< heel behind the ankle, share of the foot's length
-  double hip_share{0.0};          ///< hip joints above the torso's lower end, share of the torso's length
-  double shoulder_share{0.0};     ///< shoulder joints, likewise
-  double shoulder_half{0.0};      ///< m, half the distance between the shoulder joints of a slim torso
-  double shoulder_reach{0.0};     ///< m, the most that a shoulder joint stands out from the torso's side
+  double ankle_height{0.0};    ///< m
+  double toe_height{0.0};      ///< m, of the toe joint
+  double heel_share{0.0};      ///< heel behind the ankle, share of the foot's length
+  double hip_share{0.0};       ///< hip joints above the torso's lower end, share of the torso's length
+  double shoulder_share{0.0};  ///< shoulder joints, likewise
+  double shoulder_half{0.0};   ///< m, half the distance between the shoulder joints of a slim torso
+  double shoulder_reach{0.0};  ///< m, the most that a shoulder joint stands out from the torso's side
 
   Segment& operator[](PartKind kind) { return segments[index(kind)]; }
   const Segment& operator[](PartKind kind) const { return segments[index(kind)]; }

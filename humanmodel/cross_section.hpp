@@ -5,8 +5,8 @@ namespace abstand {
 
 enum class PartShape { kEllipsoid, kCuboid };
 
-/// Perimeter of the ellipse (complete elliptic integral of the second kind) or of the rectangle with these full
-/// extents, in their unit. A circle of radius b gives 2 pi b, a rectangle 2 (breadth + depth).
+/// Perimeter of the ellipse (complete elliptic integral of the second kind) or of the rectangle with these
+/// full extents, in their unit. A circle of radius b gives 2 pi b, a rectangle 2 (breadth + depth).
 double contourOf(PartShape shape, double breadth, double depth);
 
 /// The other extent of a cross-section that is `extent` wide and `contour` around. The contour must exceed

@@ -12,8 +12,8 @@ namespace {
 
 void checkRange(double value, double low, double high, const std::string& what, const char* unit) {
   if (!(value >= low && value <= high))
-    throw UsageError(what + " is " + formatDouble(value) + " " + unit + ", expected " + formatDouble(low) + " to " +
-                     formatDouble(high));
+    throw UsageError(what + " is " + formatDouble(value) + " " + unit + ", expected " + formatDouble(low) +
+                     " to " + formatDouble(high));
 }
 
 double bodyMass(const HumanOptions& options) {
@@ -22,7 +22,8 @@ double bodyMass(const HumanOptions& options) {
   checkRange(*options.mass, 10.0, 300.0, "the person's mass", "kg");
   // The leanest and heaviest people on record lie well inside.
   checkRange(*options.mass / square, 8.0, 100.0,
-             "the body mass index of " + formatDouble(*options.mass) + " kg at " + formatDouble(options.height) + " m",
+             "the body mass index of " + formatDouble(*options.mass) + " kg at " +
+                 formatDouble(options.height) + " m",
              "kg/m^2");
   return *options.mass;
 }
@@ -37,14 +38,16 @@ HumanModel makeHuman(const HumanOptions& options) {
   model.mass = bodyMass(options);
 
   BuiltBody body;
-  body.plan = options.preset == HumanPreset::kThesis ? thesisPlan(model.height)
-                                                     : anthropometricPlan(model.height, model.mass, options.sex);
+  body.plan = options.preset == HumanPreset::kThesis
+                  ? thesisPlan(model.height)
+                  : anthropometricPlan(model.height, model.mass, options.sex);
   model.parts.reserve(kBodyPartCount);
   for (std::size_t i = 0; i < kBodyPartCount; ++i) {
     const auto part = static_cast<BodyPart>(i);
     const Segment& usual = body.plan[kindOf(part)];
     const auto wish = options.overrides.find(part);
-    body.segments[i] = wish == options.overrides.end() ? usual : overridden(usual, wish->second, partName(part));
+    body.segments[i] =
+        wish == options.overrides.end() ? usual : overridden(usual, wish->second, partName(part));
     model.parts.push_back(makePart(body, part));
   }
   assignInertia(model.mass, options.sex, model.parts);

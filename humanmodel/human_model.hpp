@@ -37,12 +37,14 @@ struct HumanOptions {
 /// The torso hangs from the neck (proximal) to the pelvis (distal), the head from the vertex to the neck.
 struct HumanPart {
   BodyPart part{};
-  Shape shape;            ///< Ellipsoid or Cuboid
+  Shape shape;  ///< Ellipsoid or Cuboid
   /// m, along the segment: from joint to joint for arms and legs, wrist to finger tip, heel to toe, neck to
-  /// vertex, the whole trunk. The thesis's shapes are exactly so long. An anthropometric ellipsoid reaches past
-  /// its joints, since at a wrist or a knee a body has thickness where an ellipsoid would end in a point.
+  /// vertex, the whole trunk. The thesis's shapes are exactly so long. An anthropometric ellipsoid reaches
+  /// past its joints, since at a wrist or a knee a body has thickness where an ellipsoid would end in a
+  /// point.
   double length{0.0};
-  /// m, circumference at the thickest place: of the elliptic cross-section, or 2 (breadth + depth) of a cuboid.
+  /// m, circumference at the thickest place: of the elliptic cross-section, or 2 (breadth + depth) of a
+  /// cuboid.
   double contour{0.0};
   double breadth{0.0}, depth{0.0};        ///< m, full extents of the cross-section, as in PartOverride
   double mass{0.0};                       ///< kg

@@ -4,10 +4,10 @@ namespace abstand {
 namespace {
 
 constexpr std::array<std::string_view, kJointCount> kNames{
-    "pelvis",         "spine",       "thorax",      "neck",       "head",           "head_top",
-    "shoulder_left",  "elbow_left",  "wrist_left",  "hand_left",  "shoulder_right", "elbow_right",
-    "wrist_right",    "hand_right",  "hip_left",    "knee_left",  "ankle_left",     "toe_left",
-    "hip_right",      "knee_right",  "ankle_right", "toe_right"};
+    "pelvis",        "spine",      "thorax",      "neck",      "head",           "head_top",
+    "shoulder_left", "elbow_left", "wrist_left",  "hand_left", "shoulder_right", "elbow_right",
+    "wrist_right",   "hand_right", "hip_left",    "knee_left", "ankle_left",     "toe_left",
+    "hip_right",     "knee_right", "ankle_right", "toe_right"};
 
 }  // namespace
 

@@ -13,11 +13,28 @@ namespace abstand {
 /// Joint centres. kHead is the middle of the head, kHeadTop the vertex; kHand the tip of the middle finger's
 /// knuckle or the end of the hand; kToe the ball of the foot or the toe tip.
 enum class Joint : std::uint8_t {
-  kPelvis, kSpine, kThorax, kNeck, kHead, kHeadTop,
-  kShoulderLeft, kElbowLeft, kWristLeft, kHandLeft,
-  kShoulderRight, kElbowRight, kWristRight, kHandRight,
-  kHipLeft, kKneeLeft, kAnkleLeft, kToeLeft,
-  kHipRight, kKneeRight, kAnkleRight, kToeRight,
+  kPelvis,
+  kSpine,
+  kThorax,
+  kNeck,
+  kHead,
+  kHeadTop,
+  kShoulderLeft,
+  kElbowLeft,
+  kWristLeft,
+  kHandLeft,
+  kShoulderRight,
+  kElbowRight,
+  kWristRight,
+  kHandRight,
+  kHipLeft,
+  kKneeLeft,
+  kAnkleLeft,
+  kToeLeft,
+  kHipRight,
+  kKneeRight,
+  kAnkleRight,
+  kToeRight,
   kCount
 };
 inline constexpr std::size_t kJointCount = static_cast<std::size_t>(Joint::kCount);
@@ -32,7 +49,7 @@ enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
 /// One moment of a person: world axes of the recording after conversion (z up, metres, right-handed).
 /// A joint that is missing holds NaN and is never used as a position.
 struct SkeletonFrame {
-  double t{0.0};   ///< s since the start of the recording
+  double t{0.0};  ///< s since the start of the recording
   std::array<Vector3d, kJointCount> p;
   std::array<JointState, kJointCount> state;
 

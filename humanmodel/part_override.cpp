@@ -40,7 +40,8 @@ Segment overridden(const Segment& segment, const PartOverride& wish, std::string
   s.breadth *= scale;
   s.depth *= scale;
   if (wish.contour && wish.breadth && wish.depth)
-    throw UsageError(std::string(name) + ": contour, breadth and depth are given, expected two of them at most");
+    throw UsageError(std::string(name) +
+                     ": contour, breadth and depth are given, expected two of them at most");
   if (wish.contour && (wish.breadth || wish.depth)) {
     const double given = wish.breadth ? *wish.breadth : *wish.depth;
     if (0.5 * contour - given < kSmallest)

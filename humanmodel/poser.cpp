@@ -1,2 +1,169 @@
+// The walk over a frame: place, hold and age the parts.
 #include "humanmodel/poser.hpp"
-namespace abstand { struct Poser::Aim{}; Poser::Poser(const HumanModel& m, bool f, double fl):model_(&m),follow_lengths_(f),floor_(fl){(void)model_;(void)follow_lengths_;} void Poser::pose(const SkeletonFrame&, HumanPose& o){ for(auto&x:o.X_WP) x.setIdentity(); o.state.fill(PartState::kTracked);} void Poser::reset(){} void Poser::calibrate(std::span<const SkeletonFrame>){} }
+
+#include <algorithm>
+#include <cmath>
+
+#include "humanmodel/recording_lengths.hpp"
+
+namespace abstand {
+namespace {
+
+// m; farther away a number is broken, whatever it says.
+constexpr double kFarthest = 1e6;
+// A recording whose legs differ more than this from the model's is no measure of its height above the floor.
+constexpr double kSmallestRatio = 0.5, kLargestRatio = 2.0;
+
+bool usable(const SkeletonFrame& frame) {
+  if (!std::isfinite(frame.t)) return false;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    if (frame.state[j] == JointState::kMissing) continue;
+    if (!frame.p[j].allFinite() || frame.p[j].cwiseAbs().maxCoeff() > kFarthest) return false;
+  }
+  return true;
+}
+
+/// The joint that ties a part to its parent.
+Joint innerJoint(const HumanPart& part) { return part.part == BodyPart::kHead ? part.distal : part.proximal; }
+const Vector3d& innerPoint(const HumanPart& part) {
+  return part.part == BodyPart::kHead ? part.p_distal : part.p_proximal;
+}
+
+}  // namespace
+
+Poser::Poser(const HumanModel& model, bool follow_lengths, double floor)
+    : model_{&model}, follow_lengths_{follow_lengths}, floor_{floor} {
+  p_joint_on_parent_.fill(Vector3d::Zero());
+  for (const auto& [parent, child] : adjacentParts()) {
+    // Every part has the world's axes in the rest pose.
+    const HumanPart& carrier = model.part(parent);
+    const Vector3d p_WP = model.rest[carrier.proximal] - carrier.p_proximal;
+    p_joint_on_parent_[index(child)] = model.rest[innerJoint(model.part(child))] - p_WP;
+  }
+  reset();
+}
+
+void Poser::reset() {
+  before_.X_WP.fill(Transform::Identity());
+  before_.state.fill(PartState::kNone);
+  before_.age.fill(kInfinity);
+  now_ = before_;
+  last_t_ = kNaN;
+  lift_ = 0.0;
+  if (!calibrated_) leg_ratio_ = 1.0;
+}
+
+void Poser::calibrate(std::span<const SkeletonFrame> recording) {
+  if (const auto ratio = legRatio(*model_, recording)) {
+    leg_ratio_ = std::clamp(*ratio, kSmallestRatio, kLargestRatio);
+    calibrated_ = true;
+  }
+}
+
+void Poser::pose(const SkeletonFrame& frame, HumanPose& out) {
+  const double dt = std::isfinite(frame.t) && std::isfinite(last_t_) ? std::max(0.0, frame.t - last_t_) : 0.0;
+  if (std::isfinite(frame.t)) last_t_ = frame.t;
+  const bool good = usable(frame);
+
+  before_ = now_;
+  now_.state.fill(PartState::kNone);
+  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    if (const MaybeAim seen = good ? aim(part, frame) : std::nullopt) {
+      now_.X_WP[i].linear() = seen->R_WP;
+      now_.X_WP[i].translation() = seen->p_WA - seen->R_WP * seen->p_PA;
+      now_.state[i] = seen->quality == JointState::kTracked ? PartState::kTracked : PartState::kInferred;
+      now_.age[i] = 0.0;
+    } else if (before_.state[i] != PartState::kNone) {
+      if (good) now_.X_WP[i] = held(part);
+      now_.state[i] = PartState::kHeld;
+      now_.age[i] = before_.age[i] + dt;
+    }
+  }
+  out = now_;
+}
+
+Poser::MaybeAim Poser::aim(BodyPart part, const SkeletonFrame& frame) {
+  if (part == BodyPart::kTorso) return aimTorso(frame);
+  MaybeAim aimed;
+  switch (kindOf(part)) {
+    case PartKind::kHead:
+      aimed = aimHead(frame);
+      break;
+    case PartKind::kBiceps:
+    case PartKind::kThigh:
+      aimed = aimUpperLimb(part, frame);
+      break;
+    case PartKind::kForearm:
+    case PartKind::kCalf:
+      aimed = aimLowerLimb(part, frame);
+      break;
+    case PartKind::kHand:
+      aimed = aimHand(part, frame);
+      break;
+    default:
+      aimed = aimFoot(part, frame);
+      break;
+  }
+  if (aimed && !anchor(part, frame, *aimed)) return std::nullopt;
+  return aimed;
+}
+
+bool Poser::anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const {
+  const HumanPart& p = model_->part(part);
+  const Joint inner = innerJoint(p);
+  const PartKind kind = kindOf(part);
+  const bool limb = kind == PartKind::kBiceps || kind == PartKind::kForearm || kind == PartKind::kThigh ||
+                    kind == PartKind::kCalf;
+  const bool on_parent = seenNow(*parentOf(part));
+  aim.p_PA = innerPoint(p);
+  if (follow_lengths_ && limb) {
+    // A bone of another length shares its error between both ends.
+    aim.p_PA = 0.5 * (p.p_proximal + p.p_distal);
+    aim.p_WA = 0.5 * (frame[p.proximal] + frame[p.distal]);
+  } else if (on_parent && !(follow_lengths_ && frame.has(inner))) {
+    aim.p_WA = now_.X_WP[index(*parentOf(part))] * p_joint_on_parent_[index(part)];
+  } else if (frame.has(inner)) {
+    // The part that carries it is stale, or joints stand where they were recorded.
+    aim.p_WA = frame[inner] + lift_ * Vector3d::UnitZ();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool Poser::seenNow(BodyPart part) const { return now_.state[index(part)] >= PartState::kInferred; }
+
+Matrix3d Poser::carried(BodyPart part) const {
+  const std::size_t self = index(part), parent = index(*parentOf(part));
+  const bool self_known = before_.state[self] != PartState::kNone;
+  if (now_.state[parent] == PartState::kNone)
+    return self_known ? Matrix3d(before_.X_WP[self].linear()) : Matrix3d(Matrix3d::Identity());
+  if (!self_known) return now_.X_WP[parent].linear();
+  if (before_.state[parent] == PartState::kNone) return before_.X_WP[self].linear();
+  return now_.X_WP[parent].linear() * before_.X_WP[parent].linear().transpose() * before_.X_WP[self].linear();
+}
+
+Transform Poser::held(BodyPart part) const {
+  const std::size_t self = index(part);
+  const std::optional<BodyPart> carrier = parentOf(part);
+  if (!carrier) return before_.X_WP[self];
+  const std::size_t parent = index(*carrier);
+  // A carrier that is held itself may still have moved with its own carrier.
+  if (before_.state[parent] == PartState::kNone || now_.state[parent] == PartState::kNone)
+    return before_.X_WP[self];
+  Transform X = now_.X_WP[parent] * before_.X_WP[parent].inverse() * before_.X_WP[self];
+  // Products of rotations drift; a part may be held for hours.
+  X.linear() = Quaterniond(X.linear()).normalized().toRotationMatrix();
+  return X;
+}
+
+double Poser::liftOf(double hip_height, const SkeletonFrame& frame) {
+  if (follow_lengths_) return 0.0;
+  if (!calibrated_)
+    if (const auto ratio = legRatio(*model_, frame))
+      leg_ratio_ = std::clamp(*ratio, kSmallestRatio, kLargestRatio);
+  return (leg_ratio_ - 1.0) * (hip_height - floor_);
+}
+
+}  // namespace abstand

@@ -9,8 +9,8 @@
 
 namespace abstand {
 
-/// How a part's pose came about. none: never seen, the pose means nothing. held: its joints were missing, the last
-/// pose stands (stale, never safe). inferred: the tracker guessed a joint, or a rule filled one in.
+/// How a part's pose came about. none: never seen, the pose means nothing. held: its joints were missing, the
+/// last pose stands (stale, never safe). inferred: the tracker guessed a joint, or a rule filled one in.
 enum class PartState : std::uint8_t { kNone, kHeld, kInferred, kTracked };
 
 struct HumanPose {
@@ -19,19 +19,22 @@ struct HumanPose {
   std::array<double, kBodyPartCount> age;  ///< s since the part was last seen; infinite before the first time
 };
 
-/// Puts the parts of a model onto skeletons. The joints follow the directions of the recording and keep the model's
-/// bone lengths, built outwards from the hip centre, or, with `follow_lengths`, stand where the recording has them.
+/// Puts the parts of a model onto skeletons. The joints follow the directions of the recording and keep the
+/// model's bone lengths, built outwards from the hip centre, or, with `follow_lengths`, stand where the
+/// recording has them.
 ///
-/// The hips' height above the floor is scaled by the ratio of leg lengths (model over recording), so that a model
-/// with longer legs stands on the floor instead of through it; nothing else of the recording's place is changed.
+/// The hips' height above the floor is scaled by the ratio of leg lengths (model over recording), so that a
+/// model with longer legs stands on the floor instead of through it; nothing else of the recording's place is
+/// changed.
 ///
-/// Twist about a bone: arms and legs take it from the bend of the elbow or knee; a straight limb carries its last
-/// twist along with the part that it hangs on, and the joint may pass through straight without a flip. Hands follow
-/// the forearm, the head the torso, feet the calf.
+/// Twist about a bone: arms and legs take it from the bend of the elbow or knee; a straight limb carries its
+/// last twist along with the part that it hangs on, and the joint may pass through straight without a flip.
+/// Hands follow the forearm, the head the torso, feet the calf.
 ///
-/// Missing joints: a hand continues the forearm, a foot points forward of the body, a head continues the torso; the
-/// torso does with hips or pelvis and any of neck, thorax, shoulders, spine, and hangs on the latter without hips.
-/// Any other part whose joints are missing is held at its last pose relative to the part that carries it.
+/// Missing joints: a hand continues the forearm, a foot points forward of the body, a head continues the
+/// torso; the torso does with hips or pelvis and any of neck, thorax, shoulders, spine, and hangs on the
+/// latter without hips. Any other part whose joints are missing is held at its last pose relative to the part
+/// that carries it.
 ///
 /// One poser serves one person and one thread. The model must outlive it.
 class Poser {
@@ -39,8 +42,8 @@ class Poser {
   /// `floor`: height of the floor in the frames, m.
   explicit Poser(const HumanModel& model, bool follow_lengths = false, double floor = 0.0);
 
-  /// Takes the leg length of the recording from the medians of the whole of it, instead of from every frame for
-  /// itself: noisy legs then do not move the hips. May allocate.
+  /// Takes the leg length of the recording from the medians of the whole of it, instead of from every frame
+  /// for itself: noisy legs then do not move the hips. May allocate.
   void calibrate(std::span<const SkeletonFrame> recording);
 
   /// No allocation, no throw. A frame with numbers that are not finite changes nothing but state and age.
@@ -51,20 +54,27 @@ class Poser {
   void reset();
 
  private:
-  struct Aim;
-  std::optional<Aim> aimTorso(const SkeletonFrame& frame);
-  std::optional<Aim> aimHead(const SkeletonFrame& frame) const;
-  std::optional<Aim> aimUpperLimb(BodyPart part, const SkeletonFrame& frame) const;
-  std::optional<Aim> aimLowerLimb(BodyPart part, const SkeletonFrame& frame) const;
-  std::optional<Aim> aimHand(BodyPart part, const SkeletonFrame& frame) const;
-  std::optional<Aim> aimFoot(BodyPart part, const SkeletonFrame& frame) const;
-  std::optional<Aim> aim(BodyPart part, const SkeletonFrame& frame);
+  /// Orientation of a part, and the point A that fixes its place: the same point in the world and in the
+  /// part.
+  struct Aim {
+    Matrix3d R_WP;
+    JointState quality;
+    Vector3d p_WA{Vector3d::Constant(kNaN)}, p_PA{Vector3d::Constant(kNaN)};
+  };
+  using MaybeAim = std::optional<Aim>;
+
+  MaybeAim aim(BodyPart part, const SkeletonFrame& frame);
+  MaybeAim aimTorso(const SkeletonFrame& frame);
+  MaybeAim aimHead(const SkeletonFrame& frame) const;
+  MaybeAim aimUpperLimb(BodyPart part, const SkeletonFrame& frame) const;
+  MaybeAim aimLowerLimb(BodyPart part, const SkeletonFrame& frame) const;
+  MaybeAim aimHand(BodyPart part, const SkeletonFrame& frame) const;
+  MaybeAim aimFoot(BodyPart part, const SkeletonFrame& frame) const;
+  bool anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const;
 
   bool seenNow(BodyPart part) const;
   Matrix3d carried(BodyPart part) const;
   Transform held(BodyPart part) const;
-  std::optional<Vector3d> jointOnParent(BodyPart part, const SkeletonFrame& frame) const;
-  Transform placed(BodyPart part, const Aim& aim, const SkeletonFrame& frame) const;
   double liftOf(double hip_height, const SkeletonFrame& frame);
 
   const HumanModel* model_;
@@ -72,11 +82,12 @@ class Poser {
   double floor_;
   double leg_ratio_{1.0};
   bool calibrated_{false};
-  double lift_{0.0};   ///< m, added to recorded heights in this frame
-  std::array<Vector3d, kBodyPartCount> p_joint_on_parent_;   ///< in the parent's frame
-  HumanPose before_;   ///< of the last frame
-  HumanPose now_;      ///< being built, parents first
-  double last_t_;
+  double lift_{0.0};  ///< m, added to recorded heights
+  std::array<Vector3d, kBodyPartCount>
+      p_joint_on_parent_;  ///< of each part's inner joint, in the parent's frame
+  HumanPose before_;       ///< of the last frame
+  HumanPose now_;          ///< being built, parents first
+  double last_t_{kNaN};
 };
 
 }  // namespace abstand

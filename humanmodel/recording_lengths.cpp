@@ -35,6 +35,21 @@ std::optional<double> medianOf(std::span<const SkeletonFrame> frames, Measure me
   return *middle;
 }
 
+/// `bone` gives the recording's distance of two joints.
+template <class Bone>
+std::optional<double> ratioOfLegs(const HumanModel& model, Bone bone) {
+  double of_model = 0.0, of_recording = 0.0;
+  for (const Leg& leg : kLegs) {
+    const std::optional<double> thigh = bone(leg.hip, leg.knee), calf = bone(leg.knee, leg.ankle);
+    if (!thigh || !calf) continue;
+    of_recording += *thigh + *calf;
+    of_model += (model.rest[leg.hip] - model.rest[leg.knee]).norm() +
+                (model.rest[leg.knee] - model.rest[leg.ankle]).norm();
+  }
+  if (!(of_recording > kShortestBone)) return std::nullopt;
+  return of_model / of_recording;
+}
+
 std::optional<double> medianTrunk(std::span<const SkeletonFrame> frames) {
   return medianOf(frames, [](const SkeletonFrame& frame) -> std::optional<double> {
     const std::optional<Vector3d> hips = hipCentre(frame);
@@ -53,17 +68,14 @@ std::optional<double> medianBone(std::span<const SkeletonFrame> frames, Joint a,
 }
 
 std::optional<double> legRatio(const HumanModel& model, std::span<const SkeletonFrame> frames) {
-  double of_model = 0.0, of_recording = 0.0;
-  for (const Leg& leg : kLegs) {
-    const std::optional<double> thigh = medianBone(frames, leg.hip, leg.knee);
-    const std::optional<double> calf = medianBone(frames, leg.knee, leg.ankle);
-    if (!thigh || !calf) continue;
-    of_recording += *thigh + *calf;
-    of_model += (model.rest[leg.hip] - model.rest[leg.knee]).norm() +
-                (model.rest[leg.knee] - model.rest[leg.ankle]).norm();
-  }
-  if (of_recording == 0.0) return std::nullopt;
-  return of_model / of_recording;
+  return ratioOfLegs(model, [&](Joint a, Joint b) { return medianBone(frames, a, b); });
+}
+
+std::optional<double> legRatio(const HumanModel& model, const SkeletonFrame& frame) {
+  return ratioOfLegs(model, [&](Joint a, Joint b) -> std::optional<double> {
+    if (!frame.has(a) || !frame.has(b)) return std::nullopt;
+    return (frame[a] - frame[b]).norm();
+  });
 }
 
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames) {

@@ -23,8 +23,8 @@ constexpr std::array<std::pair<Joint, Joint>, kBodyPartCount> kJointsOfPart{{{kN
                                                                              {kAnkleLeft, kToeLeft},
                                                                              {kAnkleRight, kToeRight}}};
 
-// The middle of a head lies half a head (chin to vertex 0.130 h of 0.14 h with the neck; Drillis and Contini 1966)
-// below the vertex.
+// The middle of a head lies half a head (chin to vertex 0.130 h of 0.14 h with the neck; Drillis and Contini
+// 1966) below the vertex.
 constexpr double kHeadMiddleShare = 0.46;
 
 /// Share of an ellipsoid's semi-axis at which its girth has fallen to `share` of the largest.

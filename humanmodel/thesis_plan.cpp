@@ -13,14 +13,14 @@ struct Row {
   double depth_to_breadth;  ///< the table leaves it open
 };
 
-// As printed the torso has the head's length and the head the torso's: 0.16 h is a head with its neck (ANSUR II
-// 0.136 to 0.143), 0.34 h a trunk, and only so do the lengths stack to the height. The cuboid of the torso is
-// three quarters as deep as broad, as waists are; that of the foot is as high and as broad as an ankle is high
-// and a foot is broad (Drillis and Contini 1966).
+// As printed the torso has the head's length and the head the torso's: 0.16 h is a head with its neck (ANSUR
+// II 0.136 to 0.143), 0.34 h a trunk, and only so do the lengths stack to the height. The cuboid of the torso
+// is three quarters as deep as broad, as waists are; that of the foot is as high and as broad as an ankle is
+// high and a foot is broad (Drillis and Contini 1966).
 using enum PartShape;
 constexpr double kRound = 1.0;
 constexpr Row kTable[] = {
-    {PartKind::kTorso, kCuboid, .34, .67, .75},       {PartKind::kHead, kEllipsoid, .16, .36, kRound},
+    {PartKind::kTorso, kCuboid, .34, .67, .75},        {PartKind::kHead, kEllipsoid, .16, .36, kRound},
     {PartKind::kBiceps, kEllipsoid, .19, .24, kRound}, {PartKind::kForearm, kEllipsoid, .15, .20, kRound},
     {PartKind::kHand, kEllipsoid, .11, .11, kRound},   {PartKind::kThigh, kEllipsoid, .25, .37, kRound},
     {PartKind::kCalf, kEllipsoid, .22, .24, kRound},   {PartKind::kFoot, kCuboid, .15, .20, .039 / .055},
@@ -30,8 +30,8 @@ constexpr Row kTable[] = {
 constexpr double kAnkleHeight = .039, kShoulderHeight = .818;
 // Half the biacromial breadth of ANSUR II, mean of men and women.
 constexpr double kShoulderHalf = .115;
-// The table's torso is narrower than shoulders are, and its upper arms end in points: farther out they would hang
-// in the air.
+// The table's torso is narrower than shoulders are, and its upper arms end in points: farther out they would
+// hang in the air.
 constexpr double kShoulderReach = .010;
 constexpr double kHeelBehindAnkle = .04;
 constexpr double kToeHeight = .010;
@@ -49,7 +49,8 @@ BodyPlan thesisPlan(double height) {
     s.depth = s.breadth * row.depth_to_breadth;
   }
   // The table's legs reach from the ankle to 0.509 h, its torso and head from the top down to 0.5 h.
-  const double torso = plan[PartKind::kTorso].length, torso_bottom = height - plan[PartKind::kHead].length - torso;
+  const double torso = plan[PartKind::kTorso].length,
+               torso_bottom = height - plan[PartKind::kHead].length - torso;
   plan.ankle_height = height * kAnkleHeight;
   plan.toe_height = height * kToeHeight;
   plan.heel_share = height * kHeelBehindAnkle / plan[PartKind::kFoot].length;

@@ -44,7 +44,7 @@ BodySettings settings(const YamlFields& fields) {
   s.voxel = fields.number("voxel", kVoxelRange);
   s.point = fields.number("point", kVoxelRange);
   s.margin = fields.number("margin", kMarginRange);
-  s.outer_layers = fields.integer("outer_layers", 1, kMostOuterLayers);
+  s.outer_layers = fields.integer("outer_layers", 0, kMostOuterLayers);
   return s;
 }
 

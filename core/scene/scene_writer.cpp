@@ -1,4 +1,5 @@
 // Writes a scene description as YAML.
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -50,14 +51,32 @@ double rounded(double value, int digits) {
   return parseDouble(text).value_or(value);
 }
 
-/// The angles with the fewest digits that give the same matrix to the bit: what a person wrote, as a rule.
-/// Where there are none, the angles as computed.
+/// The decimal with the fewest digits within `tolerance` of the angle.
+double neatAngle(double angle, double tolerance) {
+  if (std::abs(angle) <= tolerance) return 0.0;
+  for (int digits = 1; digits < 17; ++digits)
+    if (const double neat = rounded(angle, digits); std::abs(neat - angle) <= tolerance) return neat;
+  return angle;
+}
+
+/// Short angles that give the same matrix to the bit: what a person wrote, as a rule. Where there are none,
+/// the angles as computed.
 Vector3d neatRpy(const Matrix3d& R) {
   const Vector3d rpy = rpyOf(R);
-  for (int digits = 3; digits <= 17; ++digits) {
-    Vector3d neat;
-    for (int i = 0; i < 3; ++i) neat[i] = std::abs(rpy[i]) < 1e-14 ? 0.0 : rounded(rpy[i], digits);
-    if (fromXyzRpy(Vector3d::Zero(), neat).linear() == R) return neat;
+  // The other triple of angles of the same rotation, for a pitch beyond 90 degrees.
+  const auto turned = [](double angle) { return angle > 0.0 ? angle - kPi : angle + kPi; };
+  const Vector3d other(turned(rpy.x()), std::copysign(kPi, rpy.y()) - rpy.y(), turned(rpy.z()));
+  constexpr std::array kTolerances{1e-9, 1e-12, 2e-15, 0.0};
+  for (const Vector3d& angles : {rpy, other}) {
+    Eigen::Matrix<double, 3, kTolerances.size()> neat;
+    for (int i = 0; i < neat.size(); ++i)
+      neat(i % 3, i / 3) = neatAngle(angles[i % 3], kTolerances[static_cast<std::size_t>(i / 3)]);
+    for (int x = 0; x < neat.cols(); ++x)
+      for (int y = 0; y < neat.cols(); ++y)
+        for (int z = 0; z < neat.cols(); ++z)
+          if (const Vector3d tried(neat(0, x), neat(1, y), neat(2, z));
+              fromXyzRpy(Vector3d::Zero(), tried).linear() == R)
+            return tried;
   }
   return rpy;
 }
@@ -120,8 +139,8 @@ std::string mechanismText(const MechanismDescription& m) {
 
 std::string recordingText(const RecordingDescription& r) {
   return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
-         ", units: " + scalar(r.units) + ", up: " + scalar(r.up) + ", place: {xyz: " + vector(r.place_xyz) +
-         ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
+         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) +
+         ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
 }
 
 std::string partText(const HumanPartDescription& part) {

@@ -140,6 +140,12 @@ class TreeBuilder final : public YAML::EventHandler {
     YamlNode& into = parent.node;
     const bool is_key = into.kind == YamlNode::Kind::kMap && into.keys.size() == into.items.size();
     if (!is_key) {
+      // The parser places a missing value at whatever comes next, often on a later line: look at its key.
+      if (node.kind == YamlNode::Kind::kNothing && into.kind == YamlNode::Kind::kMap &&
+          node.line != into.keys.back().line) {
+        node.line = into.keys.back().line;
+        node.column = into.keys.back().column;
+      }
       into.items.push_back(std::move(node));
       return;
     }

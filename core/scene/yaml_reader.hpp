@@ -57,7 +57,7 @@ std::string yamlFound(const YamlNode& node);
 double yamlNumber(const YamlNode& node, const std::string& file, const std::string& label,
                   const YamlRange& range);
 /// Not empty, at most kMostYamlText characters.
-inline constexpr std::size_t kMostYamlText = 1000;
+inline constexpr std::size_t kMostYamlText = 4096;
 std::string yamlText(const YamlNode& node, const std::string& file, const std::string& label);
 std::string yamlChoice(const YamlNode& node, const std::string& file, const std::string& label,
                        const std::vector<std::string>& choices);

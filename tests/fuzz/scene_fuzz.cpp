@@ -1,0 +1,40 @@
+// Fuzzes the scene reader: only ParseError may come out, and what was understood reads back the same.
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "core/base/error.hpp"
+#include "core/scene/scene_description.hpp"
+
+namespace {
+
+/// A folder with one file that the corpus names for every mesh, mechanism and recording.
+std::filesystem::path sceneFile() {
+  const auto folder = std::filesystem::temp_directory_path() / "abstand-scene-fuzz";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "f") << "x";
+  return folder / "scene.yaml";
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const auto file = sceneFile();
+  std::optional<abstand::SceneDescription> scene;
+  try {
+    scene = abstand::parseScene(std::string(reinterpret_cast<const char*>(data), size), file);
+  } catch (const abstand::ParseError&) {
+    return 0;
+  }
+  const auto again = abstand::parseScene(abstand::describeScene(*scene), file);
+  ABSTAND_CHECK(again.objects.size() == scene->objects.size());
+  ABSTAND_CHECK(again.humans.size() == scene->humans.size());
+  ABSTAND_CHECK(again.mechanisms.size() == scene->mechanisms.size());
+  ABSTAND_CHECK(again.pairs.exclude == scene->pairs.exclude);
+  ABSTAND_CHECK(again.pairs.include == scene->pairs.include);
+  ABSTAND_CHECK(again.threads == scene->threads);
+  return 0;
+}

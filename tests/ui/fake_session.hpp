@@ -1,0 +1,54 @@
+// A session that is only made up: a moving arm, a moving person, a table; for tests and the demo.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/session_port.hpp"
+
+namespace abstand::ui {
+
+/// Deterministic: time moves by advance() only. Distances are those of the bodies' enclosing spheres, forces are
+/// proportional to the overlap of the margins; the pictures matter here, not the physics.
+class FakeSession : public SessionPort {
+ public:
+  FakeSession();
+
+  const SceneOutline& outline() const override { return outline_; }
+  bool takeSnapshot(SceneSnapshot& out) override;
+  void drainPlot(std::vector<PlotSample>& out) override;
+  void play(bool on) override;
+  void step(int frames) override;
+  void seek(double t) override;
+  void setSpeed(double factor) override { speed = factor; }
+  void setLoop(bool on) override { loop = on; }
+  void setMargin(int object, double metres) override;
+
+  /// Computes every frame of `seconds` of wall time, when playing.
+  void advance(double seconds);
+  double time() const { return snapshot_.t; }
+  bool playing() const { return snapshot_.playing; }
+  int indexOf(const std::string& name) const;
+  void setPoseState(int object, PoseState state);
+
+  double speed{1.0};
+  bool loop{false};
+  std::vector<std::string> log;   ///< commands as they came: "seek 1.5", "margin 3 0.04" ...
+
+ private:
+  void addRobot();
+  void addPerson();
+  void addThings();
+  int addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh, double radius);
+  void compute(double t);
+  void place(double t);
+  void relate();
+
+  SceneOutline outline_;
+  SceneSnapshot snapshot_;
+  std::vector<double> radii_;
+  std::vector<PlotSample> samples_;
+  bool fresh_{true};
+};
+
+}  // namespace abstand::ui

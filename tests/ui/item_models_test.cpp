@@ -1,0 +1,174 @@
+// Scene tree and pair table as models, and what selection does to them.
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTableView>
+
+#include "tests/ui/fake_session.hpp"
+#include "ui/model/pair_table_model.hpp"
+#include "ui/model/scene_tree_model.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/panels/pair_panel.hpp"
+#include "ui/panels/scene_tree_panel.hpp"
+
+namespace abstand::ui {
+namespace {
+
+using Mode = QAbstractItemModelTester::FailureReportingMode;
+
+/// A failure of Qt's model tester is a failure here.
+class Checked {
+ public:
+  explicit Checked(QAbstractItemModel* model) : tester_{model, Mode::Warning} {
+    warnings = 0;
+    previous_ = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
+      if (type == QtWarningMsg && QByteArray(context.category) == "qt.modeltest") {
+        ++warnings;
+        ADD_FAILURE() << text.toStdString();
+      }
+    });
+  }
+  ~Checked() { qInstallMessageHandler(previous_); }
+
+ private:
+  static inline int warnings = 0;
+  QAbstractItemModelTester tester_;
+  QtMessageHandler previous_{nullptr};
+};
+
+SceneSnapshot snapshotAt(FakeSession& session, double t) {
+  session.seek(t);
+  SceneSnapshot snapshot;
+  session.takeSnapshot(snapshot);
+  return snapshot;
+}
+
+TEST(SceneTree, IsASoundModelWithGroupsInOrder) {
+  FakeSession session;
+  SceneTreeModel model;
+  const Checked checked(&model);
+  model.open(session.outline());
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.index(0, 0).data().toString(), "arm");
+  EXPECT_EQ(model.index(1, 0).data().toString(), "operator");
+  EXPECT_EQ(model.index(2, 0).data().toString(), "objects");
+  EXPECT_EQ(model.rowCount(model.index(1, 0)), 14);
+  for (const double t : {0.0, 0.4, 3.0}) model.refresh(session.outline(), snapshotAt(session, t));
+  const int hand = session.indexOf("operator/hand_left");
+  EXPECT_EQ(model.indexOf(hand).data().toString(), "hand_left");
+  EXPECT_EQ(model.objectsOf(model.indexOf(hand)), std::vector<int>{hand});
+  model.open({});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(SceneTree, ACheckBoxOfAGroupShowsAndHidesItsObjects) {
+  FakeSession session;
+  SceneTreeModel model;
+  const Checked checked(&model);
+  model.open(session.outline());
+  QSignalSpy changes(&model, &SceneTreeModel::visibilityChanged);
+  const QModelIndex arm = model.index(0, 0);
+  EXPECT_TRUE(model.setData(model.index(1, 0, arm), Qt::Unchecked, Qt::CheckStateRole));
+  EXPECT_EQ(arm.data(Qt::CheckStateRole).toInt(), Qt::PartiallyChecked);
+  EXPECT_TRUE(model.setData(arm, Qt::Unchecked, Qt::CheckStateRole));
+  EXPECT_EQ(arm.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
+  EXPECT_EQ(changes.size(), 5);
+}
+
+TEST(SceneTree, MarksContactByTextAndOnlyTellsWhatChanged) {
+  FakeSession session;
+  SceneTreeModel model;
+  model.open(session.outline());
+  const SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  model.refresh(session.outline(), snapshot);
+  const int link = session.indexOf("arm/link4");
+  ASSERT_TRUE(snapshot.objects[static_cast<std::size_t>(link)].colliding);
+  EXPECT_TRUE(model.indexOf(link).siblingAtColumn(1).data().toString().contains(QStringLiteral("⚠")));
+  QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
+  model.refresh(session.outline(), snapshot);
+  EXPECT_EQ(changes.size(), 0);
+}
+
+TEST(PairTable, IsASoundModelSortedByDistance) {
+  FakeSession session;
+  PairTableModel model;
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  filter.sort(PairTableModel::kDistance);
+  const Checked checked(&model);
+  const Checked filter_checked(&filter);
+  model.open(session.outline());
+  for (const double t : {0.0, 0.4, 2.5, 6.0}) {
+    model.refresh(snapshotAt(session, t));
+    for (int row = 1; row < filter.rowCount(); ++row)
+      ASSERT_LE(filter.index(row - 1, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble(),
+                filter.index(row, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble());
+  }
+  filter.setText("HAND_left");
+  EXPECT_EQ(filter.rowCount(), 7);   // five links and two objects
+  filter.setObjects({session.indexOf("table")});
+  EXPECT_EQ(filter.rowCount(), 1);
+}
+
+TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
+  FakeSession session;
+  PairTableModel model;
+  model.open(session.outline());
+  SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  snapshot.pairs[0].result = {};
+  model.refresh(snapshot);
+  EXPECT_EQ(model.index(0, PairTableModel::kDistance).data().toString(), QStringLiteral("–"));
+  EXPECT_EQ(model.index(0, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble(), kInfinity);
+  const auto nearest = snapshot.nearest_pair;
+  EXPECT_EQ(model.index(nearest, PairTableModel::kState).data().toString(), QStringLiteral("⚠ contact"));
+  EXPECT_TRUE(model.index(nearest, 0).data(Qt::BackgroundRole).isValid());
+}
+
+TEST(PairPanelTest, KeepsSelectionAndScrollWhileValuesChange) {
+  FakeSession session;
+  Selection selection;
+  PairPanel panel(selection);
+  panel.resize(700, 240);
+  panel.open(session.outline());
+  panel.refresh(snapshotAt(session, 0.0));
+  panel.show();
+  panel.table()->selectRow(30);
+  const int chosen = selection.pair();
+  ASSERT_GE(chosen, 0);
+  panel.table()->verticalScrollBar()->setValue(12);
+  for (double t = 0.1; t < 6.0; t += 0.3) panel.refresh(snapshotAt(session, t));
+  EXPECT_EQ(selection.pair(), chosen);
+  EXPECT_EQ(panel.table()->verticalScrollBar()->value(), 12);
+  const QModelIndexList rows = panel.table()->selectionModel()->selectedRows(PairTableModel::kA);
+  ASSERT_EQ(rows.size(), 1);
+  const int a = session.outline().pairs[static_cast<std::size_t>(chosen)].first;
+  EXPECT_EQ(rows.front().data().toString().toStdString(), session.outline().objects[static_cast<std::size_t>(a)].name);
+}
+
+TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
+  FakeSession session;
+  Selection selection;
+  SceneTreeModel model;
+  SceneTreePanel tree(model, selection);
+  PairPanel panel(selection);
+  model.open(session.outline());
+  panel.open(session.outline());
+  const int hand = session.indexOf("operator/hand_left");
+  tree.selectionModel()->select(model.indexOf(hand), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  EXPECT_EQ(selection.objects(), std::vector<int>{hand});
+  EXPECT_EQ(panel.table()->model()->rowCount(), 7);
+
+  panel.table()->selectRow(2);
+  EXPECT_EQ(selection.objects().size(), 2u);
+  EXPECT_EQ(tree.selectionModel()->selectedRows().size(), 2);
+  EXPECT_EQ(panel.table()->model()->rowCount(), 7) << "a choice in the table does not hide its other rows";
+
+  selection.clear();
+  EXPECT_TRUE(tree.selectionModel()->selectedRows().isEmpty());
+  EXPECT_EQ(panel.table()->model()->rowCount(), static_cast<int>(session.outline().pairs.size()));
+}
+
+}  // namespace
+}  // namespace abstand::ui

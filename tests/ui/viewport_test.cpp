@@ -1,0 +1,157 @@
+// What can be seen: pictures of the window and of the 3D view.
+#include "ui/viewport/viewport.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QSettings>
+#include <QTest>
+#include <set>
+
+#include "tests/ui/fake_session.hpp"
+#include "ui/actions.hpp"
+#include "ui/main_window.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/theme.hpp"
+#include "ui/viewport/opengl.hpp"
+#include "ui/window_grab.hpp"
+
+namespace abstand::ui {
+namespace {
+
+constexpr int kWaitMs = 10000;
+constexpr std::size_t kColours = 500;   // a picture with shading and text has many more, a blank one a few
+
+std::size_t countColours(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
+  return colours.size();
+}
+
+/// Pixels of about this hue, as strong as a lit surface of that colour is.
+long countHue(const QImage& image, const QColor& colour) {
+  long n = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor c(image.pixel(x, y));
+      if (c.saturation() > 150 && std::abs(c.hue() - colour.hue()) < 8) ++n;
+    }
+  return n;
+}
+
+struct ViewportTest : testing::Test {
+  void SetUp() override {
+    if (!openGlInfo().available) GTEST_SKIP() << "no OpenGL 3.2 here";
+    QSettings().clear();
+    window.resize(1200, 800);
+    window.setSession(&session);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kWaitMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.viewport().framesDrawn() > 0; }, kWaitMs));
+  }
+  QImage pictureAt(double t) {
+    session.seek(t);
+    window.pull();
+    return window.viewport().picture();
+  }
+  FakeSession session;
+  MainWindow window;
+};
+
+TEST_F(ViewportTest, ThePictureOfTheWindowHasItsSizeAndIsNotBlank) {
+  const QImage picture = grabWindow(window);
+  EXPECT_EQ(picture.size(), QSize(1200, 800));
+  EXPECT_GT(countColours(picture), kColours);
+  EXPECT_GT(countColours(window.viewport().picture()), kColours);
+}
+
+TEST_F(ViewportTest, ContactIsVermillionAndApartIsNot) {
+  window.actions()[ActionId::kLabels]->setChecked(false);
+  window.actions()[ActionId::kClosest]->setChecked(false);
+  window.actions()[ActionId::kForces]->setChecked(false);
+  const long apart = countHue(pictureAt(5.5), QColor(kVermillion));
+  const long contact = countHue(pictureAt(0.4), QColor(kVermillion));
+  EXPECT_EQ(apart, 0);
+  EXPECT_GT(contact, 500);
+}
+
+TEST_F(ViewportTest, DrawsOnlyWhenSomethingChanges) {
+  pictureAt(5.5);
+  ASSERT_TRUE(QTest::qWaitFor([&, last = -1L]() mutable {
+    return std::exchange(last, window.viewport().framesDrawn()) == window.viewport().framesDrawn();
+  }, kWaitMs));
+  QTest::qWait(300);
+  const long before = window.viewport().framesDrawn();
+  QTest::qWait(500);
+  EXPECT_EQ(window.viewport().framesDrawn(), before);
+  session.seek(6.0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window.viewport().framesDrawn() > before; }, kWaitMs));
+}
+
+TEST_F(ViewportTest, EveryToggleChangesThePicture) {
+  pictureAt(0.4);
+  for (const ActionId id : {ActionId::kForces, ActionId::kTorques, ActionId::kVelocities, ActionId::kClosest,
+                            ActionId::kLabels, ActionId::kFloor, ActionId::kShadows, ActionId::kTransparent}) {
+    QAction* action = window.actions()[id];
+    SCOPED_TRACE(action->text().toStdString());
+    const bool was = action->isChecked();
+    const QImage before = window.viewport().picture();
+    action->setChecked(!was);
+    EXPECT_NE(window.viewport().picture(), before);
+    action->setChecked(was);
+    EXPECT_EQ(window.viewport().picture(), before);
+  }
+}
+
+TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
+  const QImage whole = pictureAt(5.5);
+  session.setPoseState(session.indexOf("operator/torso"), PoseState::kStale);
+  window.pull();
+  EXPECT_NE(window.viewport().picture(), whole);
+  session.setPoseState(session.indexOf("operator/torso"), PoseState::kFresh);
+  window.pull();
+  EXPECT_EQ(window.viewport().picture(), whole);
+  window.viewport().setObjectVisible(session.indexOf("table"), false);
+  EXPECT_NE(window.viewport().picture(), whole);
+}
+
+TEST_F(ViewportTest, AClickChoosesWhatIsUnderThePointer) {
+  pictureAt(5.5);
+  // The chosen object fills the middle of the view.
+  window.selection().setObjects({session.indexOf("table")});
+  window.viewport().fitSelection();
+  window.selection().clear();
+  window.viewport().picture();
+  QWidget* gl = window.viewport().childAt(10, 10);
+  ASSERT_NE(gl, nullptr);
+  QTest::mouseClick(gl, Qt::LeftButton, {}, gl->rect().center());
+  EXPECT_EQ(window.selection().objects(), std::vector<int>{session.indexOf("table")});
+  QTest::mouseClick(gl, Qt::LeftButton, {}, QPoint(2, 2));
+  EXPECT_TRUE(window.selection().objects().empty());
+}
+
+TEST_F(ViewportTest, CameraPresetsDifferAndComeBack) {
+  pictureAt(5.5);
+  std::vector<QImage> seen;
+  for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso}) {
+    window.actions()[id]->trigger();
+    for (const QImage& other : seen) EXPECT_NE(window.viewport().picture(), other);
+    seen.push_back(window.viewport().picture());
+  }
+  window.actions()[ActionId::kFront]->trigger();
+  EXPECT_EQ(window.viewport().picture(), seen.front());
+}
+
+TEST_F(ViewportTest, DarkAndLightDifferAndBothHaveContent) {
+  const QImage light = grabWindow(window);
+  window.actions()[ActionId::kDarkTheme]->setChecked(true);
+  QTest::qWait(50);
+  const QImage dark = grabWindow(window);
+  EXPECT_GT(countColours(dark), kColours);
+  EXPECT_NE(dark, light);
+  window.actions()[ActionId::kDarkTheme]->setChecked(false);
+}
+
+}  // namespace
+}  // namespace abstand::ui

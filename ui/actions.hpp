@@ -1,0 +1,48 @@
+// Every command of the window in one table: text, tip, shortcut, icon. Menus, toolbars and the shortcut sheet come from it.
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <array>
+#include <vector>
+
+namespace abstand::ui {
+
+enum class ActionId {
+  kOpenScene, kOpenRecording, kRecent1, kRecent2, kRecent3, kRecent4, kRecent5, kScreenshot, kCopyPicture, kQuit,
+  kForces, kTorques, kVelocities, kClosest, kLabels, kFloor, kShadows, kTransparent, kAutoScale, kFront, kSide, kTop,
+  kIso, kFit, kFitSelection, kClearSelection, kFollowPlots, kFindPair, kDarkTheme, kFullScreen, kResetLayout,
+  kPlay, kStepForward, kStepBack, kForwardSecond, kBackSecond, kToStart, kToEnd, kNextContact, kPreviousContact,
+  kFaster, kSlower, kLoop, kResetMargins, kShortcuts, kAbout,
+  kCount
+};
+
+enum class ActionGroup { kFile, kView, kCamera, kPanels, kPlayback, kHelp };
+
+/// Actions are enabled or not by the owner; what they do is connected by the owner. GUI thread only.
+class Actions : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Actions(QObject* parent);
+
+  QAction* operator[](ActionId id) const { return actions_[static_cast<std::size_t>(id)]; }
+  /// Takes an action that somebody else made (a dock's toggle) into the table.
+  void adopt(QAction* action, ActionGroup group, const QString& tip, const QKeySequence& key);
+
+  struct Entry {
+    QAction* action;
+    ActionGroup group;
+  };
+  /// All of them, in the order of the menus.
+  const std::vector<Entry>& all() const { return entries_; }
+  static QString groupName(ActionGroup group);
+
+ private:
+  void finish(QAction* action, ActionGroup group);
+
+  std::array<QAction*, static_cast<std::size_t>(ActionId::kCount)> actions_{};
+  std::vector<Entry> entries_;
+};
+
+}  // namespace abstand::ui

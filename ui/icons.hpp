@@ -1,0 +1,16 @@
+// Vector icons in the palette's text colour, drawn when needed, sharp at any scale.
+#pragma once
+
+#include <QIcon>
+
+namespace abstand::ui {
+
+enum class Glyph {
+  kNone, kOpen, kRecording, kCamera, kPlay, kPause, kStepBack, kStepForward, kBackSecond, kForwardSecond, kToStart,
+  kToEnd, kLoop, kForce, kTorque, kVelocity, kClosest, kLabel, kFloor, kShadow, kBody, kFit, kIso, kFront, kSide,
+  kTop, kTheme, kHelp
+};
+
+QIcon icon(Glyph glyph);
+
+}  // namespace abstand::ui

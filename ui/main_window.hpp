@@ -1,0 +1,106 @@
+// The window: builds the panels and connects them.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <vector>
+
+#include "ui/session_port.hpp"
+
+class QDockWidget;
+class QSlider;
+class QTimer;
+
+namespace abstand::ui {
+
+class Actions;
+class MarginPanel;
+class PairPanel;
+class Playback;
+class PlotPanel;
+class RunHistory;
+class SceneTreeModel;
+class SceneTreePanel;
+class Selection;
+class StatusPanel;
+class TimelinePanel;
+class Viewport;
+
+/// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and plots at
+/// most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication, and the names of
+/// organisation and program for its settings.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Shows a session; null for none. The session must outlive its stay here. Layout and view settings stay.
+  void setSession(SessionPort* session);
+  /// Takes over what is new now, instead of at the next tick.
+  void pull();
+  /// Says what went wrong (an error's text) without blocking.
+  void showProblem(const QString& title, const QString& text);
+
+  const Actions& actions() const { return *actions_; }
+  Playback& playback() const { return *playback_; }
+  Selection& selection() const { return *selection_; }
+  Viewport& viewport() const { return *viewport_; }
+  MarginPanel& marginPanel() const { return *margins_; }
+  PairPanel& pairPanel() const { return *pairs_; }
+  TimelinePanel& timelinePanel() const { return *timeline_; }
+
+ public Q_SLOTS:
+  /// Asks for the file by its kind, and remembers scenes.
+  void openFile(const QString& path);
+
+ Q_SIGNALS:
+  void openSceneRequested(const QString& path);
+  void openRecordingRequested(const QString& path);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildDocks();
+  QDockWidget* addDock(const char* name, const QString& title, const QString& tip, const QString& key, QWidget* content);
+  void arrangeDocks();
+  void connectFile();
+  void connectView();
+  void connectPlayback();
+  void connectPanels();
+  void restore();
+  void save() const;
+  void showRecent();
+  void applyOptions();
+  void refreshSlow();
+  void goToContact(bool next);
+  void saveScreenshot();
+
+  std::unique_ptr<RunHistory> history_;
+  SessionPort* session_{nullptr};
+  SceneSnapshot snapshot_;
+  std::vector<PlotSample> samples_;
+
+  Actions* actions_;
+  Playback* playback_;
+  Selection* selection_;
+  SceneTreeModel* tree_model_;
+  Viewport* viewport_;
+  SceneTreePanel* tree_;
+  PairPanel* pairs_;
+  PlotPanel* plots_;
+  MarginPanel* margins_;
+  TimelinePanel* timeline_;
+  StatusPanel* status_;
+  QSlider* opacity_;
+  QTimer* pull_timer_;
+  QTimer* slow_timer_;
+  std::vector<QDockWidget*> docks_;
+  bool news_{false};
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,26 @@
+// The objects of a scene by group: mechanisms, people, things in the room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/snapshot.hpp"
+
+namespace abstand::ui {
+
+enum class GroupKind { kMechanism, kHuman, kObjects };
+
+struct Group {
+  std::string name;
+  GroupKind kind{GroupKind::kObjects};
+  int index_of_kind{0};        ///< 0 for the first mechanism, 1 for the second ...
+  std::vector<int> objects;    ///< indices of the outline, in order
+};
+
+/// In the order of the first member: mechanisms first, then people, then objects.
+std::vector<Group> groupsOf(const SceneOutline& outline);
+
+/// "hand_left" of "operator/hand_left" in the group "operator"; the whole name otherwise.
+std::string shortName(const SceneOutline::ObjectInfo& info);
+
+}  // namespace abstand::ui

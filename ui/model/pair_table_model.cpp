@@ -1,0 +1,168 @@
+// The checked pairs with their latest results.
+#include "ui/model/pair_table_model.hpp"
+
+#include <QBrush>
+#include <QFont>
+#include <QGuiApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/format.hpp"
+#include "ui/theme.hpp"
+
+namespace abstand::ui {
+
+void PairTableModel::open(const SceneOutline& outline) {
+  beginResetModel();
+  names_.clear();
+  for (const auto& info : outline.objects) names_.push_back(QString::fromStdString(info.name));
+  pairs_ = outline.pairs;
+  values_.assign(pairs_.size(), {});
+  endResetModel();
+}
+
+void PairTableModel::refresh(const SceneSnapshot& snapshot) {
+  if (snapshot.pairs.size() != values_.size() || values_.empty()) return;
+  std::copy(snapshot.pairs.begin(), snapshot.pairs.end(), values_.begin());
+  Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+int PairTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(pairs_.size());
+}
+
+int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+PairTableModel::Level PairTableModel::level(const PairSnapshot& pair) const {
+  if (pair.result.contacts > 0 || pair.result.distance < 0.0) return Level::kContact;
+  if (std::isnan(pair.result.distance)) return Level::kUnknown;
+  return pair.result.distance < kNearFactor * pair.margin ? Level::kNear : Level::kFine;
+}
+
+QVariant PairTableModel::text(std::size_t row, int column) const {
+  const PairSnapshot& pair = values_[row];
+  switch (column) {
+    case kState:
+      switch (level(pair)) {
+        case Level::kContact: return tr("⚠ contact");
+        case Level::kNear: return tr("▲ near");
+        case Level::kFine: return tr("apart");
+        case Level::kUnknown: return tr("–");
+      }
+      return {};
+    case kA: return names_[static_cast<std::size_t>(pairs_[row].first)];
+    case kB: return names_[static_cast<std::size_t>(pairs_[row].second)];
+    case kDistance: return millimetres(pair.result.distance);
+    case kBound: return millimetres(pair.result.bound);
+    case kMargin: return millimetres(pair.margin, 0);
+    case kForce: return fixed(pair.result.force_a.norm(), 1);
+    case kContacts: return QString::number(pair.result.contacts);
+    default: return {};
+  }
+}
+
+double PairTableModel::number(std::size_t row, int column) const {
+  const PairSnapshot& pair = values_[row];
+  const auto finite = [](double v) { return std::isnan(v) ? kInfinity : v; };
+  switch (column) {
+    case kState: return -static_cast<double>(level(pair));
+    case kDistance: return finite(pair.result.distance);
+    case kBound: return finite(pair.result.bound);
+    case kMargin: return pair.margin;
+    case kForce: return pair.result.force_a.norm();
+    default: return pair.result.contacts;
+  }
+}
+
+QVariant PairTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const auto row = static_cast<std::size_t>(index.row());
+  switch (role) {
+    case Qt::DisplayRole: return text(row, index.column());
+    case kSortRole:
+      if (index.column() == kA || index.column() == kB) return text(row, index.column());
+      return number(row, index.column());
+    case Qt::TextAlignmentRole:
+      return static_cast<int>((index.column() >= kDistance ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::BackgroundRole: {
+      const Level now = level(values_[row]);
+      if (now != Level::kContact && now != Level::kNear) return {};
+      QColor tint(now == Level::kContact ? kVermillion : kAmber);
+      tint.setAlpha(now == Level::kContact ? 60 : 36);
+      return QBrush(tint);
+    }
+    case Qt::FontRole:
+      if (index.column() == kState && level(values_[row]) == Level::kContact) {
+        QFont font = QGuiApplication::font();
+        font.setBold(true);
+        return font;
+      }
+      return {};
+    case Qt::ToolTipRole: {
+      const PairSnapshot& pair = values_[row];
+      return tr("%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N")
+          .arg(text(row, kA).toString(), text(row, kB).toString(), millimetresWithUnit(pair.result.distance),
+               millimetresWithUnit(pair.result.distance - pair.result.bound), millimetresWithUnit(pair.margin, 0),
+               fixed(pair.result.force_a.norm(), 1));
+    }
+    default: return {};
+  }
+}
+
+QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return static_cast<int>((section >= kDistance ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  if (role == Qt::DisplayRole) {
+    switch (section) {
+      case kState: return tr("State");
+      case kA: return tr("A");
+      case kB: return tr("B");
+      case kDistance: return tr("Distance [mm]");
+      case kBound: return tr("Bound [mm]");
+      case kMargin: return tr("Margin [mm]");
+      case kForce: return tr("Force [N]");
+      case kContacts: return tr("Contacts");
+      default: return {};
+    }
+  }
+  if (role == Qt::ToolTipRole) {
+    switch (section) {
+      case kState: return tr("Contact: within the margins. Near: closer than twice the margins.");
+      case kDistance: return tr("Between the bare surfaces, negative inside");
+      case kBound: return tr("The true distance is never below distance minus bound");
+      case kMargin: return tr("Sum of both objects' safety margins");
+      case kForce: return tr("Penalty force between the two");
+      case kContacts: return tr("Surface points within the margins");
+      default: return {};
+    }
+  }
+  return {};
+}
+
+PairFilter::PairFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+  setSortRole(PairTableModel::kSortRole);
+  setDynamicSortFilter(true);
+}
+
+void PairFilter::setText(const QString& text) {
+  text_ = text.trimmed();
+  invalidateFilter();
+}
+
+void PairFilter::setObjects(std::vector<int> objects) {
+  if (objects == objects_) return;
+  objects_ = std::move(objects);
+  invalidateFilter();
+}
+
+bool PairFilter::filterAcceptsRow(int row, const QModelIndex&) const {
+  const auto& model = *static_cast<const PairTableModel*>(sourceModel());
+  const auto [a, b] = model.objectsOf(row);
+  const auto chosen = [&](int o) { return std::binary_search(objects_.begin(), objects_.end(), o); };
+  if (!objects_.empty() && !chosen(a) && !chosen(b)) return false;
+  return text_.isEmpty() || model.nameOf(a).contains(text_, Qt::CaseInsensitive) ||
+         model.nameOf(b).contains(text_, Qt::CaseInsensitive);
+}
+
+}  // namespace abstand::ui

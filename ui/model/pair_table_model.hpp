@@ -1,0 +1,64 @@
+// The checked pairs with their latest results.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+#include <vector>
+
+#include "core/scene/snapshot.hpp"
+
+namespace abstand::ui {
+
+/// One row a pair, in scene order, all rows from open() on; refresh() only changes values, so views keep selection
+/// and scroll position. The caller limits the rate. GUI thread only.
+class PairTableModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kState, kA, kB, kDistance, kBound, kMargin, kForce, kContacts, kColumns };
+  /// Number to sort by; NaN as infinity.
+  static constexpr int kSortRole = Qt::UserRole;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void open(const SceneOutline& outline);
+  void refresh(const SceneSnapshot& snapshot);
+
+  std::pair<int, int> objectsOf(int pair) const { return pairs_[static_cast<std::size_t>(pair)]; }
+  QString nameOf(int object) const { return names_[static_cast<std::size_t>(object)]; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  enum class Level { kUnknown, kFine, kNear, kContact };
+  Level level(const PairSnapshot& pair) const;
+  QVariant text(std::size_t row, int column) const;
+  double number(std::size_t row, int column) const;
+
+  std::vector<QString> names_;
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<PairSnapshot> values_;
+};
+
+/// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects.
+class PairFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  explicit PairFilter(QObject* parent = nullptr);
+  void setText(const QString& text);
+  /// Sorted object indices; empty: all pairs.
+  void setObjects(std::vector<int> objects);
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  QString text_;
+  std::vector<int> objects_;
+};
+
+}  // namespace abstand::ui

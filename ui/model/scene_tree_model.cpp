@@ -1,0 +1,209 @@
+// Groups and their objects.
+#include "ui/model/scene_tree_model.hpp"
+
+#include <QBrush>
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/format.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+// The internal id of a group's index; that of an object's index is its group's number.
+constexpr quintptr kIsGroup = ~quintptr{0};
+// A distance is shown again when it moved by a tenth of a millimetre, the last digit that is shown.
+constexpr double kShownStep = 0.5e-4;
+
+bool sameShown(double a, double b) { return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < kShownStep; }
+
+}  // namespace
+
+void SceneTreeModel::open(const SceneOutline& outline) {
+  beginResetModel();
+  groups_ = groupsOf(outline);
+  rows_.assign(outline.objects.size(), {});
+  nearest_.assign(outline.objects.size(), kNaN);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (std::size_t r = 0; r < groups_[g].objects.size(); ++r) {
+      const int object = groups_[g].objects[r];
+      Row& row = rows_[static_cast<std::size_t>(object)];
+      const auto& info = outline.objects[static_cast<std::size_t>(object)];
+      row.name = QString::fromStdString(shortName(info));
+      row.full_name = QString::fromStdString(info.name);
+      row.group = static_cast<int>(g);
+      row.row = static_cast<int>(r);
+    }
+  }
+  endResetModel();
+}
+
+void SceneTreeModel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+  if (snapshot.objects.size() != rows_.size()) return;
+  std::fill(nearest_.begin(), nearest_.end(), kNaN);
+  for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {
+    const double d = snapshot.pairs[p].result.distance;
+    for (const int object : {outline.pairs[p].first, outline.pairs[p].second}) {
+      double& nearest = nearest_[static_cast<std::size_t>(object)];
+      nearest = std::fmin(nearest, d);
+    }
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    bool group_changed = false;
+    const QModelIndex parent = index(static_cast<int>(g), 0);
+    for (const int object : groups_[g].objects) {
+      const auto i = static_cast<std::size_t>(object);
+      const ObjectSnapshot& now = snapshot.objects[i];
+      Row& row = rows_[i];
+      const bool hollow = now.pose_state == PoseState::kStale || now.pose_state == PoseState::kRejected;
+      if (row.colliding == now.colliding && row.hollow == hollow && sameShown(row.distance, nearest_[i])) continue;
+      group_changed |= row.colliding != now.colliding;
+      row.colliding = now.colliding;
+      row.hollow = hollow;
+      row.distance = nearest_[i];
+      Q_EMIT dataChanged(index(row.row, 0, parent), index(row.row, 1, parent));
+    }
+    if (group_changed) Q_EMIT dataChanged(parent, parent.siblingAtColumn(1));
+  }
+}
+
+void SceneTreeModel::setTheme(Theme theme) {
+  theme_ = theme;
+  if (!groups_.empty()) Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(groups_.size()) - 1, 1));
+}
+
+std::vector<int> SceneTreeModel::objectsOf(const QModelIndex& index) const {
+  if (!index.isValid()) return {};
+  if (index.internalId() == kIsGroup) return groups_[static_cast<std::size_t>(index.row())].objects;
+  return {groups_[index.internalId()].objects[static_cast<std::size_t>(index.row())]};
+}
+
+QModelIndex SceneTreeModel::indexOf(int object) const {
+  if (object < 0 || static_cast<std::size_t>(object) >= rows_.size()) return {};
+  const Row& row = rows_[static_cast<std::size_t>(object)];
+  return createIndex(row.row, 0, static_cast<quintptr>(row.group));
+}
+
+QModelIndex SceneTreeModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) : kIsGroup);
+}
+
+QModelIndex SceneTreeModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == kIsGroup) return {};
+  return createIndex(static_cast<int>(child.internalId()), 0, kIsGroup);
+}
+
+int SceneTreeModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(groups_.size());
+  if (parent.internalId() != kIsGroup || parent.column() != 0) return 0;
+  return static_cast<int>(groups_[static_cast<std::size_t>(parent.row())].objects.size());
+}
+
+int SceneTreeModel::columnCount(const QModelIndex&) const { return 2; }
+
+QColor SceneTreeModel::colour(const Group& group) const {
+  switch (group.kind) {
+    case GroupKind::kHuman: return sceneColours(theme_).human;
+    case GroupKind::kObjects: return sceneColours(theme_).objects;
+    case GroupKind::kMechanism: break;
+  }
+  return mechanismColour(group.index_of_kind, theme_);
+}
+
+QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (index.internalId() == kIsGroup) return groupData(index, role);
+  return objectData(rows_[static_cast<std::size_t>(objectsOf(index).front())], index.column(), role);
+}
+
+QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
+  const Group& group = groups_[static_cast<std::size_t>(index.row())];
+  const auto in_contact = std::count_if(group.objects.begin(), group.objects.end(),
+                                        [&](int o) { return rows_[static_cast<std::size_t>(o)].colliding; });
+  const auto shown = std::count_if(group.objects.begin(), group.objects.end(),
+                                   [&](int o) { return rows_[static_cast<std::size_t>(o)].visible; });
+  if (index.column() == 0) {
+    if (role == Qt::DisplayRole) return QString::fromStdString(group.name);
+    if (role == Qt::DecorationRole) return colour(group);
+    if (role == Qt::CheckStateRole) {
+      if (shown == 0) return Qt::Unchecked;
+      return static_cast<std::size_t>(shown) == group.objects.size() ? Qt::Checked : Qt::PartiallyChecked;
+    }
+    if (role == Qt::FontRole) {
+      QFont font = QGuiApplication::font();
+      font.setBold(true);
+      return font;
+    }
+    if (role == Qt::ToolTipRole) {
+      switch (group.kind) {
+        case GroupKind::kMechanism: return tr("Mechanism, links: %1").arg(group.objects.size());
+        case GroupKind::kHuman: return tr("Person, body parts: %1").arg(group.objects.size());
+        case GroupKind::kObjects: return tr("In the room: %1").arg(group.objects.size());
+      }
+    }
+    return {};
+  }
+  if (role == Qt::DisplayRole && in_contact > 0) return QStringLiteral("⚠ %1").arg(in_contact);
+  if (role == Qt::ToolTipRole && in_contact > 0) return tr("In contact: %1").arg(in_contact);
+  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::ForegroundRole && in_contact > 0) return QBrush(QColor(kVermillion));
+  return {};
+}
+
+QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const {
+  if (role == Qt::ToolTipRole) {
+    QString tip = row.full_name;
+    if (row.hollow) tip += QLatin1Char('\n') + tr("The pose is stale or was rejected: drawn hollow, never safe");
+    return tip;
+  }
+  if (column == 0) {
+    if (role == Qt::DisplayRole) return row.name;
+    if (role == Qt::CheckStateRole) return row.visible ? Qt::Checked : Qt::Unchecked;
+    return {};
+  }
+  switch (role) {
+    case Qt::DisplayRole:
+      if (row.colliding) return tr("⚠ contact");
+      if (row.hollow) return tr("pose lost");
+      return std::isnan(row.distance) ? QString() : millimetresWithUnit(row.distance);
+    case Qt::ForegroundRole:
+      if (row.colliding) return QBrush(QColor(kVermillion));
+      return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+    case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    default: return {};
+  }
+}
+
+bool SceneTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || index.column() != 0 || role != Qt::CheckStateRole) return false;
+  const bool visible = value.toInt() != Qt::Unchecked;
+  for (const int object : objectsOf(index)) {
+    Row& row = rows_[static_cast<std::size_t>(object)];
+    if (row.visible == visible) continue;
+    row.visible = visible;
+    const QModelIndex changed = indexOf(object);
+    Q_EMIT dataChanged(changed, changed);
+    Q_EMIT dataChanged(changed.parent(), changed.parent());
+    Q_EMIT visibilityChanged(object, visible);
+  }
+  return true;
+}
+
+QVariant SceneTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == 0 ? tr("Object") : tr("Nearest");
+}
+
+Qt::ItemFlags SceneTreeModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (index.column() == 0) flags |= Qt::ItemIsUserCheckable;
+  return flags;
+}
+
+}  // namespace abstand::ui

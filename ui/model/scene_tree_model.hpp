@@ -1,0 +1,62 @@
+// Groups and their objects, with visibility and the present state of each.
+#pragma once
+
+#include <QAbstractItemModel>
+#include <vector>
+
+#include "ui/model/groups.hpp"
+#include "ui/theme.hpp"
+
+namespace abstand::ui {
+
+/// Two levels: groups, objects. Column 0: name with check box (shown in the viewport) and colour; column 1: contact
+/// mark or distance to the nearest other object. GUI thread only.
+class SceneTreeModel : public QAbstractItemModel {
+  Q_OBJECT
+
+ public:
+  using QAbstractItemModel::QAbstractItemModel;
+
+  void open(const SceneOutline& outline);
+  /// Takes over contact marks and distances; tells the views only about what changed.
+  void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void setTheme(Theme theme);
+
+  const std::vector<Group>& groups() const { return groups_; }
+  /// Objects of an index: one, or all of a group.
+  std::vector<int> objectsOf(const QModelIndex& index) const;
+  QModelIndex indexOf(int object) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+ Q_SIGNALS:
+  void visibilityChanged(int object, bool visible);
+
+ private:
+  struct Row {
+    QString name, full_name;
+    int group{0}, row{0};
+    bool visible{true};
+    bool colliding{false};
+    bool hollow{false};       // the pose is stale or was rejected
+    double distance{kNaN};    // m, to the nearest other object
+  };
+
+  QVariant groupData(const QModelIndex& index, int role) const;
+  QVariant objectData(const Row& row, int column, int role) const;
+  QColor colour(const Group& group) const;
+
+  std::vector<Group> groups_;
+  std::vector<Row> rows_;  // by object
+  std::vector<double> nearest_;
+  Theme theme_{Theme::kLight};
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,96 @@
+// Slider and spin box for one length in millimetres.
+#include "ui/panels/margin_row.hpp"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace abstand::ui {
+
+namespace {
+
+/// Without the wheel, which belongs to the scroll area around it: else scrolling past would change margins.
+class CalmSlider : public QSlider {
+ public:
+  using QSlider::QSlider;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+class CalmSpinBox : public QDoubleSpinBox {
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus()) QDoubleSpinBox::wheelEvent(event);
+    else event->ignore();
+  }
+};
+
+int toSlider(double metres) { return static_cast<int>(std::lround(metres * 1e3)); }
+
+}  // namespace
+
+MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
+    : QWidget(parent), slider_{new CalmSlider(Qt::Horizontal, this)}, box_{new CalmSpinBox(this)} {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(heading ? 0 : 10, 0, 0, 0);
+  layout->setSpacing(6);
+  auto* label = new QLabel(name, this);
+  label->setMinimumWidth(heading ? 100 : 90);
+  label->setToolTip(name);
+  label->setBuddy(box_);
+  if (heading) {
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+  }
+  slider_->setRange(0, toSlider(kSliderLimit));
+  slider_->setSingleStep(1);
+  slider_->setPageStep(10);
+  slider_->setMinimumWidth(60);
+  slider_->setMinimumHeight(24);
+  slider_->setAccessibleName(tr("Margin of %1, slider").arg(name));
+  box_->setRange(0.0, kLimit * 1e3);
+  box_->setDecimals(0);
+  box_->setSingleStep(1.0);
+  box_->setSuffix(tr(" mm"));
+  box_->setKeyboardTracking(false);
+  box_->setFixedWidth(86);
+  box_->setAccessibleName(tr("Margin of %1 in millimetres").arg(name));
+  const QString tip = tr("Safety margin around %1").arg(name);
+  slider_->setToolTip(tip);
+  box_->setToolTip(tip);
+  layout->addWidget(label);
+  layout->addWidget(slider_, 1);
+  layout->addWidget(box_);
+
+  connect(slider_, &QSlider::valueChanged, this, [this](int mm) { take(mm * 1e-3, slider_); });
+  connect(box_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this](double mm) { take(mm * 1e-3, box_); });
+}
+
+void MarginRow::show(double metres) {
+  metres_ = metres;
+  const QSignalBlocker no_slider(slider_);
+  const QSignalBlocker no_box(box_);
+  slider_->setValue(toSlider(metres));
+  box_->setValue(metres * 1e3);
+}
+
+void MarginRow::take(double metres, const QObject* from) {
+  metres_ = metres;
+  const QSignalBlocker no_slider(slider_);
+  const QSignalBlocker no_box(box_);
+  if (from != slider_) slider_->setValue(toSlider(metres));
+  if (from != box_) box_->setValue(metres * 1e3);
+  Q_EMIT edited(metres);
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,38 @@
+// Slider and spin box for one length in millimetres.
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+
+namespace abstand::ui {
+
+/// Slider and spin box show the same value. GUI thread only.
+class MarginRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr double kSliderLimit = 0.3;   ///< m, the slider's right end
+  static constexpr double kLimit = 2.0;         ///< m, the spin box's
+
+  MarginRow(const QString& name, bool heading, QWidget* parent = nullptr);
+
+  double metres() const { return metres_; }
+  /// Without a signal.
+  void show(double metres);
+
+ Q_SIGNALS:
+  /// The user moved it.
+  void edited(double metres);
+
+ private:
+  void take(double metres, const QObject* from);
+
+  QSlider* slider_;
+  QDoubleSpinBox* box_;
+  double metres_{0.0};
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,108 @@
+// The table of pairs with its filter.
+#include "ui/panels/pair_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/model/selection.hpp"
+
+namespace abstand::ui {
+
+PairPanel::PairPanel(Selection& selection, QWidget* parent)
+    : QWidget(parent), selection_{selection}, model_{new PairTableModel(this)}, filter_{new PairFilter(this)},
+      filter_box_{new QLineEdit(this)}, all_{new QToolButton(this)}, count_{new QLabel(this)},
+      table_{new QTableView(this)} {
+  filter_->setSourceModel(model_);
+  filter_box_->setPlaceholderText(tr("Filter by name"));
+  filter_box_->setClearButtonEnabled(true);
+  filter_box_->setAccessibleName(tr("Filter pairs by name"));
+  filter_box_->setMaximumWidth(240);
+  all_->setText(tr("Only chosen objects  ✕"));
+  all_->setToolTip(tr("Show all pairs again (Esc)"));
+  all_->hide();
+  count_->setForegroundRole(QPalette::PlaceholderText);
+
+  table_->setModel(filter_);
+  table_->setAccessibleName(tr("Pairs"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(PairTableModel::kDistance, Qt::AscendingOrder);
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setSectionResizeMode(QHeaderView::Interactive);
+  for (const int names : {PairTableModel::kA, PairTableModel::kB})
+    header->setSectionResizeMode(names, QHeaderView::Stretch);
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96}, {+PairTableModel::kDistance, 126},
+                                      {+PairTableModel::kBound, 104}, {+PairTableModel::kMargin, 104},
+                                      {+PairTableModel::kForce, 88}, {+PairTableModel::kContacts, 86}})
+    header->resizeSection(column, width);
+
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(8, 5, 8, 3);
+  head->addWidget(filter_box_, 1);
+  head->addWidget(all_);
+  head->addStretch();
+  head->addWidget(count_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(head);
+  layout->addWidget(table_, 1);
+
+  connect(filter_box_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_->setText(text);
+    showCount();
+  });
+  connect(all_, &QToolButton::clicked, &selection_, &Selection::clear);
+  connect(&selection_, &Selection::changed, this, &PairPanel::followSelection);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PairPanel::chooseCurrent);
+}
+
+void PairPanel::open(const SceneOutline& outline) {
+  model_->open(outline);
+  filter_->setObjects({});
+  showCount();
+}
+
+void PairPanel::refresh(const SceneSnapshot& snapshot) { model_->refresh(snapshot); }
+
+void PairPanel::chooseCurrent() {
+  if (choosing_) return;
+  const QModelIndexList rows = table_->selectionModel()->selectedRows();
+  if (rows.isEmpty()) return;
+  const int pair = filter_->mapToSource(rows.front()).row();
+  const auto [a, b] = model_->objectsOf(pair);
+  const QScopedValueRollback guard(choosing_, true);
+  selection_.setPair(pair, a, b);
+}
+
+void PairPanel::followSelection() {
+  // A pair chosen in the table itself must not make the other rows go away.
+  if (!choosing_) {
+    const QScopedValueRollback guard(choosing_, true);
+    filter_->setObjects(selection_.pair() < 0 ? selection_.objects() : std::vector<int>{});
+    if (selection_.pair() < 0) table_->clearSelection();
+    else table_->selectRow(filter_->mapFromSource(model_->index(selection_.pair(), 0)).row());
+  }
+  all_->setVisible(selection_.pair() < 0 && !selection_.objects().empty());
+  showCount();
+}
+
+void PairPanel::showCount() {
+  count_->setText(tr("%1 of %2 pairs").arg(filter_->rowCount()).arg(model_->rowCount()));
+}
+
+}  // namespace abstand::ui

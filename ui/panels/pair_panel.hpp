@@ -1,0 +1,44 @@
+// The table of pairs with its filter.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/model/pair_table_model.hpp"
+
+class QLabel;
+class QLineEdit;
+class QTableView;
+class QToolButton;
+
+namespace abstand::ui {
+
+class Selection;
+
+/// Sorted by distance at first. Shows only the pairs of chosen objects; choosing a row chooses both. GUI thread only.
+class PairPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PairPanel(Selection& selection, QWidget* parent = nullptr);
+
+  void open(const SceneOutline& outline);
+  void refresh(const SceneSnapshot& snapshot);
+  QTableView* table() const { return table_; }
+  QLineEdit* filterBox() const { return filter_box_; }
+
+ private:
+  void chooseCurrent();
+  void followSelection();
+  void showCount();
+
+  Selection& selection_;
+  PairTableModel* model_;
+  PairFilter* filter_;
+  QLineEdit* filter_box_;
+  QToolButton* all_;
+  QLabel* count_;
+  QTableView* table_;
+  bool choosing_{false};
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,213 @@
+// The scrub bar.
+#include "ui/panels/time_strip.hpp"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/format.hpp"
+#include "ui/theme.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr int kSide = 10;        // px left and right, for the playhead's handle at the ends
+constexpr int kMarkHeight = 9;   // px above the band
+constexpr int kTickHeight = 16;  // px below
+
+/// Cividis, which stays ordered for every kind of colour vision [Nunez, Anderton, Renslow 2018]: nine stops from near
+/// (bright) to far (dark).
+constexpr std::array<QRgb, 9> kCividis{0xfffee838, 0xffe1cc55, 0xffc3b369, 0xffa59c74, 0xff8a8678,
+                                       0xff707173, 0xff575d6d, 0xff35456c, 0xff00224e};
+constexpr double kFarDistance = 1.0;  // m; everything beyond is equally dark
+
+QRgb heat(double distance) {
+  // The square root gives the first decimetres most of the colours.
+  const double position = std::sqrt(std::clamp(distance / kFarDistance, 0.0, 1.0)) * (kCividis.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(position), kCividis.size() - 2);
+  const double f = position - static_cast<double>(i);
+  const QColor near(kCividis[i]), far(kCividis[i + 1]);
+  const auto mix = [f](int a, int b) { return static_cast<int>(std::lround((1.0 - f) * a + f * b)); };
+  return qRgb(mix(near.red(), far.red()), mix(near.green(), far.green()), mix(near.blue(), far.blue()));
+}
+
+/// 1, 2 or 5 times a power of ten, at least `least`.
+double niceStep(double least) {
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * decade >= least) return factor * decade;
+  return 10.0 * decade;
+}
+
+}  // namespace
+
+TimeStrip::TimeStrip(QWidget* parent) : QWidget(parent) {
+  setMouseTracking(true);
+  setCursor(Qt::PointingHandCursor);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  setAccessibleName(tr("Time slider with the smallest distance"));
+  setAccessibleDescription(tr("Move it with the arrow keys, Home and End"));
+}
+
+void TimeStrip::setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end) {
+  distance_ = distance;
+  force_ = force;
+  start_ = start;
+  end_ = end;
+  time_ = start;
+  rebuild();
+  update();
+}
+
+void TimeStrip::setTime(double t) {
+  if (t == time_) return;
+  time_ = t;
+  update();
+}
+
+void TimeStrip::refresh() {
+  if (!distance_ || distance_->revision() == shown_revision_) return;
+  rebuild();
+  update();
+}
+
+QRect TimeStrip::band() const { return rect().adjusted(kSide, kMarkHeight + 3, -kSide, -kTickHeight - 2); }
+
+double TimeStrip::timeAt(int x) const {
+  const QRect area = band();
+  if (area.width() <= 1 || !(end_ > start_)) return start_;
+  const double f = std::clamp(static_cast<double>(x - area.left()) / (area.width() - 1), 0.0, 1.0);
+  return start_ + f * (end_ - start_);
+}
+
+int TimeStrip::xOf(double t) const {
+  const QRect area = band();
+  if (!(end_ > start_)) return area.left();
+  const double f = std::clamp((t - start_) / (end_ - start_), 0.0, 1.0);
+  return area.left() + static_cast<int>(std::lround(f * (area.width() - 1)));
+}
+
+void TimeStrip::rebuild() {
+  const int width = std::max(1, band().width());
+  if (heat_.width() != width) heat_ = QImage(width, 1, QImage::Format_RGB32);
+  contact_.assign(static_cast<std::size_t>(width), false);
+  const QRgb unknown = palette().color(QPalette::Mid).rgb();
+  auto* row = reinterpret_cast<QRgb*>(heat_.scanLine(0));
+  const double column = (end_ - start_) / width;
+  for (int x = 0; x < width; ++x) {
+    row[x] = unknown;
+    if (!distance_ || !(column > 0.0)) continue;
+    const double left = start_ + x * column;
+    const double nearest = distance_->between(left, left + column).low;
+    if (!std::isnan(nearest)) row[x] = heat(nearest);
+    const bool pressed = force_ && force_->between(left, left + column).high > 0.0;
+    contact_[static_cast<std::size_t>(x)] = pressed || nearest <= 0.0;
+  }
+  shown_revision_ = distance_ ? distance_->revision() : -1;
+}
+
+void TimeStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.drawImage(band(), heat_);
+  paintMarks(painter);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawRect(band().adjusted(-1, -1, 0, 0));
+  paintTicks(painter);
+  if (hover_x_ >= 0 && end_ > start_) {
+    painter.setPen(QPen(palette().color(QPalette::Text), 1.0, Qt::DotLine));
+    painter.drawLine(hover_x_, band().top(), hover_x_, band().bottom());
+  }
+  if (end_ > start_) paintPlayhead(painter);
+}
+
+void TimeStrip::paintMarks(QPainter& painter) const {
+  const QRect area = band();
+  const QColor colour(kVermillion);
+  for (int x = 0; x < static_cast<int>(contact_.size()); ++x) {
+    if (!contact_[static_cast<std::size_t>(x)]) continue;
+    const int px = area.left() + x;
+    painter.setPen(colour);
+    painter.drawLine(px, area.top() + area.height() / 2, px, area.bottom());
+    // A triangle where a contact begins.
+    if (x > 0 && contact_[static_cast<std::size_t>(x - 1)]) continue;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(colour);
+    const double top = area.top() - 2.0;
+    painter.drawPolygon(QVector<QPointF>{{px - 4.0, top - 7.0}, {px + 4.0, top - 7.0}, {px + 0.0, top}});
+    painter.setRenderHint(QPainter::Antialiasing, false);
+  }
+}
+
+void TimeStrip::paintTicks(QPainter& painter) const {
+  if (!(end_ > start_)) return;
+  const QRect area = band();
+  const double step = niceStep((end_ - start_) * 70.0 / std::max(1, area.width()));
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  QFont small = font();
+  small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
+  painter.setFont(small);
+  for (double k = std::ceil(start_ / step - 1e-9); k * step <= end_ + 1e-9; ++k) {
+    const int x = xOf(k * step);
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawLine(x, area.bottom() + 1, x, area.bottom() + 4);
+    painter.setPen(palette().color(QPalette::Text));
+    QRect label(x - 40, area.bottom() + 3, 80, kTickHeight);
+    int align = Qt::AlignHCenter;
+    if (label.left() < 0) label.moveLeft(x), align = Qt::AlignLeft;
+    if (label.right() >= width()) label.moveRight(x), align = Qt::AlignRight;
+    painter.drawText(label, align | Qt::AlignTop, tr("%1 s").arg(fixed(k * step, decimals)));
+  }
+}
+
+void TimeStrip::paintPlayhead(QPainter& painter) const {
+  const QRect area = band();
+  const double x = xOf(time_) + 0.5;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(palette().color(QPalette::Base), 3.0));
+  painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 3));
+  painter.setPen(QPen(palette().color(QPalette::Text), 1.4));
+  painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 3));
+  painter.setBrush(palette().color(QPalette::Highlight));
+  painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
+  painter.drawEllipse(QPointF(x, area.top() - 4.0), 6.0, 6.0);
+}
+
+void TimeStrip::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) Q_EMIT scrubbed(timeAt(event->x()));
+}
+
+void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
+  hover_x_ = std::clamp(event->x(), band().left(), band().right());
+  if (event->buttons() & Qt::LeftButton) Q_EMIT scrubbed(timeAt(event->x()));
+  update();
+}
+
+void TimeStrip::leaveEvent(QEvent*) {
+  hover_x_ = -1;
+  update();
+}
+
+void TimeStrip::resizeEvent(QResizeEvent*) { rebuild(); }
+
+bool TimeStrip::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && distance_) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const double t = timeAt(help->pos().x());
+    const double d = distance_->at(t);
+    QToolTip::showText(help->globalPos(),
+                       std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))
+                                     : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d)),
+                       this);
+    return true;
+  }
+  if (event->type() == QEvent::PaletteChange) rebuild();
+  return QWidget::event(event);
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,58 @@
+// The scrub bar: distance over the whole recording as a heat strip, contacts, playhead.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <vector>
+
+#include "ui/model/frame_series.hpp"
+
+namespace abstand::ui {
+
+/// Bright where the smallest distance was small, dark where it was large, grey where not yet computed, vermillion
+/// ticks with a triangle where there was contact. The playhead follows the pointer while the left button is down.
+class TimeStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TimeStrip(QWidget* parent = nullptr);
+
+  /// Series live in the owner; null for none.
+  void setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end);
+  void setTime(double t);
+  /// Repaints when the series have grown.
+  void refresh();
+
+  double timeAt(int x) const;
+  int xOf(double t) const;
+  QSize sizeHint() const override { return {400, 56}; }
+  QSize minimumSizeHint() const override { return {160, 52}; }
+
+ Q_SIGNALS:
+  void scrubbed(double t);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  QRect band() const;
+  void rebuild();
+  void paintTicks(QPainter& painter) const;
+  void paintMarks(QPainter& painter) const;
+  void paintPlayhead(QPainter& painter) const;
+
+  const FrameSeries* distance_{nullptr};
+  const FrameSeries* force_{nullptr};
+  double start_{0.0}, end_{0.0}, time_{0.0};
+  int hover_x_{-1};
+  QImage heat_;                        // one row, a pixel a column
+  std::vector<bool> contact_;          // by column
+  long shown_revision_{-1};
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,49 @@
+// The live plots: smallest distance, largest force, largest joint torque, on one time axis.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "ui/model/frame_series.hpp"
+
+class QComboBox;
+
+namespace abstand::ui {
+
+class StripChart;
+
+/// The charts share their window. While following, the window moves with the playhead; zooming or dragging ends
+/// that until followChanged(true) is asked for again. GUI thread only.
+class PlotPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlotPanel(QWidget* parent = nullptr);
+
+  /// Series live in the owner and must outlive the panel or be replaced; null for none.
+  void setSeries(const FrameSeries* distance, const FrameSeries* force, const FrameSeries* effort, double start,
+                 double end);
+  void setTime(double t);
+  /// Margin (m) of the nearest pair, shown as a band in the distance chart.
+  void setMargin(double metres);
+  void refresh();
+  bool following() const { return follow_; }
+
+ public Q_SLOTS:
+  void setFollow(bool on);
+
+ Q_SIGNALS:
+  void timePicked(double t);
+  void followChanged(bool on);
+
+ private:
+  void moveWindow(double left, double right);
+  void followTime();
+
+  std::array<StripChart*, 3> charts_;
+  QComboBox* span_;
+  double start_{0.0}, end_{0.0}, time_{0.0};
+  bool follow_{true};
+};
+
+}  // namespace abstand::ui

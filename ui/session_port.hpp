@@ -1,0 +1,35 @@
+// What the window needs from a running session: values to show, and commands.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/snapshot.hpp"
+
+namespace abstand::ui {
+
+/// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's own
+/// thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are simulation
+/// time in seconds between outline().start and outline().end; the session clamps.
+class SessionPort {
+ public:
+  virtual ~SessionPort() = default;
+
+  /// Constant as long as the session lives.
+  virtual const SceneOutline& outline() const = 0;
+  /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
+  virtual bool takeSnapshot(SceneSnapshot& out) = 0;
+  /// Appends every plot sample since the last call, in the order of the cycles.
+  virtual void drainPlot(std::vector<PlotSample>& out) = 0;
+
+  virtual void play(bool on) = 0;
+  /// Moves by this many frame periods (negative: back) and stays paused.
+  virtual void step(int frames) = 0;
+  virtual void seek(double t) = 0;
+  /// 1: as recorded.
+  virtual void setSpeed(double factor) = 0;
+  virtual void setLoop(bool on) = 0;
+  /// Safety margin of one object (index of the outline), metres.
+  virtual void setMargin(int object, double metres) = 0;
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,191 @@
+// One actor an object.
+#include "ui/viewport/object_actors.hpp"
+
+#include <vtkCellPicker.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+#include "ui/model/groups.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/viewport/mesh_data.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr std::size_t kTriangleBudget = 60000;   // more cost too much where the processor draws
+constexpr double kShadowLift = 0.002;            // m above the floor
+constexpr double kShadowThickness = 1e-3;        // of the object's height; a flat matrix could not be inverted
+// Where the key light comes from, per metre of height.
+constexpr double kLightX = -0.12, kLightY = -0.40;
+
+void setColour(vtkProperty* property, const QColor& c) { property->SetColor(c.redF(), c.greenF(), c.blueF()); }
+
+bool assign(vtkMatrix4x4* matrix, const Eigen::Matrix4d& m) {
+  bool changed = false;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) changed |= matrix->GetElement(r, c) != m(r, c);
+  if (!changed) return false;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) matrix->SetElement(r, c, m(r, c));
+  return true;
+}
+
+bool show(vtkActor* actor, bool visible) {
+  if ((actor->GetVisibility() != 0) == visible) return false;
+  actor->SetVisibility(visible);
+  return true;
+}
+
+}  // namespace
+
+void ObjectActors::open(const SceneOutline& outline, Theme theme) {
+  for (const Item& item : items_) {
+    renderer_->RemoveActor(item.body);
+    renderer_->RemoveActor(item.outline);
+    back_->RemoveActor(item.shadow);
+  }
+  items_.assign(outline.objects.size(), {});
+  infos_ = outline.objects;
+  theme_ = theme;
+  std::size_t triangles = 0;
+  for (const TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
+  const double keep = triangles > kTriangleBudget ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles) : 1.0;
+
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    Item& item = items_[i];
+    item.human = infos_[i].human;
+    item.pose = vtkSmartPointer<vtkMatrix4x4>::New();
+    item.shadow_pose = vtkSmartPointer<vtkMatrix4x4>::New();
+    static const TriangleMesh kNothing;
+    const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
+    item.shadow = addActor(back_, data.shadow, item.shadow_pose);
+    item.shadow->GetProperty()->LightingOff();
+    item.outline = addActor(renderer_, data.hull, item.pose);
+    item.outline->GetProperty()->LightingOff();
+    item.outline->GetProperty()->FrontfaceCullingOn();
+    item.outline->VisibilityOff();
+    item.body = addActor(renderer_, data.surface, item.pose);
+    vtkProperty* look = item.body->GetProperty();
+    look->SetInterpolationToGouraud();
+    look->SetAmbient(0.30);
+    look->SetDiffuse(0.80);
+    look->SetSpecular(0.12);
+    look->SetSpecularPower(18.0);
+    look->BackfaceCullingOn();
+  }
+  setTheme(theme);
+}
+
+vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetUserMatrix(pose);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+void ObjectActors::setTheme(Theme theme) {
+  theme_ = theme;
+  SceneOutline names;
+  names.objects = infos_;
+  const SceneColours colours = sceneColours(theme);
+  for (const Group& group : groupsOf(names)) {
+    for (std::size_t k = 0; k < group.objects.size(); ++k) {
+      Item& item = items_[static_cast<std::size_t>(group.objects[k])];
+      item.colour = group.kind == GroupKind::kHuman     ? colours.human
+                    : group.kind == GroupKind::kObjects ? colours.objects
+                                                        : mechanismColour(group.index_of_kind, theme);
+      // Neighbouring links differ a little, so that the joints can be seen.
+      if (group.kind == GroupKind::kMechanism && k % 2 == 1) item.colour = item.colour.darker(109);
+      setColour(item.body->GetProperty(), item.colour);
+      setColour(item.shadow->GetProperty(), colours.shadow);
+    }
+  }
+}
+
+bool ObjectActors::refresh(const SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options) {
+  bool changed = false;
+  const std::size_t n = std::min(items_.size(), snapshot.objects.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    changed |= place(items_[i], snapshot.objects[i].X_WB);
+    changed |= paint(items_[i], snapshot.objects[i], selection.contains(static_cast<int>(i)), options);
+  }
+  return changed;
+}
+
+bool ObjectActors::place(Item& item, const Transform& X_WB) {
+  if (!assign(item.pose, X_WB.matrix())) return false;
+  // Slanting projection onto the floor along the key light.
+  Eigen::Matrix4d flat = Eigen::Matrix4d::Identity();
+  flat(0, 2) = -kLightX;
+  flat(1, 2) = -kLightY;
+  flat(0, 3) = kLightX * floor_;
+  flat(1, 3) = kLightY * floor_;
+  flat(2, 2) = kShadowThickness;
+  flat(2, 3) = floor_ * (1.0 - kShadowThickness) + kShadowLift;
+  assign(item.shadow_pose, flat * X_WB.matrix());
+  return true;
+}
+
+bool ObjectActors::paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options) {
+  vtkProperty* look = item.body->GetProperty();
+  const auto before = look->GetMTime();
+  const bool hollow = now.pose_state == PoseState::kStale || now.pose_state == PoseState::kRejected;
+  const bool marked = now.colliding || chosen;
+  setColour(look, now.colliding ? QColor(kVermillion) : item.colour);
+  look->SetRepresentation(hollow ? VTK_WIREFRAME : VTK_SURFACE);
+  look->SetLighting(!hollow);
+  // An inferred pose is between known and lost: whole, but with its edges.
+  look->SetEdgeVisibility(now.pose_state == PoseState::kInferred);
+  look->SetEdgeColor(0.45, 0.5, 0.55);
+  look->SetOpacity(item.human && !marked ? options.human_opacity : 1.0);
+  bool changed = look->GetMTime() != before;
+
+  vtkProperty* edge = item.outline->GetProperty();
+  const auto edge_before = edge->GetMTime();
+  setColour(edge, chosen ? QColor(kAccent) : QColor(kVermillion).darker(190));
+  changed |= edge->GetMTime() != edge_before;
+  changed |= show(item.body, item.visible);
+  // What is hidden shows itself as an outline when it touches something.
+  changed |= show(item.outline, marked && !hollow && (item.visible || now.colliding));
+  changed |= show(item.shadow, item.visible && options.floor && options.shadows);
+  return changed;
+}
+
+void ObjectActors::setVisible(int object, bool visible) {
+  if (object >= 0 && static_cast<std::size_t>(object) < items_.size())
+    items_[static_cast<std::size_t>(object)].visible = visible;
+}
+
+Bounds ObjectActors::bounds(const std::vector<int>& only) const {
+  Bounds box;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const bool wanted = only.empty() ? items_[i].visible
+                                     : std::find(only.begin(), only.end(), static_cast<int>(i)) != only.end();
+    const double* b = items_[i].body->GetBounds();
+    if (!wanted || !b || b[0] > b[1]) continue;
+    box.add({b[0], b[2], b[4]});
+    box.add({b[1], b[3], b[5]});
+  }
+  return box;
+}
+
+int ObjectActors::pick(double x, double y) const {
+  vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0.0);
+  picker->PickFromListOn();
+  for (const Item& item : items_)
+    if (item.visible) picker->AddPickList(item.body);
+  if (!picker->Pick(x, y, 0.0, renderer_)) return -1;
+  for (std::size_t i = 0; i < items_.size(); ++i)
+    if (items_[i].body == picker->GetActor()) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace abstand::ui

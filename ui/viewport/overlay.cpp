@@ -1,0 +1,203 @@
+// Text and lines over the 3D picture.
+#include "ui/viewport/overlay.hpp"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr double kAxisLength = 30.0;   // px
+constexpr double kMargin = 14.0;       // px from the edges
+constexpr int kMarkWidth = 34;         // px, of the legend's arrows
+constexpr double kNameLift = 66.0;     // px from a point up to a name, so that the names do not hide the contact
+constexpr double kValueDrop = 30.0;    // px from a point down to a value
+
+void arrow(QPainter& p, QPointF from, QPointF to, double head) {
+  p.drawLine(from, to);
+  const QPointF d = to - from;
+  const double length = std::hypot(d.x(), d.y());
+  if (length < 1.0) return;
+  const QPointF u = d / length;
+  const QPointF side(-u.y(), u.x());
+  p.save();
+  p.setBrush(p.pen().color());
+  p.setPen(Qt::NoPen);
+  p.drawPolygon(QVector<QPointF>{to + u * 2.0, to - u * head + side * head * 0.5, to - u * head - side * head * 0.5});
+  p.restore();
+}
+
+QColor edgeColour(OverlayLabel::Style style) {
+  switch (style) {
+    case OverlayLabel::Style::kContact: return QColor(kVermillion);
+    case OverlayLabel::Style::kNear: return QColor(kAmber);
+    case OverlayLabel::Style::kPlain: break;
+  }
+  return QColor(0xff8a95a1);
+}
+
+void legendMark(QPainter& p, const LegendLine& line, const QRectF& box) {
+  const double y = box.center().y();
+  const QPointF left(box.left(), y), right(box.right() - 3, y);
+  switch (line.mark) {
+    case LegendLine::Mark::kArrow:
+      p.setPen(QPen(line.colour, 3.2));
+      arrow(p, left, right - QPointF(4, 0), 10.0);
+      break;
+    case LegendLine::Mark::kThinArrow:
+      p.setPen(QPen(line.colour, 1.6));
+      arrow(p, left, right - QPointF(2, 0), 7.0);
+      break;
+    case LegendLine::Mark::kCurvedArrow: {
+      const QRectF arc(box.center().x() - 7, y - 7, 14, 14);
+      p.setPen(QPen(line.colour, 2.6));
+      p.drawArc(arc, 0, 250 * 16);
+      const double end = 250.0 * 3.14159265 / 180.0;
+      const QPointF tip(arc.center().x() + 7 * std::cos(end), arc.center().y() - 7 * std::sin(end));
+      arrow(p, tip - QPointF(0.2, 0), tip + QPointF(1.2, 0.5), 8.0);
+      break;
+    }
+    case LegendLine::Mark::kDashes:
+      p.setPen(QPen(line.colour, 2.0, Qt::DashLine));
+      p.drawLine(left, right);
+      break;
+  }
+}
+
+}  // namespace
+
+Overlay::Overlay(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void Overlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (!content_.message.isEmpty()) {
+    paintMessage(painter);
+    return;
+  }
+  for (const OverlaySegment& segment : content_.segments) {
+    // A light rim keeps the line apart from bodies of any colour.
+    painter.setPen(QPen(QColor(255, 255, 255, 170), 4.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(segment.a, segment.b);
+    painter.setPen(QPen(segment.colour, 2.0, segment.dashed ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(segment.a, segment.b);
+    painter.setPen(QPen(Qt::white, 1.2));
+    painter.setBrush(segment.colour);
+    painter.drawEllipse(segment.a, 4.0, 4.0);
+    painter.drawEllipse(segment.b, 4.0, 4.0);
+  }
+  paintLabels(painter);
+  paintAxes(painter);
+  paintLegend(painter);
+}
+
+void Overlay::paintLabels(QPainter& painter) const {
+  const SceneColours colours = sceneColours(themeOf(palette()));
+  std::vector<QRectF> taken;
+  QFont font = this->font();
+  font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  const QFontMetricsF metrics(font, const_cast<Overlay*>(this));
+  // Lower points first, so that the lines up to the labels cross each other less; all lines below all labels.
+  std::vector<std::pair<const OverlayLabel*, QRectF>> placed;
+  std::vector<const OverlayLabel*> order;
+  for (const OverlayLabel& label : content_.labels) order.push_back(&label);
+  std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->at.y() > b->at.y(); });
+  for (const OverlayLabel* each : order) {
+    const OverlayLabel& label = *each;
+    if (!rect().adjusted(-20, -20, 20, 20).contains(label.at.toPoint())) continue;
+    QRectF box(0, 0, metrics.horizontalAdvance(label.text) + 16, metrics.height() + 6);
+    box.moveCenter(label.at + QPointF(0, label.below ? kValueDrop : -kNameLift));
+    const auto overlaps = [&](const QRectF& other) { return other.adjusted(-2, -2, 2, 2).intersects(box); };
+    for (int tries = 0; tries < 12 && std::any_of(taken.begin(), taken.end(), overlaps); ++tries)
+      box.translate(0, (label.below ? 1.0 : -1.0) * (box.height() + 3));
+    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
+    box.moveTop(std::max(box.top(), 4.0));
+    taken.push_back(box);
+    placed.emplace_back(&label, box);
+    painter.setPen(QPen(edgeColour(label.style), 1.2));
+    painter.drawLine(label.at, QPointF(std::clamp(label.at.x(), box.left(), box.right()),
+                                       label.below ? box.top() : box.bottom()));
+  }
+  for (const auto& [label, box] : placed) {
+    const bool contact = label->style == OverlayLabel::Style::kContact;
+    const QColor edge = edgeColour(label->style);
+    painter.setPen(QPen(edge, 1.2));
+    painter.setBrush(contact ? edge : colours.label_back);
+    painter.drawRoundedRect(box, 4.0, 4.0);
+    painter.setPen(contact ? QColor(Qt::white) : colours.label_text);
+    painter.drawText(box, Qt::AlignCenter, label->text);
+  }
+}
+
+void Overlay::paintAxes(QPainter& painter) const {
+  static constexpr QRgb kAxisColours[3]{0xffa8483c, 0xff4d7f4a, 0xff3f63a0};
+  const int lighter = themeOf(palette()) == Theme::kDark ? 150 : 100;
+  static const QString kNames[3]{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+  const QPointF origin(kMargin + kAxisLength + 6, height() - kMargin - kAxisLength - 6);
+  QFont font = this->font();
+  font.setBold(true);
+  painter.setFont(font);
+  for (int k = 0; k < 3; ++k) {
+    const QPointF d = content_.axes[static_cast<std::size_t>(k)];
+    const QPointF tip = origin + kAxisLength * d;
+    painter.setPen(QPen(QColor(kAxisColours[k]).lighter(lighter), 2.2, Qt::SolidLine, Qt::RoundCap));
+    arrow(painter, origin, tip, 7.0);
+    if (std::hypot(d.x(), d.y()) < 0.15) continue;
+    const QPointF at = tip + 9.0 * d / std::hypot(d.x(), d.y());
+    painter.drawText(QRectF(at.x() - 8, at.y() - 9, 16, 18), Qt::AlignCenter, kNames[k]);
+  }
+}
+
+void Overlay::paintLegend(QPainter& painter) const {
+  if (content_.legend.empty()) return;
+  const SceneColours colours = sceneColours(themeOf(palette()));
+  painter.setFont(font());
+  const QFontMetricsF metrics(font(), const_cast<Overlay*>(this));
+  double text_width = 0.0;
+  for (const LegendLine& line : content_.legend) text_width = std::max(text_width, metrics.horizontalAdvance(line.text));
+  const double row = metrics.height() + 5.0;
+  QRectF box(0, 0, text_width + kMarkWidth + 30.0, row * static_cast<double>(content_.legend.size()) + 10.0);
+  box.moveBottomRight(QPointF(width() - kMargin, height() - kMargin));
+  QColor back = colours.label_back;
+  back.setAlpha(200);
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.setBrush(back);
+  painter.drawRoundedRect(box, 5.0, 5.0);
+  double y = box.top() + 5.0;
+  for (const LegendLine& line : content_.legend) {
+    painter.setBrush(Qt::NoBrush);
+    legendMark(painter, line, QRectF(box.left() + 10, y, kMarkWidth, row));
+    painter.setPen(colours.label_text);
+    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, text_width + 4, row), Qt::AlignLeft | Qt::AlignVCenter,
+                     line.text);
+    y += row;
+  }
+}
+
+void Overlay::paintMessage(QPainter& painter) const {
+  const SceneColours colours = sceneColours(themeOf(palette()));
+  QFont font = this->font();
+  font.setPointSizeF(font.pointSizeF() + 2.0);
+  painter.setFont(font);
+  const QRect area = rect().adjusted(40, 40, -40, -40);
+  QRectF box = painter.boundingRect(area, Qt::AlignCenter | Qt::TextWordWrap, content_.message);
+  box.adjust(-24, -18, 24, 18);
+  QColor back = colours.label_back;
+  painter.setBrush(back);
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.drawRoundedRect(box, 8.0, 8.0);
+  painter.setPen(colours.label_text);
+  painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, content_.message);
+}
+
+}  // namespace abstand::ui

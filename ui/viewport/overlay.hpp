@@ -1,0 +1,58 @@
+// Text and lines over the 3D picture, drawn by Qt: sharp at any scale, never hidden behind a body.
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+namespace abstand::ui {
+
+struct OverlayLabel {
+  enum class Style { kContact, kNear, kPlain };
+  QPointF at;
+  QString text;
+  Style style{Style::kPlain};
+  bool below{false};   ///< the label stands below its point, else well above it
+};
+
+struct OverlaySegment {
+  QPointF a, b;
+  QColor colour;
+  bool dashed{false};
+};
+
+struct LegendLine {
+  enum class Mark { kArrow, kCurvedArrow, kThinArrow, kDashes };
+  Mark mark{Mark::kArrow};
+  QColor colour;
+  QString text;
+};
+
+struct OverlayContent {
+  std::vector<OverlayLabel> labels;
+  std::vector<OverlaySegment> segments;
+  std::vector<LegendLine> legend;
+  std::array<QPointF, 3> axes;   ///< x, y, z on the screen, length at most 1
+  QString message;               ///< in the middle of an empty view
+};
+
+/// Lets all mouse events through.
+class Overlay : public QWidget {
+ public:
+  explicit Overlay(QWidget* parent);
+  OverlayContent& content() { return content_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintAxes(QPainter& painter) const;
+  void paintLegend(QPainter& painter) const;
+  void paintLabels(QPainter& painter) const;
+  void paintMessage(QPainter& painter) const;
+
+  OverlayContent content_;
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,29 @@
+// What the viewport shows.
+#pragma once
+
+namespace abstand::ui {
+
+struct ViewOptions {
+  bool forces{true};
+  bool torques{true};
+  bool velocities{false};
+  bool closest{true};
+  bool labels{true};
+  bool floor{true};
+  bool shadows{true};
+  /// Longest arrow of a kind has a fixed length in the scene; otherwise the lengths below hold.
+  bool auto_scale{true};
+  double human_opacity{0.7};
+
+  double metres_per_newton{0.002};
+  double metres_per_newton_metre{0.01};
+  double metres_per_metre_per_second{0.25};
+  /// Smaller ones are not drawn: they would be dots.
+  double least_force{0.5};      ///< N
+  double least_torque{0.05};    ///< N m
+  double least_speed{0.02};     ///< m/s
+};
+
+enum class CameraPreset { kFront, kSide, kTop, kIso };
+
+}  // namespace abstand::ui

@@ -1,0 +1,244 @@
+// The 3D view, drawn with VTK.
+#include "ui/viewport/viewport.hpp"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+
+#include <QLabel>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/model/selection.hpp"
+#include "ui/viewport/opengl.hpp"
+#include "ui/viewport/viewport_impl.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr int kSoftwareIntervalMs = 66;    // about 15 frames a second
+constexpr int kHardwareIntervalMs = 16;
+constexpr int kHardwareSamples = 4;
+constexpr int kClickSlack = 4;             // px that a click may wander
+constexpr double kZoomPerNotch = 0.88;
+
+}  // namespace
+
+Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
+    : owner{viewport}, selection{chosen}, room{back, renderer}, objects{renderer, back}, arrows{front}, camera{renderer},
+      overlay{new Overlay(&viewport)} {
+  auto* layout = new QVBoxLayout(&owner);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const OpenGlInfo& info = openGlInfo();
+  if (!info.available) {
+    auto* sorry = new QLabel(Viewport::tr("No OpenGL 3.2 here: the 3D view stays empty, everything else works."), &owner);
+    sorry->setAlignment(Qt::AlignCenter);
+    layout->addWidget(sorry);
+    overlay->hide();
+    return;
+  }
+  least_interval_ms = info.software ? kSoftwareIntervalMs : kHardwareIntervalMs;
+  gl = new QVTKOpenGLNativeWidget(&owner);
+  gl->setFocusPolicy(Qt::NoFocus);
+  gl->setAccessibleName(Viewport::tr("3D view"));
+  gl->installEventFilter(&owner);
+  layout->addWidget(gl);
+  window->SetMultiSamples(info.software ? 0 : kHardwareSamples);
+  window->SetNumberOfLayers(3);
+  int layer = 0;
+  for (vtkRenderer* each : {back.Get(), renderer.Get(), front.Get()}) {
+    each->SetLayer(layer++);
+    each->SetActiveCamera(renderer->GetActiveCamera());
+    window->AddRenderer(each);
+  }
+  // The last layer smooths the whole picture; cheaper than multisampling where the processor draws.
+  front->SetUseFXAA(info.software);
+  gl->setRenderWindow(window);
+  overlay->raise();
+  frame_timer.setSingleShot(true);
+  QObject::connect(&frame_timer, &QTimer::timeout, &owner, [this] { drawFrame(); });
+  since_frame.start();
+}
+
+Viewport::Impl::~Impl() = default;
+
+void Viewport::Impl::refresh() {
+  if (!outline || !gl) return;
+  bool changed = objects.refresh(snapshot, selection, options);
+  changed |= arrows.refresh(*outline, snapshot, options);
+  if (changed) askForFrame();
+}
+
+void Viewport::Impl::askForFrame() {
+  if (!gl || frame_timer.isActive()) return;
+  frame_timer.start(std::max<int>(0, least_interval_ms - static_cast<int>(since_frame.elapsed())));
+}
+
+void Viewport::Impl::drawFrame() {
+  // Before its first show the widget has no context; it draws itself then.
+  if (!gl->isValid()) return;
+  back->ResetCameraClippingRange();
+  fillOverlay();
+  window->Render();
+  overlay->update();
+  since_frame.restart();
+  ++frames;
+}
+
+void Viewport::Impl::resize() {
+  overlay->setGeometry(owner.rect());
+  camera.setViewSize(owner.size());
+  askForFrame();
+}
+
+void Viewport::Impl::setTheme() {
+  const Theme theme = themeOf(owner.palette());
+  room.setTheme(theme);
+  objects.setTheme(theme);
+  refresh();
+  askForFrame();
+}
+
+Viewport::Viewport(Selection& selection, QWidget* parent)
+    : QWidget(parent), impl_{std::make_unique<Impl>(*this, selection)} {
+  setMinimumSize(240, 180);
+  impl_->setTheme();
+  connect(&selection, &Selection::changed, this, [this] {
+    impl_->refresh();
+    impl_->askForFrame();
+  });
+}
+
+Viewport::~Viewport() {
+  if (impl_->gl) impl_->gl->removeEventFilter(this);
+}
+
+void Viewport::open(const SceneOutline& outline, const SceneSnapshot& first) {
+  Impl& my = *impl_;
+  my.outline = &outline;
+  my.snapshot = first;
+  my.overlay->content().message.clear();
+  if (!my.gl) return;
+  my.objects.open(outline, themeOf(palette()));
+  my.arrows.open(outline);
+  // Poses first, then the floor below them, then the shadows upon it.
+  my.objects.refresh(my.snapshot, my.selection, my.options);
+  my.room.fitTo(my.objects.bounds());
+  my.objects.setFloorHeight(my.room.floorHeight());
+  my.refresh();
+  look(CameraPreset::kIso);
+}
+
+void Viewport::close() {
+  Impl& my = *impl_;
+  my.outline = nullptr;
+  my.snapshot = {};
+  my.fillOverlay();
+  if (!my.gl) return;
+  my.objects.open({}, themeOf(palette()));
+  my.arrows.open({});
+  my.askForFrame();
+}
+
+void Viewport::refresh(const SceneSnapshot& snapshot) {
+  impl_->snapshot = snapshot;
+  impl_->refresh();
+}
+
+const ViewOptions& Viewport::options() const { return impl_->options; }
+
+void Viewport::setOptions(const ViewOptions& options) {
+  impl_->options = options;
+  impl_->room.setVisible(options.floor);
+  impl_->refresh();
+  impl_->askForFrame();
+}
+
+void Viewport::setObjectVisible(int object, bool visible) {
+  impl_->objects.setVisible(object, visible);
+  impl_->refresh();
+  impl_->askForFrame();
+}
+
+void Viewport::look(CameraPreset preset) {
+  impl_->camera.look(preset, impl_->objects.bounds());
+  impl_->askForFrame();
+}
+
+void Viewport::fit() {
+  impl_->camera.fit(impl_->objects.bounds());
+  impl_->askForFrame();
+}
+
+void Viewport::fitSelection() {
+  impl_->camera.fit(impl_->objects.bounds(impl_->selection.objects()));
+  impl_->askForFrame();
+}
+
+void Viewport::setMessage(const QString& text) {
+  impl_->overlay->content().message = text;
+  impl_->overlay->update();
+}
+
+QImage Viewport::picture() {
+  Impl& my = *impl_;
+  if (!my.gl) return grab().toImage();
+  my.frame_timer.stop();
+  my.drawFrame();
+  QImage image = my.gl->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  my.overlay->render(&image, QPoint(), QRegion(), QWidget::DrawChildren);
+  return image;
+}
+
+long Viewport::framesDrawn() const { return impl_->frames; }
+
+void Viewport::resizeEvent(QResizeEvent*) { impl_->resize(); }
+
+void Viewport::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && impl_) impl_->setTheme();
+  QWidget::changeEvent(event);
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  Impl& my = *impl_;
+  if (watched != my.gl) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      my.press = my.last_mouse = static_cast<QMouseEvent*>(event)->pos();
+      return true;
+    case QEvent::MouseMove: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      const QPoint moved = mouse->pos() - my.last_mouse;
+      my.last_mouse = mouse->pos();
+      if (mouse->buttons() & Qt::LeftButton && !(mouse->modifiers() & Qt::ShiftModifier))
+        my.camera.orbit(moved.x(), moved.y());
+      else if (mouse->buttons() != Qt::NoButton) my.camera.pan(moved.x(), moved.y());
+      else return true;
+      my.askForFrame();
+      return true;
+    }
+    case QEvent::MouseButtonRelease: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (mouse->button() != Qt::LeftButton || (mouse->pos() - my.press).manhattanLength() > kClickSlack) return true;
+      const double scale = my.gl->devicePixelRatioF();
+      const int object = my.objects.pick(mouse->x() * scale, (my.gl->height() - 1 - mouse->y()) * scale);
+      if (object < 0) my.selection.clear();
+      else my.selection.setObjects({object});
+      return true;
+    }
+    case QEvent::MouseButtonDblClick: fitSelection(); return true;
+    case QEvent::Wheel: {
+      const auto* wheel = static_cast<QWheelEvent*>(event);
+      my.camera.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
+      my.askForFrame();
+      return true;
+    }
+    default: return QWidget::eventFilter(watched, event);
+  }
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,53 @@
+// The 3D view.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <memory>
+
+#include "core/scene/snapshot.hpp"
+#include "ui/viewport/view_options.hpp"
+
+namespace abstand::ui {
+
+class Selection;
+
+/// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or right: pan;
+/// wheel: zoom. Without OpenGL it says so and the rest of the window works. GUI thread only.
+class Viewport : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Viewport(Selection& selection, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  /// Builds all actors and looks at the scene. The outline must live until the next open() or close().
+  void open(const SceneOutline& outline, const SceneSnapshot& first);
+  void close();
+  void refresh(const SceneSnapshot& snapshot);
+
+  const ViewOptions& options() const;
+  void setOptions(const ViewOptions& options);
+  void setObjectVisible(int object, bool visible);
+  void look(CameraPreset preset);
+  void fit();
+  void fitSelection();
+  /// In the middle of the view while no scene is open.
+  void setMessage(const QString& text);
+
+  /// The picture with labels, at the screen's resolution.
+  QImage picture();
+  /// Number of frames drawn so far.
+  long framesDrawn() const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,109 @@
+// What the 3D view writes over its picture: closest points, names, legend.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ui/format.hpp"
+#include "ui/model/groups.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/viewport/viewport_impl.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr std::size_t kClosestPairs = 4;    // lines; more hide the scene
+constexpr std::size_t kContactLabels = 4;
+constexpr double kFarLine = 1.5;            // m; farther apart nothing is near
+
+QPointF axis(const Camera& camera, const Vector3d& direction) {
+  const Vector3d s = camera.onScreen(direction);
+  return {s.x(), s.y()};
+}
+
+}  // namespace
+
+void Viewport::Impl::fillOverlay() {
+  OverlayContent& content = overlay->content();
+  content.labels.clear();
+  content.segments.clear();
+  content.legend.clear();
+  if (!outline) return;
+  camera.update();
+  content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()), axis(camera, Vector3d::UnitZ())};
+  if (snapshot.pairs.size() == outline->pairs.size()) {
+    if (options.closest) addClosest();
+    if (options.labels) addContactLabels();
+  }
+  addLegend();
+}
+
+void Viewport::Impl::addClosest() {
+  if (order_.size() != snapshot.pairs.size()) {
+    order_.resize(snapshot.pairs.size());
+    std::iota(order_.begin(), order_.end(), 0);
+  }
+  const auto distance = [&](int pair) {
+    const double d = snapshot.pairs[static_cast<std::size_t>(pair)].result.distance;
+    return std::isnan(d) ? kInfinity : d;
+  };
+  // A chosen pair comes first, then by distance.
+  const auto key = [&](int pair) { return pair == selection.pair() ? -kInfinity : distance(pair); };
+  const std::size_t shown = std::min(kClosestPairs, order_.size());
+  std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(shown), order_.end(),
+                    [&](int a, int b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
+  OverlayContent& content = overlay->content();
+  for (std::size_t k = 0; k < shown; ++k) {
+    const int pair = order_[k];
+    const PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
+    const PairResult& result = now.result;
+    if (!(result.distance < kFarLine) && pair != selection.pair()) break;
+    if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
+    double depth_a = 0.0, depth_b = 0.0;
+    const QPointF a = camera.project(result.witness_a, &depth_a);
+    const QPointF b = camera.project(result.witness_b, &depth_b);
+    if (depth_a <= 0.0 || depth_b <= 0.0) continue;
+    const bool contact = result.contacts > 0 || result.distance < 0.0;
+    const bool near = result.distance < kNearFactor * now.margin;
+    content.segments.push_back({a, b, QColor(contact ? kVermillion : near ? kAmber : 0xff5f6b77), near && !contact});
+    if (k > 0 && pair != selection.pair()) continue;
+    const auto style = contact ? OverlayLabel::Style::kContact
+                       : near  ? OverlayLabel::Style::kNear
+                               : OverlayLabel::Style::kPlain;
+    content.labels.push_back({0.5 * (a + b), millimetresWithUnit(result.distance), style, true});
+  }
+}
+
+void Viewport::Impl::addContactLabels() {
+  OverlayContent& content = overlay->content();
+  std::size_t contacts = 0;
+  for (std::size_t i = 0; i < std::min(snapshot.objects.size(), outline->objects.size()); ++i) {
+    const ObjectSnapshot& object = snapshot.objects[i];
+    const bool chosen = selection.contains(static_cast<int>(i));
+    if (!chosen && (!object.colliding || contacts >= kContactLabels)) continue;
+    double depth = 0.0;
+    const QPointF at = camera.project(object.p_WCom, &depth);
+    if (depth <= 0.0) continue;
+    const QString name = QString::fromStdString(shortName(outline->objects[i]));
+    if (object.colliding) ++contacts;
+    const double force = object.contact.force.norm();
+    if (!object.colliding) content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
+    else if (force >= options.least_force)
+      content.labels.push_back({at, Viewport::tr("⚠ %1  %2 N").arg(name, fixed(force, 1)),
+                                OverlayLabel::Style::kContact});
+    else content.labels.push_back({at, Viewport::tr("⚠ %1").arg(name), OverlayLabel::Style::kContact});
+  }
+}
+
+void Viewport::Impl::addLegend() {
+  auto& legend = overlay->content().legend;
+  const auto add = [&](LegendLine::Mark mark, QRgb colour, const ArrowScale& scale, const QString& text, int decimals) {
+    if (scale.metres <= 0.0) return;
+    legend.push_back({mark, QColor(colour), text.arg(millimetresWithUnit(scale.metres, 0), fixed(scale.value, decimals))});
+  };
+  add(LegendLine::Mark::kArrow, 0xffc0342b, arrows.forceScale(), Viewport::tr("Force: %1 ≙ %2 N"), 1);
+  add(LegendLine::Mark::kCurvedArrow, kBlue, arrows.torqueScale(), Viewport::tr("Torque: %1 ≙ %2 N·m"), 2);
+  add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
+}
+
+}  // namespace abstand::ui
