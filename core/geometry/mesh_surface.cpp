@@ -1,6 +1,7 @@
 // The surface of a triangle mesh.
 #include "core/geometry/mesh_surface.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/error.hpp"
@@ -55,12 +56,13 @@ SurfacePoint MeshSurface::closest(const Vector3d& p, std::uint32_t hint) const {
 
 bool MeshSurface::inside(const Vector3d& p) const {
   if (((p - bounds_.lower).array() < 0.0).any() || ((bounds_.upper - p).array() < 0.0).any()) return false;
-  return embedded() ? sides_.behind(tree_.closest(p), p) : winding_.at(p) > 0.5;
+  return embedded() ? sides_.behind(tree_.closest(p), p) : std::abs(winding_.at(p)) > 0.5;
 }
 
 bool MeshSurface::inside(const Vector3d& p, const SurfacePoint& closest_to_p) const {
   if (((p - bounds_.lower).array() < 0.0).any() || ((bounds_.upper - p).array() < 0.0).any()) return false;
-  return embedded() ? sides_.behind(tree_.closestOn(closest_to_p.hint, p), p) : winding_.at(p) > 0.5;
+  return embedded() ? sides_.behind(tree_.closestOn(closest_to_p.hint, p), p)
+                    : std::abs(winding_.at(p)) > 0.5;
 }
 
 std::unique_ptr<Surface> makeSurface(TriangleMesh mesh) {

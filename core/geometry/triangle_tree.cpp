@@ -12,9 +12,12 @@ namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 // A box's squared distance in float may be too large by a few roundings; pruning allows for them.
-constexpr float kPruneFactor = 1.0f + 4e-6f;
+constexpr float kPruneFactor = 1.0f + 8e-6f;
 // Rounding of a query point to float, relative to its size, and of the boxes' corners.
 constexpr float kFloatSlack = 3e-7f;
+// How far a distance to a triangle in float may be off, relative to the sizes of query and tree: about ten
+// roundings, and a reserve.
+constexpr float kLeafSlack = 4e-6f;
 // The tree's depth is bounded by halving: 4 levels of stack entries for each level of the tree.
 constexpr int kStack = 256;
 constexpr int kBins = 16;
@@ -30,12 +33,13 @@ double halfArea(const Bounds& box) {
 }  // namespace
 
 struct TriangleTree::Local {
-  double x, y;   ///< nearest point in the triangle's frame
+  double x, y;  ///< nearest point in the triangle's frame
   double d2;
   Feature feature;
 };
 
-/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every run.
+/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every
+/// run.
 class TriangleTreeBuilder {
  public:
   TriangleTreeBuilder(const TriangleMesh& mesh, TriangleTree& tree) : mesh_(mesh), tree_(tree) {
@@ -57,6 +61,7 @@ class TriangleTreeBuilder {
     build(0, static_cast<std::uint32_t>(n), 0);
     tree_.triangles_.reserve(n);
     for (const std::uint32_t t : order_) addTriangle(t);
+    for (TriangleTree::Leaf& leaf : tree_.leaves_) fillLeaf(leaf);
   }
 
  private:
@@ -113,8 +118,8 @@ class TriangleTreeBuilder {
         if (c < best_cost) best_cost = c, best = b;
       }
       if (best >= 0) {
-        const auto middle = std::partition(begin + r.begin, begin + r.end,
-                                           [&](std::uint32_t t) { return binOf(t) <= best; });
+        const auto middle =
+            std::partition(begin + r.begin, begin + r.end, [&](std::uint32_t t) { return binOf(t) <= best; });
         return static_cast<std::uint32_t>(middle - begin);
       }
     }
@@ -151,11 +156,37 @@ class TriangleTreeBuilder {
     }
     for (int c = 0; c < n; ++c) {
       const bool leaf = parts[c].size() <= TriangleTree::kLeafTriangles;
-      const std::uint32_t child = leaf ? parts[c].begin : build(parts[c].begin, parts[c].end, depth + 1);
+      const std::uint32_t child = leaf ? addLeaf(parts[c]) : build(parts[c].begin, parts[c].end, depth + 1);
       tree_.nodes_[index].index[c] = child;
       tree_.nodes_[index].count[c] = leaf ? parts[c].size() : 0;
     }
     return index;
+  }
+
+  std::uint32_t addLeaf(Range r) {
+    tree_.leaves_.emplace_back();
+    tree_.leaves_.back().first = r.begin;
+    tree_.leaves_.back().count = r.size();
+    return static_cast<std::uint32_t>(tree_.leaves_.size() - 1);
+  }
+
+  void fillLeaf(TriangleTree::Leaf& leaf) const {
+    for (std::uint32_t lane = 0; lane < TriangleTree::kLeafTriangles; ++lane) {
+      const TriangleTree::Triangle& t = tree_.triangles_[leaf.first + std::min(lane, leaf.count - 1)];
+      for (int k = 0; k < 3; ++k) {
+        leaf.a[k][lane] = static_cast<float>(t.a[k]);
+        leaf.ex[k][lane] = static_cast<float>(t.ex[k]);
+        leaf.ey[k][lane] = static_cast<float>(t.ey[k]);
+        leaf.n[k][lane] = static_cast<float>(t.n[k]);
+      }
+      const double ux = t.bx - t.cx;
+      leaf.bx[lane] = static_cast<float>(t.bx);
+      leaf.cx[lane] = static_cast<float>(t.cx);
+      leaf.cy[lane] = static_cast<float>(t.cy);
+      leaf.ux[lane] = static_cast<float>(ux);
+      leaf.per_ac2[lane] = static_cast<float>(1.0 / (t.cx * t.cx + t.cy * t.cy));
+      leaf.per_bc2[lane] = static_cast<float>(1.0 / (ux * ux + t.cy * t.cy));
+    }
   }
 
   void addTriangle(std::uint32_t id) {
@@ -175,7 +206,9 @@ class TriangleTreeBuilder {
     t.cx = ac.dot(t.ex);
     const Vector3d height = ac - t.cx * t.ex;
     t.cy = height.norm();
+    // A second step, as in a sliver `height` is mostly rounding along ex.
     t.ey = height / t.cy;
+    t.ey = (t.ey - t.ey.dot(t.ex) * t.ex).normalized();
     t.n = t.ex.cross(t.ey);
     t.id = id;
     t.rotation = rotation;
@@ -250,54 +283,107 @@ TriangleTree::Nearest TriangleTree::closestOn(std::uint32_t slot, const Vector3d
   return {origin_ + t.a + aq, (ap - aq).norm(), slot, local.feature};
 }
 
+// The same as closestLocal without branches, for a leaf's triangles at once and in float.
+TriangleTree::Lanes TriangleTree::squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q) {
+  const Lanes px = q.x() - leaf.a[0], py = q.y() - leaf.a[1], pz = q.z() - leaf.a[2];
+  const Lanes x = px * leaf.ex[0] + py * leaf.ex[1] + pz * leaf.ex[2];
+  const Lanes y = px * leaf.ey[0] + py * leaf.ey[1] + pz * leaf.ey[2];
+  const Lanes z = px * leaf.n[0] + py * leaf.n[1] + pz * leaf.n[2];
+  const Lanes from_b = leaf.bx - x;
+  const Lanes ab_x = x - x.max(0.0f).min(leaf.bx);
+  const Lanes ac = ((x * leaf.cx + y * leaf.cy) * leaf.per_ac2).max(0.0f).min(1.0f);
+  const Lanes ac_x = x - ac * leaf.cx, ac_y = y - ac * leaf.cy;
+  const Lanes bc = ((from_b * leaf.ux + y * leaf.cy) * leaf.per_bc2).max(0.0f).min(1.0f);
+  const Lanes bc_x = from_b - bc * leaf.ux, bc_y = y - bc * leaf.cy;
+  const Lanes edges = (ab_x * ab_x + y * y).min(ac_x * ac_x + ac_y * ac_y).min(bc_x * bc_x + bc_y * bc_y);
+  const Lanes left = leaf.cy * x - leaf.cx * y, right = leaf.cy * from_b - leaf.ux * y;
+  const Lanes within = y.min(left).min(right);
+  return z * z + (within >= 0.0f).select(Lanes::Zero(), edges);
+}
+
+TriangleTree::Lanes TriangleTree::squaredDistances(const Node& node, const Eigen::Vector3f& low,
+                                                   const Eigen::Vector3f& high) {
+  static_assert(kWidth == kLeafTriangles);
+  Lanes d2 = Lanes::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Lanes lower = Eigen::Map<const Lanes, Eigen::Aligned16>(node.lower[k]);
+    const Lanes upper = Eigen::Map<const Lanes, Eigen::Aligned16>(node.upper[k]);
+    const Lanes gap = (lower - high[k]).max(low[k] - upper).max(0.0f);
+    d2 += gap * gap;
+  }
+  return d2;
+}
+
+// A slot near q, by the nearest box at each node.
+std::uint32_t TriangleTree::descend(const Eigen::Vector3f& q) const {
+  std::uint32_t index = 0;
+  for (;;) {
+    const Node& node = nodes_[index];
+    const Lanes d2 = squaredDistances(node, q, q);
+    int nearest = 0;
+    for (int c = 1; c < kWidth; ++c) {
+      if (d2[c] < d2[nearest]) nearest = c;
+    }
+    index = node.index[nearest];
+    if (node.count[nearest] == 0) continue;
+    const Lanes in_leaf = squaredDistances(leaves_[index], q);
+    std::uint32_t lane = 0;
+    for (std::uint32_t i = 1; i < node.count[nearest]; ++i) {
+      if (in_leaf[i] < in_leaf[lane]) lane = i;
+    }
+    return leaves_[index].first + lane;
+  }
+}
+
 TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hint) const {
-  using Lanes = Eigen::Array<float, kWidth, 1>;
   struct Entry {
     float d2;
     std::uint32_t index, count;
   };
   const Vector3d q = p - origin_;
-  std::uint32_t best_slot = hint < triangles_.size() ? hint : 0;
-  double best = closestLocal(triangles_[best_slot], q - triangles_[best_slot].a).d2;
-  float limit = static_cast<float>(best) * kPruneFactor;
-
   const Eigen::Vector3f qf = q.cast<float>();
-  const float slack = kFloatSlack * std::max(scale_, qf.cwiseAbs().maxCoeff());
-  const Eigen::Vector3f q_hi = qf.array() + slack, q_lo = qf.array() - slack;
+  const float size = std::max(scale_, qf.cwiseAbs().maxCoeff());
+  const Eigen::Vector3f high = qf.array() + kFloatSlack * size, low = qf.array() - kFloatSlack * size;
+  const float leaf_slack = kLeafSlack * size;
+
+  std::uint32_t best_slot = hint < triangles_.size() ? hint : descend(qf);
+  double best = closestLocal(triangles_[best_slot], q - triangles_[best_slot].a).d2;
+  float box_limit, leaf_limit;
+  const auto setLimits = [&] {
+    const float d = std::sqrt(static_cast<float>(best));
+    box_limit = std::min(d * d * kPruneFactor, std::numeric_limits<float>::max());
+    leaf_limit = (d + leaf_slack) * (d + leaf_slack) * kPruneFactor;
+  };
+  setLimits();
   std::array<Entry, kStack> stack;
   int top = 0;
   stack[top++] = {0.0f, 0, 0};
   while (top > 0) {
     const Entry entry = stack[--top];
-    if (!(entry.d2 <= limit)) continue;
+    if (!(entry.d2 <= box_limit)) continue;
     if (entry.count > 0) {
+      const Leaf& leaf = leaves_[entry.index];
+      const Lanes d2 = squaredDistances(leaf, qf);
+      if (!(d2.minCoeff() <= leaf_limit)) continue;
       for (std::uint32_t i = 0; i < entry.count; ++i) {
-        const std::uint32_t slot = entry.index + i;
-        const Triangle& t = triangles_[slot];
-        const Vector3d ap = q - t.a;
-        const double z = ap.dot(t.n);
-        if (z * z > best) continue;
-        const double d2 = closestLocal(t, ap).d2;
-        if (d2 < best || (d2 == best && slot < best_slot)) best = d2, best_slot = slot;
+        const std::uint32_t slot = leaf.first + i;
+        if (!(d2[i] <= leaf_limit) || slot == best_slot) continue;
+        const double exact = closestLocal(triangles_[slot], q - triangles_[slot].a).d2;
+        if (exact < best || (exact == best && slot < best_slot)) {
+          best = exact;
+          best_slot = slot;
+          setLimits();
+        }
       }
-      limit = static_cast<float>(best) * kPruneFactor;
       continue;
     }
+    // With the hint's or the descent's triangle as a limit the order hardly matters; so nothing is sorted,
+    // and nothing depends on a branch that is hard to foresee.
     const Node& node = nodes_[entry.index];
-    Lanes d2 = Lanes::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const Lanes lower = Eigen::Map<const Lanes, Eigen::Aligned16>(node.lower[k]);
-      const Lanes upper = Eigen::Map<const Lanes, Eigen::Aligned16>(node.upper[k]);
-      const Lanes gap = (lower - q_hi[k]).max(q_lo[k] - upper).max(Lanes::Zero());
-      d2 += gap * gap;
-    }
-    // Nearest child on top of the stack.
-    const int floor = top;
+    const Lanes d2 = squaredDistances(node, low, high);
     for (int c = 0; c < kWidth; ++c) {
-      if (!(d2[c] <= limit) || node.index[c] == kNone) continue;
-      int at = top++;
-      for (; at > floor && stack[at - 1].d2 < d2[c]; --at) stack[at] = stack[at - 1];
-      stack[at] = {d2[c], node.index[c], node.count[c]};
+      stack[top] = {d2[c], node.index[c], node.count[c]};
+      top += d2[c] <= box_limit;
     }
   }
   return closestOn(best_slot, p);

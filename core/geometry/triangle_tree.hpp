@@ -9,21 +9,21 @@
 
 namespace abstand {
 
-/// Which part of a triangle a point lies on. Corner i is the triangle's first (A), second (B) or third (C) corner in
-/// the order of TriangleTree::corners; edge i runs from corner i to the next.
+/// Which part of a triangle a point lies on. Corner i is the triangle's first (A), second (B) or third (C)
+/// corner in the order of TriangleTree::corners; edge i runs from corner i to the next.
 enum class Feature : std::uint8_t { kFace, kEdge0, kEdge1, kEdge2, kCorner0, kCorner1, kCorner2 };
 
 /// Flat tree, four children a node, boxes in float rounded outwards, split by the surface area heuristic; the
-/// triangles in double, in leaf order ("slots"). Constant after construction; queries allocate nothing, do not
-/// throw, and their answer does not depend on the hint.
+/// triangles in double, in leaf order ("slots"). Constant after construction; queries allocate nothing, do
+/// not throw, and their answer does not depend on the hint.
 class TriangleTree {
  public:
   static constexpr int kWidth = 4;
   static constexpr int kLeafTriangles = 4;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// A node's four children. `count` 0: an inner node `index`; else a leaf of `count` slots from `index`. Unused
-  /// children have an empty box and index kNone.
+  /// A node's four children. `count` 0: the inner node `index`; else the leaf `index`, of `count` slots.
+  /// Unused children have an empty box and index kNone.
   struct alignas(16) Node {
     float lower[3][kWidth];
     float upper[3][kWidth];
@@ -31,8 +31,8 @@ class TriangleTree {
     std::uint32_t count[kWidth];
   };
   struct Nearest {
-    Vector3d point;        ///< on the triangle
-    double distance;       ///< |p - point|
+    Vector3d point;   ///< on the triangle
+    double distance;  ///< |p - point|
     std::uint32_t slot;
     Feature feature;
   };
@@ -41,8 +41,8 @@ class TriangleTree {
   /// Triangles must have positive area; at least one.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Nearest point of all triangles; the smallest slot where triangles tie. `hint`: slot of an earlier answer nearby,
-  /// or kNone. Exact but for rounding of double.
+  /// Nearest point of all triangles (p nearer than 1e18 m); the smallest slot where triangles tie. `hint`:
+  /// slot of an earlier answer nearby, or kNone. Exact but for rounding of double.
   Nearest closest(const Vector3d& p, std::uint32_t hint = kNone) const;
   /// Nearest point of one triangle.
   Nearest closestOn(std::uint32_t slot, const Vector3d& p) const;
@@ -54,6 +54,8 @@ class TriangleTree {
   int rotation(std::uint32_t slot) const { return triangles_[slot].rotation; }
   const Vector3d& normal(std::uint32_t slot) const { return triangles_[slot].n; }
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// The first slot of a leaf; the others follow it.
+  std::uint32_t firstSlot(std::uint32_t leaf) const { return leaves_[leaf].first; }
   /// The boxes of the nodes are relative to this point.
   const Vector3d& origin() const { return origin_; }
 
@@ -64,19 +66,32 @@ class TriangleTree {
  private:
   /// A triangle in its own frame: A at the origin, the longest edge AB along ex, C = (cx, cy) with cy > 0.
   struct Triangle {
-    Vector3d a, ex, ey, n;   ///< a relative to origin_
+    Vector3d a, ex, ey, n;  ///< a relative to origin_
     double bx, cx, cy;
     std::uint32_t id;
     std::uint32_t rotation;
   };
   struct Local;
+  using Lanes = Eigen::Array<float, kLeafTriangles, 1>;
+  /// A leaf's triangles side by side in float, to tell which of them are worth a look in double. Unused lanes
+  /// repeat the last triangle.
+  struct Leaf {
+    Lanes a[3], ex[3], ey[3], n[3];
+    Lanes bx, cx, cy, ux;    ///< ux = bx - cx
+    Lanes per_ac2, per_bc2;  ///< 1 / squared lengths of edges AC and BC
+    std::uint32_t first, count;
+  };
 
   static Local closestLocal(const Triangle& t, const Vector3d& ap);
+  static Lanes squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q);
+  static Lanes squaredDistances(const Node& node, const Eigen::Vector3f& low, const Eigen::Vector3f& high);
+  std::uint32_t descend(const Eigen::Vector3f& q) const;
 
   Vector3d origin_{Vector3d::Zero()};
-  float scale_{0.0f};   ///< largest coordinate of a box
+  float scale_{0.0f};  ///< largest coordinate of a box
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
+  std::vector<Leaf> leaves_;
 
   friend class TriangleTreeBuilder;
 };
@@ -100,7 +115,8 @@ void TriangleTree::forOverlapping(const Bounds& box, Fn&& fn) const {
       if (node.count[c] == 0) {
         stack[top++] = node.index[c];
       } else {
-        for (std::uint32_t i = 0; i < node.count[c]; ++i) fn(node.index[c] + i);
+        const std::uint32_t first = firstSlot(node.index[c]);
+        for (std::uint32_t i = 0; i < node.count[c]; ++i) fn(first + i);
       }
     }
   }

@@ -40,11 +40,13 @@ WindingNumber::Sums WindingNumber::addNode(const TriangleTree& tree, std::uint32
     nodes_[node].index[c] = from.index[c];
     nodes_[node].count[c] = from.count[c];
     if (from.index[c] == TriangleTree::kNone) continue;
+    if (from.count[c] > 0) nodes_[node].index[c] = tree.firstSlot(from.index[c]);
     Sums sums;
     if (from.count[c] == 0) {
       sums = addNode(tree, from.index[c]);
     } else {
-      for (std::uint32_t s = from.index[c]; s < from.index[c] + from.count[c]; ++s) {
+      const std::uint32_t first = nodes_[node].index[c];
+      for (std::uint32_t s = first; s < first + from.count[c]; ++s) {
         const Corners& t = corners_[s];
         const Vector3d n = 0.5 * (t.b - t.a).cross(t.c - t.a);
         const double area = n.norm();

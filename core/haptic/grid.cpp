@@ -1,30 +1,31 @@
+// The grid of voxels that a voxelmap and a float field share.
 #include "core/haptic/grid.hpp"
 
 #include <cmath>
+#include <sstream>
 
 #include "core/base/error.hpp"
 
 namespace abstand {
-namespace {
-
-// A body whose extent is a whole number of voxels must not lose one to rounding.
-constexpr double kRounding = 1e-9;
-constexpr double kMostVoxelsAlong = 30000.0;
-
-}  // namespace
 
 VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
+  // An extent that is a multiple of the voxel but for rounding counts as one.
+  constexpr double kRounding = 1e-9;
+  const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
+  const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;
+  if (!(counts.prod() <= kMostVoxels)) {
+    std::ostringstream message;
+    message << "a voxel size of " << voxel_size << " m makes " << counts.x() << " x " << counts.y() << " x "
+            << counts.z() << " voxels of a body of " << box.extent().x() << " x " << box.extent().y() << " x "
+            << box.extent().z() << " m; at most " << kMostVoxels << " are made, so a voxel size of "
+            << voxel_size * std::cbrt(counts.prod() / kMostVoxels) * 1.05
+            << " m or fewer outer layers would do";
+    throw UsageError(message.str());
+  }
   VoxelGrid grid;
   grid.voxel_size = voxel_size;
-  for (int i = 0; i < 3; ++i) {
-    const double inner = std::floor(box.extent()[i] / voxel_size + kRounding) + 1.0;
-    if (!(inner + 2.0 * outer_layers < kMostVoxelsAlong))
-      throw UsageError("the body is too large for voxels of " + std::to_string(voxel_size) +
-                       " m: more than " + std::to_string(static_cast<int>(kMostVoxelsAlong)) +
-                       " along one axis");
-    grid.size[i] = static_cast<int>(inner) + 2 * outer_layers;
-    grid.first_centre[i] = box.centre()[i] - 0.5 * voxel_size * (grid.size[i] - 1);
-  }
+  grid.size = counts.cast<int>();
+  grid.first_centre = box.centre() - 0.5 * voxel_size * (grid.size - Vector3i::Ones()).cast<double>();
   return grid;
 }
 

@@ -25,8 +25,12 @@ struct VoxelGrid {
   }
 };
 
+/// Of one grid.
+inline constexpr double kMostVoxels = 1e9;
+
 /// The thesis's grid: floor(extent / s) + 1 voxels about the centre of `box`, and `outer_layers` more on
-/// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3].
+/// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3]. Throws UsageError for
+/// more than kMostVoxels voxels, saying which voxel size would do.
 VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers);
 
 }  // namespace abstand

@@ -1,49 +1,53 @@
+// What a user chooses about a haptic structure.
 #include "core/haptic/haptic_options.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "core/base/error.hpp"
-#include "core/base/number.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 3> kFieldNames{
-    {{FieldKind::kLayered, "layered"}, {FieldKind::kFloat, "float"}, {FieldKind::kMixed, "mixed"}}};
+// m: a grain of dust, and a hall.
+constexpr double kLeastPitch = 1e-5;
+constexpr double kMostPitch = 10.0;
+constexpr int kMostOuterLayers = 10'000;
 
-// A grain of dust and a hall: nothing sensible lies outside.
-constexpr double kSmallest = 1e-5, kLargest = 10.0;
-constexpr int kMostLayers = 10000;
-
-void requireLength(double value, const char* name) {
-  if (!(value >= kSmallest && value <= kLargest))
-    throw UsageError(std::string(name) + ": found " + formatDouble(value) + " m, expected " +
-                     formatDouble(kSmallest) + " to " + formatDouble(kLargest));
+void requireLength(const char* name, double value) {
+  if (std::isfinite(value) && value >= kLeastPitch && value <= kMostPitch) return;
+  throw UsageError(std::string(name) + " is " + std::to_string(value) + " m; it must lie between " +
+                   std::to_string(kLeastPitch) + " and " + std::to_string(kMostPitch) + " m");
 }
 
 }  // namespace
 
 std::string_view fieldName(FieldKind kind) {
-  for (const auto& [k, name] : kFieldNames)
-    if (k == kind) return name;
+  switch (kind) {
+    case FieldKind::kLayered:
+      return "layered";
+    case FieldKind::kFloat:
+      return "float";
+    case FieldKind::kMixed:
+      return "mixed";
+  }
   return "";
 }
 
 std::optional<FieldKind> parseFieldKind(std::string_view text) {
-  for (const auto& [kind, name] : kFieldNames)
-    if (name == text) return kind;
+  for (const FieldKind kind : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
+    if (text == fieldName(kind)) return kind;
+  }
   return std::nullopt;
 }
 
 void HapticOptions::validate() const {
-  requireLength(voxel_size, "voxel size");
-  requireLength(point_spacing, "point spacing");
-  if (outer_layers < 0 || outer_layers > kMostLayers)
-    throw UsageError("outer layers: found " + std::to_string(outer_layers) + ", expected 0 to " +
-                     std::to_string(kMostLayers));
+  requireLength("the voxel size", voxel_size);
+  requireLength("the point spacing", point_spacing);
+  if (outer_layers < 0 || outer_layers > kMostOuterLayers) {
+    throw UsageError("the number of outer layers is " + std::to_string(outer_layers) +
+                     "; it must lie between 0 and " + std::to_string(kMostOuterLayers));
+  }
 }
 
 }  // namespace abstand

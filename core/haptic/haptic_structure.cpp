@@ -1,80 +1,105 @@
+// Builds everything the collision engine knows of one body.
 #include "core/haptic/haptic_structure.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
+
+#include "core/haptic/voxelmap_sides.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr double kMixedBand = 4.0;      // voxels: where forces of ordinary penetrations live
-constexpr double kFarSpacing = 2.0;     // voxels of the first far grid, or
-constexpr double kFarCells = 16.0;      // this part of the body's extent, whichever is coarser
-constexpr double kFarReach = 2.0;       // m: a person's reach and more
-constexpr double kCountSagitta = 0.02;  // voxels, of the tessellation that stands for a shape's triangles
+// Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
+// where its own error is a small part of the distance.
+constexpr double kBand = 4.0;
+// Spacing of the far field's first grid: so many voxels, or this part of the body's extent, whichever is
+// more.
+constexpr double kFarSpacing = 2.0;
+constexpr double kFarPart = 1.0 / 16.0;
+// m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
+constexpr double kFarReach = 2.0;
+// Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
+constexpr double kSagitta = 0.1;
 
-template <class T>
-std::size_t bytesOf(const std::vector<T>& v) {
-  return v.size() * sizeof(T);
+struct ShapeRadius {
+  double operator()(const Sphere& s) const { return s.radius; }
+  double operator()(const Ellipsoid& s) const { return s.semi_axes.maxCoeff(); }
+  double operator()(const Cuboid& s) const { return 0.5 * s.size.norm(); }
+  double operator()(const Cylinder& s) const { return std::hypot(s.radius, 0.5 * s.length); }
+  double operator()(const Capsule& s) const { return s.radius + 0.5 * s.length; }
+};
+
+EnclosingSphere sphereAbout(const Surface& surface, const TriangleMesh& mesh) {
+  if (const Shape* shape = surface.shape()) return {Vector3d::Zero(), std::visit(ShapeRadius{}, *shape)};
+  std::vector<Vector3d> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) corners.push_back(mesh.corner(t, i));
+  }
+  return minimalSphere(corners);
+}
+
+std::size_t bytesOf(const Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }
+
+std::size_t bytesOf(const PointSphereTree& tree) {
+  return tree.nodes.capacity() * sizeof(PointSphereTree::Node) + 7 * sizeof(float) * tree.x.capacity() +
+         tree.shell_index.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace
 
 double HapticStructure::errorBound() const {
-  // A layer is certain to a voxel's diagonal and a half [design: sqrt(3)/2 for the sign, one layer for the
-  // count].
-  const double field = near_field ? near_field->errorBound() : 1.5 * std::sqrt(3.0) * options.voxel_size;
-  return field + shell.covering_radius;
+  // The count of layers is certain to a voxel's diagonal, and its sign on the surface layer to half of one.
+  const double layer_error = 1.5 * std::sqrt(3.0) * grid.voxel_size;
+  return (near_field ? near_field->errorBound() : layer_error) + shell.covering_radius;
 }
 
 std::size_t HapticStructure::memoryBytes() const {
-  std::size_t bytes = far_field.memoryBytes();
+  std::size_t bytes = far_field.memoryBytes() + bytesOf(shell) + bytesOf(tree);
+  if (voxelmap) bytes += voxelmap->layer.capacity() * sizeof(std::int16_t);
   if (near_field) bytes += near_field->memoryBytes();
-  if (voxelmap) bytes += bytesOf(voxelmap->layer);
-  for (const auto* v : {&shell.x, &shell.y, &shell.z, &shell.nx, &shell.ny, &shell.nz, &shell.area, &tree.x,
-                        &tree.y, &tree.z, &tree.nx, &tree.ny, &tree.nz, &tree.area})
-    bytes += bytesOf(*v);
-  return bytes + bytesOf(tree.nodes) + bytesOf(tree.shell_index);
+  return bytes;
 }
 
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
                                                             std::shared_ptr<const Surface> surface,
                                                             const HapticOptions& options, int threads) {
+  const auto start = std::chrono::steady_clock::now();
   options.validate();
-  const auto begin = std::chrono::steady_clock::now();
-  auto s = std::make_shared<HapticStructure>();
-  s->name = std::move(name);
-  s->options = options;
-  s->surface = std::move(surface);
-  const Surface& body = *s->surface;
-  const double voxel = options.voxel_size;
-  s->grid = makeGrid(body.bounds(), voxel, options.outer_layers);
+  auto structure = std::make_shared<HapticStructure>();
+  HapticStructure& s = *structure;
+  s.name = std::move(name);
+  s.options = options;
+  s.surface = std::move(surface);
+  const Bounds box = s.surface->bounds();
+  const double h = options.voxel_size;
+  s.grid = makeGrid(box, h, options.outer_layers);
 
-  // The voxelmap is kept for layered fields; the others only report its counts, for which no outer layer is
-  // needed.
-  const bool layered = options.field == FieldKind::kLayered;
-  Voxelmap map = makeVoxelmap(body, voxel, layered ? options.outer_layers : 0, threads);
-  s->surface_voxels = map.surface_voxels;
-  s->solid_voxels = map.solid_voxels;
-  if (layered)
-    s->voxelmap = std::move(map);
-  else
-    s->near_field.emplace(body, s->grid, options.field == FieldKind::kFloat ? kInfinity : kMixedBand * voxel,
-                          threads);
-  s->far_field = FarField(body, std::max(kFarSpacing * voxel, body.bounds().extent().maxCoeff() / kFarCells),
-                          kFarReach, threads);
+  if (options.field == FieldKind::kLayered) {
+    s.voxelmap = makeVoxelmap(*s.surface, h, options.outer_layers, threads);
+    s.surface_voxels = s.voxelmap->surface_voxels;
+    s.solid_voxels = s.voxelmap->solid_voxels;
+  } else {
+    const VoxelSides sides = findVoxelSides(*s.surface, h, threads);
+    s.surface_voxels = sides.surface_voxels;
+    s.solid_voxels = sides.solid_voxels;
+    s.near_field.emplace(*s.surface, s.grid, options.field == FieldKind::kMixed ? kBand * h : kInfinity,
+                         threads);
+  }
+  s.far_field =
+      FarField(*s.surface, std::max(kFarSpacing * h, kFarPart * box.extent().maxCoeff()), kFarReach, threads);
+  s.shell = makePointshell(*s.surface, options.point_spacing);
+  s.tree = makeTree(s.shell);
 
-  s->shell = makePointshell(body, options.point_spacing);
-  s->tree = makeTree(s->shell);
-  std::vector<Vector3d> points(s->shell.size());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = s->shell.point(i);
-  s->bounding_sphere = minimalSphere(points);
-  s->bounding_sphere.radius += s->shell.covering_radius;
-  s->mass_properties = body.massProperties();
-  s->com = s->mass_properties.com;
-  s->triangles = body.mesh(kCountSagitta * voxel).triangles.size();
-  s->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  return s;
+  s.mass_properties = s.surface->massProperties();
+  s.com = s.mass_properties.com;
+  const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
+  s.triangles = mesh.triangles.size();
+  s.bounding_sphere = sphereAbout(*s.surface, mesh);
+  s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return structure;
 }
 
 }  // namespace abstand

@@ -1,5 +1,7 @@
+// Signed float distances about the surface.
 #include "core/haptic/near_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -8,93 +10,191 @@
 namespace abstand {
 namespace {
 
-// A 1-Lipschitz function differs from its trilinear interpolation by at most sum w_i |p - x_i|, which is
-// largest, half a cell's diagonal, in the middle of the cell.
-const double kLipschitzError = std::sqrt(3.0) / 2.0;
-// Of float values and positions within some metres, in voxels.
-constexpr double kFloatError = 1e-4;
-constexpr std::uint32_t kMostBlocks = 1u << 20;  // 3 GB
+constexpr int kCells = NearField::kCells;
+constexpr int kVertices = NearField::kVertices;
+constexpr double kEpsilon = 0x1p-23;
+constexpr double kMostBytes = 2e9;
+constexpr double kDiagonal = 1.7320508075688774;
+
+double distanceToBox(const Bounds& box, const Vector3d& p) {
+  return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
+}
+
+// Whether a cube about c, with this many voxels along an edge, comes within the band or holds a part of the
+// inside. The distance changes by no more than the way, so one query decides for all but the cubes at the rim
+// of the band; those are parted once.
+bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int voxels, double h,
+              double band, std::uint32_t& hint) {
+  const double half = 0.5 * voxels * h;
+  if (distanceToBox(body, c) > band + kDiagonal * half) return false;
+  const SurfacePoint nearest = surface.closest(c, hint);
+  hint = nearest.hint;
+  if (nearest.distance <= band + half || surface.inside(c, nearest)) return true;
+  if (nearest.distance > band + kDiagonal * half) return false;
+  if (voxels < kCells) return true;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3d way = 0.5 * half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    if (isNeeded(surface, body, c + way, voxels / 2, h, band, hint)) return true;
+  }
+  return false;
+}
+
+// Which blocks are kept, as seen from one of them: at (1, 0, 0) the next along x, and so on.
+struct Neighbours {
+  std::uint32_t block[2][2][2];  ///< [z][y][x]
+
+  // The block that computes a vertex: the farthest along the axes that holds it.
+  std::uint32_t owner(int i, int j, int k) const {
+    return block[k == kCells ? 1 : 0][j == kCells ? 1 : 0][i == kCells ? 1 : 0];
+  }
+};
+
+// Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
+// so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
+// together exceed the way between the vertices, no surface lies between and the sign stays; but across the
+// holes of an open mesh the sign changes anywhere.
+void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
+               float* values) {
+  constexpr double kSure = 1.0 + 1e-9;
+  const bool closed = surface.watertight();
+  const std::uint32_t self = neighbours.block[0][0][0];
+  SurfacePoint nearest{origin, -1.0, kNoHint};
+  Vector3d before = origin;
+  bool inside = false;
+  int i = 0, j = 0, di = 1, dj = 1;
+  for (int k = 0; k < kVertices; ++k) {
+    for (int row = 0; row < kVertices; ++row) {
+      for (int column = 0; column < kVertices; ++column) {
+        const std::uint32_t owner = neighbours.owner(i, j, k);
+        if (owner == self || owner == NearField::kNoBlock) {
+          const Vector3d p = origin + h * Vector3d(i, j, k);
+          const double distance_before = nearest.distance;
+          nearest = surface.closest(p, nearest.hint);
+          const bool same_side = closed && nearest.distance + distance_before > kSure * (p - before).norm();
+          if (!same_side || distance_before < 0.0) inside = surface.inside(p, nearest);
+          before = p;
+          values[(k * kVertices + j) * kVertices + i] =
+              static_cast<float>(inside ? -nearest.distance : nearest.distance);
+        }
+        if (column + 1 < kVertices) i += di;
+      }
+      di = -di;
+      if (row + 1 < kVertices) j += dj;
+    }
+    dj = -dj;
+  }
+}
+
+// The vertices that fillBlock left to their owners.
+void copyFromOwners(const Neighbours& neighbours, float* all_values, float* values) {
+  for (int k = 0; k < kVertices; ++k) {
+    for (int j = 0; j < kVertices; ++j) {
+      for (int i = k == kCells || j == kCells ? 0 : kCells; i < kVertices; ++i) {
+        const std::uint32_t owner = neighbours.owner(i, j, k);
+        if (owner == neighbours.block[0][0][0] || owner == NearField::kNoBlock) continue;
+        const int at = ((k % kCells) * kVertices + j % kCells) * kVertices + i % kCells;
+        values[(k * kVertices + j) * kVertices + i] =
+            all_values[std::size_t(owner) * NearField::kBlockValues + at];
+      }
+    }
+  }
+}
 
 }  // namespace
 
-NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads)
-    : grid_(grid),
-      ox_(static_cast<float>(grid.first_centre.x())),
-      oy_(static_cast<float>(grid.first_centre.y())),
-      oz_(static_cast<float>(grid.first_centre.z())),
-      inv_h_(static_cast<float>(1.0 / grid.voxel_size)),
-      error_bound_((kLipschitzError + kFloatError) * grid.voxel_size),
-      band_(band) {
+NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads) : grid_(grid) {
   const double h = grid.voxel_size;
-  for (int i = 0; i < 3; ++i) blocks_[i] = std::max(1, (grid.size[i] + kCells - 2) / kCells);
-  const std::size_t block_count = static_cast<std::size_t>(blocks_[0]) * blocks_[1] * blocks_[2];
-  block_index_.assign(block_count, kNoBlock);
+  const Vector3d corner = grid.first_centre.array() - 0.5 * h;
+  ox_ = static_cast<float>(corner.x());
+  oy_ = static_cast<float>(corner.y());
+  oz_ = static_cast<float>(corner.z());
+  inv_h_ = static_cast<float>(1.0 / h);
+  // The vertices lie where sample() takes them to be.
+  const Vector3d origin(ox_, oy_, oz_);
+  const double step = 1.0 / double(inv_h_);
+  for (int k = 0; k < 3; ++k) {
+    blocks_[k] = (grid.size[k] + kCells - 1) / kCells;
+    cells_[k] = static_cast<float>(blocks_[k] * kCells);
+  }
+  const std::size_t all = std::size_t(blocks_[0]) * blocks_[1] * blocks_[2];
+  const auto blockOrigin = [&](std::size_t b) -> Vector3d {
+    const Vector3d place(double(b % blocks_[0]), double(b / blocks_[0] % blocks_[1]),
+                         double(b / (std::size_t(blocks_[0]) * blocks_[1])));
+    return origin + kCells * step * place;
+  };
 
-  // A block is wanted when some point of it may lie in the band, or inside the body.
-  const double half_diagonal = 0.5 * kCells * h * std::sqrt(3.0);
-  std::vector<char> wanted(block_count, 1);
-  if (std::isfinite(band))
-    parallelFor(threads, block_count, [&](std::size_t b) {
-      const Vector3d corner(static_cast<double>(b % blocks_[0]),
-                            static_cast<double>(b / blocks_[0] % blocks_[1]),
-                            static_cast<double>(b / blocks_[0] / blocks_[1]));
-      const Vector3d centre = grid.first_centre + h * kCells * (corner.array() + 0.5).matrix();
-      const SurfacePoint nearest = surface.closest(centre);
-      wanted[b] = nearest.distance - half_diagonal <= band || surface.inside(centre, nearest);
+  const Bounds body = surface.bounds();
+  std::vector<char> needed(all, 1);
+  if (std::isfinite(band)) {
+    parallelFor(threads, std::size_t(blocks_[1]) * blocks_[2], [&](std::size_t row) {
+      std::uint32_t hint = kNoHint;
+      for (std::size_t b = row * blocks_[0]; b < (row + 1) * blocks_[0]; ++b) {
+        const Vector3d centre = blockOrigin(b).array() + 0.5 * kCells * step;
+        needed[b] = isNeeded(surface, body, centre, kCells, step, band, hint);
+      }
     });
-  std::uint32_t count = 0;
-  for (std::size_t b = 0; b < block_count; ++b)
-    if (wanted[b]) block_index_[b] = count++;
-  constexpr std::size_t kValues = static_cast<std::size_t>(kVertices) * kVertices * kVertices;
-  if (count > kMostBlocks)
-    throw UsageError("the field needs " + std::to_string(count) + " blocks, expected at most " +
-                     std::to_string(kMostBlocks) +
-                     ": take a larger voxel, fewer outer layers or the mixed field");
-  values_.resize(count * kValues);
-
-  // Exact distances at the vertices; neighbours share their nearest triangle, so each hints the next.
-  parallelFor(threads, block_count, [&](std::size_t b) {
-    if (block_index_[b] == kNoBlock) return;
-    const Vector3i corner =
-        kCells * Vector3i(static_cast<int>(b % blocks_[0]), static_cast<int>(b / blocks_[0] % blocks_[1]),
-                          static_cast<int>(b / blocks_[0] / blocks_[1]));
-    float* out = &values_[block_index_[b] * kValues];
-    std::uint32_t hint = kNoHint;
-    for (int k = 0; k < kVertices; ++k)
-      for (int j = 0; j < kVertices; ++j)
-        for (int i = 0; i < kVertices; ++i) {
-          const Vector3d p = grid.first_centre + h * (corner + Vector3i(i, j, k)).cast<double>();
-          const SurfacePoint nearest = surface.closest(p, hint);
-          hint = nearest.hint;
-          *out++ = static_cast<float>(surface.inside(p, nearest) ? -nearest.distance : nearest.distance);
-        }
+  }
+  block_index_.assign(all, kNoBlock);
+  std::vector<std::size_t> kept;
+  for (std::size_t b = 0; b < all; ++b) {
+    if (!needed[b]) continue;
+    block_index_[b] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(b);
+  }
+  if (double(kept.size()) * kBlockValues * sizeof(float) > kMostBytes) {
+    throw UsageError(
+        "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
+  }
+  values_.resize(kept.size() * kBlockValues);
+  const auto neighboursOf = [&](std::size_t b) {
+    const int place[3] = {int(b % blocks_[0]), int(b / blocks_[0] % blocks_[1]),
+                          int(b / (std::size_t(blocks_[0]) * blocks_[1]))};
+    Neighbours neighbours;
+    for (int c = 0; c < 8; ++c) {
+      const int x = place[0] + (c & 1), y = place[1] + (c >> 1 & 1), z = place[2] + (c >> 2);
+      const bool there = x < blocks_[0] && y < blocks_[1] && z < blocks_[2];
+      neighbours.block[c >> 2][c >> 1 & 1][c & 1] =
+          there ? block_index_[(std::size_t(z) * blocks_[1] + y) * blocks_[0] + x] : kNoBlock;
+    }
+    return neighbours;
+  };
+  parallelFor(threads, kept.size(), [&](std::size_t n) {
+    fillBlock(surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, &values_[n * kBlockValues]);
   });
+  // Owners are filled; what is read here was computed above and is written by none.
+  parallelFor(threads, kept.size(), [&](std::size_t n) {
+    copyFromOwners(neighboursOf(kept[n]), values_.data(), &values_[n * kBlockValues]);
+  });
+
+  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
+  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
+  const double rounding =
+      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + (end - origin).norm());
+  error_bound_ = 0.5 * kDiagonal * step + rounding;
+  const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
+  band_ = std::max(0.0, std::min(band, margin) - rounding);
 }
 
-bool NearField::sample(float px, float py, float pz, float& distance) const {
-  const float x = (px - ox_) * inv_h_, y = (py - oy_) * inv_h_, z = (pz - oz_) * inv_h_;
-  // Written so that NaN fails.
-  if (!(x >= 0.0f && y >= 0.0f && z >= 0.0f && x < static_cast<float>(blocks_[0] * kCells) &&
-        y < static_cast<float>(blocks_[1] * kCells) && z < static_cast<float>(blocks_[2] * kCells)))
-    return false;
-  const int i = static_cast<int>(x), j = static_cast<int>(y), k = static_cast<int>(z);
-  const std::uint32_t block =
-      block_index_[(static_cast<std::size_t>(k / kCells) * blocks_[1] + j / kCells) * blocks_[0] +
-                   i / kCells];
-  if (block == kNoBlock) return false;
-  constexpr std::size_t kRow = kVertices, kSlab = kRow * kVertices;
-  const float* c =
-      &values_[block * kSlab * kVertices + (k % kCells) * kSlab + (j % kCells) * kRow + i % kCells];
-  const float u = x - static_cast<float>(i), v = y - static_cast<float>(j), w = z - static_cast<float>(k);
-  const auto along = [u](const float* p) { return p[0] + u * (p[1] - p[0]); };
-  const float near = along(c) + v * (along(c + kRow) - along(c));
-  const float far = along(c + kSlab) + v * (along(c + kSlab + kRow) - along(c + kSlab));
-  distance = near + w * (far - near);
+bool NearField::sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const {
+  float x, y, z;
+  const float* v = cellOf(px, py, pz, x, y, z);
+  if (!v) return false;
+  constexpr int kRow = kVertices, kSlice = kVertices * kVertices;
+  const float d00 = v[1] - v[0], d10 = v[kRow + 1] - v[kRow], d01 = v[kSlice + 1] - v[kSlice],
+              d11 = v[kSlice + kRow + 1] - v[kSlice + kRow];
+  const float a = v[0] + x * d00, b = v[kRow] + x * d10, c = v[kSlice] + x * d01,
+              d = v[kSlice + kRow] + x * d11;
+  const float near = a + y * (b - a), far = c + y * (d - c);
+  const float dx_near = d00 + y * (d10 - d00), dx_far = d01 + y * (d11 - d01);
+  distance = near + z * (far - near);
+  gradient[0] = (dx_near + z * (dx_far - dx_near)) * inv_h_;
+  gradient[1] = ((b - a) + z * ((d - c) - (b - a))) * inv_h_;
+  gradient[2] = (far - near) * inv_h_;
   return true;
 }
 
 std::size_t NearField::memoryBytes() const {
-  return values_.size() * sizeof(float) + block_index_.size() * sizeof(std::uint32_t);
+  return values_.capacity() * sizeof(float) + block_index_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace abstand

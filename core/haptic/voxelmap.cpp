@@ -1,71 +1,51 @@
+// The thesis's voxelmap: integer layers about the surface.
 #include "core/haptic/voxelmap.hpp"
 
+#include <algorithm>
 #include <limits>
 
-#include "core/base/error.hpp"
-#include "core/base/parallel.hpp"
-#include "core/haptic/voxelize.hpp"
+#include "core/haptic/voxelmap_sides.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr double kSagittaPerVoxel = 0.02;  // a shape's tessellation, far below what a voxel can show
-constexpr std::size_t kMostVoxels = std::size_t{1} << 31;
+constexpr std::int16_t kMostSteps = std::numeric_limits<std::int16_t>::max();
 
-/// 26-neighbour steps to the nearest marked voxel: two sweeps of the chessboard distance transform (Borgefors
-/// 1986), exact for this metric.
+std::int16_t next(std::int16_t steps) { return steps < kMostSteps ? steps + 1 : kMostSteps; }
+
+// Number of 26-neighbour steps to the nearest surface voxel (0 there, kMostSteps elsewhere on entry). Two
+// sweeps over half of the neighbours each give the same as breadth-first steps: Rosenfeld, Pfaltz, Distance
+// Functions on Digital Pictures (1968). Such a shortest way never crosses the surface, so the sides need not
+// be watched.
 void countSteps(const VoxelGrid& grid, std::vector<std::int16_t>& steps) {
   const int nx = grid.size.x(), ny = grid.size.y(), nz = grid.size.z();
-  const auto relax = [&](int i, int j, int k, int direction) {
-    std::int16_t& here = steps[grid.index(i, j, k)];
-    // The thirteen neighbours that the sweep has passed already.
-    for (int dk = -1; dk <= 0; ++dk)
-      for (int dj = -1; dj <= (dk < 0 ? 1 : 0); ++dj)
-        for (int di = -1; di <= (dk < 0 || dj < 0 ? 1 : -1); ++di) {
-          const int x = i + direction * di, y = j + direction * dj, z = k + direction * dk;
-          if (x < 0 || y < 0 || z < 0 || x >= nx || y >= ny || z >= nz) continue;
-          const std::int16_t there = steps[grid.index(x, y, z)];
-          if (there < here - 1) here = static_cast<std::int16_t>(there + 1);
-        }
+  // The least of three rows' neighbours, with one more at each end that does not count.
+  std::vector<std::int16_t> least(nx + 2, kMostSteps);
+  const auto sweepRow = [&](int j, int k, int direction) {
+    std::fill(least.begin(), least.end(), kMostSteps);
+    const auto lower = [&](int jj, int kk) {
+      if (jj < 0 || jj >= ny || kk < 0 || kk >= nz) return;
+      const std::int16_t* row = &steps[grid.index(0, jj, kk)];
+      for (int i = 0; i < nx; ++i) least[i + 1] = std::min(least[i + 1], row[i]);
+    };
+    for (int dj = -1; dj <= 1; ++dj) lower(j + dj, k - direction);
+    lower(j - direction, k);
+    std::int16_t* row = &steps[grid.index(0, j, k)];
+    for (int i = 0; i < nx; ++i) {
+      row[i] = std::min(row[i], next(std::min({least[i], least[i + 1], least[i + 2]})));
+    }
+    if (direction > 0) {
+      for (int i = 1; i < nx; ++i) row[i] = std::min(row[i], next(row[i - 1]));
+    } else {
+      for (int i = nx - 2; i >= 0; --i) row[i] = std::min(row[i], next(row[i + 1]));
+    }
   };
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i) relax(i, j, k, 1);
-  for (int k = nz - 1; k >= 0; --k)
-    for (int j = ny - 1; j >= 0; --j)
-      for (int i = nx - 1; i >= 0; --i) relax(i, j, k, -1);
-}
-
-/// Marks what the outside reaches through faces without crossing a surface voxel.
-std::vector<char> floodOutside(const VoxelGrid& grid, const std::vector<char>& surface) {
-  std::vector<char> outside(surface.size(), 0);
-  std::vector<Vector3i> front;
-  const auto visit = [&](const Vector3i& v) {
-    if (!grid.contains(v)) return;
-    const std::size_t at = grid.index(v.x(), v.y(), v.z());
-    if (surface[at] || outside[at]) return;
-    outside[at] = 1;
-    front.push_back(v);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, w = (axis + 2) % 3;
-    for (int a = 0; a < grid.size[u]; ++a)
-      for (int b = 0; b < grid.size[w]; ++b)
-        for (const int end : {0, grid.size[axis] - 1}) {
-          Vector3i v;
-          v[axis] = end;
-          v[u] = a;
-          v[w] = b;
-          visit(v);
-        }
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) sweepRow(j, k, 1);
   }
-  while (!front.empty()) {
-    const Vector3i v = front.back();
-    front.pop_back();
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int step : {-1, 1}) visit(v + step * Vector3i::Unit(axis));
+  for (int k = nz - 1; k >= 0; --k) {
+    for (int j = ny - 1; j >= 0; --j) sweepRow(j, k, -1);
   }
-  return outside;
 }
 
 }  // namespace
@@ -73,40 +53,30 @@ std::vector<char> floodOutside(const VoxelGrid& grid, const std::vector<char>& s
 Voxelmap makeVoxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads) {
   Voxelmap map;
   map.grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
-  const VoxelGrid& grid = map.grid;
-  const std::size_t cells = grid.cells();
-  if (cells > kMostVoxels)
-    throw UsageError("found " + std::to_string(cells) + " voxels, expected at most " +
-                     std::to_string(kMostVoxels) + ": take a larger voxel or fewer outer layers");
-  const std::vector<char> on_surface = surfaceVoxels(surface.mesh(kSagittaPerVoxel * voxel_size), grid);
   map.inside_doubtful = !surface.watertight();
+  const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
+  map.surface_voxels = sides.surface_voxels;
+  map.solid_voxels = sides.solid_voxels;
 
-  // Closed surfaces: what the outside does not reach is inside. Others: the winding number at the voxel's
-  // centre.
-  std::vector<char> outside;
-  if (map.inside_doubtful) {
-    outside.assign(cells, 0);
-    parallelFor(threads, static_cast<std::size_t>(grid.size.z()), [&](std::size_t slab) {
-      const int k = static_cast<int>(slab);
-      for (int j = 0; j < grid.size.y(); ++j)
-        for (int i = 0; i < grid.size.x(); ++i) {
-          const std::size_t at = grid.index(i, j, k);
-          if (!on_surface[at]) outside[at] = !surface.inside(grid.centre(i, j, k));
-        }
-    });
-  } else {
-    outside = floodOutside(grid, on_surface);
-  }
-
-  map.layer.resize(cells);
-  for (std::size_t i = 0; i < cells; ++i)
-    map.layer[i] = on_surface[i] ? std::int16_t{0} : std::numeric_limits<std::int16_t>::max();
-  countSteps(grid, map.layer);
-  for (std::size_t i = 0; i < cells; ++i) {
-    if (on_surface[i]) ++map.surface_voxels;
-    if (!outside[i]) ++map.solid_voxels;
-    if (outside[i]) map.layer[i] = static_cast<std::int16_t>(-map.layer[i]);
-  }
+  map.layer.assign(map.grid.cells(), kMostSteps);
+  const Vector3i n = sides.grid.size;
+  const auto forInner = [&](auto&& fn) {
+    for (int k = 0; k < n.z(); ++k) {
+      for (int j = 0; j < n.y(); ++j) {
+        const std::int8_t* from = &sides.side[sides.grid.index(0, j, k)];
+        std::int16_t* to = &map.layer[map.grid.index(outer_layers, j + outer_layers, k + outer_layers)];
+        for (int i = 0; i < n.x(); ++i) fn(from[i], to[i]);
+      }
+    }
+  };
+  forInner([](std::int8_t side, std::int16_t& layer) {
+    if (side == kVoxelSurface) layer = 0;
+  });
+  countSteps(map.grid, map.layer);
+  for (std::int16_t& layer : map.layer) layer = static_cast<std::int16_t>(-layer);
+  forInner([](std::int8_t side, std::int16_t& layer) {
+    if (side == kVoxelInside) layer = static_cast<std::int16_t>(-layer);
+  });
   return map;
 }
 

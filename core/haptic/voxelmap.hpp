@@ -22,7 +22,9 @@ struct Voxelmap {
   std::int16_t at(const Vector3i& v) const { return layer[grid.index(v.x(), v.y(), v.z())]; }
 };
 
-/// Voxelizes on `threads` threads (0: as many as the machine has).
+/// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.
+/// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
+/// voxelmap_sides.hpp.
 Voxelmap makeVoxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads = 0);
 
 }  // namespace abstand
