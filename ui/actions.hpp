@@ -1,4 +1,5 @@
-// Every command of the window in one table: text, tip, shortcut, icon. Menus, toolbars and the shortcut sheet come from it.
+// Every command of the window in one table: text, tip, shortcut, icon. Menus, toolbars and the shortcut sheet
+// come from it.
 #pragma once
 
 #include <QAction>
@@ -9,11 +10,52 @@
 namespace abstand::ui {
 
 enum class ActionId {
-  kOpenScene, kOpenRecording, kRecent1, kRecent2, kRecent3, kRecent4, kRecent5, kScreenshot, kCopyPicture, kQuit,
-  kForces, kTorques, kVelocities, kClosest, kLabels, kFloor, kShadows, kTransparent, kAutoScale, kFront, kSide, kTop,
-  kIso, kFit, kFitSelection, kClearSelection, kFollowPlots, kFindPair, kDarkTheme, kFullScreen, kResetLayout,
-  kPlay, kStepForward, kStepBack, kForwardSecond, kBackSecond, kToStart, kToEnd, kNextContact, kPreviousContact,
-  kFaster, kSlower, kLoop, kResetMargins, kShortcuts, kAbout,
+  kOpenScene,
+  kOpenRecording,
+  kRecent1,
+  kRecent2,
+  kRecent3,
+  kRecent4,
+  kRecent5,
+  kScreenshot,
+  kCopyPicture,
+  kQuit,
+  kForces,
+  kTorques,
+  kVelocities,
+  kClosest,
+  kLabels,
+  kFloor,
+  kShadows,
+  kTransparent,
+  kAutoScale,
+  kFront,
+  kSide,
+  kTop,
+  kIso,
+  kFit,
+  kFitSelection,
+  kClearSelection,
+  kFollowPlots,
+  kFindPair,
+  kDarkTheme,
+  kFullScreen,
+  kResetLayout,
+  kPlay,
+  kStepForward,
+  kStepBack,
+  kForwardSecond,
+  kBackSecond,
+  kToStart,
+  kToEnd,
+  kNextContact,
+  kPreviousContact,
+  kFaster,
+  kSlower,
+  kLoop,
+  kResetMargins,
+  kShortcuts,
+  kAbout,
   kCount
 };
 

@@ -41,7 +41,9 @@ FileKind kindOf(const QString& path) {
   return FileKind::kUnknown;
 }
 
-QString sceneFilter() { return withAll(QCoreApplication::translate("file_kinds", "Scenes"), sceneSuffixes()); }
+QString sceneFilter() {
+  return withAll(QCoreApplication::translate("file_kinds", "Scenes"), sceneSuffixes());
+}
 QString recordingFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Recordings"), recordingSuffixes());
 }

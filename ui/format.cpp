@@ -20,6 +20,8 @@ QString millimetresWithUnit(double metres, int decimals) {
   return QCoreApplication::translate("format", "%1 mm").arg(millimetres(metres, decimals));
 }
 
-QString secondsWithUnit(double seconds) { return QCoreApplication::translate("format", "%1 s").arg(fixed(seconds, 3)); }
+QString secondsWithUnit(double seconds) {
+  return QCoreApplication::translate("format", "%1 s").arg(fixed(seconds, 3));
+}
 
 }  // namespace abstand::ui

@@ -40,14 +40,30 @@ void arrowHead(QPainter& p, QPointF tip, QPointF direction, double size) {
 
 void transport(QPainter& p, Glyph glyph) {
   switch (glyph) {
-    case Glyph::kPlay: triangle(p, {7, 4.5}, {19, 12}, {7, 19.5}); break;
-    case Glyph::kPause: p.fillRect(QRectF(6.5, 5, 4, 14), p.pen().color()), p.fillRect(QRectF(13.5, 5, 4, 14), p.pen().color()); break;
-    case Glyph::kStepForward: bar(p, 6), triangle(p, {11, 6}, {19, 12}, {11, 18}); break;
-    case Glyph::kStepBack: bar(p, 15.5), triangle(p, {13, 6}, {5, 12}, {13, 18}); break;
-    case Glyph::kForwardSecond: triangle(p, {4, 6}, {12, 12}, {4, 18}), triangle(p, {12, 6}, {20, 12}, {12, 18}); break;
-    case Glyph::kBackSecond: triangle(p, {20, 6}, {12, 12}, {20, 18}), triangle(p, {12, 6}, {4, 12}, {12, 18}); break;
-    case Glyph::kToStart: bar(p, 5), triangle(p, {18, 6}, {9, 12}, {18, 18}); break;
-    case Glyph::kToEnd: bar(p, 16.5), triangle(p, {6, 6}, {15, 12}, {6, 18}); break;
+    case Glyph::kPlay:
+      triangle(p, {7, 4.5}, {19, 12}, {7, 19.5});
+      break;
+    case Glyph::kPause:
+      p.fillRect(QRectF(6.5, 5, 4, 14), p.pen().color()), p.fillRect(QRectF(13.5, 5, 4, 14), p.pen().color());
+      break;
+    case Glyph::kStepForward:
+      bar(p, 6), triangle(p, {11, 6}, {19, 12}, {11, 18});
+      break;
+    case Glyph::kStepBack:
+      bar(p, 15.5), triangle(p, {13, 6}, {5, 12}, {13, 18});
+      break;
+    case Glyph::kForwardSecond:
+      triangle(p, {4, 6}, {12, 12}, {4, 18}), triangle(p, {12, 6}, {20, 12}, {12, 18});
+      break;
+    case Glyph::kBackSecond:
+      triangle(p, {20, 6}, {12, 12}, {20, 18}), triangle(p, {12, 6}, {4, 12}, {12, 18});
+      break;
+    case Glyph::kToStart:
+      bar(p, 5), triangle(p, {18, 6}, {9, 12}, {18, 18});
+      break;
+    case Glyph::kToEnd:
+      bar(p, 16.5), triangle(p, {6, 6}, {15, 12}, {6, 18});
+      break;
     default:
       p.drawArc(QRectF(5, 5, 14, 14), 30 * 16, 290 * 16);
       arrowHead(p, {19.6, 12.2}, {0.35, 0.94}, 6);
@@ -56,7 +72,9 @@ void transport(QPainter& p, Glyph glyph) {
 
 void showing(QPainter& p, Glyph glyph) {
   switch (glyph) {
-    case Glyph::kForce: p.drawLine(QPointF(5, 19), QPointF(15, 9)), arrowHead(p, {20, 4}, {0.707, -0.707}, 8); break;
+    case Glyph::kForce:
+      p.drawLine(QPointF(5, 19), QPointF(15, 9)), arrowHead(p, {20, 4}, {0.707, -0.707}, 8);
+      break;
     case Glyph::kTorque:
       p.drawArc(QRectF(4.5, 5.5, 15, 15), -60 * 16, 260 * 16);
       arrowHead(p, {16.5, 21}, {0.8, 0.4}, 6.5);
@@ -113,10 +131,18 @@ void general(QPainter& p, Glyph glyph) {
       }
       p.setBrush(p.pen().color()), p.drawEllipse(QPointF(12, 12), 2.6, 2.6);
       break;
-    case Glyph::kIso: cube(p, -1); break;
-    case Glyph::kTop: cube(p, 0); break;
-    case Glyph::kFront: cube(p, 1); break;
-    case Glyph::kSide: cube(p, 2); break;
+    case Glyph::kIso:
+      cube(p, -1);
+      break;
+    case Glyph::kTop:
+      cube(p, 0);
+      break;
+    case Glyph::kFront:
+      cube(p, 1);
+      break;
+    case Glyph::kSide:
+      cube(p, 2);
+      break;
     case Glyph::kTheme:
       p.drawEllipse(QPointF(12, 12), 8, 8);
       p.setBrush(p.pen().color()), p.drawChord(QRectF(4, 4, 16, 16), 90 * 16, 180 * 16);
@@ -139,10 +165,14 @@ class GlyphEngine : public QIconEngine {
     p.setRenderHint(QPainter::Antialiasing);
     p.translate(rect.topLeft());
     p.scale(rect.width() / 24.0, rect.height() / 24.0);
-    p.setPen(QPen(QApplication::palette().color(group, QPalette::ButtonText), 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (glyph_ >= Glyph::kPlay && glyph_ <= Glyph::kLoop) transport(p, glyph_);
-    else if (glyph_ >= Glyph::kForce && glyph_ <= Glyph::kBody) showing(p, glyph_);
-    else general(p, glyph_);
+    p.setPen(QPen(QApplication::palette().color(group, QPalette::ButtonText), 1.7, Qt::SolidLine,
+                  Qt::RoundCap, Qt::RoundJoin));
+    if (glyph_ >= Glyph::kPlay && glyph_ <= Glyph::kLoop)
+      transport(p, glyph_);
+    else if (glyph_ >= Glyph::kForce && glyph_ <= Glyph::kBody)
+      showing(p, glyph_);
+    else
+      general(p, glyph_);
     p.restore();
   }
 

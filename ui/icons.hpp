@@ -6,9 +6,34 @@
 namespace abstand::ui {
 
 enum class Glyph {
-  kNone, kOpen, kRecording, kCamera, kPlay, kPause, kStepBack, kStepForward, kBackSecond, kForwardSecond, kToStart,
-  kToEnd, kLoop, kForce, kTorque, kVelocity, kClosest, kLabel, kFloor, kShadow, kBody, kFit, kIso, kFront, kSide,
-  kTop, kTheme, kHelp
+  kNone,
+  kOpen,
+  kRecording,
+  kCamera,
+  kPlay,
+  kPause,
+  kStepBack,
+  kStepForward,
+  kBackSecond,
+  kForwardSecond,
+  kToStart,
+  kToEnd,
+  kLoop,
+  kForce,
+  kTorque,
+  kVelocity,
+  kClosest,
+  kLabel,
+  kFloor,
+  kShadow,
+  kBody,
+  kFit,
+  kIso,
+  kFront,
+  kSide,
+  kTop,
+  kTheme,
+  kHelp
 };
 
 QIcon icon(Glyph glyph);

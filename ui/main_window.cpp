@@ -2,31 +2,22 @@
 #include "ui/main_window.hpp"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
-#include <QDateTime>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QSignalBlocker>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
 
 #include "ui/actions.hpp"
 #include "ui/file_kinds.hpp"
-#include "ui/icons.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/playback.hpp"
-#include "ui/model/recent_files.hpp"
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
-#include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
@@ -36,7 +27,6 @@
 #include "ui/plots/plot_panel.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/viewport.hpp"
-#include "ui/window_grab.hpp"
 
 namespace abstand::ui {
 
@@ -55,16 +45,21 @@ struct Remembered {
   const char* key;
 };
 constexpr Remembered kRemembered[] = {
-    {Id::kForces, "view/forces"},       {Id::kTorques, "view/torques"}, {Id::kVelocities, "view/velocities"},
-    {Id::kClosest, "view/closest"},     {Id::kLabels, "view/labels"},   {Id::kFloor, "view/floor"},
-    {Id::kShadows, "view/shadows"},     {Id::kLoop, "playback/loop"},   {Id::kTransparent, "view/transparent"},
-    {Id::kAutoScale, "view/auto_scale"}};
+    {Id::kForces, "view/forces"},           {Id::kTorques, "view/torques"},
+    {Id::kVelocities, "view/velocities"},   {Id::kClosest, "view/closest"},
+    {Id::kLabels, "view/labels"},           {Id::kFloor, "view/floor"},
+    {Id::kShadows, "view/shadows"},         {Id::kLoop, "playback/loop"},
+    {Id::kTransparent, "view/transparent"}, {Id::kAutoScale, "view/auto_scale"}};
 
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent), history_{std::make_unique<RunHistory>()}, actions_{new Actions(this)},
-      playback_{new Playback(this)}, selection_{new Selection(this)}, tree_model_{new SceneTreeModel(this)} {
+    : QMainWindow(parent),
+      history_{std::make_unique<RunHistory>()},
+      actions_{new Actions(this)},
+      playback_{new Playback(this)},
+      selection_{new Selection(this)},
+      tree_model_{new SceneTreeModel(this)} {
   const QVariant dark = QSettings().value(QStringLiteral("window/dark"));
   const bool is_dark = dark.isValid() ? dark.toBool() : themeOf(QApplication::palette()) == Theme::kDark;
   applyTheme(*qApp, is_dark ? Theme::kDark : Theme::kLight);
@@ -104,15 +99,18 @@ void MainWindow::buildDocks() {
   plots_ = new PlotPanel(this);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, this);
-  docks_ = {addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
-            addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
-            addDock("timeline", tr("Timeline"), tr("Show or hide the timeline"), QStringLiteral("Ctrl+3"), timeline_),
-            addDock("plots", tr("Plots"), tr("Show or hide the plots"), QStringLiteral("Ctrl+4"), plots_),
-            addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"), margins_)};
+  docks_ = {
+      addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
+      addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
+      addDock("timeline", tr("Timeline"), tr("Show or hide the timeline"), QStringLiteral("Ctrl+3"),
+              timeline_),
+      addDock("plots", tr("Plots"), tr("Show or hide the plots"), QStringLiteral("Ctrl+4"), plots_),
+      addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"),
+              margins_)};
 }
 
-QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip, const QString& key,
-                                 QWidget* content) {
+QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
+                                 const QString& key, QWidget* content) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QString::fromLatin1(name));
   dock->setWidget(content);
@@ -121,7 +119,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins] = std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4]);
+  auto [scene, pairs, timeline, plots, margins] =
+      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -135,88 +134,9 @@ void MainWindow::arrangeDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, timeline);
   addDockWidget(Qt::BottomDockWidgetArea, pairs);
   splitDockWidget(timeline, pairs, Qt::Vertical);
-  resizeDocks({scene, plots}, {250, 370}, Qt::Horizontal);
+  resizeDocks({scene, plots}, {264, 370}, Qt::Horizontal);
   resizeDocks({timeline, pairs}, {86, 190}, Qt::Vertical);
   resizeDocks({plots, margins}, {560, 300}, Qt::Vertical);
-}
-
-void MainWindow::connectFile() {
-  connect((*actions_)[Id::kOpenScene], &QAction::triggered, this, [this] {
-    openFile(QFileDialog::getOpenFileName(this, tr("Open scene"), {}, sceneFilter()));
-  });
-  connect((*actions_)[Id::kOpenRecording], &QAction::triggered, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), {}, recordingFilter());
-    if (!path.isEmpty()) Q_EMIT openRecordingRequested(path);
-  });
-  for (int i = 0; i < kRecentFiles; ++i) {
-    QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
-    connect(action, &QAction::triggered, this, [this, action] { openFile(action->data().toString()); });
-  }
-  connect((*actions_)[Id::kScreenshot], &QAction::triggered, this, &MainWindow::saveScreenshot);
-  connect((*actions_)[Id::kCopyPicture], &QAction::triggered, this,
-          [this] { QApplication::clipboard()->setImage(viewport_->picture()); });
-  connect((*actions_)[Id::kQuit], &QAction::triggered, this, &QWidget::close);
-  connect((*actions_)[Id::kShortcuts], &QAction::triggered, this, [this] { showShortcuts(*actions_, this); });
-  connect((*actions_)[Id::kAbout], &QAction::triggered, this, [this] { showAbout(this); });
-}
-
-void MainWindow::connectView() {
-  for (const Id id : {Id::kForces, Id::kTorques, Id::kVelocities, Id::kClosest, Id::kLabels, Id::kFloor, Id::kShadows,
-                      Id::kTransparent, Id::kAutoScale})
-    connect((*actions_)[id], &QAction::toggled, this, &MainWindow::applyOptions);
-  connect(opacity_, &QSlider::valueChanged, this, &MainWindow::applyOptions);
-  const std::pair<Id, CameraPreset> presets[] = {{Id::kFront, CameraPreset::kFront}, {Id::kSide, CameraPreset::kSide},
-                                                 {Id::kTop, CameraPreset::kTop},     {Id::kIso, CameraPreset::kIso}};
-  for (const auto& [id, preset] : presets)
-    connect((*actions_)[id], &QAction::triggered, this, [this, p = preset] { viewport_->look(p); });
-  connect((*actions_)[Id::kFit], &QAction::triggered, viewport_, &Viewport::fit);
-  connect((*actions_)[Id::kFitSelection], &QAction::triggered, viewport_, &Viewport::fitSelection);
-  connect((*actions_)[Id::kClearSelection], &QAction::triggered, selection_, &Selection::clear);
-  connect((*actions_)[Id::kFollowPlots], &QAction::toggled, plots_, &PlotPanel::setFollow);
-  connect(plots_, &PlotPanel::followChanged, (*actions_)[Id::kFollowPlots], &QAction::setChecked);
-  connect((*actions_)[Id::kFindPair], &QAction::triggered, this, [this] {
-    docks_[1]->show();
-    pairs_->filterBox()->setFocus(Qt::ShortcutFocusReason);
-  });
-  connect((*actions_)[Id::kDarkTheme], &QAction::toggled, this, [this](bool dark) {
-    applyTheme(*qApp, dark ? Theme::kDark : Theme::kLight);
-    tree_model_->setTheme(dark ? Theme::kDark : Theme::kLight);
-  });
-  connect((*actions_)[Id::kFullScreen], &QAction::toggled, this, [this](bool on) {
-    setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));
-  });
-  connect((*actions_)[Id::kResetLayout], &QAction::triggered, this, &MainWindow::arrangeDocks);
-}
-
-void MainWindow::connectPlayback() {
-  QAction* play = (*actions_)[Id::kPlay];
-  connect(play, &QAction::triggered, this, [this] { playback_->setPlaying(!playback_->playing()); });
-  connect(playback_, &Playback::playingChanged, this, [play](bool playing) {
-    play->setIcon(icon(playing ? Glyph::kPause : Glyph::kPlay));
-    play->setText(playing ? tr("&Pause") : tr("&Play"));
-  });
-  const auto on = [&](Id id, auto&& command) { connect((*actions_)[id], &QAction::triggered, this, command); };
-  on(Id::kStepForward, [this] { playback_->stepFrames(1); });
-  on(Id::kStepBack, [this] { playback_->stepFrames(-1); });
-  on(Id::kForwardSecond, [this] { playback_->jump(1.0); });
-  on(Id::kBackSecond, [this] { playback_->jump(-1.0); });
-  on(Id::kToStart, [this] { playback_->toStart(); });
-  on(Id::kToEnd, [this] { playback_->toEnd(); });
-  on(Id::kFaster, [this] { playback_->faster(); });
-  on(Id::kSlower, [this] { playback_->slower(); });
-  on(Id::kNextContact, [this] { goToContact(true); });
-  on(Id::kPreviousContact, [this] { goToContact(false); });
-  on(Id::kResetMargins, [this] { margins_->reset(); });
-  connect((*actions_)[Id::kLoop], &QAction::toggled, playback_, &Playback::setLoop);
-}
-
-void MainWindow::connectPanels() {
-  connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
-  connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
-    if (session_) session_->setMargin(object, metres);
-  });
-  connect(plots_, &PlotPanel::timePicked, playback_, &Playback::seek);
-  connect(playback_, &Playback::timeChanged, plots_, &PlotPanel::setTime);
 }
 
 void MainWindow::setSession(SessionPort* session) {
@@ -235,7 +155,8 @@ void MainWindow::setSession(SessionPort* session) {
   pairs_->open(outline);
   margins_->open(outline, margins);
   timeline_->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
-  plots_->setSeries(&history_->distance(), &history_->force(), &history_->effort(), outline.start, outline.end);
+  plots_->setSeries(&history_->distance(), &history_->force(), &history_->effort(), outline.start,
+                    outline.end);
   playback_->setPort(session_);
   status_->clear();
   for (const auto& entry : actions_->all())
@@ -277,59 +198,12 @@ void MainWindow::refreshSlow() {
     tree_model_->refresh(outline, snapshot_);
     status_->refresh(outline, snapshot_);
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
-    plots_->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size() ? snapshot_.pairs[nearest].margin
-                                                                                      : 0.0);
+    plots_->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size()
+                          ? snapshot_.pairs[nearest].margin
+                          : 0.0);
   }
   timeline_->strip()->refresh();
   plots_->refresh();
-}
-
-void MainWindow::applyOptions() {
-  const auto checked = [this](Id id) { return (*actions_)[id]->isChecked(); };
-  ViewOptions options = viewport_->options();
-  options.forces = checked(Id::kForces);
-  options.torques = checked(Id::kTorques);
-  options.velocities = checked(Id::kVelocities);
-  options.closest = checked(Id::kClosest);
-  options.labels = checked(Id::kLabels);
-  options.floor = checked(Id::kFloor);
-  options.shadows = checked(Id::kShadows);
-  options.auto_scale = checked(Id::kAutoScale);
-  options.human_opacity = checked(Id::kTransparent) ? opacity_->value() / 100.0 : 1.0;
-  opacity_->setEnabled(checked(Id::kTransparent));
-  viewport_->setOptions(options);
-}
-
-void MainWindow::goToContact(bool next) {
-  const auto t = next ? history_->nextContact(playback_->time()) : history_->previousContact(playback_->time());
-  if (t) playback_->seek(*t);
-  else statusBar()->showMessage(next ? tr("No later contact known yet") : tr("No earlier contact known"), 3000);
-}
-
-void MainWindow::openFile(const QString& path) {
-  switch (path.isEmpty() ? FileKind::kUnknown : kindOf(path)) {
-    case FileKind::kScene:
-      if (QFileInfo::exists(path)) {
-        rememberFile(path);
-        showRecent();
-      }
-      Q_EMIT openSceneRequested(path);
-      break;
-    case FileKind::kRecording: Q_EMIT openRecordingRequested(path); break;
-    case FileKind::kUnknown: break;
-  }
-}
-
-void MainWindow::showRecent() {
-  const QStringList files = recentFiles();
-  for (int i = 0; i < kRecentFiles; ++i) {
-    QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
-    action->setVisible(i < files.size());
-    if (i >= files.size()) continue;
-    action->setData(files[i]);
-    action->setText(QFileInfo(files[i]).fileName().replace(QLatin1Char('&'), QLatin1String("&&")));
-    action->setStatusTip(files[i]);
-  }
 }
 
 void MainWindow::showProblem(const QString& title, const QString& text) {
@@ -338,16 +212,6 @@ void MainWindow::showProblem(const QString& title, const QString& text) {
   box->setTextFormat(Qt::PlainText);
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
   box->open();
-}
-
-void MainWindow::saveScreenshot() {
-  const QImage picture = grabWindow(*this);
-  const QString name =
-      QStringLiteral("abstand-%1.png").arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save screenshot"), name, tr("Pictures (*.png)"));
-  if (path.isEmpty()) return;
-  if (picture.save(path)) statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
-  else showProblem(tr("Screenshot"), tr("%1 cannot be written").arg(path));
 }
 
 void MainWindow::restore() {

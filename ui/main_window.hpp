@@ -26,9 +26,9 @@ class StatusPanel;
 class TimelinePanel;
 class Viewport;
 
-/// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and plots at
-/// most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication, and the names of
-/// organisation and program for its settings.
+/// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and
+/// plots at most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication, and the
+/// names of organisation and program for its settings.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -66,7 +66,8 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildDocks();
-  QDockWidget* addDock(const char* name, const QString& title, const QString& tip, const QString& key, QWidget* content);
+  QDockWidget* addDock(const char* name, const QString& title, const QString& tip, const QString& key,
+                       QWidget* content);
   void arrangeDocks();
   void connectFile();
   void connectView();

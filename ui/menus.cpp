@@ -68,7 +68,8 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   tools->toggleViewAction()->setVisible(false);
   for (const Id id : {Id::kOpenScene, Id::kOpenRecording, Id::kScreenshot}) tools->addAction(actions[id]);
   tools->addSeparator();
-  for (const Id id : {Id::kForces, Id::kTorques, Id::kVelocities, Id::kClosest, Id::kLabels, Id::kFloor, Id::kShadows})
+  for (const Id id :
+       {Id::kForces, Id::kTorques, Id::kVelocities, Id::kClosest, Id::kLabels, Id::kFloor, Id::kShadows})
     tools->addAction(actions[id]);
   tools->addSeparator();
   tools->addAction(actions[Id::kTransparent]);

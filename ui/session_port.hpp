@@ -7,9 +7,9 @@
 
 namespace abstand::ui {
 
-/// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's own
-/// thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are simulation
-/// time in seconds between outline().start and outline().end; the session clamps.
+/// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's
+/// own thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are
+/// simulation time in seconds between outline().start and outline().end; the session clamps.
 class SessionPort {
  public:
   virtual ~SessionPort() = default;

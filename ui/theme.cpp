@@ -50,7 +50,8 @@ QPalette palette(Theme theme) {
   p.setColor(QPalette::Button, QColor(s.button));
   p.setColor(QPalette::Mid, QColor(s.line));
   p.setColor(QPalette::Midlight, QColor(s.line).lighter(theme == Theme::kDark ? 115 : 108));
-  for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText, QPalette::ToolTipText}) {
+  for (const auto role :
+       {QPalette::Text, QPalette::WindowText, QPalette::ButtonText, QPalette::ToolTipText}) {
     p.setColor(role, QColor(s.text));
     p.setColor(QPalette::Disabled, role, QColor(s.muted));
   }
@@ -74,15 +75,17 @@ void applyTheme(QApplication& app, Theme theme) {
 
 SceneColours sceneColours(Theme theme) {
   if (theme == Theme::kDark)
-    return {QColor(0xff2b333d), QColor(0xff4a5562), QColor(0xff56616d), QColor(0xff7d8893), QColor(0xff3a434d),
-            QColor(0xff8fb3d1), QColor(0xffa3a79c), QColor(0xfff0f3f6), QColor(0xe01d2126)};
+    return {QColor(0xff2b333d), QColor(0xff4a5562), QColor(0xff56616d),
+            QColor(0xff7d8893), QColor(0xff3a434d), QColor(0xff8fb3d1),
+            QColor(0xffa3a79c), QColor(0xfff0f3f6), QColor(0xe01d2126)};
   return {QColor(0xffb9c6d4), QColor(0xfff2f5f8), QColor(0xffdde3e9), QColor(0xffaab5c0), QColor(0xffbfc8d1),
           QColor(0xff7fa6c9), QColor(0xffa8aa9c), QColor(0xff1f2a35), QColor(0xf0ffffff)};
 }
 
 QColor mechanismColour(int index, Theme theme) {
   // Warm greys and muted oranges; vermillion itself stays for contact.
-  static constexpr std::array<QRgb, 5> kLightTones{0xffd9d2c7, 0xffe3b98a, 0xffb9ada0, 0xffcfa58c, 0xffe6dcc0};
+  static constexpr std::array<QRgb, 5> kLightTones{0xffd9d2c7, 0xffe3b98a, 0xffb9ada0, 0xffcfa58c,
+                                                   0xffe6dcc0};
   const auto tone = QColor(kLightTones[static_cast<std::size_t>(index) % kLightTones.size()]);
   return theme == Theme::kDark ? tone.darker(108) : tone;
 }

@@ -7,8 +7,8 @@ namespace abstand::ui {
 
 class MainWindow;
 
-/// Draws the window's widgets and the 3D view into one picture at the screen's resolution. Takes over the newest
-/// snapshot first. The window must be shown.
+/// Draws the window's widgets and the 3D view into one picture at the screen's resolution. Takes over the
+/// newest snapshot first. The window must be shown.
 QImage grabWindow(MainWindow& window);
 
 }  // namespace abstand::ui

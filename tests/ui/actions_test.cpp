@@ -17,8 +17,10 @@ namespace {
 /// Actions in menus, without separators and the menus themselves.
 void collect(const QMenu* menu, std::set<QAction*>& found) {
   for (QAction* action : menu->actions()) {
-    if (action->menu()) collect(action->menu(), found);
-    else if (!action->isSeparator()) found.insert(action);
+    if (action->menu())
+      collect(action->menu(), found);
+    else if (!action->isSeparator())
+      found.insert(action);
   }
 }
 
@@ -61,10 +63,18 @@ TEST(ActionTable, TheShortcutPageNamesEveryKey) {
 TEST(Accessibility, EverythingThatTakesTheFocusHasAName) {
   MainWindow window;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_") || !widget->isEnabled()) continue;
+    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_") ||
+        !widget->isEnabled())
+      continue;
     // The inner parts of compound widgets are named by their owners.
-    const char* inner[] = {"QLineEdit", "QComboBoxPrivateContainer", "QComboBoxListView", "QTableCornerButton",
-                           "QAbstractScrollAreaScrollBarContainer", "QHeaderView", "QToolBarExtension", "QMenuBar"};
+    const char* inner[] = {"QLineEdit",
+                           "QComboBoxPrivateContainer",
+                           "QComboBoxListView",
+                           "QTableCornerButton",
+                           "QAbstractScrollAreaScrollBarContainer",
+                           "QHeaderView",
+                           "QToolBarExtension",
+                           "QMenuBar"};
     bool is_inner = false;
     for (const char* name : inner) is_inner |= widget->inherits(name) && widget->parentWidget() != nullptr;
     if (is_inner || widget->inherits("QMenu") || widget->inherits("QDockWidget")) continue;

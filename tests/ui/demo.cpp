@@ -1,5 +1,6 @@
 // The window with a made-up session: to look at, and for pictures.
-// ui_demo [--screenshot FILE.png] [--at SECONDS] [--size WxH] [--dark] [--velocities] [--select NAME] [--stale NAME] [--camera KEY] [--empty]
+// ui_demo [--screenshot FILE.png] [--at SECONDS] [--size WxH] [--dark] [--velocities] [--select NAME]
+// [--stale NAME] [--camera KEY] [--empty]
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -69,13 +70,15 @@ int main(int argc, char** argv) {
     QApplication::processEvents();
   }
   window.playback().setPlaying(false);
-  if (options.isSet("select")) window.selection().setObjects({session.indexOf(options.value("select").toStdString())});
+  if (options.isSet("select"))
+    window.selection().setObjects({session.indexOf(options.value("select").toStdString())});
   if (options.isSet("stale"))
     session.setPoseState(session.indexOf(options.value("stale").toStdString()), abstand::PoseState::kStale);
   for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso})
-    if (window.actions()[id]->shortcut().toString() == options.value("camera")) window.actions()[id]->trigger();
+    if (window.actions()[id]->shortcut().toString() == options.value("camera"))
+      window.actions()[id]->trigger();
   spin(400);
-  std::printf("%ld frames, %s, last %lld ms\n", window.viewport().framesDrawn(), qPrintable(openGlInfo().renderer),
-              static_cast<long long>(wall.elapsed()));
+  std::printf("%ld frames, %s, last %lld ms\n", window.viewport().framesDrawn(),
+              qPrintable(openGlInfo().renderer), static_cast<long long>(wall.elapsed()));
   return grabWindow(window).save(options.value("screenshot")) ? 0 : 1;
 }

@@ -11,9 +11,9 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kEnd = 12.0;            // s
-constexpr double kPeriod = 0.02;         // s
-constexpr double kStiffness = 2500.0;    // N/m
+constexpr double kEnd = 12.0;          // s
+constexpr double kPeriod = 0.02;       // s
+constexpr double kStiffness = 2500.0;  // N/m
 constexpr int kLinks = 5;
 const Vector3d kLinkHalf(0.07, 0.07, 0.19);
 const Vector3d kPersonAt(1.05, 0.1, 0.0);
@@ -24,14 +24,20 @@ struct Part {
   double exponent;
 };
 
-const Part kParts[] = {
-    {"torso", {0, 0, 1.18}, {0.13, 0.19, 0.31}, 0.7},        {"head", {0, 0, 1.66}, {0.09, 0.08, 0.12}, 1.0},
-    {"biceps_left", {0, 0.25, 1.28}, {0.05, 0.05, 0.16}, 0.9}, {"biceps_right", {0, -0.25, 1.28}, {0.05, 0.05, 0.16}, 0.9},
-    {"forearm_left", {0, 0, 0}, {0.04, 0.04, 0.15}, 0.9},    {"forearm_right", {0, 0, 0}, {0.04, 0.04, 0.15}, 0.9},
-    {"hand_left", {0, 0, 0}, {0.025, 0.045, 0.09}, 0.8},     {"hand_right", {0, 0, 0}, {0.025, 0.045, 0.09}, 0.8},
-    {"thigh_left", {0, 0.1, 0.66}, {0.08, 0.08, 0.23}, 0.9}, {"thigh_right", {0, -0.1, 0.66}, {0.08, 0.08, 0.23}, 0.9},
-    {"calf_left", {0, 0.1, 0.25}, {0.055, 0.055, 0.21}, 0.9}, {"calf_right", {0, -0.1, 0.25}, {0.055, 0.055, 0.21}, 0.9},
-    {"foot_left", {-0.06, 0.1, 0.04}, {0.13, 0.045, 0.04}, 0.7}, {"foot_right", {-0.06, -0.1, 0.04}, {0.13, 0.045, 0.04}, 0.7}};
+const Part kParts[] = {{"torso", {0, 0, 1.18}, {0.13, 0.19, 0.31}, 0.7},
+                       {"head", {0, 0, 1.66}, {0.09, 0.08, 0.12}, 1.0},
+                       {"biceps_left", {0, 0.25, 1.28}, {0.05, 0.05, 0.16}, 0.9},
+                       {"biceps_right", {0, -0.25, 1.28}, {0.05, 0.05, 0.16}, 0.9},
+                       {"forearm_left", {0, 0, 0}, {0.04, 0.04, 0.15}, 0.9},
+                       {"forearm_right", {0, 0, 0}, {0.04, 0.04, 0.15}, 0.9},
+                       {"hand_left", {0, 0, 0}, {0.025, 0.045, 0.09}, 0.8},
+                       {"hand_right", {0, 0, 0}, {0.025, 0.045, 0.09}, 0.8},
+                       {"thigh_left", {0, 0.1, 0.66}, {0.08, 0.08, 0.23}, 0.9},
+                       {"thigh_right", {0, -0.1, 0.66}, {0.08, 0.08, 0.23}, 0.9},
+                       {"calf_left", {0, 0.1, 0.25}, {0.055, 0.055, 0.21}, 0.9},
+                       {"calf_right", {0, -0.1, 0.25}, {0.055, 0.055, 0.21}, 0.9},
+                       {"foot_left", {-0.06, 0.1, 0.04}, {0.13, 0.045, 0.04}, 0.7},
+                       {"foot_right", {-0.06, -0.1, 0.04}, {0.13, 0.045, 0.04}, 0.7}};
 
 Transform along(const Vector3d& from, const Vector3d& direction, double offset) {
   Transform X = Transform::Identity();
@@ -58,7 +64,8 @@ FakeSession::FakeSession() {
   const auto n = static_cast<int>(outline_.objects.size());
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b)
-      if (outline_.objects[static_cast<std::size_t>(a)].group != outline_.objects[static_cast<std::size_t>(b)].group)
+      if (outline_.objects[static_cast<std::size_t>(a)].group !=
+          outline_.objects[static_cast<std::size_t>(b)].group)
         outline_.pairs.emplace_back(a, b);
   for (int j = 0; j < kLinks; ++j) outline_.joints.push_back({"arm", "joint" + std::to_string(j + 1), false});
   snapshot_.objects.resize(outline_.objects.size());
@@ -111,7 +118,8 @@ void FakeSession::place(double t) {
     X.translation() = kPersonAt + kParts[p].centre;
     const bool left = p % 2 == 0;
     const Vector3d elbow = kPersonAt + Vector3d(-0.03, left ? 0.27 : -0.27, 1.12);
-    const Vector3d forearm(-(left ? reach : 0.25), left ? -0.45 * reach : 0.0, left ? -0.85 + 0.9 * reach : -1.0);
+    const Vector3d forearm(-(left ? reach : 0.25), left ? -0.45 * reach : 0.0,
+                           left ? -0.85 + 0.9 * reach : -1.0);
     if (p == 4 || p == 5) X = along(elbow, forearm, 0.15);
     if (p == 6 || p == 7) X = along(elbow, forearm, 0.37);
     snapshot_.objects[i].X_WB = X;
@@ -188,7 +196,8 @@ void FakeSession::advance(double seconds) {
   for (double left = seconds * speed; left > 1e-9 && snapshot_.playing; left -= kPeriod) {
     double t = snapshot_.t + kPeriod;
     if (t > kEnd + 1e-9) {
-      if (loop) t = 0.0;
+      if (loop)
+        t = 0.0;
       else {
         play(false);
         return;

@@ -8,8 +8,8 @@
 
 namespace abstand::ui {
 
-/// Deterministic: time moves by advance() only. Distances are those of the bodies' enclosing spheres, forces are
-/// proportional to the overlap of the margins; the pictures matter here, not the physics.
+/// Deterministic: time moves by advance() only. Distances are those of the bodies' enclosing spheres, forces
+/// are proportional to the overlap of the margins; the pictures matter here, not the physics.
 class FakeSession : public SessionPort {
  public:
   FakeSession();
@@ -33,13 +33,14 @@ class FakeSession : public SessionPort {
 
   double speed{1.0};
   bool loop{false};
-  std::vector<std::string> log;   ///< commands as they came: "seek 1.5", "margin 3 0.04" ...
+  std::vector<std::string> log;  ///< commands as they came: "seek 1.5", "margin 3 0.04" ...
 
  private:
   void addRobot();
   void addPerson();
   void addThings();
-  int addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh, double radius);
+  int addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh,
+                double radius);
   void compute(double t);
   void place(double t);
   void relate();

@@ -20,7 +20,7 @@ TEST(FrameSeries, KeepsTheExtremeOfAFrameAndTakesNewValuesWhenPlayedAgain) {
   series.add(1.29, 0.4);
   EXPECT_EQ(series.at(1.3), 0.2);
   series.add(1.4, 0.9);
-  series.add(1.3, 0.7);   // played again, with wider margins or other poses
+  series.add(1.3, 0.7);  // played again, with wider margins or other poses
   EXPECT_EQ(series.at(1.3), 0.7);
   EXPECT_TRUE(std::isnan(series.at(1.5)));
 }
@@ -40,7 +40,7 @@ TEST(FrameSeries, HasABoundHoweverLongTheRecordingClaimsToBe) {
   for (int i = 0; i < 1200000; ++i) live.add(i * 0.001, i);
   EXPECT_LE(live.size(), FrameSeries::kMaxFrames);
   EXPECT_EQ(live.at(1199.999), 1199999.0);
-  live.add(1e9, 5.0);   // a jump far ahead
+  live.add(1e9, 5.0);  // a jump far ahead
   EXPECT_LE(live.size(), FrameSeries::kMaxFrames);
   EXPECT_EQ(live.at(1e9), 5.0);
 }
@@ -76,7 +76,9 @@ TEST(Decimation, PartsTheLineWhereNothingIsKnown) {
   for (int i = 60; i <= 100; ++i) series.add(i * 0.1, 1.0);
   std::vector<SeriesPoint> points;
   series.decimate(0.0, 10.0, 500, points);
-  EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const SeriesPoint& p) { return std::isnan(p.value); }), 1);
+  EXPECT_EQ(
+      std::count_if(points.begin(), points.end(), [](const SeriesPoint& p) { return std::isnan(p.value); }),
+      1);
 }
 
 TEST(RunHistory, FindsWhereContactsBegin) {

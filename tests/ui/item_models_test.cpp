@@ -23,12 +23,13 @@ class Checked {
  public:
   explicit Checked(QAbstractItemModel* model) : tester_{model, Mode::Warning} {
     warnings = 0;
-    previous_ = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
-      if (type == QtWarningMsg && QByteArray(context.category) == "qt.modeltest") {
-        ++warnings;
-        ADD_FAILURE() << text.toStdString();
-      }
-    });
+    previous_ =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
+          if (type == QtWarningMsg && QByteArray(context.category) == "qt.modeltest") {
+            ++warnings;
+            ADD_FAILURE() << text.toStdString();
+          }
+        });
   }
   ~Checked() { qInstallMessageHandler(previous_); }
 
@@ -107,7 +108,7 @@ TEST(PairTable, IsASoundModelSortedByDistance) {
                 filter.index(row, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble());
   }
   filter.setText("HAND_left");
-  EXPECT_EQ(filter.rowCount(), 7);   // five links and two objects
+  EXPECT_EQ(filter.rowCount(), 7);  // five links and two objects
   filter.setObjects({session.indexOf("table")});
   EXPECT_EQ(filter.rowCount(), 1);
 }
@@ -121,6 +122,14 @@ TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
   model.refresh(snapshot);
   EXPECT_EQ(model.index(0, PairTableModel::kDistance).data().toString(), QStringLiteral("–"));
   EXPECT_EQ(model.index(0, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble(), kInfinity);
+  SceneSnapshot lost = snapshotAt(session, 5.5);
+  lost.objects[static_cast<std::size_t>(session.indexOf("table"))].pose_state = PoseState::kStale;
+  model.refresh(lost);
+  for (int row = 0; row < model.rowCount(); ++row)
+    EXPECT_EQ(model.nameOf(model.objectsOf(row).second) == "table" ||
+                  model.nameOf(model.objectsOf(row).first) == "table",
+              model.index(row, PairTableModel::kState).data().toString() == QStringLiteral("? pose lost"));
+  model.refresh(snapshot);
   const auto nearest = snapshot.nearest_pair;
   EXPECT_EQ(model.index(nearest, PairTableModel::kState).data().toString(), QStringLiteral("⚠ contact"));
   EXPECT_TRUE(model.index(nearest, 0).data(Qt::BackgroundRole).isValid());
@@ -144,7 +153,8 @@ TEST(PairPanelTest, KeepsSelectionAndScrollWhileValuesChange) {
   const QModelIndexList rows = panel.table()->selectionModel()->selectedRows(PairTableModel::kA);
   ASSERT_EQ(rows.size(), 1);
   const int a = session.outline().pairs[static_cast<std::size_t>(chosen)].first;
-  EXPECT_EQ(rows.front().data().toString().toStdString(), session.outline().objects[static_cast<std::size_t>(a)].name);
+  EXPECT_EQ(rows.front().data().toString().toStdString(),
+            session.outline().objects[static_cast<std::size_t>(a)].name);
 }
 
 TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
@@ -156,7 +166,8 @@ TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
   model.open(session.outline());
   panel.open(session.outline());
   const int hand = session.indexOf("operator/hand_left");
-  tree.selectionModel()->select(model.indexOf(hand), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  tree.selectionModel()->select(model.indexOf(hand),
+                                QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   EXPECT_EQ(selection.objects(), std::vector<int>{hand});
   EXPECT_EQ(panel.table()->model()->rowCount(), 7);
 

@@ -13,8 +13,8 @@
 namespace abstand::ui {
 namespace {
 
-constexpr int kWaitMs = 2000;          // for a signal that comes after kGatherMs
-constexpr double kSame = 1e-12;        // m; mm to m and back is exact but for rounding
+constexpr int kWaitMs = 2000;    // for a signal that comes after kGatherMs
+constexpr double kSame = 1e-12;  // m; mm to m and back is exact but for rounding
 
 struct MarginPanelTest : testing::Test {
   void SetUp() override {

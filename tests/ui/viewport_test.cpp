@@ -20,7 +20,7 @@ namespace abstand::ui {
 namespace {
 
 constexpr int kWaitMs = 10000;
-constexpr std::size_t kColours = 500;   // a picture with shading and text has many more, a blank one a few
+constexpr std::size_t kColours = 500;  // a picture with shading and text has many more, a blank one a few
 
 std::size_t countColours(const QImage& image) {
   std::set<QRgb> colours;
@@ -78,9 +78,11 @@ TEST_F(ViewportTest, ContactIsVermillionAndApartIsNot) {
 
 TEST_F(ViewportTest, DrawsOnlyWhenSomethingChanges) {
   pictureAt(5.5);
-  ASSERT_TRUE(QTest::qWaitFor([&, last = -1L]() mutable {
-    return std::exchange(last, window.viewport().framesDrawn()) == window.viewport().framesDrawn();
-  }, kWaitMs));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&, last = -1L]() mutable {
+        return std::exchange(last, window.viewport().framesDrawn()) == window.viewport().framesDrawn();
+      },
+      kWaitMs));
   QTest::qWait(300);
   const long before = window.viewport().framesDrawn();
   QTest::qWait(500);
@@ -91,8 +93,9 @@ TEST_F(ViewportTest, DrawsOnlyWhenSomethingChanges) {
 
 TEST_F(ViewportTest, EveryToggleChangesThePicture) {
   pictureAt(0.4);
-  for (const ActionId id : {ActionId::kForces, ActionId::kTorques, ActionId::kVelocities, ActionId::kClosest,
-                            ActionId::kLabels, ActionId::kFloor, ActionId::kShadows, ActionId::kTransparent}) {
+  for (const ActionId id :
+       {ActionId::kForces, ActionId::kTorques, ActionId::kVelocities, ActionId::kClosest, ActionId::kLabels,
+        ActionId::kFloor, ActionId::kShadows, ActionId::kTransparent}) {
     QAction* action = window.actions()[id];
     SCOPED_TRACE(action->text().toStdString());
     const bool was = action->isChecked();
@@ -129,6 +132,18 @@ TEST_F(ViewportTest, AClickChoosesWhatIsUnderThePointer) {
   EXPECT_EQ(window.selection().objects(), std::vector<int>{session.indexOf("table")});
   QTest::mouseClick(gl, Qt::LeftButton, {}, QPoint(2, 2));
   EXPECT_TRUE(window.selection().objects().empty());
+}
+
+TEST_F(ViewportTest, NothingIsCutOffFromAnySide) {
+  pictureAt(0.4);
+  for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso}) {
+    SCOPED_TRACE(window.actions()[id]->text().toStdString());
+    window.actions()[id]->trigger();
+    // The parts in contact are seen from every side, above the floor's layer and through transparent people.
+    for (const ActionId hidden : {ActionId::kLabels, ActionId::kClosest, ActionId::kForces})
+      window.actions()[hidden]->setChecked(false);
+    EXPECT_GT(countHue(window.viewport().picture(), QColor(kVermillion)), 300);
+  }
 }
 
 TEST_F(ViewportTest, CameraPresetsDifferAndComeBack) {

@@ -28,7 +28,7 @@ namespace abstand::ui {
 namespace {
 
 constexpr int kWaitMs = 5000;
-constexpr double kExact = 1e-9;   // s; a frame is 0.02 s
+constexpr double kExact = 1e-9;  // s; a frame is 0.02 s
 
 struct WindowTest : testing::Test {
   void SetUp() override {
@@ -36,11 +36,12 @@ struct WindowTest : testing::Test {
     window.resize(1200, 800);
     window.setSession(&session);
     window.show();
-    window.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kWaitMs));
     session.log.clear();
   }
   void key(int k, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    // Shortcuts belong to the active window, and without a window manager nobody makes one active.
+    QApplication::setActiveWindow(&window);
     QTest::keyClick(&window, static_cast<Qt::Key>(k), modifiers);
     window.pull();
   }
@@ -94,8 +95,9 @@ TEST_F(WindowTest, SpacePlaysAndPauses) {
 
 TEST_F(WindowTest, KeysBelongToATextFieldThatHasTheFocus) {
   QLineEdit* box = window.pairPanel().filterBox();
+  QApplication::setActiveWindow(&window);
   box->setFocus();
-  if (!box->hasFocus()) GTEST_SKIP() << "no window manager gives the focus";
+  ASSERT_TRUE(box->hasFocus());
   QTest::keyClicks(box, "c v");
   EXPECT_EQ(box->text(), "c v");
   EXPECT_TRUE(session.log.empty());
@@ -106,7 +108,8 @@ TEST_F(WindowTest, TheStripFollowsThePointer) {
   const int y = strip->height() / 2;
   QTest::mousePress(strip, Qt::LeftButton, {}, QPoint(strip->xOf(3.0), y));
   EXPECT_NEAR(session.time(), strip->timeAt(strip->xOf(3.0)), kExact);
-  QMouseEvent move(QEvent::MouseMove, QPoint(strip->xOf(7.0), y), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QMouseEvent move(QEvent::MouseMove, QPoint(strip->xOf(7.0), y), Qt::NoButton, Qt::LeftButton,
+                   Qt::NoModifier);
   QApplication::sendEvent(strip, &move);
   EXPECT_NEAR(session.time(), strip->timeAt(strip->xOf(7.0)), kExact);
   EXPECT_EQ(window.playback().time(), session.time());
@@ -136,8 +139,8 @@ TEST_F(WindowTest, DroppedFilesAreAskedForByTheirKind) {
 TEST_F(WindowTest, RecentScenesAreRememberedNewestFirst) {
   for (int i = 0; i < kRecentFiles + 2; ++i) rememberFile(QStringLiteral("/scenes/%1.yaml").arg(i));
   rememberFile("/scenes/4.yaml");
-  EXPECT_EQ(recentFiles(), (QStringList{"/scenes/4.yaml", "/scenes/6.yaml", "/scenes/5.yaml", "/scenes/3.yaml",
-                                        "/scenes/2.yaml"}));
+  EXPECT_EQ(recentFiles(), (QStringList{"/scenes/4.yaml", "/scenes/6.yaml", "/scenes/5.yaml",
+                                        "/scenes/3.yaml", "/scenes/2.yaml"}));
 }
 
 TEST_F(WindowTest, LayoutAndViewOutliveTheWindow) {

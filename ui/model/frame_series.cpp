@@ -38,8 +38,10 @@ void FrameSeries::add(double t, double value) {
     values_.resize(frame + 1, kUnknown);
   }
   double& slot = values_[frame];
-  if (frame != last_frame_ || std::isnan(slot)) slot = value;
-  else slot = keep_ == Keep::kSmallest ? std::min(slot, value) : std::max(slot, value);
+  if (frame != last_frame_ || std::isnan(slot))
+    slot = value;
+  else
+    slot = keep_ == Keep::kSmallest ? std::min(slot, value) : std::max(slot, value);
   last_frame_ = frame;
   ++revision_;
 }
@@ -54,7 +56,8 @@ Extremes FrameSeries::between(double left, double right) const {
   Extremes extremes{kUnknown, kUnknown};
   if (values_.empty()) return extremes;
   const double first = std::max(0.0, std::round((left - start_) / period_));
-  const double last = std::min(static_cast<double>(values_.size() - 1), std::round((right - start_) / period_));
+  const double last =
+      std::min(static_cast<double>(values_.size() - 1), std::round((right - start_) / period_));
   for (double f = first; f <= last; ++f) {
     const double v = values_[static_cast<std::size_t>(f)];
     extremes.low = std::fmin(extremes.low, v);

@@ -1,4 +1,5 @@
-// One value a frame of the timeline, as far as it has been computed; the charts and the time strip draw from it.
+// One value a frame of the timeline, as far as it has been computed; the charts and the time strip draw from
+// it.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +19,9 @@ struct SeriesPoint {
   double t, value;
 };
 
-/// Values over [start, end] in frames of `period`. A frame that is played again takes the new values. With end <= start
-/// the end is open: the series grows, and forgets its first half when it is full. GUI thread only.
+/// Values over [start, end] in frames of `period`. A frame that is played again takes the new values. With
+/// end <= start the end is open: the series grows, and forgets its first half when it is full. GUI thread
+/// only.
 class FrameSeries {
  public:
   static constexpr std::size_t kMaxFrames = std::size_t{1} << 20;
@@ -44,8 +46,9 @@ class FrameSeries {
   /// Grows with every value that was added.
   long revision() const { return revision_; }
 
-  /// Replaces `out` by at most two points a column of [left, right] divided into `columns`: the lowest and highest
-  /// value of the column in order of time, so that no extreme is lost. A NaN value parts what is not connected.
+  /// Replaces `out` by at most two points a column of [left, right] divided into `columns`: the lowest and
+  /// highest value of the column in order of time, so that no extreme is lost. A NaN value parts what is not
+  /// connected.
   void decimate(double left, double right, int columns, std::vector<SeriesPoint>& out) const;
 
  private:

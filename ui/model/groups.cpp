@@ -19,11 +19,13 @@ std::vector<Group> groupsOf(const SceneOutline& outline) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < outline.objects.size(); ++i) {
     const auto& info = outline.objects[i];
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.name == info.group; });
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.name == info.group; });
     if (group == groups.end()) group = groups.insert(groups.end(), Group{info.group, kindOf(info), 0, {}});
     group->objects.push_back(static_cast<int>(i));
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.kind < b.kind; });
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.kind < b.kind; });
   std::array<int, 3> count{};
   for (Group& group : groups) group.index_of_kind = count[static_cast<std::size_t>(group.kind)]++;
   return groups;
@@ -31,7 +33,8 @@ std::vector<Group> groupsOf(const SceneOutline& outline) {
 
 std::string shortName(const SceneOutline::ObjectInfo& info) {
   const std::string prefix = info.group + "/";
-  return info.name.size() > prefix.size() && info.name.starts_with(prefix) ? info.name.substr(prefix.size()) : info.name;
+  return info.name.size() > prefix.size() && info.name.starts_with(prefix) ? info.name.substr(prefix.size())
+                                                                           : info.name;
 }
 
 }  // namespace abstand::ui

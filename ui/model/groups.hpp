@@ -13,8 +13,8 @@ enum class GroupKind { kMechanism, kHuman, kObjects };
 struct Group {
   std::string name;
   GroupKind kind{GroupKind::kObjects};
-  int index_of_kind{0};        ///< 0 for the first mechanism, 1 for the second ...
-  std::vector<int> objects;    ///< indices of the outline, in order
+  int index_of_kind{0};      ///< 0 for the first mechanism, 1 for the second ...
+  std::vector<int> objects;  ///< indices of the outline, in order
 };
 
 /// In the order of the first member: mechanisms first, then people, then objects.

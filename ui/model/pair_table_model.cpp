@@ -18,12 +18,17 @@ void PairTableModel::open(const SceneOutline& outline) {
   for (const auto& info : outline.objects) names_.push_back(QString::fromStdString(info.name));
   pairs_ = outline.pairs;
   values_.assign(pairs_.size(), {});
+  lost_.assign(names_.size(), false);
   endResetModel();
 }
 
 void PairTableModel::refresh(const SceneSnapshot& snapshot) {
   if (snapshot.pairs.size() != values_.size() || values_.empty()) return;
   std::copy(snapshot.pairs.begin(), snapshot.pairs.end(), values_.begin());
+  for (std::size_t i = 0; i < std::min(lost_.size(), snapshot.objects.size()); ++i) {
+    const PoseState state = snapshot.objects[i].pose_state;
+    lost_[i] = state == PoseState::kStale || state == PoseState::kRejected;
+  }
   Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
@@ -33,8 +38,12 @@ int PairTableModel::rowCount(const QModelIndex& parent) const {
 
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-PairTableModel::Level PairTableModel::level(const PairSnapshot& pair) const {
+PairTableModel::Level PairTableModel::level(std::size_t row) const {
+  const PairSnapshot& pair = values_[row];
   if (pair.result.contacts > 0 || pair.result.distance < 0.0) return Level::kContact;
+  if (lost_[static_cast<std::size_t>(pairs_[row].first)] ||
+      lost_[static_cast<std::size_t>(pairs_[row].second)])
+    return Level::kLost;
   if (std::isnan(pair.result.distance)) return Level::kUnknown;
   return pair.result.distance < kNearFactor * pair.margin ? Level::kNear : Level::kFine;
 }
@@ -43,21 +52,35 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
   const PairSnapshot& pair = values_[row];
   switch (column) {
     case kState:
-      switch (level(pair)) {
-        case Level::kContact: return tr("⚠ contact");
-        case Level::kNear: return tr("▲ near");
-        case Level::kFine: return tr("apart");
-        case Level::kUnknown: return tr("–");
+      switch (level(row)) {
+        case Level::kContact:
+          return tr("⚠ contact");
+        case Level::kLost:
+          return tr("? pose lost");
+        case Level::kNear:
+          return tr("▲ near");
+        case Level::kFine:
+          return tr("apart");
+        case Level::kUnknown:
+          return tr("–");
       }
       return {};
-    case kA: return names_[static_cast<std::size_t>(pairs_[row].first)];
-    case kB: return names_[static_cast<std::size_t>(pairs_[row].second)];
-    case kDistance: return millimetres(pair.result.distance);
-    case kBound: return millimetres(pair.result.bound);
-    case kMargin: return millimetres(pair.margin, 0);
-    case kForce: return fixed(pair.result.force_a.norm(), 1);
-    case kContacts: return QString::number(pair.result.contacts);
-    default: return {};
+    case kA:
+      return names_[static_cast<std::size_t>(pairs_[row].first)];
+    case kB:
+      return names_[static_cast<std::size_t>(pairs_[row].second)];
+    case kDistance:
+      return millimetres(pair.result.distance);
+    case kBound:
+      return millimetres(pair.result.bound);
+    case kMargin:
+      return millimetres(pair.margin, 0);
+    case kForce:
+      return fixed(pair.result.force_a.norm(), 1);
+    case kContacts:
+      return QString::number(pair.result.contacts);
+    default:
+      return {};
   }
 }
 
@@ -65,12 +88,18 @@ double PairTableModel::number(std::size_t row, int column) const {
   const PairSnapshot& pair = values_[row];
   const auto finite = [](double v) { return std::isnan(v) ? kInfinity : v; };
   switch (column) {
-    case kState: return -static_cast<double>(level(pair));
-    case kDistance: return finite(pair.result.distance);
-    case kBound: return finite(pair.result.bound);
-    case kMargin: return pair.margin;
-    case kForce: return pair.result.force_a.norm();
-    default: return pair.result.contacts;
+    case kState:
+      return -static_cast<double>(level(row));
+    case kDistance:
+      return finite(pair.result.distance);
+    case kBound:
+      return finite(pair.result.bound);
+    case kMargin:
+      return pair.margin;
+    case kForce:
+      return pair.result.force_a.norm();
+    default:
+      return pair.result.contacts;
   }
 }
 
@@ -78,21 +107,23 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const auto row = static_cast<std::size_t>(index.row());
   switch (role) {
-    case Qt::DisplayRole: return text(row, index.column());
+    case Qt::DisplayRole:
+      return text(row, index.column());
     case kSortRole:
       if (index.column() == kA || index.column() == kB) return text(row, index.column());
       return number(row, index.column());
     case Qt::TextAlignmentRole:
-      return static_cast<int>((index.column() >= kDistance ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+      return static_cast<int>((index.column() >= kDistance ? Qt::AlignRight : Qt::AlignLeft) |
+                              Qt::AlignVCenter);
     case Qt::BackgroundRole: {
-      const Level now = level(values_[row]);
-      if (now != Level::kContact && now != Level::kNear) return {};
+      const Level now = level(row);
+      if (now != Level::kContact && now != Level::kNear && now != Level::kLost) return {};
       QColor tint(now == Level::kContact ? kVermillion : kAmber);
       tint.setAlpha(now == Level::kContact ? 60 : 36);
       return QBrush(tint);
     }
     case Qt::FontRole:
-      if (index.column() == kState && level(values_[row]) == Level::kContact) {
+      if (index.column() == kState && level(row) == Level::kContact) {
         QFont font = QGuiApplication::font();
         font.setBold(true);
         return font;
@@ -102,10 +133,11 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       const PairSnapshot& pair = values_[row];
       return tr("%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N")
           .arg(text(row, kA).toString(), text(row, kB).toString(), millimetresWithUnit(pair.result.distance),
-               millimetresWithUnit(pair.result.distance - pair.result.bound), millimetresWithUnit(pair.margin, 0),
-               fixed(pair.result.force_a.norm(), 1));
+               millimetresWithUnit(pair.result.distance - pair.result.bound),
+               millimetresWithUnit(pair.margin, 0), fixed(pair.result.force_a.norm(), 1));
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 
@@ -115,26 +147,44 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
     return static_cast<int>((section >= kDistance ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role == Qt::DisplayRole) {
     switch (section) {
-      case kState: return tr("State");
-      case kA: return tr("A");
-      case kB: return tr("B");
-      case kDistance: return tr("Distance [mm]");
-      case kBound: return tr("Bound [mm]");
-      case kMargin: return tr("Margin [mm]");
-      case kForce: return tr("Force [N]");
-      case kContacts: return tr("Contacts");
-      default: return {};
+      case kState:
+        return tr("State");
+      case kA:
+        return tr("A");
+      case kB:
+        return tr("B");
+      case kDistance:
+        return tr("Distance [mm]");
+      case kBound:
+        return tr("Bound [mm]");
+      case kMargin:
+        return tr("Margin [mm]");
+      case kForce:
+        return tr("Force [N]");
+      case kContacts:
+        return tr("Contacts");
+      default:
+        return {};
     }
   }
   if (role == Qt::ToolTipRole) {
     switch (section) {
-      case kState: return tr("Contact: within the margins. Near: closer than twice the margins.");
-      case kDistance: return tr("Between the bare surfaces, negative inside");
-      case kBound: return tr("The true distance is never below distance minus bound");
-      case kMargin: return tr("Sum of both objects' safety margins");
-      case kForce: return tr("Penalty force between the two");
-      case kContacts: return tr("Surface points within the margins");
-      default: return {};
+      case kState:
+        return tr(
+            "Contact: within the margins. Near: closer than twice the margins. "
+            "Pose lost: the distance is that of an old pose.");
+      case kDistance:
+        return tr("Between the bare surfaces, negative inside");
+      case kBound:
+        return tr("The true distance is never below distance minus bound");
+      case kMargin:
+        return tr("Sum of both objects' safety margins");
+      case kForce:
+        return tr("Penalty force between the two");
+      case kContacts:
+        return tr("Surface points within the margins");
+      default:
+        return {};
     }
   }
   return {};

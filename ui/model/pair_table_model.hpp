@@ -9,8 +9,8 @@
 
 namespace abstand::ui {
 
-/// One row a pair, in scene order, all rows from open() on; refresh() only changes values, so views keep selection
-/// and scroll position. The caller limits the rate. GUI thread only.
+/// One row a pair, in scene order, all rows from open() on; refresh() only changes values, so views keep
+/// selection and scroll position. The caller limits the rate. GUI thread only.
 class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -33,14 +33,16 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  enum class Level { kUnknown, kFine, kNear, kContact };
-  Level level(const PairSnapshot& pair) const;
+  enum class Level { kUnknown, kFine, kNear, kLost, kContact };
+  Level level(std::size_t row) const;
   QVariant text(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
 
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<PairSnapshot> values_;
+  std::vector<bool>
+      lost_;  // by object: its pose is stale or was rejected, so its distances are never called safe
 };
 
 /// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects.

@@ -7,8 +7,8 @@
 
 namespace abstand::ui {
 
-/// A seek or step moves the shown time at once; snapshots from before the session obeyed are passed over, so that
-/// the playhead does not jump back. GUI thread only.
+/// A seek or step moves the shown time at once; snapshots from before the session obeyed are passed over, so
+/// that the playhead does not jump back. GUI thread only.
 class Playback : public QObject {
   Q_OBJECT
 
@@ -61,8 +61,8 @@ class Playback : public QObject {
   double time_{0.0};
   double speed_{1.0};
   bool playing_{false}, loop_{false};
-  double awaited_{0.0};     // time that the session was asked for
-  int patience_{0};         // snapshots that may still come from before
+  double awaited_{0.0};  // time that the session was asked for
+  int patience_{0};      // snapshots that may still come from before
   bool play_asked_{false};
 };
 

@@ -19,7 +19,9 @@ constexpr quintptr kIsGroup = ~quintptr{0};
 // A distance is shown again when it moved by a tenth of a millimetre, the last digit that is shown.
 constexpr double kShownStep = 0.5e-4;
 
-bool sameShown(double a, double b) { return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < kShownStep; }
+bool sameShown(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < kShownStep;
+}
 
 }  // namespace
 
@@ -60,7 +62,8 @@ void SceneTreeModel::refresh(const SceneOutline& outline, const SceneSnapshot& s
       const ObjectSnapshot& now = snapshot.objects[i];
       Row& row = rows_[i];
       const bool hollow = now.pose_state == PoseState::kStale || now.pose_state == PoseState::kRejected;
-      if (row.colliding == now.colliding && row.hollow == hollow && sameShown(row.distance, nearest_[i])) continue;
+      if (row.colliding == now.colliding && row.hollow == hollow && sameShown(row.distance, nearest_[i]))
+        continue;
       group_changed |= row.colliding != now.colliding;
       row.colliding = now.colliding;
       row.hollow = hollow;
@@ -108,9 +111,12 @@ int SceneTreeModel::columnCount(const QModelIndex&) const { return 2; }
 
 QColor SceneTreeModel::colour(const Group& group) const {
   switch (group.kind) {
-    case GroupKind::kHuman: return sceneColours(theme_).human;
-    case GroupKind::kObjects: return sceneColours(theme_).objects;
-    case GroupKind::kMechanism: break;
+    case GroupKind::kHuman:
+      return sceneColours(theme_).human;
+    case GroupKind::kObjects:
+      return sceneColours(theme_).objects;
+    case GroupKind::kMechanism:
+      break;
   }
   return mechanismColour(group.index_of_kind, theme_);
 }
@@ -141,9 +147,12 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
     }
     if (role == Qt::ToolTipRole) {
       switch (group.kind) {
-        case GroupKind::kMechanism: return tr("Mechanism, links: %1").arg(group.objects.size());
-        case GroupKind::kHuman: return tr("Person, body parts: %1").arg(group.objects.size());
-        case GroupKind::kObjects: return tr("In the room: %1").arg(group.objects.size());
+        case GroupKind::kMechanism:
+          return tr("Mechanism, links: %1").arg(group.objects.size());
+        case GroupKind::kHuman:
+          return tr("Person, body parts: %1").arg(group.objects.size());
+        case GroupKind::kObjects:
+          return tr("In the room: %1").arg(group.objects.size());
       }
     }
     return {};
@@ -158,7 +167,8 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
 QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const {
   if (role == Qt::ToolTipRole) {
     QString tip = row.full_name;
-    if (row.hollow) tip += QLatin1Char('\n') + tr("The pose is stale or was rejected: drawn hollow, never safe");
+    if (row.hollow)
+      tip += QLatin1Char('\n') + tr("The pose is stale or was rejected: drawn hollow, never safe");
     return tip;
   }
   if (column == 0) {
@@ -174,8 +184,10 @@ QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const 
     case Qt::ForegroundRole:
       if (row.colliding) return QBrush(QColor(kVermillion));
       return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
-    case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-    default: return {};
+    case Qt::TextAlignmentRole:
+      return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    default:
+      return {};
   }
 }
 

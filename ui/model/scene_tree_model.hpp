@@ -9,8 +9,8 @@
 
 namespace abstand::ui {
 
-/// Two levels: groups, objects. Column 0: name with check box (shown in the viewport) and colour; column 1: contact
-/// mark or distance to the nearest other object. GUI thread only.
+/// Two levels: groups, objects. Column 0: name with check box (shown in the viewport) and colour; column 1:
+/// contact mark or distance to the nearest other object. GUI thread only.
 class SceneTreeModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -45,8 +45,8 @@ class SceneTreeModel : public QAbstractItemModel {
     int group{0}, row{0};
     bool visible{true};
     bool colliding{false};
-    bool hollow{false};       // the pose is stale or was rejected
-    double distance{kNaN};    // m, to the nearest other object
+    bool hollow{false};     // the pose is stale or was rejected
+    double distance{kNaN};  // m, to the nearest other object
   };
 
   QVariant groupData(const QModelIndex& index, int role) const;

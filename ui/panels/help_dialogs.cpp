@@ -14,14 +14,15 @@ namespace abstand::ui {
 
 QString shortcutPage(const Actions& actions) {
   QString page;
-  for (const auto group : {ActionGroup::kFile, ActionGroup::kPlayback, ActionGroup::kCamera, ActionGroup::kView,
-                           ActionGroup::kPanels, ActionGroup::kHelp}) {
+  for (const auto group : {ActionGroup::kFile, ActionGroup::kPlayback, ActionGroup::kCamera,
+                           ActionGroup::kView, ActionGroup::kPanels, ActionGroup::kHelp}) {
     page += QStringLiteral("<h3>%1</h3><table cellpadding='3' width='100%'>")
                 .arg(Actions::groupName(group).remove(QLatin1Char('&')));
     for (const auto& entry : actions.all()) {
       if (entry.group != group || !entry.action->isVisible()) continue;
       QStringList keys;
-      for (const QKeySequence& key : entry.action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+      for (const QKeySequence& key : entry.action->shortcuts())
+        keys << key.toString(QKeySequence::NativeText);
       page += QStringLiteral("<tr><td width='130'><b>%1</b></td><td width='190'>%2</td><td>%3</td></tr>")
                   .arg(keys.join(QStringLiteral(", ")).toHtmlEscaped(),
                        entry.action->text().remove(QLatin1Char('&')).toHtmlEscaped(),
@@ -52,8 +53,10 @@ void showAbout(QWidget* parent) {
       QMessageBox::NoIcon, QApplication::translate("help", "About Abstand"),
       QApplication::translate(
           "help",
-          "<h3>Abstand %1</h3><p>Distances and contact between people and robots: how close did they come, how hard "
-          "would they have touched, and which safety margin would have been right.</p><p><b>This is an analysis tool, "
+          "<h3>Abstand %1</h3><p>Distances and contact between people and robots: how close did they come, "
+          "how hard "
+          "would they have touched, and which safety margin would have been right.</p><p><b>This is an "
+          "analysis tool, "
           "not a safety function.</b> Do not use it to stop a machine or to protect a person.</p>")
           .arg(QApplication::applicationVersion()),
       QMessageBox::Close, parent);

@@ -2,6 +2,7 @@
 #include "ui/panels/margin_panel.hpp"
 
 #include <QFrame>
+#include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,6 +34,12 @@ void MarginPanel::open(const SceneOutline& outline, const std::vector<double>& m
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(2);
+  if (!outline.objects.empty()) {
+    auto* reset = new QPushButton(tr("Reset all"), content);
+    reset->setToolTip(tr("All safety margins as when the scene was opened"));
+    connect(reset, &QPushButton::clicked, this, &MarginPanel::reset);
+    layout->addWidget(reset, 0, Qt::AlignRight);
+  }
   for (const Group& group : groupsOf(outline)) {
     const QString name = QString::fromStdString(group.name);
     auto* master = new MarginRow(name, true, content);
@@ -69,8 +76,9 @@ void MarginPanel::open(const SceneOutline& outline, const std::vector<double>& m
 }
 
 MarginRow* MarginPanel::row(int object) const {
-  return object >= 0 && static_cast<std::size_t>(object) < rows_.size() ? rows_[static_cast<std::size_t>(object)]
-                                                                        : nullptr;
+  return object >= 0 && static_cast<std::size_t>(object) < rows_.size()
+             ? rows_[static_cast<std::size_t>(object)]
+             : nullptr;
 }
 
 MarginRow* MarginPanel::groupRow(const QString& group) const {

@@ -14,8 +14,8 @@ namespace abstand::ui {
 
 class MarginRow;
 
-/// One row an object and a master row a group. Changes are gathered for a moment, so that dragging a slider sends its
-/// newest value instead of every one on the way. GUI thread only.
+/// One row an object and a master row a group. Changes are gathered for a moment, so that dragging a slider
+/// sends its newest value instead of every one on the way. GUI thread only.
 class MarginPanel : public QScrollArea {
   Q_OBJECT
 

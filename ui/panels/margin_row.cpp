@@ -28,8 +28,10 @@ class CalmSpinBox : public QDoubleSpinBox {
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus()) QDoubleSpinBox::wheelEvent(event);
-    else event->ignore();
+    if (hasFocus())
+      QDoubleSpinBox::wheelEvent(event);
+    else
+      event->ignore();
   }
 };
 

@@ -14,8 +14,8 @@ class MarginRow : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr double kSliderLimit = 0.3;   ///< m, the slider's right end
-  static constexpr double kLimit = 2.0;         ///< m, the spin box's
+  static constexpr double kSliderLimit = 0.3;  ///< m, the slider's right end
+  static constexpr double kLimit = 2.0;        ///< m, the spin box's
 
   MarginRow(const QString& name, bool heading, QWidget* parent = nullptr);
 

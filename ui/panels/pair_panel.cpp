@@ -15,8 +15,13 @@
 namespace abstand::ui {
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
-    : QWidget(parent), selection_{selection}, model_{new PairTableModel(this)}, filter_{new PairFilter(this)},
-      filter_box_{new QLineEdit(this)}, all_{new QToolButton(this)}, count_{new QLabel(this)},
+    : QWidget(parent),
+      selection_{selection},
+      model_{new PairTableModel(this)},
+      filter_{new PairFilter(this)},
+      filter_box_{new QLineEdit(this)},
+      all_{new QToolButton(this)},
+      count_{new QLabel(this)},
       table_{new QTableView(this)} {
   filter_->setSourceModel(model_);
   filter_box_->setPlaceholderText(tr("Filter by name"));
@@ -45,9 +50,12 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
-  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96}, {+PairTableModel::kDistance, 126},
-                                      {+PairTableModel::kBound, 104}, {+PairTableModel::kMargin, 104},
-                                      {+PairTableModel::kForce, 88}, {+PairTableModel::kContacts, 86}})
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96},
+                                      {+PairTableModel::kDistance, 126},
+                                      {+PairTableModel::kBound, 104},
+                                      {+PairTableModel::kMargin, 104},
+                                      {+PairTableModel::kForce, 88},
+                                      {+PairTableModel::kContacts, 86}})
     header->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;
@@ -94,8 +102,10 @@ void PairPanel::followSelection() {
   if (!choosing_) {
     const QScopedValueRollback guard(choosing_, true);
     filter_->setObjects(selection_.pair() < 0 ? selection_.objects() : std::vector<int>{});
-    if (selection_.pair() < 0) table_->clearSelection();
-    else table_->selectRow(filter_->mapFromSource(model_->index(selection_.pair(), 0)).row());
+    if (selection_.pair() < 0)
+      table_->clearSelection();
+    else
+      table_->selectRow(filter_->mapFromSource(model_->index(selection_.pair(), 0)).row());
   }
   all_->setVisible(selection_.pair() < 0 && !selection_.objects().empty());
   showCount();

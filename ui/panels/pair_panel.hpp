@@ -14,7 +14,8 @@ namespace abstand::ui {
 
 class Selection;
 
-/// Sorted by distance at first. Shows only the pairs of chosen objects; choosing a row chooses both. GUI thread only.
+/// Sorted by distance at first. Shows only the pairs of chosen objects; choosing a row chooses both. GUI
+/// thread only.
 class PairPanel : public QWidget {
   Q_OBJECT
 

@@ -16,7 +16,8 @@ namespace {
 void colourText(QLabel* label, bool alarm) {
   QPalette palette = label->parentWidget()->palette();
   if (alarm) palette.setColor(QPalette::WindowText, QColor(kVermillion));
-  if (label->palette().color(QPalette::WindowText) != palette.color(QPalette::WindowText)) label->setPalette(palette);
+  if (label->palette().color(QPalette::WindowText) != palette.color(QPalette::WindowText))
+    label->setPalette(palette);
 }
 
 constexpr int kAround = 12;  // px left and right of a text
@@ -24,13 +25,17 @@ constexpr int kAround = 12;  // px left and right of a text
 void setText(QLabel* label, const QString& text) {
   label->setText(text);
   // Labels only grow, so that what stands beside them keeps its place.
-  label->setMinimumWidth(std::max(label->minimumWidth(), label->fontMetrics().horizontalAdvance(text) + 2 * kAround));
+  label->setMinimumWidth(
+      std::max(label->minimumWidth(), label->fontMetrics().horizontalAdvance(text) + 2 * kAround));
 }
 
 }  // namespace
 
 StatusPanel::StatusPanel(QStatusBar* bar)
-    : QObject(bar), nearest_{new QLabel(bar)}, cycle_{new QLabel(bar)}, overruns_{new QLabel(bar)},
+    : QObject(bar),
+      nearest_{new QLabel(bar)},
+      cycle_{new QLabel(bar)},
+      overruns_{new QLabel(bar)},
       real_time_{new QLabel(bar)} {
   bar->setSizeGripEnabled(false);
   auto* banner = new QLabel(bar);
@@ -66,7 +71,8 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
   } else {
     nearest_->clear();
   }
-  setText(cycle_, tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
+  setText(cycle_,
+          tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
   setText(overruns_, tr("Overruns %1").arg(snapshot.overruns));
   setText(real_time_, tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }

@@ -20,8 +20,8 @@ constexpr int kSide = 10;        // px left and right, for the playhead's handle
 constexpr int kMarkHeight = 9;   // px above the band
 constexpr int kTickHeight = 16;  // px below
 
-/// Cividis, which stays ordered for every kind of colour vision [Nunez, Anderton, Renslow 2018]: nine stops from near
-/// (bright) to far (dark).
+/// Cividis, which stays ordered for every kind of colour vision [Nunez, Anderton, Renslow 2018]: nine stops
+/// from near (bright) to far (dark).
 constexpr std::array<QRgb, 9> kCividis{0xfffee838, 0xffe1cc55, 0xffc3b369, 0xffa59c74, 0xff8a8678,
                                        0xff707173, 0xff575d6d, 0xff35456c, 0xff00224e};
 constexpr double kFarDistance = 1.0;  // m; everything beyond is equally dark
@@ -201,8 +201,9 @@ bool TimeStrip::event(QEvent* event) {
     const double t = timeAt(help->pos().x());
     const double d = distance_->at(t);
     QToolTip::showText(help->globalPos(),
-                       std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))
-                                     : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d)),
+                       std::isnan(d)
+                           ? tr("%1: not computed yet").arg(secondsWithUnit(t))
+                           : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d)),
                        this);
     return true;
   }

@@ -9,8 +9,9 @@
 
 namespace abstand::ui {
 
-/// Bright where the smallest distance was small, dark where it was large, grey where not yet computed, vermillion
-/// ticks with a triangle where there was contact. The playhead follows the pointer while the left button is down.
+/// Bright where the smallest distance was small, dark where it was large, grey where not yet computed,
+/// vermillion ticks with a triangle where there was contact. The playhead follows the pointer while the left
+/// button is down.
 class TimeStrip : public QWidget {
   Q_OBJECT
 
@@ -50,8 +51,8 @@ class TimeStrip : public QWidget {
   const FrameSeries* force_{nullptr};
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
-  QImage heat_;                        // one row, a pixel a column
-  std::vector<bool> contact_;          // by column
+  QImage heat_;                // one row, a pixel a column
+  std::vector<bool> contact_;  // by column
   long shown_revision_{-1};
 };
 

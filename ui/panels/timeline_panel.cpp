@@ -19,8 +19,9 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr ActionId kButtons[] = {ActionId::kToStart,     ActionId::kBackSecond,    ActionId::kStepBack, ActionId::kPlay,
-                                 ActionId::kStepForward, ActionId::kForwardSecond, ActionId::kToEnd,    ActionId::kLoop};
+constexpr ActionId kButtons[] = {ActionId::kToStart, ActionId::kBackSecond,  ActionId::kStepBack,
+                                 ActionId::kPlay,    ActionId::kStepForward, ActionId::kForwardSecond,
+                                 ActionId::kToEnd,   ActionId::kLoop};
 constexpr int kButtonSize = 28;      // px
 constexpr int kPlayButtonSize = 34;  // px
 
@@ -29,8 +30,12 @@ QString speedText(double factor) { return QStringLiteral("%1×").arg(QLocale().t
 }  // namespace
 
 TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, QWidget* parent)
-    : QWidget(parent), playback_{playback}, strip_{new TimeStrip(this)}, speed_{new QComboBox(this)},
-      time_{new QLabel(this)}, frame_{new QLabel(this)} {
+    : QWidget(parent),
+      playback_{playback},
+      strip_{new TimeStrip(this)},
+      speed_{new QComboBox(this)},
+      time_{new QLabel(this)},
+      frame_{new QLabel(this)} {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(2);
@@ -48,7 +53,8 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, QWidget
 
   speed_->setEditable(true);
   speed_->setInsertPolicy(QComboBox::NoInsert);
-  for (const double factor : {0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0}) speed_->addItem(speedText(factor), factor);
+  for (const double factor : {0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0})
+    speed_->addItem(speedText(factor), factor);
   speed_->setAccessibleName(tr("Playback speed"));
   speed_->setToolTip(tr("Speed, 0.05 to 8 times that of the recording (+ and −)"));
   speed_->setFixedWidth(78);

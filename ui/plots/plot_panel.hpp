@@ -12,8 +12,8 @@ namespace abstand::ui {
 
 class StripChart;
 
-/// The charts share their window. While following, the window moves with the playhead; zooming or dragging ends
-/// that until followChanged(true) is asked for again. GUI thread only.
+/// The charts share their window. While following, the window moves with the playhead; zooming or dragging
+/// ends that until followChanged(true) is asked for again. GUI thread only.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -21,8 +21,8 @@ class PlotPanel : public QWidget {
   explicit PlotPanel(QWidget* parent = nullptr);
 
   /// Series live in the owner and must outlive the panel or be replaced; null for none.
-  void setSeries(const FrameSeries* distance, const FrameSeries* force, const FrameSeries* effort, double start,
-                 double end);
+  void setSeries(const FrameSeries* distance, const FrameSeries* force, const FrameSeries* effort,
+                 double start, double end);
   void setTime(double t);
   /// Margin (m) of the nearest pair, shown as a band in the distance chart.
   void setMargin(double metres);

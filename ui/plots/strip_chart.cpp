@@ -25,15 +25,19 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kShortestWindow = 0.05;   // s
-constexpr double kZoomStep = 0.8;          // a notch of the wheel
-constexpr int kTimeLabelOverhang = 14;     // px
-constexpr double kValueAxisWidth = 44.0;   // px; the same for all charts, so that their times line up
+constexpr double kShortestWindow = 0.05;  // s
+constexpr double kZoomStep = 0.8;         // a notch of the wheel
+constexpr int kTimeLabelOverhang = 14;    // px
+constexpr double kValueAxisWidth = 44.0;  // px; the same for all charts, so that their times line up
 
 }  // namespace
 
 StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
-    : QWidget(parent), text_{std::move(text)}, plot_{new QwtPlot(this)}, value_{new QLabel(this)}, trace_{new Trace},
+    : QWidget(parent),
+      text_{std::move(text)},
+      plot_{new QwtPlot(this)},
+      value_{new QLabel(this)},
+      trace_{new Trace},
       grid_{new QwtPlotGrid} {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -134,7 +138,8 @@ void StripChart::refresh() {
 }
 
 void StripChart::fitValues() {
-  Extremes seen = trace_->series ? trace_->series->between(left_, right_) : Extremes{std::nan(""), std::nan("")};
+  Extremes seen =
+      trace_->series ? trace_->series->between(left_, right_) : Extremes{std::nan(""), std::nan("")};
   // Zero and the band are always in sight, and a flat line has room above it.
   double low = std::fmin(0.0, seen.low * text_.factor);
   double high = std::fmax(trace_->band_high, seen.high * text_.factor);
@@ -145,7 +150,9 @@ void StripChart::fitValues() {
   if (low < 0.0) low -= room;
   // The axis stays while the values fill most of it, so that it does not jitter.
   const double span = high_ - low_;
-  if (span > 0.0 && low >= low_ && high <= high_ && (high - low) > 0.6 * span && (low_ >= 0.0) == (low >= 0.0)) return;
+  if (span > 0.0 && low >= low_ && high <= high_ && (high - low) > 0.6 * span &&
+      (low_ >= 0.0) == (low >= 0.0))
+    return;
   low_ = low;
   high_ = high;
   plot_->setAxisScale(QwtPlot::yLeft, low_, high_);
@@ -195,7 +202,8 @@ bool StripChart::eventFilter(QObject* watched, QEvent* event) {
         Q_EMIT windowMoved(t - (t - left_) * zoom, t + (right_ - t) * zoom);
       return true;
     }
-    default: return QWidget::eventFilter(watched, event);
+    default:
+      return QWidget::eventFilter(watched, event);
   }
 }
 

@@ -15,18 +15,19 @@ namespace abstand::ui {
 
 class Trace;
 
-/// A chart of one FrameSeries with axis titles, grid, playhead and an optional margin band. The value axis fits what
-/// the window shows. Left button: scrub; wheel: zoom about the pointer; other buttons: drag the window.
+/// A chart of one FrameSeries with axis titles, grid, playhead and an optional margin band. The value axis
+/// fits what the window shows. Left button: scrub; wheel: zoom about the pointer; other buttons: drag the
+/// window.
 class StripChart : public QWidget {
   Q_OBJECT
 
  public:
   struct Text {
-    QString quantity;        ///< "Distance"
-    QString unit;            ///< "mm"
-    double factor{1.0};      ///< from the series's unit to `unit`
+    QString quantity;    ///< "Distance"
+    QString unit;        ///< "mm"
+    double factor{1.0};  ///< from the series's unit to `unit`
     int decimals{1};
-    bool time_axis{false};   ///< with labels and title below
+    bool time_axis{false};  ///< with labels and title below
   };
 
   StripChart(Text text, const QColor& colour, QWidget* parent = nullptr);
@@ -57,8 +58,8 @@ class StripChart : public QWidget {
   Text text_;
   QwtPlot* plot_;
   QLabel* value_;
-  Trace* trace_;            // owned by the plot
-  QwtPlotGrid* grid_;       // owned by the plot
+  Trace* trace_;       // owned by the plot
+  QwtPlotGrid* grid_;  // owned by the plot
   double left_{0.0}, right_{1.0};
   double low_{0.0}, high_{0.0};
   double drag_from_{0.0};

@@ -43,25 +43,31 @@ void Trace::drawBand(QPainter& painter, const QwtScaleMap& y, const QRectF& canv
   }
 }
 
-void Trace::drawSeries(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
-  series->decimate(x.invTransform(canvas.left()), x.invTransform(canvas.right()), static_cast<int>(canvas.width()),
-                   points_);
+void Trace::drawSeries(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                       const QRectF& canvas) const {
+  series->decimate(x.invTransform(canvas.left()), x.invTransform(canvas.right()),
+                   static_cast<int>(canvas.width()), points_);
   painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setRenderHint(QPainter::Antialiasing, points_.size() < 4000);
   const auto flush = [&] {
-    if (line_.size() == 1) painter.drawPoint(line_.front());
-    else if (!line_.isEmpty()) painter.drawPolyline(line_);
+    if (line_.size() == 1)
+      painter.drawPoint(line_.front());
+    else if (!line_.isEmpty())
+      painter.drawPolyline(line_);
     line_.resize(0);
   };
   for (const SeriesPoint& point : points_) {
-    if (std::isnan(point.value)) flush();
-    else line_ << QPointF(x.transform(point.t), y.transform(point.value * factor));
+    if (std::isnan(point.value))
+      flush();
+    else
+      line_ << QPointF(x.transform(point.t), y.transform(point.value * factor));
   }
   flush();
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-void Trace::drawPlayhead(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
+void Trace::drawPlayhead(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                         const QRectF& canvas) const {
   const double px = std::round(x.transform(playhead));
   if (px < canvas.left() || px > canvas.right()) return;
   QColor ink = plot()->palette().color(QPalette::Text);

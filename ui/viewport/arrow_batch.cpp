@@ -16,20 +16,23 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kSides = 14;            // around the shaft
+constexpr int kSides = 14;  // around the shaft
 constexpr int kArcSteps = 28;
-constexpr double kArc = 1.5 * kPi;    // three quarters of a turn
-constexpr double kTube = 0.075;       // of the arc's radius
-constexpr double kHeadWidth = 2.4;    // of the shaft's radius
-constexpr double kHeadLength = 6.0;   // of the shaft's radius
+constexpr double kArc = 1.5 * kPi;   // three quarters of a turn
+constexpr double kTube = 0.075;      // of the arc's radius
+constexpr double kHeadWidth = 2.4;   // of the shaft's radius
+constexpr double kHeadLength = 6.0;  // of the shaft's radius
 
 double sideAngle(int k) { return 2.0 * kPi * k / kSides; }
 
 }  // namespace
 
-ArrowBatch::ArrowBatch(Shape shape, int capacity, vtkRenderer* renderer) : capacity_{capacity}, renderer_{renderer} {
-  if (shape == Shape::kStraight) makeStraight();
-  else makeCurved();
+ArrowBatch::ArrowBatch(Shape shape, int capacity, vtkRenderer* renderer)
+    : capacity_{capacity}, renderer_{renderer} {
+  if (shape == Shape::kStraight)
+    makeStraight();
+  else
+    makeCurved();
   const auto n = static_cast<vtkIdType>(vertices_.size());
   points_ = vtkSmartPointer<vtkPoints>::New();
   points_->SetDataTypeToFloat();
@@ -61,7 +64,9 @@ ArrowBatch::ArrowBatch(Shape shape, int capacity, vtkRenderer* renderer) : capac
 
 ArrowBatch::~ArrowBatch() { renderer_->RemoveActor(actor_); }
 
-void ArrowBatch::setColour(const QColor& c) { actor_->GetProperty()->SetColor(c.redF(), c.greenF(), c.blueF()); }
+void ArrowBatch::setColour(const QColor& c) {
+  actor_->GetProperty()->SetColor(c.redF(), c.greenF(), c.blueF());
+}
 
 void ArrowBatch::ring(double shaft_radius, double length, double head, const Vector3d& slope) {
   for (int k = 0; k < kSides; ++k) {
@@ -81,13 +86,13 @@ void ArrowBatch::band(int first, int second) {
 
 void ArrowBatch::makeStraight() {
   const Vector3d outwards(1, 0, 0), back(0, 0, -1), cone(kHeadLength, 0, kHeadWidth);
-  ring(0.0, 0.0, 0.0, back);           // end of the shaft
+  ring(0.0, 0.0, 0.0, back);  // end of the shaft
   ring(1.0, 0.0, 0.0, back);
-  ring(1.0, 0.0, 0.0, outwards);       // shaft
+  ring(1.0, 0.0, 0.0, outwards);  // shaft
   ring(1.0, 1.0, -1.0, outwards);
-  ring(1.0, 1.0, -1.0, back);          // back of the head
+  ring(1.0, 1.0, -1.0, back);  // back of the head
   ring(kHeadWidth, 1.0, -1.0, back);
-  ring(kHeadWidth, 1.0, -1.0, cone);   // head
+  ring(kHeadWidth, 1.0, -1.0, cone);  // head
   ring(0.0, 1.0, 0.0, cone);
   for (const int first : {0, 2, 4, 6}) band(first * kSides, (first + 1) * kSides);
 }
@@ -106,7 +111,7 @@ void ArrowBatch::makeCurved() {
   for (int step = 0; step <= kArcSteps; ++step) ringAt(kArc * step / kArcSteps, 0.0, kTube, 0.0);
   for (int step = 0; step < kArcSteps; ++step) band(step * kSides, (step + 1) * kSides);
   const int head = (kArcSteps + 1) * kSides;
-  constexpr double kSteep = -100.0;    // normal of the head's back, all but along the tangent
+  constexpr double kSteep = -100.0;  // normal of the head's back, all but along the tangent
   ringAt(kArc, 0.0, kTube, kSteep);
   ringAt(kArc, 0.0, kHeadWidth * kTube, kSteep);
   ringAt(kArc, 0.0, kHeadWidth * kTube, kHeadWidth / kHeadLength);
@@ -121,7 +126,7 @@ void ArrowBatch::add(const Vector3d& p_W, const Vector3d& direction, double leng
   if (used_ == capacity_ || !p_W.allFinite() || !direction.allFinite()) return;
   const Matrix3d R = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction).toRotationMatrix();
   const double head = std::min(kHeadLength * radius, 0.6 * length);
-  const double shaft = head / kHeadLength;   // short arrows are thin too
+  const double shaft = head / kHeadLength;  // short arrows are thin too
   auto at = static_cast<vtkIdType>(vertices_.size()) * used_;
   for (const Vertex& v : vertices_) {
     const Vector3d p = p_W + R * (shaft * v.by_radius + length * v.by_length + head * v.by_head);

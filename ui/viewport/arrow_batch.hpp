@@ -14,8 +14,8 @@
 
 namespace abstand::ui {
 
-/// Points and triangles for all arrows are made once; a frame writes the points of those in use. Straight arrows keep
-/// the proportions of their heads at any length; curved ones turn right-handed about their axis.
+/// Points and triangles for all arrows are made once; a frame writes the points of those in use. Straight
+/// arrows keep the proportions of their heads at any length; curved ones turn right-handed about their axis.
 class ArrowBatch {
  public:
   enum class Shape { kStraight, kCurved };
@@ -27,15 +27,15 @@ class ArrowBatch {
 
   void setColour(const QColor& colour);
   void begin();
-  /// Straight: from p_W along `direction` (unit), `length` m, shaft of `radius` m. Curved: three quarters of a turn
-  /// about `direction`, of radius `length`. Beyond the capacity arrows are left out.
+  /// Straight: from p_W along `direction` (unit), `length` m, shaft of `radius` m. Curved: three quarters of
+  /// a turn about `direction`, of radius `length`. Beyond the capacity arrows are left out.
   void add(const Vector3d& p_W, const Vector3d& direction, double length, double radius);
   /// True when the arrows differ from those before.
   bool finish();
 
  private:
   struct Vertex {
-    Vector3d by_radius, by_length, by_head;   // position = sum of each times its length
+    Vector3d by_radius, by_length, by_head;  // position = sum of each times its length
     Vector3d normal;
   };
 

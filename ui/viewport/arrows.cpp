@@ -9,12 +9,12 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kLongest = 0.40;         // m, straight arrows
-constexpr double kLargestArc = 0.16;      // m, radius of a torque's arc
-constexpr double kShortest = 0.06;        // m, so that an arrow can be seen as one
-constexpr double kSmallestArc = 0.04;     // m
-constexpr double kForceRadius = 0.012;    // m
-constexpr double kVelocityRadius = 0.004; // m
+constexpr double kLongest = 0.40;          // m, straight arrows
+constexpr double kLargestArc = 0.16;       // m, radius of a torque's arc
+constexpr double kShortest = 0.06;         // m, so that an arrow can be seen as one
+constexpr double kSmallestArc = 0.04;      // m
+constexpr double kForceRadius = 0.012;     // m
+constexpr double kVelocityRadius = 0.004;  // m
 
 /// Factor from value to length, and the largest arrow for the legend.
 double scaleFor(double largest, double longest, double fixed, bool automatic, ArrowScale& scale) {
@@ -53,7 +53,8 @@ void Arrows::findContactPoints(const SceneOutline& outline, const SceneSnapshot&
     add(outline.pairs[p].second, result.witness_b, weight);
   }
   for (std::size_t i = 0; i < weights_.size(); ++i)
-    contact_points_[i] = weights_[i] > 0.0 ? Vector3d(contact_points_[i] / weights_[i]) : snapshot.objects[i].p_WCom;
+    contact_points_[i] =
+        weights_[i] > 0.0 ? Vector3d(contact_points_[i] / weights_[i]) : snapshot.objects[i].p_WCom;
 }
 
 bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options) {
@@ -72,27 +73,28 @@ bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot,
   const double per_newton = scaleFor(most_force, kLongest, options.metres_per_newton, automatic, force_);
   const double per_newton_metre =
       scaleFor(most_torque, kLargestArc, options.metres_per_newton_metre, automatic, torque_);
-  const double per_speed = scaleFor(most_speed, kLongest, options.metres_per_metre_per_second, automatic, velocity_);
+  const double per_speed =
+      scaleFor(most_speed, kLongest, options.metres_per_metre_per_second, automatic, velocity_);
 
   forces_->begin();
   torques_->begin();
   velocities_->begin();
   for (std::size_t i = 0; i < snapshot.objects.size(); ++i) {
     const ObjectSnapshot& object = snapshot.objects[i];
-    const auto arrow = [](ArrowBatch& batch, const Vector3d& p_W, const Vector3d& v, double least, double factor,
-                          double shortest, double longest, double radius) {
+    const auto arrow = [](ArrowBatch& batch, const Vector3d& p_W, const Vector3d& v, double least,
+                          double factor, double shortest, double longest, double radius) {
       const double size = v.norm();
       if (size >= least) batch.add(p_W, v / size, std::clamp(size * factor, shortest, longest), radius);
     };
     if (options.forces)
-      arrow(*forces_, contact_points_[i], object.contact.force, options.least_force, per_newton, kShortest, kLongest,
-            kForceRadius);
+      arrow(*forces_, contact_points_[i], object.contact.force, options.least_force, per_newton, kShortest,
+            kLongest, kForceRadius);
     if (options.torques)
-      arrow(*torques_, object.p_WCom, object.contact.torque, options.least_torque, per_newton_metre, kSmallestArc,
-            kLargestArc, 0.0);
+      arrow(*torques_, object.p_WCom, object.contact.torque, options.least_torque, per_newton_metre,
+            kSmallestArc, kLargestArc, 0.0);
     if (options.velocities)
-      arrow(*velocities_, object.p_WCom, object.velocity.linear, options.least_speed, per_speed, kShortest, kLongest,
-            kVelocityRadius);
+      arrow(*velocities_, object.p_WCom, object.velocity.linear, options.least_speed, per_speed, kShortest,
+            kLongest, kVelocityRadius);
   }
   bool changed = forces_->finish();
   changed |= torques_->finish();

@@ -13,8 +13,8 @@ namespace abstand::ui {
 
 /// One line of the legend: so long an arrow means so much.
 struct ArrowScale {
-  double metres{0.0};   ///< length of the longest arrow in sight; 0: none in sight
-  double value{0.0};    ///< what it stands for: N, N m or m/s
+  double metres{0.0};  ///< length of the longest arrow in sight; 0: none in sight
+  double value{0.0};   ///< what it stands for: N, N m or m/s
 };
 
 class Arrows {
@@ -22,8 +22,8 @@ class Arrows {
   explicit Arrows(vtkRenderer* renderer) : renderer_{renderer} {}
 
   void open(const SceneOutline& outline);
-  /// Total contact force on each object at the centre of its contact points (weighted by force), total torque about its
-  /// centre of mass, velocity of its centre of mass. True when something looks different now.
+  /// Total contact force on each object at the centre of its contact points (weighted by force), total torque
+  /// about its centre of mass, velocity of its centre of mass. True when something looks different now.
   bool refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options);
 
   const ArrowScale& forceScale() const { return force_; }
@@ -35,7 +35,7 @@ class Arrows {
 
   vtkRenderer* renderer_;
   std::unique_ptr<ArrowBatch> forces_, torques_, velocities_;
-  std::vector<Vector3d> contact_points_;   // by object; the sum of weighted points at first
+  std::vector<Vector3d> contact_points_;  // by object; the sum of weighted points at first
   std::vector<double> weights_;
   ArrowScale force_, torque_, velocity_;
 };

@@ -11,11 +11,11 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kViewAngle = 32.0;                        // degrees, vertical
-constexpr double kOrbitPerPixel = 0.0075;                  // rad
-constexpr double kSteepest = 0.5 * kPi - 1e-3;             // rad; at the pole "up" would be lost
-constexpr double kNearest = 0.05, kFarthest = 200.0;       // m
-constexpr double kRoom = 0.93;                             // of a fitted box, whose corners are mostly empty
+constexpr double kViewAngle = 32.0;                   // degrees, vertical
+constexpr double kOrbitPerPixel = 0.0075;             // rad
+constexpr double kSteepest = 0.5 * kPi - 1e-3;        // rad; at the pole "up" would be lost
+constexpr double kNearest = 0.05, kFarthest = 200.0;  // m
+constexpr double kRoom = 1.02;                        // around a fitted box
 
 }  // namespace
 
@@ -25,7 +25,8 @@ Camera::Camera(vtkRenderer* renderer) : renderer_{renderer} {
 }
 
 Vector3d Camera::back() const {
-  return {std::cos(elevation_) * std::cos(azimuth_), std::cos(elevation_) * std::sin(azimuth_), std::sin(elevation_)};
+  return {std::cos(elevation_) * std::cos(azimuth_), std::cos(elevation_) * std::sin(azimuth_),
+          std::sin(elevation_)};
 }
 
 void Camera::place(const Vector3d& focus, double distance) {
@@ -49,7 +50,8 @@ void Camera::orbit(double dx, double dy) {
 
 void Camera::pan(double dx, double dy) {
   update();
-  const double per_pixel = 2.0 * distance_ * std::tan(0.5 * unit::deg(kViewAngle)) / std::max(1.0, size_.height());
+  const double per_pixel =
+      2.0 * distance_ * std::tan(0.5 * unit::deg(kViewAngle)) / std::max(1.0, size_.height());
   place(focus_ + per_pixel * (-dx * R_CW_.row(0) + dy * R_CW_.row(1)).transpose(), distance_);
 }
 
@@ -57,10 +59,18 @@ void Camera::zoom(double factor) { place(focus_, distance_ * factor); }
 
 void Camera::look(CameraPreset preset, const Bounds& box) {
   switch (preset) {
-    case CameraPreset::kFront: azimuth_ = 0.0, elevation_ = 0.08; break;
-    case CameraPreset::kSide: azimuth_ = -0.5 * kPi, elevation_ = 0.08; break;
-    case CameraPreset::kTop: azimuth_ = -0.5 * kPi, elevation_ = kSteepest; break;
-    case CameraPreset::kIso: azimuth_ = -0.25 * kPi, elevation_ = unit::deg(24.0); break;
+    case CameraPreset::kFront:
+      azimuth_ = 0.0, elevation_ = 0.08;
+      break;
+    case CameraPreset::kSide:
+      azimuth_ = -0.5 * kPi, elevation_ = 0.08;
+      break;
+    case CameraPreset::kTop:
+      azimuth_ = -0.5 * kPi, elevation_ = kSteepest;
+      break;
+    case CameraPreset::kIso:
+      azimuth_ = -0.25 * kPi, elevation_ = unit::deg(24.0);
+      break;
   }
   place(focus_, distance_);
   fit(box);

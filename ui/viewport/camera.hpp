@@ -41,7 +41,7 @@ class Camera {
   QSizeF size_{800.0, 600.0};
   Vector3d focus_{0.0, 0.0, 1.0};
   double distance_{4.0};
-  double azimuth_{-0.9}, elevation_{0.4};   // rad; of the direction from the focus to the eye
+  double azimuth_{-0.9}, elevation_{0.4};  // rad; of the direction from the focus to the eye
   Eigen::Matrix4d clip_from_world_{Eigen::Matrix4d::Identity()};
   Matrix3d R_CW_{Matrix3d::Identity()};
 };

@@ -17,12 +17,12 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kFeatureAngle = 35.0;            // degrees; sharper edges are drawn sharp
-constexpr vtkIdType kWholeBelow = 1000;           // triangles
-constexpr vtkIdType kCoarseShadowAbove = 3000;    // triangles
-constexpr int kShadowCells = 24;                  // along the longest side
-constexpr double kOutline = 0.006;                // m
-constexpr double kOutlineShare = 0.06;            // of the object's size, for small ones
+constexpr double kFeatureAngle = 35.0;          // degrees; sharper edges are drawn sharp
+constexpr vtkIdType kWholeBelow = 1000;         // triangles
+constexpr vtkIdType kCoarseShadowAbove = 3000;  // triangles
+constexpr int kShadowCells = 24;                // along the longest side
+constexpr double kOutline = 0.006;              // m
+constexpr double kOutlineShare = 0.06;          // of the object's size, for small ones
 
 vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
@@ -31,7 +31,8 @@ vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     points->SetPoint(static_cast<vtkIdType>(i), mesh.vertices[i].data());
   vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size()), static_cast<vtkIdType>(3 * mesh.triangles.size()));
+  cells->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size()),
+                       static_cast<vtkIdType>(3 * mesh.triangles.size()));
   for (const auto& triangle : mesh.triangles) {
     const vtkIdType corners[3]{triangle[0], triangle[1], triangle[2]};
     cells->InsertNextCell(3, corners);

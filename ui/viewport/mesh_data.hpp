@@ -10,9 +10,9 @@ namespace abstand::ui {
 
 /// The data of one object, all in its body frame.
 struct MeshData {
-  vtkSmartPointer<vtkPolyData> surface;   ///< with normals, split at edges
-  vtkSmartPointer<vtkPolyData> hull;      ///< blown up a little; drawn inside out it is an outline
-  vtkSmartPointer<vtkPolyData> shadow;    ///< coarser
+  vtkSmartPointer<vtkPolyData> surface;  ///< with normals, split at edges
+  vtkSmartPointer<vtkPolyData> hull;     ///< blown up a little; drawn inside out it is an outline
+  vtkSmartPointer<vtkPolyData> shadow;   ///< coarser
 };
 
 /// `keep`: share of the triangles to keep, 1 for all; small meshes are kept whole.

@@ -15,13 +15,15 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr std::size_t kTriangleBudget = 60000;   // more cost too much where the processor draws
-constexpr double kShadowLift = 0.002;            // m above the floor
-constexpr double kShadowThickness = 1e-3;        // of the object's height; a flat matrix could not be inverted
+constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
+constexpr double kShadowLift = 0.002;           // m above the floor
+constexpr double kShadowThickness = 1e-3;       // of the object's height; a flat matrix could not be inverted
 // Where the key light comes from, per metre of height.
 constexpr double kLightX = -0.12, kLightY = -0.40;
 
-void setColour(vtkProperty* property, const QColor& c) { property->SetColor(c.redF(), c.greenF(), c.blueF()); }
+void setColour(vtkProperty* property, const QColor& c) {
+  property->SetColor(c.redF(), c.greenF(), c.blueF());
+}
 
 bool assign(vtkMatrix4x4* matrix, const Eigen::Matrix4d& m) {
   bool changed = false;
@@ -52,7 +54,9 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
   theme_ = theme;
   std::size_t triangles = 0;
   for (const TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
-  const double keep = triangles > kTriangleBudget ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles) : 1.0;
+  const double keep = triangles > kTriangleBudget
+                          ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles)
+                          : 1.0;
 
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
@@ -79,7 +83,8 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
   setTheme(theme);
 }
 
-vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose) {
+vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkRenderer* renderer, vtkPolyData* data,
+                                                 vtkMatrix4x4* pose) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
@@ -109,7 +114,8 @@ void ObjectActors::setTheme(Theme theme) {
   }
 }
 
-bool ObjectActors::refresh(const SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options) {
+bool ObjectActors::refresh(const SceneSnapshot& snapshot, const Selection& selection,
+                           const ViewOptions& options) {
   bool changed = false;
   const std::size_t n = std::min(items_.size(), snapshot.objects.size());
   for (std::size_t i = 0; i < n; ++i) {

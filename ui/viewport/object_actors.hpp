@@ -1,4 +1,5 @@
-// One actor an object, made when a scene opens; a frame only changes matrices and colours. VTK: .cpp files only.
+// One actor an object, made when a scene opens; a frame only changes matrices and colours. VTK: .cpp files
+// only.
 #pragma once
 
 #include <vtkActor.h>
@@ -34,7 +35,8 @@ class ObjectActors {
 
   /// World box of what is visible, of the chosen objects where there are any.
   Bounds bounds(const std::vector<int>& only = {}) const;
-  /// Nearest visible object under a display position (physical pixels from the lower left corner), -1 for none.
+  /// Nearest visible object under a display position (physical pixels from the lower left corner), -1 for
+  /// none.
   int pick(double x, double y) const;
 
  private:

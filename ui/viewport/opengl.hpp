@@ -5,14 +5,14 @@
 
 namespace abstand::ui {
 
-/// Sets the default surface format, context sharing, scaling, and XCB where the session is Wayland (this VTK only knows
-/// GLX). Call it before QApplication is made. `exact_pixels`: no scaling by the screen's resolution, so that a window of
-/// 800x600 gives a picture of 800x600.
+/// Sets the default surface format, context sharing, scaling, and XCB where the session is Wayland (this VTK
+/// only knows GLX). Call it before QApplication is made. `exact_pixels`: no scaling by the screen's
+/// resolution, so that a window of 800x600 gives a picture of 800x600.
 void prepareOpenGl(bool exact_pixels = false);
 
 struct OpenGlInfo {
   bool available{false};
-  bool software{false};   ///< drawn by the processor: keep the frames cheap
+  bool software{false};  ///< drawn by the processor: keep the frames cheap
   QString renderer;
 };
 

@@ -12,11 +12,11 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kAxisLength = 30.0;   // px
-constexpr double kMargin = 14.0;       // px from the edges
-constexpr int kMarkWidth = 34;         // px, of the legend's arrows
-constexpr double kNameLift = 66.0;     // px from a point up to a name, so that the names do not hide the contact
-constexpr double kValueDrop = 30.0;    // px from a point down to a value
+constexpr double kAxisLength = 30.0;  // px
+constexpr double kMargin = 14.0;      // px from the edges
+constexpr int kMarkWidth = 34;        // px, of the legend's arrows
+constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
+constexpr double kValueDrop = 30.0;  // px from a point down to a value
 
 void arrow(QPainter& p, QPointF from, QPointF to, double head) {
   p.drawLine(from, to);
@@ -28,15 +28,19 @@ void arrow(QPainter& p, QPointF from, QPointF to, double head) {
   p.save();
   p.setBrush(p.pen().color());
   p.setPen(Qt::NoPen);
-  p.drawPolygon(QVector<QPointF>{to + u * 2.0, to - u * head + side * head * 0.5, to - u * head - side * head * 0.5});
+  p.drawPolygon(
+      QVector<QPointF>{to + u * 2.0, to - u * head + side * head * 0.5, to - u * head - side * head * 0.5});
   p.restore();
 }
 
 QColor edgeColour(OverlayLabel::Style style) {
   switch (style) {
-    case OverlayLabel::Style::kContact: return QColor(kVermillion);
-    case OverlayLabel::Style::kNear: return QColor(kAmber);
-    case OverlayLabel::Style::kPlain: break;
+    case OverlayLabel::Style::kContact:
+      return QColor(kVermillion);
+    case OverlayLabel::Style::kNear:
+      return QColor(kAmber);
+    case OverlayLabel::Style::kPlain:
+      break;
   }
   return QColor(0xff8a95a1);
 }
@@ -111,22 +115,30 @@ void Overlay::paintLabels(QPainter& painter) const {
   std::vector<std::pair<const OverlayLabel*, QRectF>> placed;
   std::vector<const OverlayLabel*> order;
   for (const OverlayLabel& label : content_.labels) order.push_back(&label);
-  std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->at.y() > b->at.y(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto* a, const auto* b) { return a->at.y() > b->at.y(); });
   for (const OverlayLabel* each : order) {
     const OverlayLabel& label = *each;
     if (!rect().adjusted(-20, -20, 20, 20).contains(label.at.toPoint())) continue;
     QRectF box(0, 0, metrics.horizontalAdvance(label.text) + 16, metrics.height() + 6);
     box.moveCenter(label.at + QPointF(0, label.below ? kValueDrop : -kNameLift));
     const auto overlaps = [&](const QRectF& other) { return other.adjusted(-2, -2, 2, 2).intersects(box); };
-    for (int tries = 0; tries < 12 && std::any_of(taken.begin(), taken.end(), overlaps); ++tries)
-      box.translate(0, (label.below ? 1.0 : -1.0) * (box.height() + 3));
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
-    box.moveTop(std::max(box.top(), 4.0));
+    // Away from what is there already; from the edge on in the other direction.
+    double step = (label.below ? 1.0 : -1.0) * (box.height() + 3);
+    for (int tries = 0; tries < 16; ++tries) {
+      if (box.top() < 4.0 || box.bottom() > height() - 4.0) {
+        box.moveTop(box.top() < 4.0 ? 4.0 : height() - box.height() - 4.0);
+        step = box.top() < 0.5 * height() ? std::abs(step) : -std::abs(step);
+      }
+      if (std::none_of(taken.begin(), taken.end(), overlaps)) break;
+      box.translate(0, step);
+    }
     taken.push_back(box);
     placed.emplace_back(&label, box);
     painter.setPen(QPen(edgeColour(label.style), 1.2));
     painter.drawLine(label.at, QPointF(std::clamp(label.at.x(), box.left(), box.right()),
-                                       label.below ? box.top() : box.bottom()));
+                                       box.center().y() > label.at.y() ? box.top() : box.bottom()));
   }
   for (const auto& [label, box] : placed) {
     const bool contact = label->style == OverlayLabel::Style::kContact;
@@ -164,7 +176,8 @@ void Overlay::paintLegend(QPainter& painter) const {
   painter.setFont(font());
   const QFontMetricsF metrics(font(), const_cast<Overlay*>(this));
   double text_width = 0.0;
-  for (const LegendLine& line : content_.legend) text_width = std::max(text_width, metrics.horizontalAdvance(line.text));
+  for (const LegendLine& line : content_.legend)
+    text_width = std::max(text_width, metrics.horizontalAdvance(line.text));
   const double row = metrics.height() + 5.0;
   QRectF box(0, 0, text_width + kMarkWidth + 30.0, row * static_cast<double>(content_.legend.size()) + 10.0);
   box.moveBottomRight(QPointF(width() - kMargin, height() - kMargin));
@@ -178,8 +191,8 @@ void Overlay::paintLegend(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     legendMark(painter, line, QRectF(box.left() + 10, y, kMarkWidth, row));
     painter.setPen(colours.label_text);
-    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, text_width + 4, row), Qt::AlignLeft | Qt::AlignVCenter,
-                     line.text);
+    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, text_width + 4, row),
+                     Qt::AlignLeft | Qt::AlignVCenter, line.text);
     y += row;
   }
 }

@@ -13,7 +13,7 @@ struct OverlayLabel {
   QPointF at;
   QString text;
   Style style{Style::kPlain};
-  bool below{false};   ///< the label stands below its point, else well above it
+  bool below{false};  ///< the label stands below its point, else well above it
 };
 
 struct OverlaySegment {
@@ -33,8 +33,8 @@ struct OverlayContent {
   std::vector<OverlayLabel> labels;
   std::vector<OverlaySegment> segments;
   std::vector<LegendLine> legend;
-  std::array<QPointF, 3> axes;   ///< x, y, z on the screen, length at most 1
-  QString message;               ///< in the middle of an empty view
+  std::array<QPointF, 3> axes;  ///< x, y, z on the screen, length at most 1
+  QString message;              ///< in the middle of an empty view
 };
 
 /// Lets all mouse events through.

@@ -19,11 +19,11 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kCell = 0.5;          // m between lines
-constexpr double kPiece = 0.25;        // m, pieces of a line between which it fades
+constexpr double kCell = 0.5;    // m between lines
+constexpr double kPiece = 0.25;  // m, pieces of a line between which it fades
 constexpr int kSpokes = 64;
-constexpr double kLeastRadius = 3.0;   // m
-constexpr double kMostRadius = 30.0;   // m
+constexpr double kLeastRadius = 3.0;  // m
+constexpr double kMostRadius = 30.0;  // m
 
 /// Coloured points and cells under construction.
 struct Sheet {
@@ -32,8 +32,8 @@ struct Sheet {
   vtkNew<vtkUnsignedCharArray> colours;
   Sheet() { colours->SetNumberOfComponents(4); }
   vtkIdType add(double x, double y, const QColor& c, double alpha) {
-    const double rgba[4]{static_cast<double>(c.red()), static_cast<double>(c.green()), static_cast<double>(c.blue()),
-                         255.0 * alpha};
+    const double rgba[4]{static_cast<double>(c.red()), static_cast<double>(c.green()),
+                         static_cast<double>(c.blue()), 255.0 * alpha};
     colours->InsertNextTuple(rgba);
     return points->InsertNextPoint(x, y, 0.0);
   }
@@ -45,14 +45,16 @@ double fade(double r, double radius) {
   return 1.0 - f * f * (3.0 - 2.0 * f);
 }
 
-void addLine(Sheet& sheet, double radius, double offset, bool along_x, const QColor& colour, double strength) {
+void addLine(Sheet& sheet, double radius, double offset, bool along_x, const QColor& colour,
+             double strength) {
   const double half = std::sqrt(std::max(0.0, radius * radius - offset * offset));
   const int pieces = std::max(1, static_cast<int>(std::ceil(2.0 * half / kPiece)));
   vtkIdType before = -1;
   for (int k = 0; k <= pieces; ++k) {
     const double s = -half + 2.0 * half * k / pieces;
     const double alpha = strength * fade(std::hypot(s, offset), radius);
-    const vtkIdType here = along_x ? sheet.add(s, offset, colour, alpha) : sheet.add(offset, s, colour, alpha);
+    const vtkIdType here =
+        along_x ? sheet.add(s, offset, colour, alpha) : sheet.add(offset, s, colour, alpha);
     if (before >= 0) {
       const vtkIdType ends[2]{before, here};
       sheet.cells->InsertNextCell(2, ends);
@@ -64,8 +66,10 @@ void addLine(Sheet& sheet, double radius, double offset, bool along_x, const QCo
 void show(vtkActor* actor, Sheet& sheet, bool lines) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(sheet.points);
-  if (lines) data->SetLines(sheet.cells);
-  else data->SetPolys(sheet.cells);
+  if (lines)
+    data->SetLines(sheet.cells);
+  else
+    data->SetPolys(sheet.cells);
   data->GetPointData()->SetScalars(sheet.colours);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -103,7 +107,8 @@ Room::Room(vtkRenderer* back, vtkRenderer* bodies)
 void Room::setTheme(Theme theme) {
   theme_ = theme;
   const SceneColours colours = sceneColours(theme);
-  renderer_->SetBackground(colours.sky_bottom.redF(), colours.sky_bottom.greenF(), colours.sky_bottom.blueF());
+  renderer_->SetBackground(colours.sky_bottom.redF(), colours.sky_bottom.greenF(),
+                           colours.sky_bottom.blueF());
   renderer_->SetBackground2(colours.sky_top.redF(), colours.sky_top.greenF(), colours.sky_top.blueF());
   build();
 }
@@ -128,7 +133,8 @@ void Room::build() {
   for (const double r : rings)
     for (int k = 0; k < kSpokes; ++k) {
       const double a = 2.0 * kPi * k / kSpokes;
-      floor.add(r * radius_ * std::cos(a), r * radius_ * std::sin(a), colours.floor, fade(r * radius_, radius_));
+      floor.add(r * radius_ * std::cos(a), r * radius_ * std::sin(a), colours.floor,
+                fade(r * radius_, radius_));
     }
   for (int ring = 0; ring + 1 < static_cast<int>(rings.size()); ++ring)
     for (int k = 0; k < kSpokes; ++k) {

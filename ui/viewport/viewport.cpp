@@ -1,8 +1,8 @@
 // The 3D view, drawn with VTK.
 #include "ui/viewport/viewport.hpp"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
+#include <vtkBoundingBox.h>
+#include <vtkMath.h>
 
 #include <QLabel>
 #include <QMouseEvent>
@@ -19,22 +19,28 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kSoftwareIntervalMs = 66;    // about 15 frames a second
+constexpr int kSoftwareIntervalMs = 66;  // about 15 frames a second
 constexpr int kHardwareIntervalMs = 16;
 constexpr int kHardwareSamples = 4;
-constexpr int kClickSlack = 4;             // px that a click may wander
+constexpr int kClickSlack = 4;  // px that a click may wander
 constexpr double kZoomPerNotch = 0.88;
 
 }  // namespace
 
 Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
-    : owner{viewport}, selection{chosen}, room{back, renderer}, objects{renderer, back}, arrows{front}, camera{renderer},
+    : owner{viewport},
+      selection{chosen},
+      room{back, renderer},
+      objects{renderer, back},
+      arrows{front},
+      camera{renderer},
       overlay{new Overlay(&viewport)} {
   auto* layout = new QVBoxLayout(&owner);
   layout->setContentsMargins(0, 0, 0, 0);
   const OpenGlInfo& info = openGlInfo();
   if (!info.available) {
-    auto* sorry = new QLabel(Viewport::tr("No OpenGL 3.2 here: the 3D view stays empty, everything else works."), &owner);
+    auto* sorry = new QLabel(
+        Viewport::tr("No OpenGL 3.2 here: the 3D view stays empty, everything else works."), &owner);
     sorry->setAlignment(Qt::AlignCenter);
     layout->addWidget(sorry);
     overlay->hide();
@@ -80,7 +86,16 @@ void Viewport::Impl::askForFrame() {
 void Viewport::Impl::drawFrame() {
   // Before its first show the widget has no context; it draws itself then.
   if (!gl->isValid()) return;
-  back->ResetCameraClippingRange();
+  // One camera for three layers: it must reach from the nearest to the farthest of all of them.
+  vtkBoundingBox all;
+  for (vtkRenderer* each : {back.Get(), renderer.Get(), front.Get()}) {
+    double bounds[6];
+    each->ComputeVisiblePropBounds(bounds);
+    if (vtkMath::AreBoundsInitialized(bounds)) all.AddBounds(bounds);
+  }
+  double bounds[6];
+  all.GetBounds(bounds);
+  if (all.IsValid()) renderer->ResetCameraClippingRange(bounds);
   fillOverlay();
   window->Render();
   overlay->update();
@@ -216,28 +231,36 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       my.last_mouse = mouse->pos();
       if (mouse->buttons() & Qt::LeftButton && !(mouse->modifiers() & Qt::ShiftModifier))
         my.camera.orbit(moved.x(), moved.y());
-      else if (mouse->buttons() != Qt::NoButton) my.camera.pan(moved.x(), moved.y());
-      else return true;
+      else if (mouse->buttons() != Qt::NoButton)
+        my.camera.pan(moved.x(), moved.y());
+      else
+        return true;
       my.askForFrame();
       return true;
     }
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() != Qt::LeftButton || (mouse->pos() - my.press).manhattanLength() > kClickSlack) return true;
+      if (mouse->button() != Qt::LeftButton || (mouse->pos() - my.press).manhattanLength() > kClickSlack)
+        return true;
       const double scale = my.gl->devicePixelRatioF();
       const int object = my.objects.pick(mouse->x() * scale, (my.gl->height() - 1 - mouse->y()) * scale);
-      if (object < 0) my.selection.clear();
-      else my.selection.setObjects({object});
+      if (object < 0)
+        my.selection.clear();
+      else
+        my.selection.setObjects({object});
       return true;
     }
-    case QEvent::MouseButtonDblClick: fitSelection(); return true;
+    case QEvent::MouseButtonDblClick:
+      fitSelection();
+      return true;
     case QEvent::Wheel: {
       const auto* wheel = static_cast<QWheelEvent*>(event);
       my.camera.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
       my.askForFrame();
       return true;
     }
-    default: return QWidget::eventFilter(watched, event);
+    default:
+      return QWidget::eventFilter(watched, event);
   }
 }
 

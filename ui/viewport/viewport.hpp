@@ -12,8 +12,8 @@ namespace abstand::ui {
 
 class Selection;
 
-/// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or right: pan;
-/// wheel: zoom. Without OpenGL it says so and the rest of the window works. GUI thread only.
+/// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or
+/// right: pan; wheel: zoom. Without OpenGL it says so and the rest of the window works. GUI thread only.
 class Viewport : public QWidget {
   Q_OBJECT
 

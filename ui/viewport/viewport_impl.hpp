@@ -38,9 +38,10 @@ struct Viewport::Impl {
   const SceneOutline* outline{nullptr};
   SceneSnapshot snapshot;
 
-  QVTKOpenGLNativeWidget* gl{nullptr};   // null without OpenGL
+  QVTKOpenGLNativeWidget* gl{nullptr};  // null without OpenGL
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  // Three layers, each drawn over the one before: floor and shadows, bodies, arrows (which bodies must not hide).
+  // Three layers, each drawn over the one before: floor and shadows, bodies, arrows (which bodies must not
+  // hide).
   vtkNew<vtkRenderer> back, renderer, front;
   Room room;
   ObjectActors objects;
@@ -59,7 +60,7 @@ struct Viewport::Impl {
   void addContactLabels();
   void addLegend();
 
-  std::vector<int> order_;   // of the pairs by distance, kept from frame to frame
+  std::vector<int> order_;  // of the pairs by distance, kept from frame to frame
 };
 
 }  // namespace abstand::ui

@@ -12,9 +12,9 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr std::size_t kClosestPairs = 4;    // lines; more hide the scene
+constexpr std::size_t kClosestPairs = 4;  // lines; more hide the scene
 constexpr std::size_t kContactLabels = 4;
-constexpr double kFarLine = 1.5;            // m; farther apart nothing is near
+constexpr double kFarLine = 1.5;  // m; farther apart nothing is near
 
 QPointF axis(const Camera& camera, const Vector3d& direction) {
   const Vector3d s = camera.onScreen(direction);
@@ -30,7 +30,8 @@ void Viewport::Impl::fillOverlay() {
   content.legend.clear();
   if (!outline) return;
   camera.update();
-  content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()), axis(camera, Vector3d::UnitZ())};
+  content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()),
+                  axis(camera, Vector3d::UnitZ())};
   if (snapshot.pairs.size() == outline->pairs.size()) {
     if (options.closest) addClosest();
     if (options.labels) addContactLabels();
@@ -65,7 +66,11 @@ void Viewport::Impl::addClosest() {
     if (depth_a <= 0.0 || depth_b <= 0.0) continue;
     const bool contact = result.contacts > 0 || result.distance < 0.0;
     const bool near = result.distance < kNearFactor * now.margin;
-    content.segments.push_back({a, b, QColor(contact ? kVermillion : near ? kAmber : 0xff5f6b77), near && !contact});
+    content.segments.push_back({a, b,
+                                QColor(contact ? kVermillion
+                                       : near  ? kAmber
+                                               : 0xff5f6b77),
+                                near && !contact});
     if (k > 0 && pair != selection.pair()) continue;
     const auto style = contact ? OverlayLabel::Style::kContact
                        : near  ? OverlayLabel::Style::kNear
@@ -87,19 +92,23 @@ void Viewport::Impl::addContactLabels() {
     const QString name = QString::fromStdString(shortName(outline->objects[i]));
     if (object.colliding) ++contacts;
     const double force = object.contact.force.norm();
-    if (!object.colliding) content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
+    if (!object.colliding)
+      content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
     else if (force >= options.least_force)
-      content.labels.push_back({at, Viewport::tr("⚠ %1  %2 N").arg(name, fixed(force, 1)),
-                                OverlayLabel::Style::kContact});
-    else content.labels.push_back({at, Viewport::tr("⚠ %1").arg(name), OverlayLabel::Style::kContact});
+      content.labels.push_back(
+          {at, Viewport::tr("⚠ %1  %2 N").arg(name, fixed(force, 1)), OverlayLabel::Style::kContact});
+    else
+      content.labels.push_back({at, Viewport::tr("⚠ %1").arg(name), OverlayLabel::Style::kContact});
   }
 }
 
 void Viewport::Impl::addLegend() {
   auto& legend = overlay->content().legend;
-  const auto add = [&](LegendLine::Mark mark, QRgb colour, const ArrowScale& scale, const QString& text, int decimals) {
+  const auto add = [&](LegendLine::Mark mark, QRgb colour, const ArrowScale& scale, const QString& text,
+                       int decimals) {
     if (scale.metres <= 0.0) return;
-    legend.push_back({mark, QColor(colour), text.arg(millimetresWithUnit(scale.metres, 0), fixed(scale.value, decimals))});
+    legend.push_back(
+        {mark, QColor(colour), text.arg(millimetresWithUnit(scale.metres, 0), fixed(scale.value, decimals))});
   };
   add(LegendLine::Mark::kArrow, 0xffc0342b, arrows.forceScale(), Viewport::tr("Force: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kCurvedArrow, kBlue, arrows.torqueScale(), Viewport::tr("Torque: %1 ≙ %2 N·m"), 2);

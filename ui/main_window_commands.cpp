@@ -1,0 +1,183 @@
+// What the commands of the window do.
+#include <QApplication>
+#include <QClipboard>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QSlider>
+#include <QStatusBar>
+
+#include "ui/actions.hpp"
+#include "ui/file_kinds.hpp"
+#include "ui/icons.hpp"
+#include "ui/main_window.hpp"
+#include "ui/model/playback.hpp"
+#include "ui/model/recent_files.hpp"
+#include "ui/model/run_history.hpp"
+#include "ui/model/scene_tree_model.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/panels/help_dialogs.hpp"
+#include "ui/panels/margin_panel.hpp"
+#include "ui/panels/pair_panel.hpp"
+#include "ui/plots/plot_panel.hpp"
+#include "ui/theme.hpp"
+#include "ui/viewport/viewport.hpp"
+#include "ui/window_grab.hpp"
+
+namespace abstand::ui {
+
+namespace {
+using Id = ActionId;
+}
+
+void MainWindow::connectFile() {
+  connect((*actions_)[Id::kOpenScene], &QAction::triggered, this,
+          [this] { openFile(QFileDialog::getOpenFileName(this, tr("Open scene"), {}, sceneFilter())); });
+  connect((*actions_)[Id::kOpenRecording], &QAction::triggered, this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), {}, recordingFilter());
+    if (!path.isEmpty()) Q_EMIT openRecordingRequested(path);
+  });
+  for (int i = 0; i < kRecentFiles; ++i) {
+    QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
+    connect(action, &QAction::triggered, this, [this, action] { openFile(action->data().toString()); });
+  }
+  connect((*actions_)[Id::kScreenshot], &QAction::triggered, this, &MainWindow::saveScreenshot);
+  connect((*actions_)[Id::kCopyPicture], &QAction::triggered, this,
+          [this] { QApplication::clipboard()->setImage(viewport_->picture()); });
+  connect((*actions_)[Id::kQuit], &QAction::triggered, this, &QWidget::close);
+  connect((*actions_)[Id::kShortcuts], &QAction::triggered, this, [this] { showShortcuts(*actions_, this); });
+  connect((*actions_)[Id::kAbout], &QAction::triggered, this, [this] { showAbout(this); });
+}
+
+void MainWindow::connectView() {
+  for (const Id id : {Id::kForces, Id::kTorques, Id::kVelocities, Id::kClosest, Id::kLabels, Id::kFloor,
+                      Id::kShadows, Id::kTransparent, Id::kAutoScale})
+    connect((*actions_)[id], &QAction::toggled, this, &MainWindow::applyOptions);
+  connect(opacity_, &QSlider::valueChanged, this, &MainWindow::applyOptions);
+  const std::pair<Id, CameraPreset> presets[] = {{Id::kFront, CameraPreset::kFront},
+                                                 {Id::kSide, CameraPreset::kSide},
+                                                 {Id::kTop, CameraPreset::kTop},
+                                                 {Id::kIso, CameraPreset::kIso}};
+  for (const auto& [id, preset] : presets)
+    connect((*actions_)[id], &QAction::triggered, this, [this, p = preset] { viewport_->look(p); });
+  connect((*actions_)[Id::kFit], &QAction::triggered, viewport_, &Viewport::fit);
+  connect((*actions_)[Id::kFitSelection], &QAction::triggered, viewport_, &Viewport::fitSelection);
+  connect((*actions_)[Id::kClearSelection], &QAction::triggered, selection_, &Selection::clear);
+  connect((*actions_)[Id::kFollowPlots], &QAction::toggled, plots_, &PlotPanel::setFollow);
+  connect(plots_, &PlotPanel::followChanged, (*actions_)[Id::kFollowPlots], &QAction::setChecked);
+  connect((*actions_)[Id::kFindPair], &QAction::triggered, this, [this] {
+    docks_[1]->show();
+    pairs_->filterBox()->setFocus(Qt::ShortcutFocusReason);
+  });
+  connect((*actions_)[Id::kDarkTheme], &QAction::toggled, this, [this](bool dark) {
+    applyTheme(*qApp, dark ? Theme::kDark : Theme::kLight);
+    tree_model_->setTheme(dark ? Theme::kDark : Theme::kLight);
+  });
+  connect((*actions_)[Id::kFullScreen], &QAction::toggled, this,
+          [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
+  connect((*actions_)[Id::kResetLayout], &QAction::triggered, this, &MainWindow::arrangeDocks);
+}
+
+void MainWindow::connectPlayback() {
+  QAction* play = (*actions_)[Id::kPlay];
+  connect(play, &QAction::triggered, this, [this] { playback_->setPlaying(!playback_->playing()); });
+  connect(playback_, &Playback::playingChanged, this, [play](bool playing) {
+    play->setIcon(icon(playing ? Glyph::kPause : Glyph::kPlay));
+    play->setText(playing ? tr("&Pause") : tr("&Play"));
+  });
+  const auto on = [&](Id id, auto&& command) {
+    connect((*actions_)[id], &QAction::triggered, this, command);
+  };
+  on(Id::kStepForward, [this] { playback_->stepFrames(1); });
+  on(Id::kStepBack, [this] { playback_->stepFrames(-1); });
+  on(Id::kForwardSecond, [this] { playback_->jump(1.0); });
+  on(Id::kBackSecond, [this] { playback_->jump(-1.0); });
+  on(Id::kToStart, [this] { playback_->toStart(); });
+  on(Id::kToEnd, [this] { playback_->toEnd(); });
+  on(Id::kFaster, [this] { playback_->faster(); });
+  on(Id::kSlower, [this] { playback_->slower(); });
+  on(Id::kNextContact, [this] { goToContact(true); });
+  on(Id::kPreviousContact, [this] { goToContact(false); });
+  on(Id::kResetMargins, [this] { margins_->reset(); });
+  connect((*actions_)[Id::kLoop], &QAction::toggled, playback_, &Playback::setLoop);
+}
+
+void MainWindow::connectPanels() {
+  connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
+  connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
+    if (session_) session_->setMargin(object, metres);
+  });
+  connect(plots_, &PlotPanel::timePicked, playback_, &Playback::seek);
+  connect(playback_, &Playback::timeChanged, plots_, &PlotPanel::setTime);
+}
+
+void MainWindow::applyOptions() {
+  const auto checked = [this](Id id) { return (*actions_)[id]->isChecked(); };
+  ViewOptions options = viewport_->options();
+  options.forces = checked(Id::kForces);
+  options.torques = checked(Id::kTorques);
+  options.velocities = checked(Id::kVelocities);
+  options.closest = checked(Id::kClosest);
+  options.labels = checked(Id::kLabels);
+  options.floor = checked(Id::kFloor);
+  options.shadows = checked(Id::kShadows);
+  options.auto_scale = checked(Id::kAutoScale);
+  options.human_opacity = checked(Id::kTransparent) ? opacity_->value() / 100.0 : 1.0;
+  opacity_->setEnabled(checked(Id::kTransparent));
+  viewport_->setOptions(options);
+}
+
+void MainWindow::goToContact(bool next) {
+  const auto t =
+      next ? history_->nextContact(playback_->time()) : history_->previousContact(playback_->time());
+  if (t)
+    playback_->seek(*t);
+  else
+    statusBar()->showMessage(next ? tr("No later contact known yet") : tr("No earlier contact known"), 3000);
+}
+
+void MainWindow::openFile(const QString& path) {
+  switch (path.isEmpty() ? FileKind::kUnknown : kindOf(path)) {
+    case FileKind::kScene:
+      if (QFileInfo::exists(path)) {
+        rememberFile(path);
+        showRecent();
+      }
+      Q_EMIT openSceneRequested(path);
+      break;
+    case FileKind::kRecording:
+      Q_EMIT openRecordingRequested(path);
+      break;
+    case FileKind::kUnknown:
+      break;
+  }
+}
+
+void MainWindow::showRecent() {
+  const QStringList files = recentFiles();
+  for (int i = 0; i < kRecentFiles; ++i) {
+    QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
+    action->setVisible(i < files.size());
+    if (i >= files.size()) continue;
+    action->setData(files[i]);
+    action->setText(QFileInfo(files[i]).fileName().replace(QLatin1Char('&'), QLatin1String("&&")));
+    action->setStatusTip(files[i]);
+  }
+}
+
+void MainWindow::saveScreenshot() {
+  const QImage picture = grabWindow(*this);
+  const QString name = QStringLiteral("abstand-%1.png")
+                           .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save screenshot"), name, tr("Pictures (*.png)"));
+  if (path.isEmpty()) return;
+  if (picture.save(path))
+    statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+  else
+    showProblem(tr("Screenshot"), tr("%1 cannot be written").arg(path));
+}
+
+}  // namespace abstand::ui
