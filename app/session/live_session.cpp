@@ -14,12 +14,17 @@ constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
 constexpr int kMostPeriods = 50;          // a cycle longer than this slows the play down instead
 constexpr int kPublishEvery = 4;          // cycles; the window draws at 60 Hz
 constexpr long kStatisticsWindow = 2000;  // cycles after which the shown times forget
+constexpr double kFactorWindow = 0.5;     // s over which the real-time factor is taken
 constexpr double kHeadroom = 1.3;         // of a cycle's median, for what else the loop does
+
+using Clock = std::chrono::steady_clock;
 
 template <class... Ts>
 struct Overload : Ts... {
   using Ts::operator()...;
 };
+template <class... Ts>
+Overload(Ts...) -> Overload<Ts...>;
 
 SceneSnapshot sized(const Session& session) {
   SceneSnapshot s;
@@ -41,7 +46,10 @@ LiveSession::LiveSession(std::unique_ptr<Session> session, double t)
     : session_(std::move(session)), outline_(session_->outline()), snapshots_(sized(*session_)) {
   pending_.reserve(256);
   t_ = std::clamp(t, outline_.start, outline_.end);
-  thread_ = std::jthread([this] { loop(); });
+  timing_ = std::make_unique<Timing>();
+  cycle(*timing_);
+  publish(*timing_);
+  thread_ = std::jthread([this] { loop(*timing_); });
 }
 
 LiveSession::~LiveSession() { stop_ = true; }
@@ -99,46 +107,48 @@ void LiveSession::publish(const Timing& timing) {
   snapshots_.publish();
 }
 
-void LiveSession::loop() {
-  using Clock = std::chrono::steady_clock;
-  Timing timing;
+void LiveSession::cycle(Timing& timing) {
+  const auto begin = Clock::now();
+  session_->step(t_);
+  timing.last_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (timing.statistics.count() >= kStatisticsWindow) timing.statistics.clear();
+  timing.statistics.add(timing.last_s);
+  if (timing.last_s > kPeriod) ++timing.overruns;
+  timing.periods = std::clamp(static_cast<int>(std::ceil(kHeadroom * timing.statistics.median() / kPeriod)),
+                              1, kMostPeriods);
+  ++step_;
+  dirty_ = false;
+  PlotSample sample{t_, kInfinity, 0.0, 0.0};
+  for (const Pair& p : session_->scene().pairs()) {
+    sample.min_distance = std::min(sample.min_distance, p.result.distance);
+    sample.peak_force = std::max(sample.peak_force, p.result.force_a.norm());
+  }
+  for (double e : session_->jointEfforts()) sample.peak_effort = std::max(sample.peak_effort, std::abs(e));
+  if (!plot_.push(sample)) samples_lost_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void LiveSession::loop(Timing& timing) {
   Pacer pacer{std::chrono::microseconds(static_cast<long>(1e6 * kPeriod))};
   auto mark = Clock::now();
-  double mark_t = 0.0, played = 0.0;
+  double played = 0.0;
   while (!stop_) {
     pending_.clear();
     commands_.drainInto(pending_);
     for (const Command& c : pending_) obey(c);
+    const bool commanded = !pending_.empty();
     if (playing_) {
       advance(kPeriod * timing.periods);
       played += kPeriod * timing.periods * speed_;
       dirty_ = true;
     }
     if (dirty_) {
-      dirty_ = false;
-      const auto begin = Clock::now();
-      session_->step(t_);
-      timing.last_s = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (timing.statistics.count() >= kStatisticsWindow) timing.statistics.clear();
-      timing.statistics.add(timing.last_s);
-      if (timing.last_s > kPeriod) ++timing.overruns;
-      ++step_;
-      PlotSample sample{t_, kInfinity, 0.0, 0.0};
-      for (const Pair& p : session_->scene().pairs()) {
-        sample.min_distance = std::min(sample.min_distance, p.result.distance);
-        sample.peak_force = std::max(sample.peak_force, p.result.force_a.norm());
-      }
-      for (double e : session_->jointEfforts())
-        sample.peak_effort = std::max(sample.peak_effort, std::abs(e));
-      if (!plot_.push(sample)) samples_lost_.fetch_add(1, std::memory_order_relaxed);
-      if (!playing_ || step_ % kPublishEvery == 0 || timing.periods > 1) publish(timing);
+      cycle(timing);
+      if (commanded || !playing_ || step_ % kPublishEvery == 0 || timing.periods > 1) publish(timing);
     }
-    timing.periods = std::clamp(static_cast<int>(std::ceil(kHeadroom * timing.statistics.median() / kPeriod)),
-                                1, kMostPeriods);
     const double wall = std::chrono::duration<double>(Clock::now() - mark).count();
-    if (wall - mark_t > 0.5) {
-      timing.real_time_factor = played / (wall - mark_t);
-      mark_t = wall;
+    if (wall > kFactorWindow) {
+      timing.real_time_factor = played / wall;
+      mark = Clock::now();
       played = 0.0;
     }
     for (int i = 0; i < timing.periods && !stop_; ++i)

@@ -41,7 +41,7 @@ using Command =
 /// other thread (the window) sends commands and takes snapshots; nobody waits for anybody.
 class LiveSession {
  public:
-  /// Starts paused at `t`.
+  /// Starts paused at `t`, with a first snapshot there.
   LiveSession(std::unique_ptr<Session> session, double t);
   ~LiveSession();
 
@@ -55,7 +55,8 @@ class LiveSession {
 
  private:
   struct Timing;
-  void loop();
+  void cycle(Timing& timing);
+  void loop(Timing& timing);
   void obey(const Command& command);
   void advance(double dt);
   void publish(const Timing& timing);
@@ -68,7 +69,8 @@ class LiveSession {
   std::atomic<long> samples_lost_{0};
   std::atomic<bool> stop_{false};
 
-  // Loop thread only.
+  // Loop thread only, once it runs.
+  std::unique_ptr<Timing> timing_;
   std::vector<Command> pending_;
   double t_{0.0}, speed_{1.0};
   bool playing_{false}, looping_{true}, dirty_{true};

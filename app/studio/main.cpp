@@ -4,9 +4,13 @@
 #include <QSettings>
 #include <QTextStream>
 #include <QTimer>
+#include <algorithm>
+#include <string_view>
 
+#include "app/cli/version.hpp"
 #include "app/studio/studio.hpp"
 #include "core/base/number.hpp"
+#include "ui/model/playback.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/window_grab.hpp"
@@ -103,9 +107,12 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
 
 int main(int argc, char** argv) {
   using abstand::Studio;
-  ui::prepareOpenGl();
+  const bool picture =
+      std::any_of(argv, argv + argc, [](const char* a) { return std::string_view(a) == "--screenshot"; });
+  ui::prepareOpenGl(picture);
   QCoreApplication::setOrganizationName("Abstand");
   QCoreApplication::setApplicationName("abstand-studio");
+  QCoreApplication::setApplicationVersion(cli::kVersion);
   QApplication app(argc, argv);
   Arguments args;
   if (!parse(app, args)) return kWrongUsage;

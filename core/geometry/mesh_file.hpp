@@ -22,10 +22,9 @@ struct LoadedMesh {
 /// Polygons are cut into triangles, vertices welded (within 1e-6 of the mesh's diagonal), degenerate
 /// triangles dropped and counted, and a closed mesh that is inside out is turned; report.remarks say so.
 ///
-/// The readers are our own and take memory in proportion to the file, whatever its header claims; no
-/// other file is read, whatever the file refers to. Throws ParseError with the file's name for
-/// anything that gives no triangle, for coordinates that are not finite or beyond 1e6 m, and for a
-/// file larger than 512 MiB; UsageError for a scale that is not finite and positive.
+/// Through assimp, after headers that claim more than the file holds were refused. Throws ParseError with
+/// the file's name for anything that gives no triangle, for coordinates that are not finite or beyond
+/// 1e6 m, and for a file larger than 512 MiB; UsageError for a scale that is not finite and positive.
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale = 1.0);
 
 /// loadMesh for the content of a file: `format` is the extension without the point ("stl"), `name` goes
