@@ -95,14 +95,27 @@ bool BvhReader::finish(std::size_t partial) {
     warnings_.push_back({data_line_, "the last frame is cut after " + std::to_string(partial) + " of " +
                                          std::to_string(values_.size()) + " numbers: it is left out"});
   if (static_cast<unsigned long long>(head_.frames) != frames_)
-    warnings_.push_back({head_.frames_line, "claims " + claimed + " frames, found " +
-                                                std::to_string(frames_) +
-                                                " whole ones: all of them are kept"});
+    warnings_.push_back(
+        {head_.frames_line,
+         "claims " + claimed + " frames, found " + std::to_string(frames_) + " whole ones: " +
+             (beyondClaim() ? "those beyond the claim are left out" : "all of them are kept")});
   return false;
 }
 
 std::optional<std::span<const double>> BvhReader::next() {
-  if (done_) return std::nullopt;
+  if (done_ || !readFrame()) return std::nullopt;
+  if (!beyondClaim()) return std::span<const double>(values_);
+  // The header's count rules, as in other programs; the rest is read all the same, to be counted and checked.
+  while (readFrame()) {
+  }
+  return std::nullopt;
+}
+
+bool BvhReader::beyondClaim() const {
+  return head_.frames > 0 && frames_ > static_cast<unsigned long long>(head_.frames);
+}
+
+bool BvhReader::readFrame() {
   std::size_t n = 0;
   while (n < values_.size()) {
     if (lineHasMore()) {
@@ -131,12 +144,9 @@ std::optional<std::span<const double>> BvhReader::next() {
   if (whole && frames_ > 0 && at_ >= text_.size() && !isSpace(text_.back()) &&
       static_cast<unsigned long long>(head_.frames) > frames_ + 1)
     cut_ = true;
-  if (!whole || cut_) {
-    finish(n);
-    return std::nullopt;
-  }
+  if (!whole || cut_) return finish(n);
   ++frames_;
-  return std::span<const double>(values_);
+  return true;
 }
 
 }  // namespace abstand

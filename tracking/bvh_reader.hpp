@@ -41,6 +41,10 @@ class BvhReader {
   SourcePos here() const;
   void nextLine();
   bool lineHasMore();
+  /// The next whole frame into values_; false at the end.
+  bool readFrame();
+  /// More frames were read than the header claims.
+  bool beyondClaim() const;
   std::size_t wordsIn(std::size_t from, std::size_t to) const;
   void chooseLayout();
   bool readNumber(double& value);

@@ -39,8 +39,8 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
 
 HumanModel modelOf(const HumanDescription& d, const std::optional<Recording>& recording) {
   HumanOptions options = optionsOf(d);
-  if (d.follow_lengths && recording) options = withRecordingLengths(options, recording->frames);
   try {
+    if (d.follow_lengths && recording) options = withRecordingLengths(options, recording->frames);
     return makeHuman(options);
   } catch (const UsageError& e) {
     throw ParseError(d.pos, std::string(e.what()) + " (person '" + d.name + "')");
@@ -68,6 +68,14 @@ HumanDriver::HumanDriver(const HumanDescription& d)
       poser_(model_, d.follow_lengths),
       X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {
   if (recording_) poser_.calibrate(recording_->frames);
+  Poser(model_).pose(model_.rest, standing_);
+}
+
+Transform HumanDriver::poseOf(std::size_t part) const {
+  if (pose_.state[part] != PartState::kNone) return pose_.X_WP[part];
+  constexpr auto kTorso = static_cast<std::size_t>(BodyPart::kTorso);
+  if (pose_.state[kTorso] == PartState::kNone) return standing_.X_WP[part];
+  return pose_.X_WP[kTorso] * standing_.X_WP[kTorso].inverse() * standing_.X_WP[part];
 }
 
 void HumanDriver::apply(double t, Scene& scene) {
@@ -75,7 +83,7 @@ void HumanDriver::apply(double t, Scene& scene) {
   last_t_ = t;
   poser_.pose(recording_ ? recording_->at(t) : model_.rest, pose_);
   for (std::size_t i = 0; i < kBodyPartCount; ++i)
-    if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * pose_.X_WP[i], t, poseState(pose_.state[i]));
+    if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
 }
 
 }  // namespace abstand

@@ -27,10 +27,14 @@ class HumanDriver {
   const Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
 
  private:
+  /// Of a part, in the recording's frame; one that was never seen hangs on the torso as when standing.
+  Transform poseOf(std::size_t part) const;
+
   std::optional<Recording> recording_;
   HumanModel model_;
   Poser poser_;
   HumanPose pose_;
+  HumanPose standing_;
   Transform X_WR_;  ///< recording in world
   double last_t_{-kInfinity};
   std::array<std::optional<ObjectId>, kBodyPartCount> objects_;

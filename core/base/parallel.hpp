@@ -11,9 +11,9 @@
 
 namespace abstand {
 
-/// Calls fn(0) ... fn(count - 1), each once, on up to `threads` threads (0: as many as the machine has). The calls
-/// run in no fixed order, so the result is independent of the number of threads when each call writes only what
-/// belongs to its index. The first exception is thrown again here once all threads have ended.
+/// Calls fn(0) ... fn(count - 1), each once, on up to `threads` threads (0: as many as the machine has). The
+/// calls run in no fixed order, so the result is independent of the number of threads when each call writes
+/// only what belongs to its index. The first exception is thrown again here once all threads have ended.
 template <class Fn>
 void parallelFor(int threads, std::size_t count, Fn&& fn) {
   const std::size_t wanted = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());

@@ -18,7 +18,8 @@ std::string readFile(const std::filesystem::path& file, std::uintmax_t most_byte
   if (ec) throw ParseError(pos, "cannot be read: " + ec.message());
   if (bytes == 0 && !may_be_empty) throw ParseError(pos, "the file is empty");
   if (bytes > most_bytes)
-    throw ParseError(pos, "found " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most_bytes));
+    throw ParseError(
+        pos, "found " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most_bytes));
   std::ifstream in(file, std::ios::binary);
   std::string content(bytes, '\0');
   if (!in || !in.read(content.data(), static_cast<std::streamsize>(bytes)))

@@ -7,9 +7,9 @@ namespace abstand {
 
 /// Of a solid of density 1 kg/m^3, in the body's frame. Times a density: mass and inertia.
 struct MassProperties {
-  double volume{0.0};                    ///< m^3
-  Vector3d com{Vector3d::Zero()};        ///< m
-  Matrix3d inertia{Matrix3d::Zero()};    ///< m^5, about the centre of mass
+  double volume{0.0};                  ///< m^3
+  Vector3d com{Vector3d::Zero()};      ///< m
+  Matrix3d inertia{Matrix3d::Zero()};  ///< m^5, about the centre of mass
 };
 
 /// Exact for a closed mesh by the divergence theorem (Eberly, Polyhedral Mass Properties).

@@ -46,8 +46,8 @@ constexpr double deg(double v) { return v * kPi / 180.0; }
 /// Fixed-axis roll, pitch, yaw as in URDF: R = Rz(yaw) Ry(pitch) Rx(roll), radians.
 inline Transform fromXyzRpy(const Vector3d& xyz, const Vector3d& rpy) {
   Transform X = Transform::Identity();
-  X.linear() = (Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
-                Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX()))
+  X.linear() = (Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) *
+                Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX()))
                    .toRotationMatrix();
   X.translation() = xyz;
   return X;
@@ -57,7 +57,8 @@ inline Transform fromXyzRpy(const Vector3d& xyz, const Vector3d& rpy) {
 inline bool isPose(const Transform& X, double tolerance = 1e-6) {
   if (!X.matrix().allFinite()) return false;
   const Matrix3d R = X.linear();
-  return (R * R.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() <= tolerance && R.determinant() > 0.0;
+  return (R * R.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() <= tolerance &&
+         R.determinant() > 0.0;
 }
 
 }  // namespace abstand

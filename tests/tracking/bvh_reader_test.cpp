@@ -103,19 +103,20 @@ TEST(BvhReader, KeepsWholeFramesAndWarns) {
     const char* warning;
   };
   const std::string frame = "1 2 3 4 5 6 7\n";
-  const Case cases[] = {{withData("3", frame + frame), 2, 14, "claims 3 frames, found 2 whole ones"},
-                        {withData("1", frame + frame), 2, 14, "claims 1 frames, found 2 whole ones"},
-                        {withData("2", frame + "1 2 3\n"), 1, 17, "cut after 3 of 7"},
-                        {withData("2", frame + "1 2 3 4 5 6 7e"), 1, 17, "cut after 6 of 7"},
-                        {withData("3", frame + "1 2 3 4 5 6 7"), 1, 17, "cut after 7 of 7"},
-                        {withData("4000000000", frame), 1, 14, "claims 4000000000 frames"},
-                        {withData("1", frame, "0"), 1, 15, "30 frames a second are assumed"},
-                        {withData("1", frame, "-0.01"), 1, 15, "30 frames a second are assumed"},
-                        {withData("1", frame, "5e-324"), 1, 15, "30 frames a second are assumed"},
-                        {kTree.substr(0, kTree.size()) +
-                             "ROOT Other\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\nFrames: 1\nFrame "
-                             "Time: 0.01\n1 2 3 4 5 6 7 8\n",
-                         1, 13, "a further ROOT 'Other'"}};
+  const Case cases[] = {
+      {withData("3", frame + frame), 2, 14, "claims 3 frames, found 2 whole ones"},
+      {withData("1", frame + frame), 1, 14, "claims 1 frames, found 2 whole ones: those beyond"},
+      {withData("2", frame + "1 2 3\n"), 1, 17, "cut after 3 of 7"},
+      {withData("2", frame + "1 2 3 4 5 6 7e"), 1, 17, "cut after 6 of 7"},
+      {withData("3", frame + "1 2 3 4 5 6 7"), 1, 17, "cut after 7 of 7"},
+      {withData("4000000000", frame), 1, 14, "claims 4000000000 frames"},
+      {withData("1", frame, "0"), 1, 15, "30 frames a second are assumed"},
+      {withData("1", frame, "-0.01"), 1, 15, "30 frames a second are assumed"},
+      {withData("1", frame, "5e-324"), 1, 15, "30 frames a second are assumed"},
+      {kTree.substr(0, kTree.size()) +
+           "ROOT Other\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\nFrames: 1\nFrame "
+           "Time: 0.01\n1 2 3 4 5 6 7 8\n",
+       1, 13, "a further ROOT 'Other'"}};
   for (const Case& c : cases) {
     const Read r = readAll(c.text);
     EXPECT_EQ(r.frames.size(), c.frames) << c.warning;

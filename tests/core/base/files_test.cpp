@@ -18,7 +18,8 @@ TEST(TextFile, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(ParseErrorText, IsOneLineWithPlaceAndHint) {
-  EXPECT_STREQ(ParseError({"a.mech", 3, 7}, "found x, expected y").what(), "a.mech:3:7: error: found x, expected y");
+  EXPECT_STREQ(ParseError({"a.mech", 3, 7}, "found x, expected y").what(),
+               "a.mech:3:7: error: found x, expected y");
   EXPECT_STREQ(ParseError({"a.mech"}, "is empty", "look").what(), "a.mech: error: is empty\nhint: look");
 }
 

@@ -112,8 +112,8 @@ TEST(VolumeLaw, TorqueIsThatOfThePressureAboutTheCentre) {
   // lever.
   const double force = kStiffness * 0.1 * (0.5e-4 + 4e-4);
   const double torque = kStiffness * 0.1 * (1e-6 / 3 + 0.01 * (0.05 * 0.05 - 0.01 * 0.01) / 2);
-  // The box's side towards the wall's middle is pressed too, s deep at the height -(0.04 + s); the opposite side hangs
-  // free.
+  // The box's side towards the wall's middle is pressed too, s deep at the height -(0.04 + s); the opposite
+  // side hangs free.
   const double side = kStiffness * 0.1 * (0.04 * 0.5e-4 + 1e-6 / 3);
   EXPECT_NEAR(r.force_a.z(), force, kTolerance * force);
   EXPECT_NEAR(r.torque_a.y(), torque - side, kTolerance * torque);
