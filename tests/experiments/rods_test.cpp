@@ -8,6 +8,8 @@ namespace abstand::testing {
 namespace {
 
 const Vector3d kRod{0.4, 0.04, 0.04};
+const Vector3d kWideRod{0.4, 0.04,
+                        0.2};  // its sides are far from the turning rod, so depth is that below its face
 const Vector3d kFixedCentre{0.15, 0.13, 0.0};
 constexpr double kStiffness = 1e6;
 
@@ -16,13 +18,13 @@ constexpr double kStiffness = 1e6;
 struct Rods {
   Scene scene;
   ObjectId a, b;
-  Rods() : a(add("turning")), b(add("fixed")) {
+  explicit Rods(const Vector3d& fixed = kRod) : a(add("turning", kRod)), b(add("fixed", fixed)) {
     scene.addPair(a, b);
     scene.setForceLaw(ForceLaw::kVolume, kStiffness);
     scene.setPose(b, fromXyzRpy(kFixedCentre, Vector3d::Zero()), 0.0);
   }
-  ObjectId add(const char* name) {
-    const auto& shared = structureOf(Cuboid{kRod}, FieldKind::kMixed);
+  ObjectId add(const char* name, const Vector3d& size) {
+    const auto& shared = structureOf(Cuboid{size}, FieldKind::kMixed);
     return scene.addObject(
         {name, "objects", std::shared_ptr<const HapticStructure>(&shared, [](auto*) {}), 0.0});
   }
@@ -74,7 +76,7 @@ TEST(ThesisRods, ForcesPushApartAndTorquesStopTheTurning) {
 }
 
 TEST(ThesisRods, ForceIsStiffnessTimesOverlap) {
-  Rods rods;
+  Rods rods(kWideRod);
   for (const double angle : {0.55, 0.58, 0.60}) {
     SCOPED_TRACE(angle);
     const double expected = kStiffness * overlapArea(angle) * 0.04;
