@@ -34,7 +34,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 ParseError::ParseError(const SourcePos& pos, const std::string& message, const std::string& hint)
-    : std::runtime_error(text(pos, message, hint)), pos_(pos) {}
+    : std::runtime_error(text(pos, message, hint)), pos_(pos), message_(message) {}
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& known) {
   std::string best;

@@ -21,9 +21,12 @@ class ParseError : public std::runtime_error {
  public:
   ParseError(const SourcePos& pos, const std::string& message, const std::string& hint = {});
   const SourcePos& pos() const { return pos_; }
+  /// Without place and hint.
+  const std::string& message() const { return message_; }
 
  private:
   SourcePos pos_;
+  std::string message_;
 };
 
 /// A value that the user gave on the command line or in the window is out of range (exit code 2).

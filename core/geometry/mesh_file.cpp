@@ -25,7 +25,15 @@ constexpr double kFarthest = 1e6;
 /// Part of the diagonal within which vertices are the same: ten steps of single precision.
 constexpr double kSamePoint = 1e-6;
 
-constexpr std::array<std::string_view, 5> kFormats{"stl", "obj", "ply", "off", "dae"};
+struct Format {
+  std::string_view extension;
+  TriangleMesh (*read)(std::string_view, const std::string&);
+};
+constexpr std::array<Format, 5> kFormats{{{"stl", mesh_file::readStl},
+                                          {"obj", mesh_file::readObj},
+                                          {"ply", mesh_file::readPly},
+                                          {"off", mesh_file::readOff},
+                                          {"dae", mesh_file::readDae}}};
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -38,13 +46,13 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-/// The format in lower case; throws ParseError for one that is not read.
-std::string formatOf(std::string_view extension, const std::string& name) {
-  const std::string format = lower(extension);
-  if (std::find(kFormats.begin(), kFormats.end(), format) != kFormats.end()) return format;
-  throw ParseError(
-      {name}, "found the extension \"" + std::string(extension) + "\", expected stl, obj, ply, off or dae",
-      "convert the mesh to one of these formats");
+TriangleMesh readRaw(std::string_view content, std::string_view extension, const std::string& name) {
+  const std::string known = lower(extension);
+  for (const auto& format : kFormats)
+    if (format.extension == known) return format.read(content, name);
+  if (known.empty())
+    throw ParseError({name}, "found no extension, expected stl, obj, ply, off, dae or another mesh format");
+  return mesh_file::readWithAssimp(content, known, name);
 }
 
 void writeStl(const TriangleMesh& mesh, std::ostream& out) {
@@ -76,9 +84,7 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
                      double scale) {
   if (!std::isfinite(scale) || scale <= 0.0)
     throw UsageError("scale is " + formatDouble(scale) + ", expected a positive number of metres per unit");
-  const std::string known = formatOf(format, name);
-  mesh_file::refuseFalseClaims(content, known, name);
-  TriangleMesh raw = mesh_file::readWithAssimp(content, known, name);
+  TriangleMesh raw = readRaw(content, format, name);
   if (raw.triangles.empty()) throw ParseError({name}, "found no triangle, expected a mesh");
 
   Bounds box;

@@ -22,9 +22,14 @@ struct LoadedMesh {
 /// Polygons are cut into triangles, vertices welded (within 1e-6 of the mesh's diagonal), degenerate
 /// triangles dropped and counted, and a closed mesh that is inside out is turned; report.remarks say so.
 ///
-/// Through assimp, after headers that claim more than the file holds were refused. Throws ParseError with
-/// the file's name for anything that gives no triangle, for coordinates that are not finite or beyond
-/// 1e6 m, and for a file larger than 512 MiB; UsageError for a scale that is not finite and positive.
+/// These five readers are our own and take memory in proportion to the file, whatever its header claims:
+/// assimp 5.2 crashes or hangs on some hostile files of these formats and loses faces of honest ones
+/// (docs/third-party.md). What other formats assimp knows (3ds, glTF, X, ...) it reads, in a process of its
+/// own; such a file must stand alone, whatever it refers to.
+///
+/// Throws ParseError with the file's name for anything that gives no triangle, for coordinates that are not
+/// finite or beyond 1e6 m, and for a file larger than 512 MiB; UsageError for a scale that is not finite and
+/// positive.
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale = 1.0);
 
 /// loadMesh for the content of a file: `format` is the extension without the point ("stl"), `name` goes

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cstring>
 
+#include "core/geometry/mesh_file_child.hpp"
 #include "core/geometry/mesh_file_readers.hpp"
 
 namespace abstand::mesh_file {
@@ -14,6 +16,9 @@ namespace {
 // A scene graph of more nodes or vertices than this, after instancing, is no robot part.
 constexpr std::size_t kMostVertices = 60'000'000;
 constexpr int kMostDepth = 256;
+// What a file of 512 MiB may honestly take.
+constexpr unsigned kMostSeconds = 20;
+constexpr std::size_t kMostMemory = std::size_t{8} << 30;
 
 Eigen::Matrix4d toEigen(const aiMatrix4x4& m) {
   Eigen::Matrix4d out;
@@ -65,20 +70,13 @@ class Collector {
   TriangleMesh mesh_;
 };
 
-}  // namespace
-
-TriangleMesh readWithAssimp(std::string_view content, std::string_view format, const std::string& name) {
+TriangleMesh readHere(std::string_view content, std::string_view format, const std::string& name) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = nullptr;
-  try {
-    scene = importer.ReadFileFromMemory(content.data(), content.size(),
-                                        aiProcess_Triangulate | aiProcess_SortByPType,
-                                        std::string(format).c_str());
-  } catch (const std::exception& e) {
-    throw ParseError({name}, std::string("cannot be read as a mesh: ") + e.what());
-  }
+  const aiScene* scene =
+      importer.ReadFileFromMemory(content.data(), content.size(),
+                                  aiProcess_Triangulate | aiProcess_SortByPType, std::string(format).c_str());
   if (!scene || !scene->mRootNode) {
     std::string why = importer.GetErrorString();
     std::replace(why.begin(), why.end(), '\n', ' ');
@@ -87,6 +85,61 @@ TriangleMesh readWithAssimp(std::string_view content, std::string_view format, c
   Collector collector(*scene, name);
   collector.visit(*scene->mRootNode, Eigen::Matrix4d::Identity(), 0);
   return collector.take();
+}
+
+// An answer of the child: 'E' and the text of an error, or 'M', the two counts, and the arrays as they lie in
+// memory.
+
+template <class T>
+void append(std::string& bytes, const T* data, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(data), count * sizeof(T));
+}
+
+std::string packed(const TriangleMesh& mesh) {
+  std::string bytes = "M";
+  const std::size_t counts[2] = {mesh.vertices.size(), mesh.triangles.size()};
+  append(bytes, counts, 2);
+  append(bytes, mesh.vertices.data(), counts[0]);
+  append(bytes, mesh.triangles.data(), counts[1]);
+  return bytes;
+}
+
+TriangleMesh unpacked(const std::string& bytes) {
+  std::size_t counts[2];
+  std::memcpy(counts, bytes.data() + 1, sizeof counts);
+  TriangleMesh mesh;
+  mesh.vertices.resize(counts[0]);
+  mesh.triangles.resize(counts[1]);
+  const char* at = bytes.data() + 1 + sizeof counts;
+  const std::size_t vertex_bytes = counts[0] * sizeof(Vector3d),
+                    triangle_bytes = counts[1] * sizeof(mesh.triangles[0]);
+  ABSTAND_CHECK(bytes.size() == 1 + sizeof counts + vertex_bytes + triangle_bytes);
+  if (counts[0] > 0) std::memcpy(static_cast<void*>(mesh.vertices.data()), at, vertex_bytes);
+  if (counts[1] > 0) std::memcpy(mesh.triangles.data(), at + vertex_bytes, triangle_bytes);
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh readWithAssimp(std::string_view content, std::string_view format, const std::string& name) {
+  const ChildAnswer answer = runInChild(
+      [&] {
+        try {
+          return packed(readHere(content, format, name));
+        } catch (const ParseError& e) {
+          return std::string("E") + e.message();
+        } catch (const std::exception& e) {
+          return std::string("Ecannot be read as ") + std::string(format) + ": " + e.what();
+        }
+      },
+      kMostSeconds, kMostMemory);
+  if (!answer.finished)
+    throw ParseError({name},
+                     "the mesh library gave up on it" +
+                         (answer.signal ? " (signal " + std::to_string(answer.signal) + ")" : std::string()) +
+                         ", expected a sound " + std::string(format) + " file");
+  if (answer.bytes[0] == 'E') throw ParseError({name}, answer.bytes.substr(1));
+  return unpacked(answer.bytes);
 }
 
 }  // namespace abstand::mesh_file

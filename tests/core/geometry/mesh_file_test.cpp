@@ -306,8 +306,10 @@ TEST(MeshFile, RefusesBadContentByName) {
        dae("", "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"2000000000\"/></triangles>",
            kInstance),
        "expected 0 to 63"},
-      {"fbx", kObj, "expected stl, obj, ply, off or dae"},
-      {"", kObj, "expected stl, obj, ply, off or dae"}};
+      {"", kObj, "expected stl, obj, ply, off, dae"},
+      {"3ds", noise, "3ds"},
+      {"gltf", noise, "gltf"},
+      {"x", noise, "cannot be read as x"}};
   for (const auto& c : cases) {
     SCOPED_TRACE(std::string(c.format) + " " + c.content.substr(0, 60));
     try {
@@ -318,6 +320,16 @@ TEST(MeshFile, RefusesBadContentByName) {
       EXPECT_EQ(e.pos().file, "the_file");
     }
   }
+}
+
+TEST(MeshFile, ReadsOtherFormatsThroughAssimp) {
+  // Neutral File Format: a tetrahedron as four polygons.
+  const auto m = parseMesh(
+      "p 3\n0 0 0\n0 1 0\n1 0 0\np 3\n0 0 0\n1 0 0\n0 0 1\np 3\n1 0 0\n0 1 0\n0 0 1\n"
+      "p 3\n0 1 0\n0 0 0\n0 0 1\n",
+      "nff", "f");
+  EXPECT_EQ(m.mesh.triangles.size(), 4u);
+  EXPECT_NEAR(surfaceArea(m.mesh), 1.5 + std::sqrt(3.0) / 2, 1e-6);
 }
 
 TEST(MeshFile, RefusesBadPlacesAndScales) {

@@ -1,0 +1,29 @@
+// As much of XML as COLLADA files use; internal to its reader.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace abstand::mesh_file {
+
+/// An element; names and attributes point into the document and are not unescaped.
+struct XmlElement {
+  std::string_view name;
+  std::vector<std::pair<std::string_view, std::string_view>> attributes;
+  std::vector<XmlElement> children;
+  std::string text;  ///< its own text, the children's left out
+  int line{0};
+
+  /// Empty when there is none of that name.
+  std::string_view attribute(std::string_view key) const;
+  /// The first child of that name, or null.
+  const XmlElement* child(std::string_view key) const;
+};
+
+/// The root element. Throws ParseError for what is not well-formed, not in UTF-8 or ASCII, or nested
+/// more than 256 deep. `name` is the file's. Entities of a document type are not expanded.
+XmlElement parseXml(std::string_view document, const std::string& name);
+
+}  // namespace abstand::mesh_file
