@@ -1,0 +1,45 @@
+// Pair queries and kinematics, a call at a time. Compare figures of one run with each other only.
+#include <benchmark/benchmark.h>
+
+#include "core/haptic/pair_query.hpp"
+#include "core/mechanism/mech_file.hpp"
+#include "tests/core/haptic/structures.hpp"
+#include "tests/support/random_pose.hpp"
+
+namespace abstand::testing {
+namespace {
+
+/// An ellipsoid round a box at the given distance of centres (mm): touching, near, far.
+void queryAt(benchmark::State& state) {
+  const auto& a = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, FieldKind::kMixed);
+  const auto& b = structureOf(Cuboid{{0.1, 0.12, 0.3}}, FieldKind::kMixed);
+  std::vector<Transform> poses;
+  for (std::uint64_t seed = 0; seed < 64; ++seed) {
+    Transform X = randomPose(seed, 0.0);
+    X.translation() = randomPose(seed + 100).translation().normalized() * 1e-3 * static_cast<double>(state.range(0));
+    poses.push_back(X);
+  }
+  PairScratch scratch;
+  PairResult result;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    queryPair(a, poses[i++ % poses.size()], b, Transform::Identity(), {.margin = 0.02}, scratch, result);
+    benchmark::DoNotOptimize(result);
+  }
+}
+BENCHMARK(queryAt)->Arg(120)->Arg(200)->Arg(500)->Arg(2000);
+
+void forwardOfThreeLinks(benchmark::State& state) {
+  const Mechanism chain = parseMechanism(
+      "chain\nframe 1 0 0 0 theta\nframe 2 1.1 0 0 theta\nframe 3 1.1 0 0 theta\nend_chain\n", "chain");
+  const std::vector<double> q{0.3, -0.2, 0.7};
+  MechanismState mechanism_state;
+  for (auto _ : state) {
+    forward(chain, q, mechanism_state);
+    benchmark::DoNotOptimize(mechanism_state.X_BF.data());
+  }
+}
+BENCHMARK(forwardOfThreeLinks);
+
+}  // namespace
+}  // namespace abstand::testing
