@@ -16,7 +16,8 @@ void queryAt(benchmark::State& state) {
   std::vector<Transform> poses;
   for (std::uint64_t seed = 0; seed < 64; ++seed) {
     Transform X = randomPose(seed, 0.0);
-    X.translation() = randomPose(seed + 100).translation().normalized() * 1e-3 * static_cast<double>(state.range(0));
+    X.translation() =
+        randomPose(seed + 100).translation().normalized() * 1e-3 * static_cast<double>(state.range(0));
     poses.push_back(X);
   }
   PairScratch scratch;
