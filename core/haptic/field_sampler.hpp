@@ -38,6 +38,9 @@ class FieldSampler {
     return -static_cast<float>(layer + 1) * kDiagonal * voxel_;
   }
 
+  /// Layered fields need the normal of a shell point, the others do not look at it.
+  bool layered() const { return near_ == nullptr; }
+
   /// f and s at a shell point with the inward normal n (axes of the field's frame).
   void point(const Vector3f& p, const Vector3f& n, float& f, float& s) const {
     if (near_) {

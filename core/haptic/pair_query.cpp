@@ -29,55 +29,78 @@ class MovedTree {
   Vector3f t_;
 };
 
-struct Nearest {
-  std::uint32_t point{0};  ///< leaf-ordered index of the point with the smallest estimate
-  float estimate{std::numeric_limits<float>::infinity()};
-  float lower_bound{std::numeric_limits<float>::infinity()};  ///< of every shell point's true distance
-};
-
-/// Pushes the children of a node, the nearest last, so that it is taken first.
-template <class Bound>
-std::size_t pushChildren(const MovedTree& tree, const PointSphereTree::Node& node, std::size_t top,
-                         float limit, PairScratch& scratch, Bound bound) {
-  const std::size_t first = top;
-  for (std::uint32_t c = node.first_child; c < node.first_child + node.children; ++c) {
-    const auto& child = tree.node(c);
-    const float f = bound(tree.centre(child)) - child.radius;
-    if (f >= limit) continue;
-    std::size_t at = top++;
-    for (; at > first && scratch.stack[at - 1].lower_bound < f; --at)
-      scratch.stack[at] = scratch.stack[at - 1];
-    scratch.stack[at] = {f, c};
-  }
-  return top;
-}
+// Beyond this distance the search may end within this part of the smallest distance; the bound says so.
+constexpr float kFarFrom = 0.1f;  // m
+constexpr float kFarPart = 0.01f;
 
 /// Branch and bound for the smallest distance over all shell points.
-Nearest findNearest(const MovedTree& tree, const FieldSampler& field, PairScratch& scratch) {
-  Nearest best;
-  std::size_t top = 0;
-  scratch.stack[top++] = {-std::numeric_limits<float>::infinity(), 0};
-  while (top > 0) {
-    const auto entry = scratch.stack[--top];
-    if (entry.lower_bound >= best.lower_bound) continue;
-    const auto& node = tree.node(entry.node);
-    if (node.children > 0) {
-      top = pushChildren(tree, node, top, best.lower_bound, scratch,
-                         [&](const Vector3f& c) { return field.lowerBound(c); });
-      continue;
+class NearestSearch {
+ public:
+  NearestSearch(const MovedTree& tree, const FieldSampler& field, PairScratch& scratch)
+      : tree_(tree), field_(field), stack_(scratch.stack) {}
+
+  void run() {
+    stack_[top_++] = {-std::numeric_limits<float>::infinity(), 0};
+    while (top_ > 0) {
+      const auto entry = stack_[--top_];
+      if (pruned(entry.lower_bound)) continue;
+      const auto& node = tree_.node(entry.node);
+      if (node.children > 0)
+        pushChildren(node);
+      else
+        visitLeaf(node);
     }
+  }
+
+  std::uint32_t point() const {
+    return point_;
+  }  ///< leaf-ordered index of the point with the smallest estimate
+  float estimate() const { return estimate_; }
+  /// No shell point's true distance is below it.
+  float lowerBound() const { return std::min(best_, lowest_pruned_); }
+
+ private:
+  bool pruned(float lower_bound) {
+    const float enough = best_ > kFarFrom ? best_ * (1.0f - kFarPart) : best_;
+    if (lower_bound < enough) return false;
+    lowest_pruned_ = std::min(lowest_pruned_, lower_bound);
+    return true;
+  }
+
+  /// The nearest child last, so that it is taken first.
+  void pushChildren(const PointSphereTree::Node& node) {
+    const std::size_t first = top_;
+    for (std::uint32_t c = node.first_child; c < node.first_child + node.children; ++c) {
+      const auto& child = tree_.node(c);
+      const float f = field_.lowerBound(tree_.centre(child)) - child.radius;
+      if (pruned(f)) continue;
+      std::size_t at = top_++;
+      for (; at > first && stack_[at - 1].lower_bound < f; --at) stack_[at] = stack_[at - 1];
+      stack_[at] = {f, c};
+    }
+  }
+
+  void visitLeaf(const PointSphereTree::Node& node) {
     for (std::uint32_t i = node.first_point; i < node.first_point + node.points; ++i) {
       float f, s;
-      field.point(tree.point(i), tree.normal(i), f, s);
-      best.lower_bound = std::min(best.lower_bound, f);
-      if (s < best.estimate) {
-        best.estimate = s;
-        best.point = i;
+      field_.point(tree_.point(i), field_.layered() ? tree_.normal(i) : Vector3f(Vector3f::Zero()), f, s);
+      best_ = std::min(best_, f);
+      if (s < estimate_) {
+        estimate_ = s;
+        point_ = i;
       }
     }
   }
-  return best;
-}
+
+  const MovedTree& tree_;
+  const FieldSampler& field_;
+  decltype(PairScratch::stack)& stack_;
+  std::size_t top_{0};
+  std::uint32_t point_{0};
+  float estimate_{std::numeric_limits<float>::infinity()};
+  float best_{std::numeric_limits<float>::infinity()};
+  float lowest_pruned_{std::numeric_limits<float>::infinity()};
+};
 
 /// Sum of the penalty forces in the field body's frame, moment about that frame's origin.
 struct ContactSum {
@@ -97,8 +120,9 @@ ContactSum sumContacts(const MovedTree& tree, const FieldSampler& field, const P
   while (top > 0) {
     const auto& node = tree.node(scratch.stack[--top].node);
     if (node.children > 0) {
-      top = pushChildren(tree, node, top, reach, scratch,
-                         [&](const Vector3f& c) { return field.lowerBound(c); });
+      for (std::uint32_t c = node.first_child; c < node.first_child + node.children; ++c)
+        if (field.lowerBound(tree.centre(tree.node(c))) - tree.node(c).radius < reach)
+          scratch.stack[top++] = {0.0f, c};
       continue;
     }
     for (std::uint32_t i = node.first_point; i < node.first_point + node.points; ++i) {
@@ -138,13 +162,14 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
   const FieldSampler field(F);
 
   // The nearest shell point, then the nearest points on the exact surfaces about it.
-  const Nearest nearest = findNearest(tree, field, scratch);
-  const int side = nearest.lower_bound > 0.0f ? 1 : nearest.estimate < -field.slack() ? -1 : 0;
+  NearestSearch nearest(tree, field, scratch);
+  nearest.run();
+  const int side = nearest.lowerBound() > 0.0f ? 1 : nearest.estimate() < -field.slack() ? -1 : 0;
   const Vector3d start =
-      X_FP * Vector3d(P.tree.x[nearest.point], P.tree.y[nearest.point], P.tree.z[nearest.point]);
+      X_FP * Vector3d(P.tree.x[nearest.point()], P.tree.y[nearest.point()], P.tree.z[nearest.point()]);
   const Witness witness = refineWitness(*P.surface, *F.surface, X_FP, start, P.shell.spacing, side);
   const double certified =
-      static_cast<double>(nearest.lower_bound) - kFloatRounding - P.shell.covering_radius;
+      static_cast<double>(nearest.lowerBound()) - kFloatRounding - P.shell.covering_radius;
   result.distance = witness.distance;
   result.bound = std::max(0.0, witness.distance - certified);
   const Vector3d on_points = X_WF * witness.on_points, on_field = X_WF * witness.on_field;
@@ -153,7 +178,7 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
 
   // Penalty forces of the shell points within the margins.
   ContactSum sum;
-  if (nearest.lower_bound <= static_cast<float>(options.margin))
+  if (nearest.lowerBound() <= static_cast<float>(options.margin))
     sum = sumContacts(tree, field, options, scratch);
   result.contacts = sum.contacts;
   result.depth = sum.depth;
