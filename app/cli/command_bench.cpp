@@ -27,7 +27,7 @@ constexpr int kFkSamples = 2000;
 
 nlohmann::ordered_json benchFk() {
   using Clock = std::chrono::steady_clock;
-  const Mechanism chain = loadMechanism(dataFolder() / "robots" / "chain" / "chain.mech");
+  const Mechanism chain = loadMechanism(dataFolder() / "scenes" / "chain.mech");
   MechanismState state;
   const std::vector<double> q(static_cast<std::size_t>(chain.dof), 0.3);
   forward(chain, q, state);
