@@ -127,7 +127,8 @@ std::vector<std::vector<PairId>> liveGroups(const Session& session) {
   return groups;
 }
 
-/// Cycles of one run over all frames; lock step and live differ only in `cycle`.
+/// Cycles of one run over all frames; lock step and live differ only in `cycle`, which gives the seconds that
+/// it worked.
 template <class Cycle>
 void runFrames(const Session& session, const std::vector<double>& times, const RunOptions& options, bool last,
                RunSummary& summary, CycleStatistics& statistics, std::vector<PairResult>& results,
@@ -144,9 +145,7 @@ void runFrames(const Session& session, const std::vector<double>& times, const R
       summary.interrupted = true;
       break;
     }
-    const auto begin = Clock::now();
-    cycle(t);
-    statistics.add(seconds(Clock::now() - begin));
+    statistics.add(cycle(t));
     extremes.frame(t, results, summary);
     pair_clock.sample(session.scene());
     csv.write(t, session, results);
@@ -187,9 +186,11 @@ RunSummary runScene(Session& session, const RunOptions& options) {
     const bool last = repeat + 1 == options.repeat;
     if (options.mode == RunMode::kLockstep) {
       runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
+        const auto begin = Clock::now();
         session.step(t);
         for (std::size_t i = 0; i < results.size(); ++i) results[i] = scene.pairs()[i].result;
         watch();
+        return seconds(Clock::now() - begin);
       });
     } else {
       PairThreads threads(scene);
@@ -198,11 +199,16 @@ RunSummary runScene(Session& session, const RunOptions& options) {
           times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
       Pacer pacer{std::chrono::nanoseconds(static_cast<long>(period * 1e9))};
       runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
+        auto begin = Clock::now();
         session.applyMotion(t);
         threads.publishPoses(scene);
+        double worked = seconds(Clock::now() - begin);
+        // The groups have the rest of the period for these poses.
         pacer.wait();
+        begin = Clock::now();
         threads.collect(results);
         watch();
+        return worked += seconds(Clock::now() - begin);
       });
     }
   }
