@@ -1,13 +1,10 @@
 #include "app/session/structure_library.hpp"
 
-#include <atomic>
 #include <chrono>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/base/parallel.hpp"
 #include "core/geometry/mesh_file.hpp"
 
 namespace abstand {
@@ -68,29 +65,10 @@ StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mes
 
 void StructureLibrary::build(int threads) {
   const auto begin = std::chrono::steady_clock::now();
-  if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < entries_.size();) {
-      Entry& e = entries_[i];
-      if (e.structure) continue;
-      try {
-        e.structure = buildHapticStructure(e.name, e.surface, e.options, 1);
-      } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < threads && static_cast<std::size_t>(i) < entries_.size(); ++i)
-      helpers.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  parallelFor(threads, entries_.size(), [&](std::size_t i) {
+    Entry& e = entries_[i];
+    if (!e.structure) e.structure = buildHapticStructure(e.name, e.surface, e.options, 1);
+  });
   build_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
