@@ -98,13 +98,14 @@ int benchScenario(const BenchScenario& args) {
   const double build_s = secondsSince(build_begin);
 
   PairScratch scratch;
+  std::vector<PairMemory> memories(scenario.pairs.size());
   std::vector<PairResult> results(scenario.pairs.size());
   const auto frame = [&](std::size_t f) {
     const Transform* X_WB = scenario.frame(f);
     for (std::size_t i = 0; i < scenario.pairs.size(); ++i) {
       const auto a = static_cast<std::size_t>(scenario.pairs[i].first),
                  b = static_cast<std::size_t>(scenario.pairs[i].second);
-      queryPair(*structures[a], X_WB[a], *structures[b], X_WB[b], {}, scratch, results[i]);
+      queryPair(*structures[a], X_WB[a], *structures[b], X_WB[b], {}, memories[i], scratch, results[i]);
     }
   };
   std::vector<double> times;

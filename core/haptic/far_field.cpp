@@ -11,128 +11,117 @@ namespace abstand {
 namespace {
 
 constexpr double kMostVertices = 5e7;
+constexpr double kMostQuanta = 65535.0;
 constexpr float kEpsilon = 0x1p-23f;
-// Relative: the squared distances' rounding, and that of a sum of eight products with their weights.
-constexpr double kStored = 4.0 * kEpsilon;
-constexpr float kSummed = 16.0f * kEpsilon;
+// Relative, for what rounding does to a distance before it is stored.
+constexpr double kStored = 1e-12;
+// Cells of a grid that reach into it from where the grid inside answers.
+constexpr float kOverlap = 2.0f;
 
 }  // namespace
 
 FarField::FarField(const Surface& surface, double first_spacing, double reach, int threads) {
   const Bounds body = surface.bounds();
-  double h = first_spacing;
-  double margin = 0.0;
-  for (bool wide_enough = false; !wide_enough; h *= 2.0) {
-    margin = kMargin * h;
-    wide_enough = margin >= reach;
-    Level level;
-    const Vector3d cells = ((body.extent().array() + 2.0 * margin) / h).ceil();
-    if (!((cells.array() + 1.0).prod() <= kMostVertices)) {
-      throw UsageError("the voxel size is far too small for the size of the body");
-    }
-    const Vector3d origin = body.centre() - 0.5 * h * cells;
-    level.ox = static_cast<float>(origin.x());
-    level.oy = static_cast<float>(origin.y());
-    level.oz = static_cast<float>(origin.z());
-    level.h = static_cast<float>(h);
-    level.inv_h = static_cast<float>(1.0 / h);
-    level.rounding =
-        8.0f * kEpsilon * static_cast<float>(origin.cwiseAbs().maxCoeff() + h * cells.maxCoeff());
-    for (int k = 0; k < 3; ++k) level.n[k] = static_cast<int>(cells[k]) + 1;
-    level.d2.resize(std::size_t(level.n[0]) * level.n[1] * level.n[2]);
-    levels_.push_back(std::move(level));
+  const double margin = kMargin * first_spacing;
+  const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
+  if (!((2.0 * half_cells.array() + 1.0).prod() <= kMostVertices)) {
+    throw UsageError("the voxel size is far too small for the size of the body");
   }
-  fill(surface, threads);
-
-  const Level& last = levels_.back();
-  const float origin[3] = {last.ox, last.oy, last.oz};
+  View& v = view_;
+  const Vector3d centre = body.centre();
+  std::size_t grid = 1;
   for (int k = 0; k < 3; ++k) {
-    box_lo_[k] = origin[k];
-    box_hi_[k] = origin[k] + last.h * static_cast<float>(last.n[k] - 1);
+    v.centre[k] = static_cast<float>(centre[k]);
+    v.middle[k] = static_cast<float>(half_cells[k]);
+    v.n[k] = 2 * static_cast<int>(half_cells[k]) + 1;
+    v.inv_half[k] = static_cast<float>(1.0 / (half_cells[k] * first_spacing));
+    grid *= static_cast<std::size_t>(v.n[k]);
   }
-  // On a face of the boundary the interpolation of the squares loses at most h^2 / 2.
-  float least = std::numeric_limits<float>::max();
-  std::size_t v = 0;
-  for (int k = 0; k < last.n[2]; ++k) {
-    for (int j = 0; j < last.n[1]; ++j) {
-      for (int i = 0; i < last.n[0]; ++i, ++v) {
-        const bool rim =
-            i == 0 || j == 0 || k == 0 || i + 1 == last.n[0] || j + 1 == last.n[1] || k + 1 == last.n[2];
-        if (rim) least = std::min(least, last.d2[v]);
-      }
-    }
+  const Vector3d stored_centre(v.centre[0], v.centre[1], v.centre[2]);
+  const double least_half = half_cells.minCoeff() * first_spacing;
+  v.levels = 1;
+  while (v.levels < kMostLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
+    ++v.levels;
+  v.outermost = kRatio[v.levels - 1];
+  v.ball = static_cast<float>((0.5 * body.extent()).norm() + (stored_centre - centre).norm()) *
+           (1.0f + 4.0f * kEpsilon);
+  for (int l = 0; l < kMostLevels; ++l) {
+    const int of = std::min(l, v.levels - 1);
+    v.width[l] = l + 1 < v.levels ? kRatio[l] : std::numeric_limits<float>::infinity();
+    v.inv_h[l] = static_cast<float>(1.0 / (first_spacing * double(kRatio[of])));
+    const float h = 1.0f / v.inv_h[l];
+    v.h2[l] = h * h * (1.0f + 4.0f * kEpsilon);
+    v.rounding[l] = 16.0f * kEpsilon *
+                    static_cast<float>(centre.cwiseAbs().maxCoeff() + half_cells.maxCoeff() * double(h));
   }
-  const float on_face = std::sqrt(std::max(0.0f, least - 0.5f * last.h * last.h));
-  boundary_min_ =
-      std::max(0.0f, std::max(on_face, static_cast<float>(margin)) * (1.0f - kSummed) - last.rounding);
-}
 
-void FarField::fill(const Surface& surface, int threads) {
-  struct Slice {
-    Level* level;
-    int k;
-  };
-  std::vector<Slice> slices;
-  for (Level& level : levels_) {
-    for (int k = 0; k < level.n[2]; ++k) slices.push_back({&level, k});
-  }
-  parallelFor(threads, slices.size(), [&](std::size_t s) {
-    Level& level = *slices[s].level;
+  std::vector<float> distance(grid * static_cast<std::size_t>(v.levels), 0.0f);
+  const auto slices = static_cast<std::size_t>(v.levels) * static_cast<std::size_t>(v.n[2]);
+  parallelFor(threads, slices, [&](std::size_t slice) {
+    const int level = static_cast<int>(slice) / v.n[2], k = static_cast<int>(slice) % v.n[2];
+    const double h = 1.0 / double(v.inv_h[level]);
+    const float inner = level == 0 ? 0.0f : kRatio[level - 1] / kRatio[level];
+    const auto inside = [&](int at, int axis) {
+      return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
+    };
     std::uint32_t hint = kNoHint;
-    for (int j = 0; j < level.n[1]; ++j) {
-      const std::size_t row = (std::size_t(slices[s].k) * level.n[1] + j) * level.n[0];
-      for (int step = 0; step < level.n[0]; ++step) {
+    for (int j = 0; j < v.n[1]; ++j) {
+      float* row = &distance[(slice * static_cast<std::size_t>(v.n[1]) + static_cast<std::size_t>(j)) *
+                             static_cast<std::size_t>(v.n[0])];
+      for (int step = 0; step < v.n[0]; ++step) {
         // Back and forth, so that the hint is always a neighbour's.
-        const int i = j % 2 == 0 ? step : level.n[0] - 1 - step;
-        const Vector3d p(double(level.ox) + double(level.h) * i, double(level.oy) + double(level.h) * j,
-                         double(level.oz) + double(level.h) * slices[s].k);
+        const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
+        if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
+        const Vector3d p = stored_centre + h * (Vector3d(i, j, k) - half_cells);
         const SurfacePoint nearest = surface.closest(p, hint);
         hint = nearest.hint;
-        level.d2[row + i] = static_cast<float>(nearest.distance * nearest.distance * (1.0 - kStored));
+        row[i] = std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
       }
     }
   });
-}
 
-float FarField::interpolate(const Level& level, float gx, float gy, float gz) {
-  // The last vertex belongs to the cell before it.
-  const int i = std::min(static_cast<int>(gx), level.n[0] - 2);
-  const int j = std::min(static_cast<int>(gy), level.n[1] - 2);
-  const int k = std::min(static_cast<int>(gz), level.n[2] - 2);
-  const float x = gx - static_cast<float>(i), y = gy - static_cast<float>(j), z = gz - static_cast<float>(k);
-  const std::size_t nx = level.n[0], nxy = nx * level.n[1];
-  const float* v = &level.d2[k * nxy + j * nx + i];
-  const auto along = [x](const float* p) { return p[0] + x * (p[1] - p[0]); };
-  const float y0 = along(v) + y * (along(v + nx) - along(v));
-  const float y1 = along(v + nxy) + y * (along(v + nxy + nx) - along(v + nxy));
-  const float sum = y0 + z * (y1 - y0);
-  const float h2 = level.h * level.h;
-  const float loss = h2 * (x * (1.0f - x) + y * (1.0f - y) + z * (1.0f - z));
-  const float d2 = sum - loss - kSummed * (sum + 4.0f * h2);
-  return d2 > 0.0f ? std::max(0.0f, std::sqrt(d2) - level.rounding) : 0.0f;
+  values_.resize(distance.size());
+  for (int l = 0; l < v.levels; ++l) {
+    const float* from = &distance[grid * static_cast<std::size_t>(l)];
+    const double largest = *std::max_element(from, from + grid);
+    const double quantum = std::max(largest, 1e-12) / (kMostQuanta - 1.0);
+    for (std::size_t i = 0; i < grid; ++i)
+      values_[grid * static_cast<std::size_t>(l) + i] = static_cast<std::uint16_t>(double(from[i]) / quantum);
+    v.q2[l] = static_cast<float>(quantum * quantum) * (1.0f - kEpsilon);
+  }
+  for (int l = v.levels; l < kMostLevels; ++l) v.q2[l] = v.q2[v.levels - 1];
 }
 
 float FarField::lowerBound(float px, float py, float pz) const {
-  for (const Level& level : levels_) {
-    const float gx = (px - level.ox) * level.inv_h, gy = (py - level.oy) * level.inv_h,
-                gz = (pz - level.oz) * level.inv_h;
-    // Written so that NaN fails.
-    if (gx >= 0.0f && gy >= 0.0f && gz >= 0.0f && gx <= static_cast<float>(level.n[0] - 1) &&
-        gy <= static_cast<float>(level.n[1] - 1) && gz <= static_cast<float>(level.n[2] - 1)) {
-      return interpolate(level, gx, gy, gz);
-    }
+  const View& v = view_;
+  const float p[3] = {px - v.centre[0], py - v.centre[1], pz - v.centre[2]};
+  const float length2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  if (values_.empty() || !std::isfinite(length2)) return 0.0f;
+  float r = 0.0f;
+  for (int a = 0; a < 3; ++a) r = std::max(r, std::abs(p[a]) * v.inv_half[a]);
+  const float from_ball = std::sqrt(length2) * (1.0f - kSummed) - v.ball;
+  if (r > v.outermost) return std::max(0.0f, from_ball);
+  int level = 0;
+  while (r > v.width[level]) ++level;
+  std::size_t at = static_cast<std::size_t>(level);
+  float t[3];
+  for (int a = 2; a >= 0; --a) {
+    const float g = std::max(0.0f, p[a] * v.inv_h[level] + v.middle[a]);
+    const int i = std::min(static_cast<int>(g), v.n[a] - 2);
+    t[a] = std::min(g - static_cast<float>(i), 1.0f);
+    at = at * static_cast<std::size_t>(v.n[a]) + static_cast<std::size_t>(i);
   }
-  const float dx = std::max({box_lo_[0] - px, px - box_hi_[0], 0.0f});
-  const float dy = std::max({box_lo_[1] - py, py - box_hi_[1], 0.0f});
-  const float dz = std::max({box_lo_[2] - pz, pz - box_hi_[2], 0.0f});
-  const float beyond = std::sqrt(dx * dx + dy * dy + dz * dz) * (1.0f - kSummed) + boundary_min_;
-  return std::isfinite(beyond) && px == px && py == py && pz == pz ? beyond : 0.0f;
-}
-
-std::size_t FarField::memoryBytes() const {
-  std::size_t bytes = levels_.capacity() * sizeof(Level);
-  for (const Level& level : levels_) bytes += level.d2.capacity() * sizeof(float);
-  return bytes;
+  const std::size_t nx = static_cast<std::size_t>(v.n[0]), nxy = nx * static_cast<std::size_t>(v.n[1]);
+  const auto along = [&](std::size_t i) {
+    const float a = values_[i], b = values_[i + 1];
+    return a * a + t[0] * (b * b - a * a);
+  };
+  const float y0 = along(at) + t[1] * (along(at + nx) - along(at));
+  const float y1 = along(at + nxy) + t[1] * (along(at + nxy + nx) - along(at + nxy));
+  const float sum = (y0 + t[2] * (y1 - y0)) * v.q2[level];
+  const float loss = v.h2[level] * (t[0] * (1.0f - t[0]) + t[1] * (1.0f - t[1]) + t[2] * (1.0f - t[2]));
+  const float d2 = sum - loss - kSummed * (sum + 4.0f * v.h2[level]);
+  return std::max(from_ball, d2 > 0.0f ? std::max(0.0f, std::sqrt(d2) - v.rounding[level]) : 0.0f);
 }
 
 }  // namespace abstand

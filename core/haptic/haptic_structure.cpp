@@ -17,7 +17,7 @@ constexpr double kBand = 4.0;
 // Spacing of the far field's first grid: so many voxels, or this part of the body's extent, whichever is
 // more.
 constexpr double kFarSpacing = 2.0;
-constexpr double kFarPart = 1.0 / 16.0;
+constexpr double kFarPart = 1.0 / 24.0;
 // m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
 constexpr double kFarReach = 2.0;
 // Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
@@ -44,7 +44,8 @@ EnclosingSphere sphereAbout(const Surface& surface, const TriangleMesh& mesh) {
 std::size_t bytesOf(const Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }
 
 std::size_t bytesOf(const PointSphereTree& tree) {
-  return tree.nodes.capacity() * sizeof(PointSphereTree::Node) + 7 * sizeof(float) * tree.x.capacity() +
+  return tree.nodes.capacity() * sizeof(PointSphereTree::Node) +
+         tree.families.capacity() * sizeof(PointSphereTree::Family) + 7 * sizeof(float) * tree.x.capacity() +
          tree.shell_index.capacity() * sizeof(std::uint32_t);
 }
 
@@ -57,10 +58,36 @@ double HapticStructure::errorBound() const {
 }
 
 std::size_t HapticStructure::memoryBytes() const {
-  std::size_t bytes = far_field.memoryBytes() + bytesOf(shell) + bytesOf(tree);
+  std::size_t bytes = far_field.memoryBytes() + support.memoryBytes() + bytesOf(shell) + bytesOf(tree);
   if (voxelmap) bytes += voxelmap->layer.capacity() * sizeof(std::int16_t);
   if (near_field) bytes += near_field->memoryBytes();
   return bytes;
+}
+
+FieldView HapticStructure::fieldView() const {
+  FieldView view;
+  view.far = far_field.view();
+  if (near_field) {
+    view.kind = FieldView::Kind::kNear;
+    view.near = near_field->view();
+    return view;
+  }
+  view.kind = FieldView::Kind::kLayered;
+  view.voxel = static_cast<float>(voxelmap->grid.voxel_size);
+  view.layer = voxelmap->layer.data();
+  for (int k = 0; k < 3; ++k) {
+    view.first_centre[k] = static_cast<float>(voxelmap->grid.first_centre[k]);
+    view.size[k] = voxelmap->grid.size[k];
+  }
+  return view;
+}
+
+TreeView HapticStructure::treeView(const Transform& X_FP) const {
+  TreeView view{tree.families.data(), tree.x.data(),    tree.y.data(),
+                tree.z.data(),        tree.nx.data(),   tree.ny.data(),
+                tree.nz.data(),       tree.area.data(), {}};
+  for (int i = 0; i < 12; ++i) view.X_FP[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
+  return view;
 }
 
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
@@ -98,6 +125,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
   s.triangles = mesh.triangles.size();
   s.bounding_sphere = sphereAbout(*s.surface, mesh);
+  s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
   s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return structure;
 }

@@ -5,10 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "core/haptic/far_field.hpp"
+#include "core/haptic/field_view.hpp"
 #include "core/haptic/haptic_options.hpp"
-#include "core/haptic/near_field.hpp"
-#include "core/haptic/point_sphere_tree.hpp"
+#include "core/haptic/support_map.hpp"
 #include "core/haptic/voxelmap.hpp"
 
 namespace abstand {
@@ -22,8 +21,12 @@ struct HapticStructure {
   std::optional<Voxelmap> voxelmap;     ///< field: layered (and wherever asked for)
   std::optional<NearField> near_field;  ///< field: float and mixed
   FarField far_field;
+  SupportMap support;
   Pointshell shell;
   PointSphereTree tree;
+  FieldView
+      field_view;  ///< of the fields above; views point into the members, so a structure stays where it is
+  TreeView tree_view;
 
   MassProperties mass_properties;   ///< density 1
   Vector3d com{Vector3d::Zero()};   ///< centre for torques
@@ -37,6 +40,9 @@ struct HapticStructure {
   /// Bound on the error of one field value near the surface plus the covering radius of the shell (m).
   double errorBound() const;
   std::size_t memoryBytes() const;
+  /// What searches read. Views point into the members.
+  FieldView fieldView() const;
+  TreeView treeView(const Transform& X_FP) const;
 };
 
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.

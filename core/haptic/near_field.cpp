@@ -15,6 +15,9 @@ constexpr int kVertices = NearField::kVertices;
 constexpr double kEpsilon = 0x1p-23;
 constexpr double kMostBytes = 2e9;
 constexpr double kDiagonal = 1.7320508075688774;
+constexpr float kMostQuanta = 32766.0f;
+constexpr double kQuantized = 1.01;  // and the rounding of the division
+constexpr float kSlopeRounding = 1.0f + 1e-5f;
 
 double distanceToBox(const Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
@@ -86,7 +89,7 @@ void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vecto
 }
 
 // The vertices that fillBlock left to their owners.
-void copyFromOwners(const Neighbours& neighbours, float* all_values, float* values) {
+void copyFromOwners(const Neighbours& neighbours, const float* all_values, float* values) {
   for (int k = 0; k < kVertices; ++k) {
     for (int j = 0; j < kVertices; ++j) {
       for (int i = k == kCells || j == kCells ? 0 : kCells; i < kVertices; ++i) {
@@ -141,11 +144,11 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     block_index_[b] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(b);
   }
-  if (double(kept.size()) * kBlockValues * sizeof(float) > kMostBytes) {
+  if (double(kept.size()) * kBlockValues * sizeof(std::int16_t) > kMostBytes) {
     throw UsageError(
         "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
   }
-  values_.resize(kept.size() * kBlockValues);
+  std::vector<float> values(kept.size() * kBlockValues);
   const auto neighboursOf = [&](std::size_t b) {
     const int place[3] = {int(b % blocks_[0]), int(b / blocks_[0] % blocks_[1]),
                           int(b / (std::size_t(blocks_[0]) * blocks_[1]))};
@@ -159,42 +162,99 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     return neighbours;
   };
   parallelFor(threads, kept.size(), [&](std::size_t n) {
-    fillBlock(surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, &values_[n * kBlockValues]);
+    fillBlock(surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, &values[n * kBlockValues]);
   });
   // Owners are filled; what is read here was computed above and is written by none.
   parallelFor(threads, kept.size(), [&](std::size_t n) {
-    copyFromOwners(neighboursOf(kept[n]), values_.data(), &values_[n * kBlockValues]);
+    copyFromOwners(neighboursOf(kept[n]), values.data(), &values[n * kBlockValues]);
   });
+
+  float largest = 0.0f;
+  for (const float value : values) largest = std::max(largest, std::abs(value));
+  quantum_ = std::max(largest, std::numeric_limits<float>::min()) / kMostQuanta;
+  values_.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values_[i] = static_cast<std::int16_t>(std::lround(values[i] / quantum_));
+  slope_ = steepest(threads);
 
   // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
   const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
   const double rounding =
       8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + (end - origin).norm());
-  error_bound_ = 0.5 * kDiagonal * step + rounding;
+  error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
   const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
   band_ = std::max(0.0, std::min(band, margin) - rounding);
 }
 
+// Of the trilinear function, each slope along an axis lies between those of a cell's four edges.
+float NearField::steepest(int threads) const {
+  std::vector<float> of_block(blocks(), 0.0f);
+  parallelFor(threads, blocks(), [&](std::size_t b) {
+    constexpr int kStep[3] = {1, kVertices, kVertices * kVertices};
+    const std::int16_t* values = &values_[b * kBlockValues];
+    std::int64_t most = 0;
+    for (int cell = 0; cell < kCells * kCells * kCells; ++cell) {
+      const std::int16_t* v = values +
+                              (cell / (kCells * kCells) * kVertices + cell / kCells % kCells) * kVertices +
+                              cell % kCells;
+      std::int64_t squares = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int along = kStep[axis], p = kStep[(axis + 1) % 3], q = kStep[(axis + 2) % 3];
+        std::int64_t steep = 0;
+        for (const int from : {0, p, q, p + q})
+          steep = std::max<std::int64_t>(steep, std::abs(v[from + along] - v[from]));
+        squares += steep * steep;
+      }
+      most = std::max(most, squares);
+    }
+    of_block[b] = std::sqrt(static_cast<float>(most));
+  });
+  const float most = of_block.empty() ? 0.0f : *std::max_element(of_block.begin(), of_block.end());
+  return most * quantum_ * inv_h_ * kSlopeRounding;
+}
+
+NearField::View NearField::view() const {
+  View v{};
+  v.origin[0] = ox_;
+  v.origin[1] = oy_;
+  v.origin[2] = oz_;
+  v.inv_h = inv_h_;
+  for (int k = 0; k < 3; ++k) v.cells[k] = cells_[k];
+  v.blocks[0] = blocks_[0];
+  v.blocks[1] = blocks_[1];
+  v.quantum = quantum_;
+  v.error_bound = static_cast<float>(error_bound_);
+  const auto h = static_cast<float>(grid_.voxel_size);
+  v.h2 = h * h * kSlopeRounding;
+  v.slope = slope_;
+  v.band = static_cast<float>(band_);
+  v.block_index = block_index_.data();
+  v.values = values_.data();
+  return v;
+}
+
 bool NearField::sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const {
   float x, y, z;
-  const float* v = cellOf(px, py, pz, x, y, z);
-  if (!v) return false;
+  const std::int16_t* values = cellOf(px, py, pz, x, y, z);
+  if (!values) return false;
   constexpr int kRow = kVertices, kSlice = kVertices * kVertices;
-  const float d00 = v[1] - v[0], d10 = v[kRow + 1] - v[kRow], d01 = v[kSlice + 1] - v[kSlice],
-              d11 = v[kSlice + kRow + 1] - v[kSlice + kRow];
-  const float a = v[0] + x * d00, b = v[kRow] + x * d10, c = v[kSlice] + x * d01,
-              d = v[kSlice + kRow] + x * d11;
+  const auto v = [values](int i) { return static_cast<float>(values[i]); };
+  const float d00 = v(1) - v(0), d10 = v(kRow + 1) - v(kRow), d01 = v(kSlice + 1) - v(kSlice),
+              d11 = v(kSlice + kRow + 1) - v(kSlice + kRow);
+  const float a = v(0) + x * d00, b = v(kRow) + x * d10, c = v(kSlice) + x * d01,
+              d = v(kSlice + kRow) + x * d11;
   const float near = a + y * (b - a), far = c + y * (d - c);
   const float dx_near = d00 + y * (d10 - d00), dx_far = d01 + y * (d11 - d01);
-  distance = near + z * (far - near);
-  gradient[0] = (dx_near + z * (dx_far - dx_near)) * inv_h_;
-  gradient[1] = ((b - a) + z * ((d - c) - (b - a))) * inv_h_;
-  gradient[2] = (far - near) * inv_h_;
+  const float scale = quantum_ * inv_h_;
+  distance = (near + z * (far - near)) * quantum_;
+  gradient[0] = (dx_near + z * (dx_far - dx_near)) * scale;
+  gradient[1] = ((b - a) + z * ((d - c) - (b - a))) * scale;
+  gradient[2] = (far - near) * scale;
   return true;
 }
 
 std::size_t NearField::memoryBytes() const {
-  return values_.capacity() * sizeof(float) + block_index_.capacity() * sizeof(std::uint32_t);
+  return values_.capacity() * sizeof(std::int16_t) + block_index_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace abstand

@@ -2,145 +2,139 @@
 
 #include <algorithm>
 
-#include "core/haptic/field_sampler.hpp"
+#include "core/haptic/search_kernels.hpp"
+#include "core/haptic/separation.hpp"
 #include "core/haptic/witness.hpp"
 
 namespace abstand {
 namespace {
 
 // Shell points are moved between the frames in float: below 0.2 um for bodies within some metres.
-constexpr float kFloatRounding = 1e-6f;
+constexpr double kFloatRounding = 1e-6;
+// Beyond this distance the answer may exceed the smallest distance by this part of it; the bound says so.
+constexpr double kFarFrom = 0.1;  // m
+constexpr double kFarPart = 0.01;
+// A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
+constexpr double kSearchPart = 0.0025;
+// Nearer, by this. m.
+constexpr double kNearEnough = 1e-5;
+// Of the radii: what separationAlong loses at most by not looking closely, and some staleness.
+constexpr double kHullLoss = 0.05;
+// Spacings: a shell point this near to the witness, and no nearer to the other body, leads to it again.
+constexpr double kSamePlace = 2.0;
+// m; of a plane between bodies within a million metres.
+constexpr double kPlaneRounding = 1e-8;
+// m; points nearer to each other give no direction.
+constexpr double kTouching = 1e-6;
 
-/// A point-sphere tree seen from the frame F of the other body.
-class MovedTree {
+/// One query: P gives the points, F the field.
+class Query {
  public:
-  MovedTree(const PointSphereTree& tree, const Transform& X_FP)
-      : tree_(tree), R_(X_FP.linear().cast<float>()), t_(X_FP.translation().cast<float>()) {}
+  Query(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF)
+      : P_(P), F_(F), X_WP_(X_WP), X_WF_(X_WF), X_FP_(X_WF.inverse() * X_WP) {}
 
-  const PointSphereTree::Node& node(std::uint32_t i) const { return tree_.nodes[i]; }
-  Vector3f centre(const PointSphereTree::Node& n) const { return R_ * Vector3f(n.cx, n.cy, n.cz) + t_; }
-  Vector3f point(std::uint32_t i) const { return R_ * Vector3f(tree_.x[i], tree_.y[i], tree_.z[i]) + t_; }
-  Vector3f normal(std::uint32_t i) const { return R_ * Vector3f(tree_.nx[i], tree_.ny[i], tree_.nz[i]); }
-  float area(std::uint32_t i) const { return tree_.area[i]; }
-
- private:
-  const PointSphereTree& tree_;
-  Eigen::Matrix3f R_;
-  Vector3f t_;
-};
-
-// Beyond this distance the search may end within this part of the smallest distance; the bound says so.
-constexpr float kFarFrom = 0.1f;  // m
-constexpr float kFarPart = 0.01f;
-
-/// Branch and bound for the smallest distance over all shell points.
-class NearestSearch {
- public:
-  NearestSearch(const MovedTree& tree, const FieldSampler& field, PairScratch& scratch)
-      : tree_(tree), field_(field), stack_(scratch.stack) {}
-
-  void run() {
-    stack_[top_++] = {-std::numeric_limits<float>::infinity(), 0};
-    while (top_ > 0) {
-      const auto entry = stack_[--top_];
-      if (pruned(entry.lower_bound)) continue;
-      const auto& node = tree_.node(entry.node);
-      if (node.children > 0)
-        pushChildren(node);
-      else
-        visitLeaf(node);
-    }
+  /// Where the nearest points were may be where they are: proven when no points can be much nearer.
+  bool remember(const PairMemory& memory, bool from_a) {
+    if (!memory.apart) return false;
+    searched(memory.searched - mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_));
+    witness_.on_points = X_FP_ * (from_a ? memory.on_a : memory.on_b);
+    witness_.on_field = from_a ? memory.on_b : memory.on_a;
+    witness_.hint_points = from_a ? memory.hint_a : memory.hint_b;
+    witness_.hint_field = from_a ? memory.hint_b : memory.hint_a;
+    witness_.distance = (witness_.on_points - witness_.on_field).norm();
+    if (isProven()) return true;
+    // Farther away a search is the shorter way.
+    if (witness_.distance > kFarFrom) return false;
+    approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
+    settled_ = true;
+    return isProven();
   }
 
-  std::uint32_t point() const {
-    return point_;
-  }  ///< leaf-ordered index of the point with the smallest estimate
-  float estimate() const { return estimate_; }
-  /// No shell point's true distance is below it.
-  float lowerBound() const { return std::min(best_, lowest_pruned_); }
-
- private:
-  bool pruned(float lower_bound) {
-    const float enough = best_ > kFarFrom ? best_ * (1.0f - kFarPart) : best_;
-    if (lower_bound < enough) return false;
-    lowest_pruned_ = std::min(lowest_pruned_, lower_bound);
-    return true;
-  }
-
-  /// The nearest child last, so that it is taken first.
-  void pushChildren(const PointSphereTree::Node& node) {
-    const std::size_t first = top_;
-    for (std::uint32_t c = node.first_child; c < node.first_child + node.children; ++c) {
-      const auto& child = tree_.node(c);
-      const float f = field_.lowerBound(tree_.centre(child)) - child.radius;
-      if (pruned(f)) continue;
-      std::size_t at = top_++;
-      for (; at > first && stack_[at - 1].lower_bound < f; --at) stack_[at] = stack_[at - 1];
-      stack_[at] = {f, c};
-    }
-  }
-
-  void visitLeaf(const PointSphereTree::Node& node) {
-    for (std::uint32_t i = node.first_point; i < node.first_point + node.points; ++i) {
-      float f, s;
-      field_.point(tree_.point(i), field_.layered() ? tree_.normal(i) : Vector3f(Vector3f::Zero()), f, s);
-      best_ = std::min(best_, f);
-      if (s < estimate_) {
-        estimate_ = s;
-        point_ = i;
+  /// The nearest shell point, then the nearest points on the exact surfaces about it.
+  void search(PairMemory& memory, PairScratch& scratch) {
+    const bool apart = witness_.distance > kTouching;
+    const NearestLimits limits{
+        apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
+        static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
+    const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+    if (nearest.point != NearestPoint::kNone) {
+      const std::uint32_t i = nearest.point;
+      const Vector3d start = X_FP_ * Vector3d(P_.tree.x[i], P_.tree.y[i], P_.tree.z[i]);
+      const double spacing = P_.shell.spacing;
+      // What leads to the witness again, or cannot lead to anything nearer.
+      const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
+      const bool known = settled_ && static_cast<double>(nearest.estimate) >
+                                         witness_.distance + (same_place ? 0.0 : spacing);
+      if (!known) {
+        const bool far = apart && static_cast<double>(nearest.lower_bound) > kFarFrom;
+        const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+                                  : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing,
+                                                  nearest.lower_bound > 0.0f ? 1 : 0);
+        if (!apart || found.distance < witness_.distance) witness_ = found;
       }
     }
+    memory.X_FP = X_FP_;
+    memory.searched = static_cast<double>(nearest.lower_bound) - kFloatRounding;
+    searched(memory.searched);
+    isProven();
   }
 
-  const MovedTree& tree_;
-  const FieldSampler& field_;
-  decltype(PairScratch::stack)& stack_;
-  std::size_t top_{0};
-  std::uint32_t point_{0};
-  float estimate_{std::numeric_limits<float>::infinity()};
-  float best_{std::numeric_limits<float>::infinity()};
-  float lowest_pruned_{std::numeric_limits<float>::infinity()};
-};
-
-/// Sum of the penalty forces in the field body's frame, moment about that frame's origin.
-struct ContactSum {
-  Vector3d force{Vector3d::Zero()};
-  Vector3d moment{Vector3d::Zero()};
-  int contacts{0};
-  double depth{0.0};
-};
-
-ContactSum sumContacts(const MovedTree& tree, const FieldSampler& field, const PairOptions& options,
-                       PairScratch& scratch) {
-  ContactSum sum;
-  const auto margin = static_cast<float>(options.margin);
-  const float reach = margin + field.slack();
-  std::size_t top = 0;
-  scratch.stack[top++] = {-std::numeric_limits<float>::infinity(), 0};
-  while (top > 0) {
-    const auto& node = tree.node(scratch.stack[--top].node);
-    if (node.children > 0) {
-      for (std::uint32_t c = node.first_child; c < node.first_child + node.children; ++c)
-        if (field.lowerBound(tree.centre(tree.node(c))) - tree.node(c).radius < reach)
-          scratch.stack[top++] = {0.0f, c};
-      continue;
-    }
-    for (std::uint32_t i = node.first_point; i < node.first_point + node.points; ++i) {
-      const Vector3f p = tree.point(i), n = tree.normal(i);
-      float f, s;
-      field.point(p, n, f, s);
-      if (!(s <= margin)) continue;
-      const double depth = static_cast<double>(margin) - s;
-      const double weight = options.law == ForceLaw::kVolume ? static_cast<double>(tree.area(i)) : 1.0;
-      const Vector3d force = (options.stiffness * weight * depth) * n.cast<double>();
-      sum.force += force;
-      sum.moment += p.cast<double>().cross(force);
-      sum.depth = std::max(sum.depth, depth);
-      ++sum.contacts;
-    }
+  void keep(PairMemory& memory, bool from_a) const {
+    memory.apart = witness_.distance > kTouching;
+    const Vector3d on_points = X_FP_.inverse() * witness_.on_points;
+    memory.on_a = from_a ? on_points : witness_.on_field;
+    memory.on_b = from_a ? witness_.on_field : on_points;
+    memory.hint_a = from_a ? witness_.hint_points : witness_.hint_field;
+    memory.hint_b = from_a ? witness_.hint_field : witness_.hint_points;
   }
-  return sum;
-}
+
+  ContactSum contacts(const PairOptions& options, PairScratch& scratch) const {
+    return searchKernels().contacts(P_.treeView(X_FP_), F_.fieldView(),
+                                    {static_cast<float>(options.margin), options.law == ForceLaw::kVolume},
+                                    scratch);
+  }
+
+  const Witness& witness() const { return witness_; }
+  const Transform& X_FP() const { return X_FP_; }
+  /// The true distance is never below it.
+  double certified() const { return certified_; }
+
+ private:
+  void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
+
+  /// No shell point is nearer than this; so no surface point by more than the covering radius.
+  void searched(double of_points) {
+    of_points_ = of_points;
+    certify(of_points - P_.shell.covering_radius);
+  }
+
+  /// The distance is within what is allowed of the smallest one of the surfaces, or of the shell's points.
+  bool isProven() {
+    if (!(witness_.distance > kTouching)) return false;
+    const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
+    const double enough = witness_.distance > kFarFrom ? kFarPart * witness_.distance : kNearEnough;
+    for (const bool closely : {false, true}) {
+      const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
+      certify(separation - kPlaneRounding);
+      if (witness_.distance - std::max(certified_, of_points_) <= enough) return true;
+      // What the first look may have lost.
+      if (witness_.distance - separation >
+          kHullLoss * (P_.bounding_sphere.radius + F_.bounding_sphere.radius))
+        return false;
+    }
+    return false;
+  }
+
+  const HapticStructure& P_;
+  const HapticStructure& F_;
+  const Transform& X_WP_;
+  const Transform& X_WF_;
+  const Transform X_FP_;
+  Witness witness_;
+  double certified_{-kInfinity};
+  double of_points_{-kInfinity};
+  bool settled_{false};  ///< the witness is a nearest pair of its neighbourhood
+};
 
 }  // namespace
 
@@ -149,45 +143,43 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
 }
 
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
                PairResult& result) noexcept {
-  // P gives the points, F the field; everything happens in F's frame.
   const bool from_a = pointsFromA(a, b);
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;
-  const Transform& X_WP = from_a ? X_WA : X_WB;
   const Transform& X_WF = from_a ? X_WB : X_WA;
-  const Transform X_FP = X_WF.inverse() * X_WP;
-  const MovedTree tree(P.tree, X_FP);
-  const FieldSampler field(F);
+  Query query(P, from_a ? X_WA : X_WB, F, X_WF);
 
-  // The nearest shell point, then the nearest points on the exact surfaces about it.
-  NearestSearch nearest(tree, field, scratch);
-  nearest.run();
-  const int side = nearest.lowerBound() > 0.0f ? 1 : nearest.estimate() < -field.slack() ? -1 : 0;
-  const Vector3d start =
-      X_FP * Vector3d(P.tree.x[nearest.point()], P.tree.y[nearest.point()], P.tree.z[nearest.point()]);
-  const Witness witness = refineWitness(*P.surface, *F.surface, X_FP, start, P.shell.spacing, side);
-  const double certified =
-      static_cast<double>(nearest.lowerBound()) - kFloatRounding - P.shell.covering_radius;
+  if (!query.remember(memory, from_a)) query.search(memory, scratch);
+  query.keep(memory, from_a);
+  const Witness& witness = query.witness();
   result.distance = witness.distance;
-  result.bound = std::max(0.0, witness.distance - certified);
+  result.bound = std::max(0.0, witness.distance - query.certified());
   const Vector3d on_points = X_WF * witness.on_points, on_field = X_WF * witness.on_field;
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
 
   // Penalty forces of the shell points within the margins.
-  ContactSum sum;
-  if (nearest.lowerBound() <= static_cast<float>(options.margin))
-    sum = sumContacts(tree, field, options, scratch);
+  ContactSum sum{};
+  if (query.certified() <= options.margin) sum = query.contacts(options, scratch);
   result.contacts = sum.contacts;
-  result.depth = sum.depth;
-  const Vector3d force_P = X_WF.linear() * sum.force;
-  const Vector3d torque_P = X_WF.linear() * (sum.moment - (X_FP * P.com).cross(sum.force));
-  const Vector3d torque_F = -(X_WF.linear() * (sum.moment - F.com.cross(sum.force)));
+  result.depth = static_cast<double>(sum.depth);
+  const Vector3d force = options.stiffness * Vector3d(sum.force[0], sum.force[1], sum.force[2]);
+  const Vector3d moment = options.stiffness * Vector3d(sum.moment[0], sum.moment[1], sum.moment[2]);
+  const Vector3d force_P = X_WF.linear() * force;
+  const Vector3d torque_P = X_WF.linear() * (moment - (query.X_FP() * P.com).cross(force));
+  const Vector3d torque_F = -(X_WF.linear() * (moment - F.com.cross(force)));
   result.force_a = from_a ? force_P : Vector3d(-force_P);
   result.torque_a = from_a ? torque_P : torque_F;
   result.torque_b = from_a ? torque_F : torque_P;
+}
+
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+               PairResult& result) noexcept {
+  PairMemory memory;
+  queryPair(a, X_WA, b, X_WB, options, memory, scratch, result);
 }
 
 }  // namespace abstand

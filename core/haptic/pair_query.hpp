@@ -1,8 +1,6 @@
 // Distance, contact and penalty force of two bodies.
 #pragma once
 
-#include <array>
-
 #include "core/haptic/haptic_structure.hpp"
 
 namespace abstand {
@@ -39,7 +37,19 @@ struct PairScratch {
     std::uint32_t node;
   };
   /// Depth-first with at most kFanout - 1 waiting siblings a level; a tree of 2^32 points has 11 levels.
-  std::array<Entry, 16 * PointSphereTree::kFanout> stack;
+  Entry stack[16 * PointSphereTree::kFanout];
+};
+
+/// What a pair remembers from one cycle to the next: where its nearest points were, and how near the bodies
+/// could be at most. It speeds up the next query of the same two structures and never weakens its bound. A
+/// fresh one remembers nothing.
+struct PairMemory {
+  bool apart{false};                ///< in the last query; else nothing below holds
+  Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
+  Vector3d on_b{Vector3d::Zero()};
+  std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
+  Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
+  double searched{-kInfinity};  ///< ... and the least distance (m) of any shell point that it proved
 };
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,
@@ -47,13 +57,17 @@ struct PairScratch {
 bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
 
 /// Both structures must outlive the call. No allocation, no lock, no throw. The result depends only on the
-/// arguments' values, never on the thread or on earlier calls.
+/// arguments' values (so on earlier calls only through `memory`), never on the thread.
 ///
 /// How: the point-sphere tree of one body is searched in the field of the other, branch and bound, with
 /// certified lower bounds f of the true distance (field_sampler.hpp). So every shell point is at least best_f
 /// away, and every surface point at least best_f - covering radius. The best point is then moved along the
 /// exact surfaces (witness.hpp) to a pair of points on both surfaces whose distance is reported: distance -
 /// bound = best_f - covering radius. Inside, the depth is that of the point body's surface in the field body.
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
+               PairResult& result) noexcept;
+/// Without anything to remember.
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
                PairResult& result) noexcept;

@@ -42,6 +42,7 @@ class Builder {
       tree_.nodes.push_back(node);
     }
     storePoints(ranges);
+    storeFamilies();
     return std::move(tree_);
   }
 
@@ -104,6 +105,31 @@ class Builder {
       PointSphereTree::Node& node = tree_.nodes[n];
       if (node.children > 0) node.first_point = tree_.nodes[node.first_child].first_point;
     }
+  }
+
+  void storeFamilies() {
+    std::vector<std::uint32_t> family(tree_.nodes.size(), 0);
+    std::uint32_t families = 0;
+    for (std::size_t n = 0; n < tree_.nodes.size(); ++n)
+      if (tree_.nodes[n].children > 0) family[n] = families++;
+    const auto add = [&](std::uint32_t first, std::size_t count) {
+      PointSphereTree::Family f{};
+      for (std::size_t c = 0; c < kFan; ++c) {
+        const std::uint32_t n = first + static_cast<std::uint32_t>(std::min(c, count - 1));
+        const PointSphereTree::Node& node = tree_.nodes[n];
+        f.cx[c] = node.cx;
+        f.cy[c] = node.cy;
+        f.cz[c] = node.cz;
+        f.radius[c] = c < count ? node.radius : -std::numeric_limits<float>::infinity();
+        f.child[c] = node.children > 0
+                         ? family[n]
+                         : PointSphereTree::kLeafChild + node.first_point / PointSphereTree::kLane;
+      }
+      tree_.families.push_back(f);
+    };
+    if (families == 0) add(0, 1);
+    for (const PointSphereTree::Node& node : tree_.nodes)
+      if (node.children > 0) add(node.first_child, node.children);
   }
 
   void store(std::uint32_t i, float area) {

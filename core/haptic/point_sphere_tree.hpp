@@ -11,7 +11,7 @@ namespace abstand {
 /// of its last point whose area is 0), so that a leaf is one stretch of memory. Constant after construction.
 struct PointSphereTree {
   static constexpr int kFanout = 8;
-  static constexpr int kLeafPoints = 16;
+  static constexpr int kLeafPoints = 8;
   static constexpr int kLane = 8;
 
   struct Node {
@@ -22,10 +22,25 @@ struct PointSphereTree {
     std::uint16_t children;     ///< 0 for a leaf
     std::uint16_t points;       ///< of a leaf: how many real points, padding not counted; of an inner node 0
   };
+  /// The spheres of a node's children side by side, for a search that looks at all of them at once. Unused
+  /// places have the radius -infinity, so nothing is ever near them.
+  struct Family {
+    float cx[kFanout], cy[kFanout], cz[kFanout], radius[kFanout];
+    std::uint32_t child[kFanout];  ///< a family's index; or kLeafChild + first point / kLane
+  };
+  static constexpr std::uint32_t kLeafChild = 0x80000000u;
+
   std::vector<Node> nodes;                       ///< nodes[0] is the root; breadth-first
   std::vector<float> x, y, z, nx, ny, nz, area;  ///< leaf order, padded
   std::vector<std::uint32_t> shell_index;        ///< leaf order -> index in the Pointshell
+  std::vector<Family>
+      families;  ///< of the inner nodes in their order; families[0]: the root's, or the root alone
   int levels{0};
+
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(nodes, x, y, z, nx, ny, nz, area, shell_index, families, levels);
+  }
 };
 
 /// Splits top-down at medians of the widest axis; leaves are full but for the last of a subtree. An empty

@@ -8,22 +8,22 @@ namespace {
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
 constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
-constexpr double kEnoughPart = 1e-2;  // of the distance, likewise; the stated bound covers it
+constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
 
 /// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
 class Surfaces {
  public:
-  Surfaces(const Surface& points, const Surface& field, const Transform& X_FP)
-      : points_(points), field_(field), X_FP_(X_FP), X_PF_(X_FP.inverse()) {}
+  Surfaces(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w)
+      : points_(points), field_(field), X_FP_(X_FP), X_PF_(X_FP.inverse()), w_(w) {}
 
   Vector3d toPoints(const Vector3d& p_F) {
-    const SurfacePoint s = points_.closest(X_PF_ * p_F, hint_points_);
-    hint_points_ = s.hint;
+    const SurfacePoint s = points_.closest(X_PF_ * p_F, w_.hint_points);
+    w_.hint_points = s.hint;
     return X_FP_ * s.point;
   }
   Vector3d toField(const Vector3d& p_F) {
-    const SurfacePoint s = field_.closest(p_F, hint_field_);
-    hint_field_ = s.hint;
+    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    w_.hint_field = s.hint;
     return s.point;
   }
   bool inField(const Vector3d& p_F) const { return field_.inside(p_F); }
@@ -32,8 +32,14 @@ class Surfaces {
   const Surface& points_;
   const Surface& field_;
   Transform X_FP_, X_PF_;
-  std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};
+  Witness& w_;
 };
+
+void set(Witness& w, const Vector3d& p, const Vector3d& q, double distance) {
+  w.on_points = p;
+  w.on_field = q;
+  w.distance = distance;
+}
 
 void approach(Surfaces& surfaces, Witness& w) {
   for (int i = 0; i < kProjections; ++i) {
@@ -42,7 +48,7 @@ void approach(Surfaces& surfaces, Witness& w) {
     const double d = (p - q).norm();
     const double gain = w.distance - d;
     if (gain <= 0.0) return;
-    w = {p, q, d};
+    set(w, p, q, d);
     if (gain < std::max(kEnough, kEnoughPart * d)) return;
   }
 }
@@ -57,7 +63,7 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
     const double deeper = (p - q).norm();
     if (deeper > depth && surfaces.inField(p)) {
       const double gain = deeper - depth;
-      w = {p, q, -deeper};
+      set(w, p, q, -deeper);
       if (gain < kEnough) return;
     } else {
       step *= 0.5;
@@ -69,9 +75,10 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
 
 Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
                       const Vector3d& start, double step, int inside_known) noexcept {
-  Surfaces surfaces(points, field, X_FP);
+  Witness w;
+  Surfaces surfaces(points, field, X_FP, w);
   const Vector3d q = surfaces.toField(start);
-  Witness w{start, q, (start - q).norm()};
+  set(w, start, q, (start - q).norm());
   const bool inside = inside_known < 0 || (inside_known == 0 && surfaces.inField(start));
   if (inside) {
     w.distance = -w.distance;
@@ -80,6 +87,22 @@ Witness refineWitness(const Surface& points, const Surface& field, const Transfo
     approach(surfaces, w);
   }
   return w;
+}
+
+Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
+                    std::uint32_t hint) noexcept {
+  Witness w;
+  w.hint_field = hint;
+  Surfaces surfaces(points, field, X_FP, w);
+  const Vector3d q = surfaces.toField(start);
+  set(w, start, q, (start - q).norm());
+  return w;
+}
+
+void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,
+                     Witness& w) noexcept {
+  Surfaces surfaces(points, field, X_FP, w);
+  approach(surfaces, w);
 }
 
 }  // namespace abstand

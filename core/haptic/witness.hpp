@@ -8,9 +8,11 @@ namespace abstand {
 /// Two points, one on each surface, in the frame of the field body F, and their signed distance (negative
 /// when `on_points` lies inside F; then |distance| is its depth).
 struct Witness {
-  Vector3d on_points;
-  Vector3d on_field;
-  double distance;
+  Vector3d on_points{Vector3d::Zero()};
+  Vector3d on_field{Vector3d::Zero()};
+  double distance{0.0};
+  std::uint32_t hint_points{kNoHint};  ///< where on the surfaces they are
+  std::uint32_t hint_field{kNoHint};
 };
 
 /// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
@@ -20,5 +22,13 @@ struct Witness {
 /// No allocation, no throw.
 Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
                       const Vector3d& start, double step, int inside_known) noexcept;
+
+/// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it.
+Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
+                    std::uint32_t hint) noexcept;
+
+/// The walk from two points that are apart, until a round of projections gains less than 0.1 % of the
+/// distance.
+void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
 
 }  // namespace abstand

@@ -189,7 +189,7 @@ TEST(PointSphereTree, SmallShells) {
       shell.x.push_back(float(p.x())), shell.y.push_back(float(p.y())), shell.z.push_back(float(p.z()));
     }
     const PointSphereTree tree = makeTree(shell);
-    EXPECT_EQ(tree.levels, count <= 16 ? 1 : count <= 128 ? 2 : count <= 1024 ? 3 : 4) << count;
+    EXPECT_EQ(tree.levels, count <= 8 ? 1 : count <= 64 ? 2 : count <= 512 ? 3 : 4) << count;
     EXPECT_EQ(tree.x.size(), (count + 7) / 8 * 8) << count;
   }
 }

@@ -1,0 +1,53 @@
+// The two searches of a pair query, compiled for more than one machine. Internal to core/haptic.
+#pragma once
+
+#include "core/haptic/field_view.hpp"
+#include "core/haptic/pair_query.hpp"
+
+namespace abstand {
+
+/// A search ends where nothing can be nearer than the best; when that is farther than `far_from`, where
+/// nothing can be nearer by more than `far_part` of it.
+struct NearestLimits {
+  float start;     ///< m; what is known to be reached, infinity when nothing is
+  float far_from;  ///< m
+  float far_part;
+};
+
+struct NearestPoint {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+  float lower_bound;    ///< no shell point's true distance is below it; m
+  float estimate;       ///< m, of the point
+  std::uint32_t point;  ///< leaf order; kNone when none was looked at
+};
+
+struct ContactLimits {
+  float margin;  ///< m
+  bool by_area;  ///< weigh points by their areas, else by 1
+};
+
+/// Of the shell points within the margin, in the field body's frame: sum of depth * weight * inward normal,
+/// its moment about the frame's origin, how many, and the deepest.
+struct ContactSum {
+  double force[3];
+  double moment[3];
+  int contacts;
+  float depth;
+};
+
+struct SearchKernels {
+  NearestPoint (*nearest)(const TreeView&, const FieldView&, const NearestLimits&, PairScratch&);
+  ContactSum (*contacts)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
+  /// The largest of g . p over `count` points, a multiple of 8.
+  float (*support)(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
+                   float gz);
+  const char* name;
+};
+
+extern const SearchKernels kPortableKernels;
+extern const SearchKernels kAvx2Kernels;  ///< only where the machine's architecture has them
+
+/// The fastest that this machine can run; ABSTAND_SIMD=off in the environment takes the portable ones.
+const SearchKernels& searchKernels();
+
+}  // namespace abstand

@@ -1,0 +1,188 @@
+// The searches themselves; included once by each file that compiles them for a kind of machine.
+#include "core/haptic/field_lanes.hpp"
+#include "core/haptic/search_kernels.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr float kNever = __builtin_huge_valf();
+using Entry = PairScratch::Entry;
+using Family = PointSphereTree::Family;
+
+inline Point8 moved(const float* m, Float8 x, Float8 y, Float8 z) {
+  const auto row = [&](int r) {
+    const float* a = m + 4 * r;
+    return multiplyAdd(splat(a[0]), x, multiplyAdd(splat(a[1]), y, multiplyAdd(splat(a[2]), z, splat(a[3]))));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+inline Point8 pointsAt(const TreeView& tree, std::uint32_t first) {
+  return moved(tree.X_FP, load(tree.x + first), load(tree.y + first), load(tree.z + first));
+}
+
+inline Point8 centresOf(const TreeView& tree, const Family& family) {
+  return moved(tree.X_FP, load(family.cx), load(family.cy), load(family.cz));
+}
+
+/// Branch and bound for the smallest distance over all shell points.
+template <class Lanes>
+class NearestSearch {
+ public:
+  NearestSearch(const TreeView& tree, const FieldView& field, const NearestLimits& limits, Entry* stack)
+      : tree_(tree), lanes_(field), limits_(limits), stack_(stack), best_(limits.start) {
+    updateEnough();
+  }
+
+  NearestPoint run() {
+    stack_[top_++] = {-kNever, 0};
+    while (top_ > 0) {
+      const Entry entry = stack_[--top_];
+      if (entry.lower_bound < enough_)
+        visit(tree_.families[entry.node]);
+      else
+        dropped_ = entry.lower_bound < dropped_ ? entry.lower_bound : dropped_;
+    }
+    return {visited_ < dropped_ ? visited_ : dropped_, estimate_, point_};
+  }
+
+ private:
+  void updateEnough() { enough_ = best_ > limits_.far_from ? best_ * (1.0f - limits_.far_part) : best_; }
+
+  /// Leaves at once, nearest first; inner nodes wait, the nearest on top.
+  void visit(const Family& family) {
+    const Float8 bound = lanes_.spheres(centresOf(tree_, family), load(family.radius));
+    const Mask8 near = bound < splat(enough_);
+    const int wanted = bits(near);
+    if (wanted != 0xff) {
+      const float least = leastOf(select(near, splat(kNever), bound));
+      dropped_ = least < dropped_ ? least : dropped_;
+      if (wanted == 0) return;
+    }
+    float of[8];
+    store(of, bound);
+    int order[8], n = 0;
+    for (int left = wanted; left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(static_cast<unsigned>(left));
+      int at = n++;
+      for (; at > 0 && of[order[at - 1]] > of[lane]; --at) order[at] = order[at - 1];
+      order[at] = lane;
+    }
+    int waiting[8], m = 0;
+    for (int i = 0; i < n; ++i) {
+      const int lane = order[i];
+      if (!(of[lane] < enough_)) {
+        dropped_ = of[lane] < dropped_ ? of[lane] : dropped_;
+      } else if (family.child[lane] & PointSphereTree::kLeafChild) {
+        visitLeaf((family.child[lane] & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane);
+      } else {
+        waiting[m++] = lane;
+      }
+    }
+    while (m > 0) {
+      const int lane = waiting[--m];
+      stack_[top_++] = {of[lane], family.child[lane]};
+    }
+  }
+
+  void visitLeaf(std::uint32_t first) {
+    const Distance8 d = lanes_.points(pointsAt(tree_, first), tree_, first);
+    const float f = leastOf(d.f), s = leastOf(d.s);
+    visited_ = f < visited_ ? f : visited_;
+    if (f < best_) {
+      best_ = f;
+      updateEnough();
+    }
+    if (s < estimate_) {
+      estimate_ = s;
+      point_ = first + static_cast<std::uint32_t>(
+                           __builtin_ctz(static_cast<unsigned>(bits(d.s <= splat(s)) | 0x80)));
+    }
+  }
+
+  const TreeView& tree_;
+  const Lanes lanes_;
+  const NearestLimits& limits_;
+  Entry* stack_;
+  std::size_t top_{0};
+  float best_, enough_{0.0f};
+  float visited_{kNever}, dropped_{kNever}, estimate_{kNever};
+  std::uint32_t point_{NearestPoint::kNone};
+};
+
+template <class Lanes>
+ContactSum sumContacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
+                       Entry* stack) {
+  const Lanes lanes(field);
+  const Float8 margin = splat(limits.margin), zero = splat(0.0f);
+  ContactSum sum{};
+  Float8 deepest = zero;
+  const auto leaf = [&](std::uint32_t first) {
+    const Point8 p = pointsAt(tree, first);
+    const Float8 s = lanes.points(p, tree, first).s;
+    const Float8 area = load(tree.area + first);
+    // Copies that fill up a leaf have no area.
+    const Mask8 touches = (s <= margin) & (zero < area);
+    const int touching = bits(touches);
+    if (touching == 0) return;
+    const Float8 depth = margin - s;
+    const Float8 push = select(touches, limits.by_area ? depth * area : depth, zero);
+    const float* m = tree.X_FP;
+    const Float8 a = load(tree.nx + first), b = load(tree.ny + first), c = load(tree.nz + first);
+    const auto along = [&](int r) {
+      return multiplyAdd(splat(m[4 * r]), a,
+                         multiplyAdd(splat(m[4 * r + 1]), b, splat(m[4 * r + 2]) * c)) *
+             push;
+    };
+    const Float8 fx = along(0), fy = along(1), fz = along(2);
+    sum.force[0] += sumOf(fx);
+    sum.force[1] += sumOf(fy);
+    sum.force[2] += sumOf(fz);
+    sum.moment[0] += sumOf(p.y * fz - p.z * fy);
+    sum.moment[1] += sumOf(p.z * fx - p.x * fz);
+    sum.moment[2] += sumOf(p.x * fy - p.y * fx);
+    deepest = max(deepest, select(touches, depth, zero));
+    sum.contacts += __builtin_popcount(static_cast<unsigned>(touching));
+  };
+  std::size_t top = 0;
+  stack[top++] = {0.0f, 0};
+  while (top > 0) {
+    const Family& family = tree.families[stack[--top].node];
+    const Float8 bound = lanes.contacts(centresOf(tree, family), load(family.radius), limits.margin);
+    for (int left = bits(bound <= margin); left != 0; left &= left - 1) {
+      const std::uint32_t child = family.child[__builtin_ctz(static_cast<unsigned>(left))];
+      if (child & PointSphereTree::kLeafChild)
+        leaf((child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane);
+      else
+        stack[top++] = {0.0f, child};
+    }
+  }
+  sum.depth = -leastOf(zero - deepest);
+  return sum;
+}
+
+NearestPoint nearest(const TreeView& tree, const FieldView& field, const NearestLimits& limits,
+                     PairScratch& scratch) {
+  return field.kind == FieldView::Kind::kNear
+             ? NearestSearch<NearLanes>(tree, field, limits, scratch.stack).run()
+             : NearestSearch<LayeredLanes>(tree, field, limits, scratch.stack).run();
+}
+
+ContactSum contacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
+                    PairScratch& scratch) {
+  return field.kind == FieldView::Kind::kNear
+             ? sumContacts<NearLanes>(tree, field, limits, scratch.stack)
+             : sumContacts<LayeredLanes>(tree, field, limits, scratch.stack);
+}
+
+float support(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
+              float gz) {
+  const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
+  Float8 most = splat(-kNever);
+  for (std::size_t i = 0; i < count; i += 8)
+    most = max(most, multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i))));
+  return -leastOf(splat(0.0f) - most);
+}
+
+}  // namespace
+}  // namespace abstand

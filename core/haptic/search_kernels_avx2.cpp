@@ -1,0 +1,6 @@
+// The searches for machines with AVX2 and FMA; this file alone is compiled for them.
+#include "core/haptic/search_kernels.inl"
+
+namespace abstand {
+extern const SearchKernels kAvx2Kernels{nearest, contacts, support, "avx2"};
+}  // namespace abstand

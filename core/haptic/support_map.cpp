@@ -1,0 +1,97 @@
+// How far a body reaches in a direction: the support function of its convex hull.
+#include "core/haptic/support_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/geometry/hull_vertices.hpp"
+#include "core/haptic/search_kernels.hpp"
+
+namespace abstand {
+namespace {
+
+// Relative to the radius: points and directions in float, three products and two sums, and storing.
+constexpr std::size_t kLanes = 8;
+constexpr float kRounding = 8.0f * 0x1p-24f;
+
+/// h(g) of each shape, exact to rounding of double.
+struct ShapeSupport {
+  const Vector3d& g;
+  double operator()(const Sphere& s) const { return s.radius * g.norm(); }
+  double operator()(const Ellipsoid& s) const { return s.semi_axes.cwiseProduct(g).norm(); }
+  double operator()(const Cuboid& s) const { return 0.5 * s.size.dot(g.cwiseAbs()); }
+  double operator()(const Cylinder& s) const {
+    return s.radius * std::hypot(g.x(), g.y()) + 0.5 * s.length * std::abs(g.z());
+  }
+  double operator()(const Capsule& s) const { return s.radius * g.norm() + 0.5 * s.length * std::abs(g.z()); }
+};
+
+/// The direction through the corner (u, v) of a face of the cube [-1, 1]^3.
+Vector3f corner(int face, float u, float v) {
+  const int axis = face / 2;
+  Vector3f g;
+  g[axis] = face % 2 == 0 ? 1.0f : -1.0f;
+  g[(axis + 1) % 3] = u;
+  g[(axis + 2) % 3] = v;
+  return g;
+}
+
+float along(int i) { return 2.0f * static_cast<float>(i) / SupportMap::kCells - 1.0f; }
+
+}  // namespace
+
+SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const Vector3d& centre,
+                       int threads) {
+  if (const Shape* shape = surface.shape()) {
+    shape_ = *shape;
+    return;
+  }
+  centre_ = centre;
+  for (const Vector3d& vertex : hullVertices(mesh.vertices)) {
+    const Vector3f p = (vertex - centre).cast<float>();
+    radius_ = std::max(radius_, p.norm());
+    x_.push_back(p.x());
+    y_.push_back(p.y());
+    z_.push_back(p.z());
+  }
+  for (std::vector<float>* v : {&x_, &y_, &z_})
+    v->resize((v->size() + kLanes - 1) / kLanes * kLanes, v->back());
+  values_.resize(6 * kCorners * kCorners);
+  parallelFor(threads, 6 * kCorners, [&](std::size_t row) {
+    const int face = static_cast<int>(row) / kCorners, j = static_cast<int>(row) % kCorners;
+    for (int i = 0; i < kCorners; ++i) {
+      const Vector3f g = corner(face, along(i), along(j));
+      values_[row * kCorners + static_cast<std::size_t>(i)] = reach(g);
+    }
+  });
+}
+
+float SupportMap::reach(const Vector3f& g) const {
+  const float farthest =
+      searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
+  return farthest + kRounding * g.lpNorm<1>() * radius_;
+}
+
+double SupportMap::closeUpper(const Vector3d& g) const {
+  if (shape_) return std::visit(ShapeSupport{g}, *shape_);
+  return g.dot(centre_) + static_cast<double>(reach(g.cast<float>()));
+}
+
+double SupportMap::upper(const Vector3d& g) const {
+  if (shape_) return std::visit(ShapeSupport{g}, *shape_);
+  int axis;
+  const double length = g.cwiseAbs().maxCoeff(&axis);
+  const int face = 2 * axis + (g[axis] > 0.0 ? 0 : 1);
+  // Cells along the face, from 0 to kCells.
+  const double scale = 0.5 * kCells / length;
+  const double u = g[(axis + 1) % 3] * scale + 0.5 * kCells, v = g[(axis + 2) % 3] * scale + 0.5 * kCells;
+  const int i = std::clamp(static_cast<int>(u), 0, kCells - 1),
+            j = std::clamp(static_cast<int>(v), 0, kCells - 1);
+  const double x = u - i, y = v - j;
+  const float* h = &values_[static_cast<std::size_t>((face * kCorners + j) * kCorners + i)];
+  const double low = h[0] + x * (h[1] - h[0]), high = h[kCorners] + x * (h[kCorners + 1] - h[kCorners]);
+  return g.dot(centre_) + length * (low + y * (high - low));
+}
+
+}  // namespace abstand
