@@ -50,9 +50,8 @@ double distanceSegments(const Vector3d& a, const Vector3d& b, const Vector3d& c,
 }
 
 double distancePointTriangle(const Vector3d& p, const Triangle& t) {
-  double least =
-      std::min({distancePointSegment(p, t[0], t[1]), distancePointSegment(p, t[1], t[2]),
-                distancePointSegment(p, t[2], t[0])});
+  double least = std::min({distancePointSegment(p, t[0], t[1]), distancePointSegment(p, t[1], t[2]),
+                           distancePointSegment(p, t[2], t[0])});
   const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
   const double n2 = n.squaredNorm();
   if (n2 > 0.0) {

@@ -31,8 +31,8 @@ class TriangleSoup {
   double distanceTo(const Vector3d& p) const;
   /// Smallest distance to a triangle of `other` (same frame); 0 when the surfaces cut each other.
   double distanceTo(const TriangleSoup& other) const;
-  /// Sum of the solid angles that the triangles span at p, over 4 pi (van Oosterom, Strackee 1983): 1 inside a
-  /// closed mesh, 0 outside, whatever its shape.
+  /// Sum of the solid angles that the triangles span at p, over 4 pi (van Oosterom, Strackee 1983): 1 inside
+  /// a closed mesh, 0 outside, whatever its shape.
   double windingNumber(const Vector3d& p) const;
   bool inside(const Vector3d& p) const { return std::abs(windingNumber(p)) > 0.5; }
   /// One corner of each connected piece (triangles that share a corner).

@@ -2,11 +2,12 @@
 #include "core/verify/certified_bound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <thread>
 
-#include "core/base/number.hpp"
 #include "core/base/parallel.hpp"
 #include "core/haptic/pair_query.hpp"
 #include "core/verify/exact_pair.hpp"
@@ -17,51 +18,53 @@ namespace abstand::verify {
 namespace {
 
 constexpr std::size_t kChunk = 50;
-// m, and of the way between the bodies: rounding of the brute force itself, in double.
-constexpr double kOracleRounding = 1e-9;
+// Of all lengths of a pose: rounding of the brute force itself, in double.
 constexpr double kOraclePart = 1e-12;
 // Of a voxel: how closely depths are enclosed.
 constexpr double kDepthTolerance = 0.05;
 // Shell points are kept and moved in float, 6e-8 of their coordinates a step, and a witness starts at one.
 constexpr double kFloatPart = 1e-6;
 
+/// What one kind of field said of one pose.
+struct Answer {
+  double used{kNaN};   ///< (distance - true) / bound
+  double below{kNaN};  ///< (true - distance) / size
+  double error{kNaN};  ///< |distance - true| in voxels; NaN where the truth is not enclosed
+  bool breach{false};
+};
+
 struct Outcome {
   PoseFamily family{PoseFamily::kRandom};
   bool done{false};
   bool overlapping{false};
-  double used{0.0};    ///< (distance - true) / bound
-  double below{0.0};   ///< (true - distance) / size
-  double error{0.0};   ///< |distance - true| in voxels; NaN where the truth is not enclosed
-  bool breach{false};
+  bool swallowed{false};
+  std::array<Answer, kFields.size()> answers;
 };
 
 Outcome judge(const std::vector<NastyBody>& bodies, const NastyPose& pose) {
   const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
-  PairScratch scratch;
-  PairResult r;
-  queryPair(*a.structure, pose.X_WA, *b.structure, pose.X_WB, {}, scratch, r);
-
-  const bool from_a = pointsFromA(*a.structure, *b.structure);
+  const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
   const NastyBody &P = from_a ? a : b, &F = from_a ? b : a;
-  const Transform X_FP = from_a ? Transform(pose.X_WB.inverse() * pose.X_WA) : Transform(pose.X_WA.inverse() * pose.X_WB);
-  const double voxel = std::max(P.options.voxel_size, F.options.voxel_size);
-  const double least_voxel = std::min(P.options.voxel_size, F.options.voxel_size);
+  const Transform X_FP =
+      from_a ? Transform(pose.X_WB.inverse() * pose.X_WA) : Transform(pose.X_WA.inverse() * pose.X_WB);
+  const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
   const ExactDistance exact = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
-  const double rounding = kOracleRounding * (voxel / 0.005) +
-                          kOraclePart * (X_FP.translation().norm() + pose.X_WA.translation().norm());
+  const double way = X_FP.translation().norm(), size = P.radius + F.radius + way;
+  const double rounding = kOraclePart * (size + pose.X_WA.translation().norm());
 
-  Outcome o;
-  o.family = pose.family;
-  o.done = true;
-  o.overlapping = exact.overlapping;
-  // Written so that NaN is a breach.
-  o.breach = !(r.distance - r.bound <= exact.most + rounding);
-  o.used = r.bound > 0.0 ? (r.distance - exact.most) / r.bound : (o.breach ? kInfinity : 0.0);
-  const double size = P.structure->bounding_sphere.radius + F.structure->bounding_sphere.radius;
-  o.below = std::max(0.0, exact.least - r.distance - rounding) / (size + X_FP.translation().norm());
-  o.error = std::isfinite(exact.least)
-                ? std::max({0.0, r.distance - exact.most, exact.least - r.distance}) / voxel
-                : kNaN;
+  Outcome o{pose.family, true, exact.overlapping, exact.swallowed, {}};
+  PairScratch scratch;
+  for (std::size_t f = 0; f < kFields.size(); ++f) {
+    PairResult r;
+    queryPair(*a.structures[f], pose.X_WA, *b.structures[f], pose.X_WB, {}, scratch, r);
+    Answer& answer = o.answers[f];
+    // Written so that NaN is a breach.
+    answer.breach = !(r.distance - r.bound <= exact.most + rounding);
+    answer.used = r.bound > 0.0 ? (r.distance - exact.most) / r.bound : (answer.breach ? kInfinity : 0.0);
+    answer.below = std::max(0.0, exact.least - r.distance - rounding) / size;
+    if (std::isfinite(exact.least))
+      answer.error = std::max({0.0, r.distance - exact.most, exact.least - r.distance}) / voxel;
+  }
   return o;
 }
 
@@ -86,30 +89,42 @@ Series distribution(std::string name, std::vector<double> values) {
   return s;
 }
 
-std::vector<double> collect(const std::vector<Outcome>& outcomes, double Outcome::* member, int family = -1) {
+std::vector<double> collect(const std::vector<Outcome>& outcomes, std::size_t field, double Answer::*member,
+                            int family = -1) {
   std::vector<double> values;
-  for (const Outcome& o : outcomes)
-    if ((family < 0 || static_cast<int>(o.family) == family) && !std::isnan(o.*member)) values.push_back(o.*member);
+  for (const Outcome& o : outcomes) {
+    const double value = o.answers[field].*member;
+    if ((family < 0 || static_cast<int>(o.family) == family) && !std::isnan(value)) values.push_back(value);
+  }
   return values;
 }
 
-Table familyTable(const std::vector<Outcome>& outcomes) {
+Table familyTable(const std::vector<Outcome>& outcomes, std::size_t field) {
   Table table;
-  table.header = {"poses", "number", "overlapping", "breaches", "error p50 [voxels]", "error p99", "largest error",
+  table.header = {"poses",
+                  "number",
+                  "overlapping",
+                  "of them swallowed pieces",
+                  "breaches",
+                  "error p50 [voxels]",
+                  "error p99",
+                  "largest error",
                   "largest part of the bound used"};
-  for (int f = 0; f < kPoseFamilies; ++f) {
-    std::size_t number = 0, overlapping = 0, breaches = 0;
+  for (int family = 0; family < kPoseFamilies; ++family) {
+    std::size_t number = 0, overlapping = 0, swallowed = 0, breaches = 0;
     for (const Outcome& o : outcomes) {
-      if (static_cast<int>(o.family) != f) continue;
+      if (static_cast<int>(o.family) != family) continue;
       ++number;
       overlapping += o.overlapping;
-      breaches += o.breach;
+      swallowed += o.swallowed;
+      breaches += o.answers[field].breach;
     }
-    const auto errors = collect(outcomes, &Outcome::error, f);
-    table.rows.push_back({familyName(static_cast<PoseFamily>(f)), std::to_string(number),
-                          std::to_string(overlapping), std::to_string(breaches), shortNumber(quantile(errors, 0.5)),
-                          shortNumber(quantile(errors, 0.99)), shortNumber(quantile(errors, 1.0)),
-                          shortNumber(quantile(collect(outcomes, &Outcome::used, f), 1.0))});
+    const auto errors = collect(outcomes, field, &Answer::error, family);
+    const auto used = collect(outcomes, field, &Answer::used, family);
+    table.rows.push_back({familyName(static_cast<PoseFamily>(family)), std::to_string(number),
+                          std::to_string(overlapping), std::to_string(swallowed), std::to_string(breaches),
+                          shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
+                          shortNumber(quantile(errors, 1.0)), shortNumber(quantile(used, 1.0))});
   }
   return table;
 }
@@ -120,10 +135,56 @@ void summarize(CheckResult& result, const std::vector<double>& values) {
   result.worst = quantile(values, 1.0);
 }
 
+CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std::size_t bodies) {
+  CheckResult result;
+  result.name = "bound." + std::string(fieldName(kFields[field]));
+  result.what =
+      "The true distance of two meshes, by brute force over all pairs of triangles, is never below "
+      "distance - bound: " +
+      std::to_string(bodies) + " bodies, " + std::to_string(kPoseFamilies) + " families of poses, " +
+      std::string(fieldName(kFields[field])) + " fields.";
+  result.quantity = "(distance - true distance) / bound";
+  result.reason = "The contract: the true distance is never below distance - bound.";
+  result.poses = outcomes.size();
+  result.limit = 1.0;
+  for (const Outcome& o : outcomes) result.breaches += o.answers[field].breach;
+  summarize(result, collect(outcomes, field, &Answer::used));
+  result.table = familyTable(outcomes, field);
+  Plot plot{"Errors of the distance",
+            "|distance - true distance| [voxels]",
+            "part of the poses at or above",
+            true,
+            true,
+            {}};
+  for (int f = 0; f < kPoseFamilies; ++f)
+    plot.series.push_back(
+        distribution(familyName(static_cast<PoseFamily>(f)), collect(outcomes, field, &Answer::error, f)));
+  result.plots.push_back(std::move(plot));
+  return result;
+}
+
+CheckResult attainedOf(const std::vector<Outcome>& outcomes, std::size_t field) {
+  CheckResult result;
+  result.name = "attained." + std::string(fieldName(kFields[field]));
+  result.what =
+      "The distance is that of two points of the surfaces, so it never lies below the true one (inside: is "
+      "no "
+      "deeper than the deepest point). Same poses.";
+  result.quantity = "(true distance - distance) / size of the pair";
+  result.reason = "Witnesses start at shell points, which are kept and moved in float (6e-8 a step).";
+  result.poses = outcomes.size();
+  result.limit = kFloatPart;
+  const auto below = collect(outcomes, field, &Answer::below);
+  // Written so that NaN is a breach.
+  for (const Outcome& o : outcomes) result.breaches += !(o.answers[field].below <= kFloatPart);
+  summarize(result, below);
+  return result;
+}
+
 }  // namespace
 
-std::vector<CheckResult> checkCertifiedBound(FieldKind field, const VerifyOptions& options) {
-  const std::vector<NastyBody> bodies = nastyBodies(field, options.threads);
+std::vector<CheckResult> checkCertifiedBound(const VerifyOptions& options) {
+  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
   std::vector<Outcome> outcomes(options.poses);
   std::atomic<std::size_t> done{0};
   const auto caller = std::this_thread::get_id();
@@ -138,40 +199,13 @@ std::vector<CheckResult> checkCertifiedBound(FieldKind field, const VerifyOption
   std::erase_if(outcomes, [](const Outcome& o) { return !o.done; });
   const bool complete = outcomes.size() == options.poses && !outcomes.empty();
 
-  CheckResult bound;
-  bound.name = "bound." + std::string(fieldName(field));
-  bound.what = "The true distance of two meshes, by brute force over all pairs of triangles, is never below "
-               "distance - bound: " +
-               std::to_string(bodies.size()) + " bodies in nine families of poses, " + std::string(fieldName(field)) +
-               " field.";
-  bound.quantity = "(distance - true distance) / bound";
-  bound.reason = "The contract: the true distance is never below distance - bound.";
-  bound.poses = outcomes.size();
-  bound.limit = 1.0;
-  bound.breaches = static_cast<std::size_t>(std::ranges::count_if(outcomes, &Outcome::breach));
-  summarize(bound, collect(outcomes, &Outcome::used));
-  bound.passed = complete && bound.breaches == 0;
-  bound.table = familyTable(outcomes);
-  Plot plot{"Errors of the distance", "|distance - true distance| [voxels]", "part of the poses at or above",
-            true, true, {}};
-  for (int f = 0; f < kPoseFamilies; ++f)
-    plot.series.push_back(
-        distribution(familyName(static_cast<PoseFamily>(f)), collect(outcomes, &Outcome::error, f)));
-  bound.plots.push_back(std::move(plot));
-
-  CheckResult attained;
-  attained.name = "attained." + std::string(fieldName(field));
-  attained.what = "The distance is that of two points of the surfaces, so it never lies below the true one "
-                  "(inside: no deeper than the deepest point). Same poses.";
-  attained.quantity = "(true distance - distance) / size of the pair";
-  attained.reason = "Witnesses start at shell points, which are kept and moved in float (6e-8 a step).";
-  attained.poses = outcomes.size();
-  attained.limit = kFloatPart;
-  const auto below = collect(outcomes, &Outcome::below);
-  attained.breaches = static_cast<std::size_t>(std::ranges::count_if(below, [](double v) { return v > kFloatPart; }));
-  summarize(attained, below);
-  attained.passed = complete && attained.breaches == 0;
-  return {bound, attained};
+  std::vector<CheckResult> results;
+  for (std::size_t f = 0; f < kFields.size(); ++f) {
+    results.push_back(boundOf(outcomes, f, bodies.size()));
+    results.push_back(attainedOf(outcomes, f));
+  }
+  for (CheckResult& r : results) r.passed = complete && r.breaches == 0;
+  return results;
 }
 
 }  // namespace abstand::verify

@@ -19,23 +19,21 @@ bool anyInside(const std::vector<Vector3d>& probes, const NastyBody& body) {
 ExactDistance exactDistance(const NastyBody& P, const NastyBody& F, const Transform& X_FP, double tolerance) {
   const TriangleSoup moved = P.soup.moved(X_FP);
   const double apart = moved.distanceTo(F.soup);
-  bool deep = apart == 0.0;
-  if (!deep) {
+  // An open body has no certain inside: wherever the engine sees one, it may say so.
+  if (!F.closed) return {-kInfinity, apart, apart == 0.0, false};
+  if (apart > 0.0) {
     // No surface cuts another: then all of a piece is inside the other body, or nothing of it.
-    const EnclosingSphere &p = P.structure->bounding_sphere, &f = F.structure->bounding_sphere;
-    if ((X_FP * p.centre - f.centre).norm() > p.radius + f.radius) return {apart, apart, false};
-    deep = anyInside(moved.probes(), F);
-    if (!deep) {
+    if ((X_FP * P.centre - F.centre).norm() > P.radius + F.radius) return {apart, apart, false, false};
+    if (!anyInside(moved.probes(), F)) {
       std::vector<Vector3d> probes;
       for (const Vector3d& q : F.soup.probes()) probes.push_back(X_FP.inverse() * q);
-      if (anyInside(probes, P)) return {-kInfinity, 0.0, true};
-      return {apart, apart, false};
+      const bool swallowed = anyInside(probes, P);
+      return {apart, apart, swallowed, swallowed};
     }
   }
-  if (!F.closed) return {-kInfinity, 0.0, true};
   const Penetration depth =
       penetration(moved, F.soup, tolerance, kMostSamples + static_cast<int>(moved.size()));
-  return {-std::max(0.0, depth.most), -std::max(0.0, depth.least), true};
+  return {-std::max(0.0, depth.most), -std::max(0.0, depth.least), true, false};
 }
 
 }  // namespace abstand::verify

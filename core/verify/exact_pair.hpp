@@ -5,15 +5,16 @@
 
 namespace abstand::verify {
 
-/// The true signed distance lies between the two (m). Apart: both are the distance of the meshes. Overlapping:
-/// minus the greatest depth of the point body's surface in the field body, as far as it was enclosed. Where a
-/// piece of the field body is swallowed whole by the point body, no point of the latter's surface is inside
-/// anything; then the distance is some number that is not positive, as the solids overlap. Likewise where the
-/// surfaces cut and the field body is open.
+/// The true signed distance lies between the two (m). Apart: both are the distance of the meshes.
+/// Overlapping: minus the greatest depth of the point body's surface in the field body, as far as it was
+/// enclosed; minus infinity to 0 where surfaces meet and the field body is open. A piece of the field body
+/// that the point body swallows whole has no part of the latter's surface inside it: then it is the distance
+/// of the surfaces, as core/haptic/pair_query.hpp has it, though the solids overlap.
 struct ExactDistance {
   double least;
   double most;
   bool overlapping;
+  bool swallowed;
 };
 
 /// P gives the points and F the field (pointsFromA in core/haptic/pair_query.hpp). Depths are enclosed to

@@ -82,14 +82,13 @@ Feature NastyBody::corner(std::size_t triangle, int corner) const {
   return {mesh.vertices[t[corner]], out, across(out, some)};
 }
 
-std::vector<NastyBody> nastyBodies(FieldKind field, int threads) {
+std::vector<NastyBody> nastyBodies(int threads) {
   std::vector<NastyBody> bodies;
   const auto add = [&](const char* name, TriangleMesh mesh, double voxel, double point) {
     NastyBody body;
     body.name = name;
     body.mesh = std::move(mesh);
-    body.options = {
-        .voxel_size = voxel, .point_spacing = point, .outer_layers = kOuterLayers, .field = field};
+    body.options = {.voxel_size = voxel, .point_spacing = point, .outer_layers = kOuterLayers};
     bodies.push_back(std::move(body));
   };
   add("cube", boxMesh({0.1, 0.1, 0.1}), 0.005, 0.005);
@@ -104,8 +103,9 @@ std::vector<NastyBody> nastyBodies(FieldKind field, int threads) {
   add("comb", comb(), 0.004, 0.006);
   add("wedge", prismMesh({{0, 0}, {0.12, -0.002}, {0.12, 0.002}}, 0.06), 0.005, 0.005);
   add("drum of slivers", drum(48), 0.004, 0.004);
-  add("two pieces", together(boxMesh({0.03, 0.03, 0.03}, {-0.08, 0, 0}), boxMesh({0.03, 0.03, 0.03}, {0.08, 0, 0})),
-      0.005, 0.005);
+  add("two pieces",
+      together(boxMesh({0.03, 0.03, 0.03}, {-0.08, 0, 0}), boxMesh({0.03, 0.03, 0.03}, {0.08, 0, 0})), 0.005,
+      0.005);
   add("open sheet", foldedSheet(0.1), 0.005, 0.005);
   add("cube of 1 mm", boxMesh({0.001, 0.001, 0.001}), 5e-5, 2e-5);
   add("star of 1 mm", starMesh(0.0002, 0.0005), 2e-5, 2e-5);
@@ -115,8 +115,14 @@ std::vector<NastyBody> nastyBodies(FieldKind field, int threads) {
   parallelFor(threads, bodies.size(), [&](std::size_t i) {
     NastyBody& body = bodies[i];
     body.soup = TriangleSoup(body.mesh);
-    body.structure = buildHapticStructure(body.name, makeSurface(body.mesh), body.options, 1);
-    body.closed = body.structure->surface->watertight();
+    const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
+    body.closed = surface->watertight();
+    for (std::size_t f = 0; f < kFields.size(); ++f) {
+      body.options.field = kFields[f];
+      body.structures[f] = buildHapticStructure(body.name, surface, body.options, 1);
+    }
+    body.radius = body.structures[0]->bounding_sphere.radius;
+    body.centre = body.structures[0]->bounding_sphere.centre;
   });
   return bodies;
 }

@@ -78,8 +78,9 @@ TriangleMesh spikeMesh(double base, double height) {
 
 TriangleMesh starMesh(double inner, double outer) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
-  const std::vector<Vector3d> corners{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  const std::vector<Vector3d> corners{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                                      {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                                      {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
   TriangleMesh mesh;
   for (const Vector3d& c : corners) mesh.vertices.push_back(inner * c.normalized());
   // Faces: three corners that are each other's nearest neighbours, 2 apart before scaling.

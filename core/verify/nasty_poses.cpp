@@ -49,7 +49,8 @@ Feature someCorner(const NastyBody& body, Random& random) {
 
 /// Any angle, or one that makes edges parallel.
 double someSpin(Random& random) {
-  return random.chance(0.5) ? 0.5 * kPi * static_cast<double>(random.below(4)) : random.between(0.0, 2.0 * kPi);
+  return random.chance(0.5) ? 0.5 * kPi * static_cast<double>(random.below(4))
+                            : random.between(0.0, 2.0 * kPi);
 }
 
 Matrix3d rightAngles(Random& random) {
@@ -65,15 +66,13 @@ Matrix3d rightAngles(Random& random) {
   return R;
 }
 
-double radius(const NastyBody& body) { return body.structure->bounding_sphere.radius; }
-
 Transform relativePose(const NastyBody& a, const NastyBody& b, PoseFamily family, Random& random) {
   const double voxel = std::min(a.options.voxel_size, b.options.voxel_size);
   Transform X = Transform::Identity();
   switch (family) {
     case PoseFamily::kRandom:
       X.linear() = random.rotation();
-      X.translation() = random.inCube(1.2 * (radius(a) + radius(b)));
+      X.translation() = random.inCube(1.2 * (a.radius + b.radius));
       return X;
     case PoseFamily::kEdges: {
       const Feature on_a = someEdge(a, random), on_b = someEdge(b, random);
@@ -104,16 +103,18 @@ Transform relativePose(const NastyBody& a, const NastyBody& b, PoseFamily family
       return X;
     case PoseFamily::kNested:
       X.linear() = random.rotation();
-      X.translation() = random.inCube(0.3 * std::max(radius(a), radius(b)));
+      X.translation() = random.inCube(0.3 * std::max(a.radius, b.radius));
       return X;
     case PoseFamily::kGrid:
       X.linear() = rightAngles(random);
-      X.translation() = (random.inCube(1.2 * (radius(a) + radius(b))) / (0.5 * voxel)).array().round() * 0.5 * voxel;
+      X.translation() =
+          (random.inCube(1.2 * (a.radius + b.radius)) / (0.5 * voxel)).array().round() * 0.5 * voxel;
       return X;
     case PoseFamily::kFar: {
       X.linear() = random.chance(0.5) ? rightAngles(random) : random.rotation();
-      const double way = radius(a) + radius(b) + std::pow(10.0, random.between(-0.5, 3.0));
-      X.translation() = way * (random.chance(0.5) ? Vector3d(rightAngles(random).col(0)) : random.direction());
+      const double way = a.radius + b.radius + std::pow(10.0, random.between(-0.5, 3.0));
+      X.translation() =
+          way * (random.chance(0.5) ? Vector3d(rightAngles(random).col(0)) : random.direction());
       return X;
     }
   }
@@ -123,9 +124,9 @@ Transform relativePose(const NastyBody& a, const NastyBody& b, PoseFamily family
 }  // namespace
 
 const char* familyName(PoseFamily family) {
-  constexpr std::array kNames{"anywhere",        "edge on edge", "corner over face",
+  constexpr std::array kNames{"anywhere",        "edge on edge",   "corner over face",
                               "edge along face", "coplanar faces", "identical poses",
-                              "nested",          "on the grid",  "far apart"};
+                              "nested",          "on the grid",    "far apart"};
   static_assert(kNames.size() == kPoseFamilies);
   return kNames[static_cast<std::size_t>(family)];
 }

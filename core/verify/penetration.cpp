@@ -24,8 +24,7 @@ Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tol
   const auto look = [&](const Triangle& t) {
     ++samples;
     const Vector3d centre = (t[0] + t[1] + t[2]) / 3.0;
-    const double radius =
-        std::max({(t[0] - centre).norm(), (t[1] - centre).norm(), (t[2] - centre).norm()});
+    const double radius = std::max({(t[0] - centre).norm(), (t[1] - centre).norm(), (t[2] - centre).norm()});
     const double distance = F.distanceTo(centre);
     // Its side matters only where it could be deeper than the deepest so far.
     if (distance + radius <= found.least) return;
