@@ -9,6 +9,7 @@ namespace abstand::verify {
 /// five resolutions, voxel = point spacing = h. Two scenes, a ball pressed into a ball and a ball pressed
 /// into a wall, and three fields: each gives a result whose number is minus the order of convergence (the
 /// slope on log-log paper by least squares), so that limits are -1 for layers and -2 for float distances.
+/// Layers against a ball have no result of their own, as they do not converge there; the plot shows them.
 std::vector<CheckResult> checkConvergence(const VerifyOptions& options);
 
 }  // namespace abstand::verify

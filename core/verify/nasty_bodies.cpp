@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/verify/nasty_meshes.hpp"
+#include "core/verify/meshes.hpp"
 
 namespace abstand::verify {
 namespace {

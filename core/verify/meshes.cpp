@@ -1,5 +1,5 @@
-// Meshes of the nasty bodies.
-#include "core/verify/nasty_meshes.hpp"
+// Meshes of bodies for checks.
+#include "core/verify/meshes.hpp"
 
 #include <cmath>
 
@@ -103,12 +103,20 @@ TriangleMesh starMesh(double inner, double outer) {
 }
 
 TriangleMesh torusMesh(double ring, double tube, int around, int across) {
+  std::vector<Point> profile;
+  for (int j = 0; j < across; ++j) {
+    const double b = 2.0 * kPi * j / across;
+    profile.emplace_back(ring + tube * std::cos(b), tube * std::sin(b));
+  }
+  return latheMesh(profile, around);
+}
+
+TriangleMesh latheMesh(const std::vector<Point>& profile, int around) {
+  const auto across = static_cast<int>(profile.size());
   TriangleMesh mesh;
   for (int i = 0; i < around; ++i) {
-    for (int j = 0; j < across; ++j) {
-      const double a = 2.0 * kPi * i / around, b = 2.0 * kPi * j / across, r = ring + tube * std::cos(b);
-      mesh.vertices.emplace_back(r * std::cos(a), r * std::sin(a), tube * std::sin(b));
-    }
+    const double a = 2.0 * kPi * i / around;
+    for (const auto& [r, z] : profile) mesh.vertices.emplace_back(r * std::cos(a), r * std::sin(a), z);
   }
   const auto at = [&](int i, int j) {
     return static_cast<std::uint32_t>((i % around) * across + j % across);

@@ -1,4 +1,4 @@
-// Meshes of the nasty bodies.
+// Meshes of bodies for checks.
 #pragma once
 
 #include <utility>
@@ -15,8 +15,10 @@ TriangleMesh prismMesh(const std::vector<std::pair<double, double>>& polygon, do
 TriangleMesh spikeMesh(double base, double height);
 /// An icosahedron with corners at `inner` whose faces are raised to tips at `outer` from the centre.
 TriangleMesh starMesh(double inner, double outer);
-/// About z: `around` times `across` quads.
+/// A ring about z: `around` times `across` quads.
 TriangleMesh torusMesh(double ring, double tube, int around, int across);
+/// A polygon in r and z, counter-clockwise, turned about z.
+TriangleMesh latheMesh(const std::vector<std::pair<double, double>>& profile, int around);
 /// Four triangles, folded along y; open.
 TriangleMesh foldedSheet(double size);
 
