@@ -22,7 +22,7 @@ padding:0 1rem}
 h2{margin-top:2.5rem;border-bottom:1px solid var(--rule)}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums}
 td,th{padding:.15rem .7rem .15rem 0;text-align:left;border-bottom:1px solid var(--rule);vertical-align:top}
-th{color:var(--soft);font-weight:600}.soft{color:var(--soft)}
+td:first-child{white-space:nowrap}th{color:var(--soft);font-weight:600}.soft{color:var(--soft)}
 .passed{color:var(--good);font-weight:600}.failed{color:var(--bad);font-weight:600}
 a{color:inherit}svg{width:100%;max-width:45rem;display:block;margin:1rem 0}
 svg text{fill:var(--text);font:12px system-ui,sans-serif}

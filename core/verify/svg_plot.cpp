@@ -54,7 +54,8 @@ class Axis {
     }
     const double raw = (most_ - least_) / 5.0, decade = std::pow(10.0, std::floor(std::log10(raw)));
     const double step = decade * (raw < 2.0 * decade ? 2.0 : raw < 5.0 * decade ? 5.0 : 10.0);
-    for (double k = std::ceil(least_ / step); k * step <= most_; k += 1.0) ticks.push_back(k * step);
+    for (double k = std::ceil(least_ / step); k * step <= most_; k += 1.0)
+      ticks.push_back(k * step + 0.0);  // no -0
     return ticks;
   }
 
