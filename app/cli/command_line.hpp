@@ -45,6 +45,7 @@ void addSkeleton(CLI::App& root, CommandLine& line);
 void addRun(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
+void addVerify(CLI::App& root, CommandLine& line);
 
 /// "0.3,-1,2e-3" as numbers. Throws UsageError that names `option`.
 std::vector<double> numberList(const std::string& text, const std::string& option);

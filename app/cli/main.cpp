@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   cli::addRun(app, line);
   cli::addCheck(app, line);
   cli::addBench(app, line);
+  cli::addVerify(app, line);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -181,5 +181,18 @@ TEST_F(Cli, SessionLogIsHdf5) {
   EXPECT_EQ(readFile(log).substr(1, 3), "HDF");
 }
 
+TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
+  const std::string page = (folder_.path() / "v.html").string();
+  const json j = runJson("verify --only 'third law' --poses 1000 --report " + page);
+  EXPECT_TRUE(j["passed"]);
+  EXPECT_EQ(j["poses"], 1000);
+  EXPECT_EQ(j["checks"][0]["name"], "third_law");
+  EXPECT_EQ(j["checks"][0]["breaches"], 0);
+  EXPECT_NE(readFile(page).find("third_law"), std::string::npos);
+  EXPECT_EQ(run("verify --only nothing").code, 2);
+  EXPECT_EQ(run("verify --poses 0").code, 2);
+  EXPECT_EQ(run("verify --only 'third law' --poses 100 --report /nowhere/v.html").code, 2);
+}
+
 }  // namespace
 }  // namespace abstand::testing

@@ -1,0 +1,191 @@
+// Distances of pairs against exact distances of meshes, over poses that are hard on the engine.
+#include "core/verify/certified_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "core/base/parallel.hpp"
+#include "core/verify/check_tools.hpp"
+#include "core/verify/exact_pair.hpp"
+#include "core/verify/nasty_poses.hpp"
+#include "core/verify/statistics.hpp"
+
+namespace abstand::verify {
+namespace {
+
+constexpr std::size_t kChunk = 50;
+// Of all lengths of a pose: rounding of the brute force itself, in double.
+constexpr double kOraclePart = 1e-12;
+// Of a voxel: how closely depths are enclosed.
+constexpr double kDepthTolerance = 0.05;
+// Shell points are kept and moved in float, 6e-8 of their coordinates a step, and a witness starts at one.
+constexpr double kFloatPart = 1e-6;
+
+/// What one kind of field said of one pose.
+struct Answer {
+  double used{kNaN};   ///< (distance - true) / bound
+  double below{kNaN};  ///< (true - distance) / size
+  double error{kNaN};  ///< |distance - true| in voxels; NaN where the truth is not enclosed
+  bool breach{false};
+};
+
+struct Outcome {
+  PoseFamily family{PoseFamily::kRandom};
+  bool done{false};
+  bool overlapping{false};
+  bool swallowed{false};
+  std::array<Answer, kFields.size()> answers;
+};
+
+Outcome askAll(const std::vector<NastyBody>& bodies, const NastyPose& pose) {
+  const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
+  const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
+  const NastyBody &P = from_a ? a : b, &F = from_a ? b : a;
+  const Transform X_FP =
+      from_a ? Transform(pose.X_WB.inverse() * pose.X_WA) : Transform(pose.X_WA.inverse() * pose.X_WB);
+  const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
+  const ExactDistance exact = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
+  const double way = X_FP.translation().norm(), size = P.radius + F.radius + way;
+  const double rounding = kOraclePart * (size + pose.X_WA.translation().norm());
+
+  Outcome o{pose.family, true, exact.overlapping, exact.swallowed, {}};
+  for (std::size_t f = 0; f < kFields.size(); ++f) {
+    const PairResult r = query(*a.structures[f], pose.X_WA, *b.structures[f], pose.X_WB);
+    Answer& answer = o.answers[f];
+    // Written so that NaN is a breach.
+    answer.breach = !(r.distance - r.bound <= exact.most + rounding);
+    answer.used = r.bound > 0.0 ? (r.distance - exact.most) / r.bound : (answer.breach ? kInfinity : 0.0);
+    answer.below = std::max(0.0, exact.least - r.distance - rounding) / size;
+    if (std::isfinite(exact.least))
+      answer.error = std::max({0.0, r.distance - exact.most, exact.least - r.distance}) / voxel;
+  }
+  return o;
+}
+
+/// Parts of the poses at or above each error.
+Series distribution(std::string name, std::vector<double> values) {
+  Series s;
+  s.name = std::move(name);
+  std::ranges::sort(values);
+  constexpr int kSteps = 60;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double x = std::pow(10.0, -4.0 + 5.0 * i / kSteps);
+    const auto above = values.end() - std::ranges::lower_bound(values, x);
+    s.x.push_back(x);
+    s.y.push_back(static_cast<double>(above) / static_cast<double>(std::max<std::size_t>(values.size(), 1)));
+  }
+  return s;
+}
+
+std::vector<double> collect(const std::vector<Outcome>& outcomes, std::size_t field, double Answer::*member,
+                            int family = -1) {
+  std::vector<double> values;
+  for (const Outcome& o : outcomes) {
+    const double value = o.answers[field].*member;
+    if ((family < 0 || static_cast<int>(o.family) == family) && !std::isnan(value)) values.push_back(value);
+  }
+  return values;
+}
+
+Table familyTable(const std::vector<Outcome>& outcomes, std::size_t field) {
+  Table table;
+  table.header = {"poses",
+                  "number",
+                  "overlapping",
+                  "of them swallowed pieces",
+                  "breaches",
+                  "error p50 [voxels]",
+                  "error p99",
+                  "largest error",
+                  "largest part of the bound used"};
+  for (int family = 0; family < kPoseFamilies; ++family) {
+    std::size_t number = 0, overlapping = 0, swallowed = 0, breaches = 0;
+    for (const Outcome& o : outcomes) {
+      if (static_cast<int>(o.family) != family) continue;
+      ++number;
+      overlapping += o.overlapping;
+      swallowed += o.swallowed;
+      breaches += o.answers[field].breach;
+    }
+    const auto errors = collect(outcomes, field, &Answer::error, family);
+    const auto used = collect(outcomes, field, &Answer::used, family);
+    table.rows.push_back({familyName(static_cast<PoseFamily>(family)), std::to_string(number),
+                          std::to_string(overlapping), std::to_string(swallowed), std::to_string(breaches),
+                          shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
+                          shortNumber(quantile(errors, 1.0)), shortNumber(quantile(used, 1.0))});
+  }
+  return table;
+}
+
+CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std::size_t bodies) {
+  CheckResult result;
+  result.name = "bound." + std::string(fieldName(kFields[field]));
+  result.what =
+      "The true distance of two meshes, by brute force over all pairs of triangles, is never below "
+      "distance - bound: " +
+      std::to_string(bodies) + " bodies, " + std::to_string(kPoseFamilies) + " families of poses, " +
+      std::string(fieldName(kFields[field])) + " fields.";
+  result.quantity = "(distance - true distance) / bound";
+  result.reason = "The contract: the true distance is never below distance - bound.";
+  judge(result, collect(outcomes, field, &Answer::used), 1.0);
+  // Rounding of the brute force is allowed for here, and NaN is a breach.
+  result.breaches = 0;
+  for (const Outcome& o : outcomes) result.breaches += o.answers[field].breach;
+  result.table = familyTable(outcomes, field);
+  Plot plot{"Errors of the distance",
+            "|distance - true distance| [voxels]",
+            "part of the poses at or above",
+            true,
+            true,
+            {}};
+  for (int f = 0; f < kPoseFamilies; ++f)
+    plot.series.push_back(
+        distribution(familyName(static_cast<PoseFamily>(f)), collect(outcomes, field, &Answer::error, f)));
+  result.plots.push_back(std::move(plot));
+  return result;
+}
+
+CheckResult attainedOf(const std::vector<Outcome>& outcomes, std::size_t field) {
+  CheckResult result;
+  result.name = "attained." + std::string(fieldName(kFields[field]));
+  result.what =
+      "The distance is that of two points of the surfaces, so it never lies below the true one (inside: is "
+      "no "
+      "deeper than the deepest point). Same poses.";
+  result.quantity = "(true distance - distance) / size of the pair";
+  result.reason = "Witnesses start at shell points, which are kept and moved in float (6e-8 a step).";
+  judge(result, collect(outcomes, field, &Answer::below), kFloatPart);
+  return result;
+}
+
+}  // namespace
+
+std::vector<CheckResult> checkCertifiedBound(const VerifyOptions& options) {
+  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  std::vector<Outcome> outcomes(options.poses);
+  std::atomic<std::size_t> done{0};
+  const auto caller = std::this_thread::get_id();
+  parallelFor(options.threads, (options.poses + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    if (options.stop()) return;
+    const std::size_t end = std::min(options.poses, (chunk + 1) * kChunk);
+    for (std::size_t i = chunk * kChunk; i < end; ++i)
+      outcomes[i] = askAll(bodies, nastyPose(bodies, options.seed, i));
+    done += end - chunk * kChunk;
+    if (options.progress && std::this_thread::get_id() == caller) options.progress(done, options.poses);
+  });
+  std::erase_if(outcomes, [](const Outcome& o) { return !o.done; });
+  const bool complete = outcomes.size() == options.poses && !outcomes.empty();
+
+  std::vector<CheckResult> results;
+  for (std::size_t f = 0; f < kFields.size(); ++f) {
+    results.push_back(boundOf(outcomes, f, bodies.size()));
+    results.push_back(attainedOf(outcomes, f));
+  }
+  for (CheckResult& r : results) r.passed = complete && r.breaches == 0;
+  return results;
+}
+
+}  // namespace abstand::verify

@@ -1,0 +1,60 @@
+// What several checks need.
+#include "core/verify/check_tools.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/verify/statistics.hpp"
+
+namespace abstand::verify {
+namespace {
+
+std::shared_ptr<const HapticStructure> build(std::shared_ptr<const Surface> surface, FieldKind field,
+                                             double voxel, int threads) {
+  const HapticOptions options{
+      .voxel_size = voxel, .point_spacing = voxel, .outer_layers = kOuterLayers, .field = field};
+  return buildHapticStructure("body", std::move(surface), options, threads);
+}
+
+}  // namespace
+
+std::shared_ptr<const HapticStructure> structureOf(const Shape& shape, FieldKind field, double voxel,
+                                                   int threads) {
+  return build(makeSurface(shape), field, voxel, threads);
+}
+
+std::shared_ptr<const HapticStructure> structureOf(const TriangleMesh& mesh, FieldKind field, double voxel,
+                                                   int threads) {
+  return build(makeSurface(mesh), field, voxel, threads);
+}
+
+PairResult query(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                 const Transform& X_WB, const PairOptions& options) {
+  PairScratch scratch;
+  PairResult result;
+  queryPair(a, X_WA, b, X_WB, options, scratch, result);
+  return result;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+void judge(CheckResult& result, const std::vector<double>& values, double limit) {
+  result.limit = limit;
+  result.poses = values.size();
+  // Written so that NaN is a breach.
+  result.breaches =
+      static_cast<std::size_t>(std::ranges::count_if(values, [limit](double v) { return !(v <= limit); }));
+  std::vector<double> sound = values;
+  std::erase_if(sound, [](double v) { return std::isnan(v); });
+  result.p50 = quantile(sound, 0.5);
+  result.p99 = quantile(sound, 0.99);
+  result.worst = quantile(sound, 1.0);
+  result.passed = !values.empty() && result.breaches == 0;
+}
+
+}  // namespace abstand::verify

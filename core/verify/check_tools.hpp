@@ -1,0 +1,30 @@
+// What several checks need.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/haptic/pair_query.hpp"
+#include "core/verify/check.hpp"
+
+namespace abstand::verify {
+
+/// Half the default voxel's outer layers: nothing that a check asks depends on them.
+inline constexpr int kOuterLayers = 10;
+
+std::shared_ptr<const HapticStructure> structureOf(const Shape& shape, FieldKind field, double voxel,
+                                                   int threads);
+std::shared_ptr<const HapticStructure> structureOf(const TriangleMesh& mesh, FieldKind field, double voxel,
+                                                   int threads);
+
+PairResult query(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                 const Transform& X_WB, const PairOptions& options = {});
+
+/// "%.3g".
+std::string shortNumber(double value);
+
+/// Fills poses, worst, p50, p99 and breaches from one number a pose; passed when none is beyond the limit.
+/// NaN is beyond any limit.
+void judge(CheckResult& result, const std::vector<double>& values, double limit);
+
+}  // namespace abstand::verify

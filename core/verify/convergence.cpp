@@ -1,0 +1,136 @@
+// How fast forces become right with finer voxels and points.
+#include "core/verify/convergence.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/verify/check_tools.hpp"
+#include "core/verify/closed_contact.hpp"
+#include "core/verify/random.hpp"
+#include "core/verify/statistics.hpp"
+
+namespace abstand::verify {
+namespace {
+
+constexpr std::array kSteps{0.01, 0.00707, 0.005, 0.00354, 0.0025};  // m
+constexpr double kStiffness = 1e6;                                   // N/m^3
+constexpr double kRadius = 0.05, kOtherRadius = 0.08;                // m, radii
+// m; the depth varies, so that neither grid nor points are always cut the same way
+constexpr double kLeastDepth = 0.012, kMostDepth = 0.02;
+const Vector3d kWallSize{0.18, 0.18, 0.08};
+// Layers: walls of several thicknesses, so that their faces lie anywhere in their voxels, alike at every
+// step.
+constexpr int kWalls = 8;
+// What a measured order may miss: poses are random, and the coarsest steps are not small against the depth.
+constexpr double kOrderNoise = 0.1;
+constexpr std::size_t kPoses = 200, kQuickPoses = 40;
+
+enum class Against { kBall, kWall };
+
+/// Every other voxel is whole; the grid lies about the wall's middle, so that its faces move by half.
+double thicknessOf(int wall, double h) {
+  return 2.0 * h * (std::round(kWallSize.z() / (2.0 * h)) + (wall + 0.5) / kWalls);
+}
+
+/// The true force on the ball, and where it is, at random.
+struct Press {
+  int wall{0};
+  Transform X_WA{Transform::Identity()};
+  Vector3d force;
+};
+
+Press randomPress(Against against, int walls, double h, std::uint64_t seed, std::uint64_t index) {
+  Random random(seed, index);
+  const double depth = random.between(kLeastDepth, kMostDepth);
+  Press press;
+  press.X_WA.linear() = random.rotation();
+  if (against == Against::kBall) {
+    const double apart = kRadius + kOtherRadius - depth;
+    const Vector3d out = random.direction();
+    press.X_WA.translation() = apart * out;
+    press.force = kStiffness * ballInBallForce(kRadius, kOtherRadius, apart) * out;
+  } else {
+    // In the middle of the face, so that its rim is out of reach.
+    press.wall = static_cast<int>(index) % walls;
+    press.X_WA.translation() = random.inCube(0.01);
+    press.X_WA.translation().z() = 0.5 * thicknessOf(press.wall, h) + kRadius - depth;
+    press.force = kStiffness * capVolume(kRadius, depth) * Vector3d::UnitZ();
+  }
+  return press;
+}
+
+double relativeError(Against against, FieldKind field, double h, const VerifyOptions& options) {
+  const auto ball = structureOf(Sphere{kRadius}, field, h, options.threads);
+  std::vector<std::shared_ptr<const HapticStructure>> others;
+  const int walls = field == FieldKind::kLayered ? kWalls : 1;
+  if (against == Against::kBall) {
+    others.push_back(structureOf(Sphere{kOtherRadius}, field, h, options.threads));
+  } else {
+    for (int wall = 0; wall < walls; ++wall)
+      others.push_back(structureOf(Cuboid{{kWallSize.x(), kWallSize.y(), thicknessOf(wall, h)}}, field, h,
+                                   options.threads));
+  }
+  std::vector<double> errors(options.quick ? kQuickPoses : kPoses);
+  parallelFor(options.threads, errors.size(), [&](std::size_t i) {
+    const Press press = randomPress(against, walls, h, options.seed, i);
+    const PairResult r = query(*ball, press.X_WA, *others[static_cast<std::size_t>(press.wall)],
+                               Transform::Identity(), {.stiffness = kStiffness});
+    errors[i] = (r.force_a - press.force).norm() / press.force.norm();
+  });
+  return rms(errors);
+}
+
+}  // namespace
+
+std::vector<CheckResult> checkConvergence(const VerifyOptions& options) {
+  std::vector<CheckResult> results;
+  Plot plot{"Error of the force against resolution",
+            "voxel and point spacing h [m]",
+            "relative error, rms",
+            true,
+            true,
+            {}};
+  for (const Against against : {Against::kBall, Against::kWall}) {
+    const std::string scene = against == Against::kBall ? "ball in ball" : "ball in wall";
+    for (const FieldKind field : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
+      Series series{scene + ", " + std::string(fieldName(field)), {}, {}};
+      CheckResult result;
+      result.name = std::string("convergence.") + (against == Against::kBall ? "ball." : "wall.") +
+                    std::string(fieldName(field));
+      result.table.header = {"h [mm]", "relative error of the force, rms"};
+      for (const double h : kSteps) {
+        if (options.stop()) break;
+        const double error = relativeError(against, field, h, options);
+        series.x.push_back(h);
+        series.y.push_back(error);
+        result.table.rows.push_back({shortNumber(1e3 * h), shortNumber(error)});
+      }
+      result.what = "Force of a " + scene + ", " + std::string(fieldName(field)) +
+                    " fields, against the closed form, over five resolutions with random poses each.";
+      result.quantity = "minus the order of convergence";
+      // Layers are steps to any of 26 neighbours, so on slanting surfaces they count up to sqrt(3) times too
+      // few voxels however fine these are: against the ball the error stays, and is only drawn.
+      if (field == FieldKind::kLayered && against == Against::kBall) {
+        plot.series.push_back(std::move(series));
+        continue;
+      }
+      const double order = field == FieldKind::kLayered ? 1.0 : 2.0;
+      result.reason = field == FieldKind::kLayered
+                          ? "Layers are whole voxels along a wall's normal: errors shrink as h."
+                          : "Trilinear distances and the points' weights err as h squared on smooth bodies.";
+      result.reason += " " + shortNumber(kOrderNoise) +
+                       " less, as poses are random and the coarsest steps not small against the depth.";
+      std::vector<double> measured;
+      if (series.x.size() == kSteps.size()) measured.push_back(-logSlope(series.x, series.y));
+      judge(result, measured, kOrderNoise - order);
+      result.poses = kSteps.size() * (options.quick ? kQuickPoses : kPoses);
+      plot.series.push_back(std::move(series));
+      results.push_back(std::move(result));
+    }
+  }
+  results.front().plots.push_back(std::move(plot));
+  return results;
+}
+
+}  // namespace abstand::verify

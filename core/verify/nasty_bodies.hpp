@@ -1,0 +1,43 @@
+// Small meshes that are hard on an engine which samples.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/haptic/haptic_structure.hpp"
+#include "core/verify/brute_force.hpp"
+
+namespace abstand::verify {
+
+inline constexpr std::array kFields{FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed};
+
+/// A face, an edge or a corner of a mesh: a place on the surface and the way out of the body there.
+struct Feature {
+  Vector3d point;
+  Vector3d out;    ///< unit; mean of the neighbouring triangles' normals
+  Vector3d along;  ///< unit, across `out`: the edge, or any
+};
+
+/// One body, as the engine knows it and as the brute force does. Body frame, metres.
+struct NastyBody {
+  std::string name;
+  TriangleMesh mesh;
+  HapticOptions options;  ///< but for the field
+  bool closed{true};
+  TriangleSoup soup{TriangleMesh{}};
+  std::array<std::shared_ptr<const HapticStructure>, kFields.size()> structures;  ///< in kFields' order
+  double radius{0.0};                                                             ///< about `centre`
+  Vector3d centre{Vector3d::Zero()};
+
+  Feature face(std::size_t triangle, double u, double v) const;       ///< u, v in [0, 1): where in it
+  Feature edge(std::size_t triangle, int corner, double part) const;  ///< from `corner` to the next
+  Feature corner(std::size_t triangle, int corner) const;
+};
+
+/// Cubes, plates of 0.2 mm, spikes, stars, needles, combs, rings, nested shells, two pieces, an open sheet;
+/// and bodies of 1 mm and of 5 m. Built on `threads` threads (0: all).
+std::vector<NastyBody> nastyBodies(int threads);
+
+}  // namespace abstand::verify

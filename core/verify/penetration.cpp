@@ -1,0 +1,52 @@
+// How deep one mesh reaches into another, enclosed between two numbers.
+#include "core/verify/penetration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace abstand::verify {
+namespace {
+
+/// A part of a triangle, and how deep any of its points may lie at most.
+struct Part {
+  Triangle corners;
+  double most;
+  bool operator<(const Part& other) const { return most < other.most; }
+};
+
+}  // namespace
+
+Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tolerance, int most_samples) {
+  Penetration found;
+  std::priority_queue<Part> open;
+  int samples = 0;
+  const auto look = [&](const Triangle& t) {
+    ++samples;
+    const Vector3d centre = (t[0] + t[1] + t[2]) / 3.0;
+    const double radius = std::max({(t[0] - centre).norm(), (t[1] - centre).norm(), (t[2] - centre).norm()});
+    const double distance = F.distanceTo(centre);
+    // Its side matters only where it could be deeper than the deepest so far.
+    if (distance + radius <= found.least) return;
+    const double depth = F.inside(centre) ? distance : -distance;
+    found.least = std::max(found.least, depth);
+    open.push({t, depth + radius});
+  };
+  for (std::size_t i = 0; i < P.size(); ++i) look(P[i]);
+  while (!open.empty() && open.top().most > found.least + tolerance && samples < most_samples) {
+    const Triangle t = open.top().corners;
+    open.pop();
+    // Halve the longest side.
+    int longest = 0;
+    for (int i = 1; i < 3; ++i)
+      if ((t[(i + 1) % 3] - t[i]).norm() > (t[(longest + 1) % 3] - t[longest]).norm()) longest = i;
+    const Vector3d &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+    const Vector3d middle = 0.5 * (a + b);
+    look({a, middle, c});
+    look({middle, b, c});
+  }
+  found.most = open.empty() ? found.least : std::max(found.least, open.top().most);
+  return found;
+}
+
+}  // namespace abstand::verify

@@ -1,0 +1,45 @@
+// Figures of many numbers.
+#include "core/verify/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/math/transform.hpp"
+
+namespace abstand::verify {
+
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return kNaN;
+  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
+  const std::size_t at = std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  return values[at];
+}
+
+double rms(const std::vector<double>& values) {
+  if (values.empty()) return kNaN;
+  double sum = 0.0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double logSlope(const std::vector<double>& x, const std::vector<double>& y) {
+  ABSTAND_CHECK(x.size() == y.size() && x.size() >= 2);
+  double mean_x = 0.0, mean_y = 0.0;
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    ABSTAND_CHECK(x[i] > 0.0 && y[i] > 0.0);
+    mean_x += std::log(x[i]) / n;
+    mean_y += std::log(y[i]) / n;
+  }
+  double along = 0.0, across = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double dx = std::log(x[i]) - mean_x;
+    along += dx * (std::log(y[i]) - mean_y);
+    across += dx * dx;
+  }
+  return along / across;
+}
+
+}  // namespace abstand::verify

@@ -1,0 +1,18 @@
+// Figures of many numbers.
+#pragma once
+
+#include <vector>
+
+namespace abstand::verify {
+
+/// Smallest value that at least `part` (0 to 1) of the values do not exceed; NaN of none.
+double quantile(std::vector<double> values, double part);
+
+/// Root of the mean square; NaN of none.
+double rms(const std::vector<double>& values);
+
+/// Slope of log y over log x by least squares: the order of convergence, for errors y at steps x.
+/// All values are positive and there are at least two.
+double logSlope(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace abstand::verify

@@ -1,0 +1,17 @@
+// A plot as a piece of SVG.
+#pragma once
+
+#include <string>
+
+#include "core/verify/check.hpp"
+
+namespace abstand::verify {
+
+/// Lines with axes, ticks and a legend; colours come from the page's style (classes s0 to s8, axis, grid), so
+/// that it follows light and dark. No reference to anything outside.
+std::string svgPlot(const Plot& plot);
+
+/// `text` with <, >, & and " escaped for HTML.
+std::string escaped(const std::string& text);
+
+}  // namespace abstand::verify
