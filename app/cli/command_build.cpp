@@ -6,7 +6,7 @@
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
 #include "core/geometry/mesh_file.hpp"
-#include "core/haptic/haptic_structure.hpp"
+#include "core/haptic/structure_cache.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -25,11 +25,11 @@ struct Body {
   std::vector<std::string> remarks;
 };
 
-Body load(const std::string& text, double scale) {
+Body load(const std::string& text, double scale, StructureCache& cache) {
   if (const auto shape = parseShape(text)) return {text, makeSurface(*shape), {}};
   LoadedMesh mesh = loadMesh(text, scale);
   Body body{std::filesystem::path(text).stem().string(), nullptr, mesh.report.remarks};
-  body.surface = makeSurface(std::move(mesh.mesh));
+  body.surface = makeSurface(cache, std::move(mesh.mesh));
   return body;
 }
 
@@ -58,7 +58,8 @@ void writeStructure(const HapticStructure& s, const std::filesystem::path& folde
   writeShell(s.shell, folder / (stem + ".shell.ply"));
 }
 
-nlohmann::ordered_json structureJson(const HapticStructure& s, const Body& body) {
+nlohmann::ordered_json structureJson(const MadeStructure& made, const Body& body) {
+  const HapticStructure& s = *made.structure;
   return {{"name", s.name},
           {"triangles", s.triangles},
           {"watertight", s.surface->watertight()},
@@ -69,11 +70,18 @@ nlohmann::ordered_json structureJson(const HapticStructure& s, const Body& body)
           {"levels", s.tree.levels},
           {"memory_bytes", s.memoryBytes()},
           {"build_ms", s.build_ms},
+          {"cached", made.cached},
+          {"made_ms", made.made_ms},
           {"error_bound", s.errorBound()},
           {"covering_radius", s.shell.covering_radius},
           {"field", fieldName(s.options.field)},
           {"volume", s.mass_properties.volume},
           {"remarks", body.remarks}};
+}
+
+std::string timeText(const MadeStructure& made) {
+  if (!made.cached) return format("built in %.0f ms", made.structure->build_ms);
+  return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
 }
 
 int run(const CommandLine& line, const Arguments& args) {
@@ -85,20 +93,24 @@ int run(const CommandLine& line, const Arguments& args) {
   options.validate();
   const double scale = number(args.scale, "--scale");
 
+  StructureCache cache(line.cache ? userCacheFolder() : std::filesystem::path());
   nlohmann::ordered_json document{{"structures", nlohmann::ordered_json::array()}};
   std::string text;
   auto failed = nlohmann::ordered_json::array();
   for (const auto& name : args.meshes) {
     try {
-      const Body body = load(name, scale);
-      const auto s = buildHapticStructure(body.name, body.surface, options);
+      const Body body = load(name, scale, cache);
+      const MadeStructure made =
+          makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+      for (const auto& warning : cache.takeWarnings()) line.warn(warning);
+      const auto& s = made.structure;
       if (!args.out.empty()) writeStructure(*s, args.out);
-      document["structures"].push_back(structureJson(*s, body));
-      text += format(
-          "%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %.0f ms\n",
-          s->name.c_str(), s->grid.size.x(), s->grid.size.y(), s->grid.size.z(), s->shell.size(),
-          s->triangles, s->surface->watertight() ? "" : " (not watertight)", 1e3 * s->errorBound(),
-          static_cast<double>(s->memoryBytes()) * 1e-6, s->build_ms);
+      document["structures"].push_back(structureJson(made, body));
+      text +=
+          format("%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %s\n",
+                 s->name.c_str(), s->grid.size.x(), s->grid.size.y(), s->grid.size.z(), s->shell.size(),
+                 s->triangles, s->surface->watertight() ? "" : " (not watertight)", 1e3 * s->errorBound(),
+                 static_cast<double>(s->memoryBytes()) * 1e-6, timeText(made).c_str());
       for (const auto& remark : body.remarks) text += "  " + remark + "\n";
     } catch (const ParseError& e) {
       if (args.meshes.size() == 1) throw;
@@ -131,6 +143,7 @@ void addBuild(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
   command->add_option("--scale", args->scale, "metres a unit of the mesh files");
   command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each");
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

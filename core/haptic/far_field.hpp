@@ -27,6 +27,10 @@ class FarField {
   /// is allowed; 0 for NaN and for an empty field.
   float lowerBound(float px, float py, float pz) const;
   std::size_t memoryBytes() const;
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(levels_, box_lo_, box_hi_, boundary_min_);
+  }
 
  private:
   struct Level {
@@ -35,6 +39,10 @@ class FarField {
     float rounding;         ///< m; how far float moves points of this level, at most
     int n[3];               ///< vertices along each axis
     std::vector<float> d2;  ///< rounded down
+    template <class Archive>
+    void archive(Archive& ar) {
+      ar(ox, oy, oz, inv_h, h, rounding, n, d2);
+    }
   };
   void fill(const Surface& surface, int threads);
   static float interpolate(const Level& level, float gx, float gy, float gz);

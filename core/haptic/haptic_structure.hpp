@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/haptic/build_progress.hpp"
 #include "core/haptic/far_field.hpp"
 #include "core/haptic/haptic_options.hpp"
 #include "core/haptic/near_field.hpp"
@@ -37,11 +38,20 @@ struct HapticStructure {
   /// Bound on the error of one field value near the surface plus the covering radius of the shell (m).
   double errorBound() const;
   std::size_t memoryBytes() const;
+  /// All but name and surface.
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(options, voxelmap, near_field, far_field, shell, tree, mass_properties.volume, mass_properties.com,
+       mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius, grid, surface_voxels,
+       solid_voxels, triangles, build_ms);
+  }
 };
 
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
+/// Throws UsageError for options that do not fit the body, and BuildCancelled when the monitor says so.
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
                                                             std::shared_ptr<const Surface> surface,
-                                                            const HapticOptions& options, int threads = 0);
+                                                            const HapticOptions& options, int threads = 0,
+                                                            const BuildMonitor& monitor = {});
 
 }  // namespace abstand

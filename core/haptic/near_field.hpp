@@ -41,6 +41,10 @@ class NearField {
   std::size_t memoryBytes() const;
   std::size_t blocks() const { return values_.size() / kBlockValues; }
   const VoxelGrid& grid() const { return grid_; }
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(grid_, ox_, oy_, oz_, inv_h_, cells_, blocks_, block_index_, values_, error_bound_, band_);
+  }
 
  private:
   /// The values at a cell's first corner, and where p lies in the cell (0 to 1). Null outside.

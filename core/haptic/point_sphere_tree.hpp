@@ -26,6 +26,11 @@ struct PointSphereTree {
   std::vector<float> x, y, z, nx, ny, nz, area;  ///< leaf order, padded
   std::vector<std::uint32_t> shell_index;        ///< leaf order -> index in the Pointshell
   int levels{0};
+
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(nodes, x, y, z, nx, ny, nz, area, shell_index, levels);
+  }
 };
 
 /// Splits top-down at medians of the widest axis; leaves are full but for the last of a subtree. An empty
