@@ -1,7 +1,7 @@
 // abstand build: haptic structures of meshes and shapes.
 #include <iostream>
 
-#include "app/cli/command_line.hpp"
+#include "app/cli/build_texts.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -17,6 +17,7 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
   int outer_layers{20};
+  bool explain{false};
 };
 
 struct Body {
@@ -84,6 +85,33 @@ std::string timeText(const MadeStructure& made) {
   return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
 }
 
+/// Builds one body, or explains it; both add to the document and the text.
+void make(const CommandLine& line, const Arguments& args, const HapticOptions& options,
+          const std::string& name, StructureCache& cache, nlohmann::ordered_json& document,
+          std::string& text) {
+  const Body body = load(name, number(args.scale, "--scale"), cache);
+  Said said;
+  if (args.explain) {
+    said = explain(body.name, body.surface, options, buildMonitor(line));
+    document["explained"].push_back(said.json);
+    text += said.text;
+  } else {
+    const MadeStructure made =
+        makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+    const HapticStructure& s = *made.structure;
+    if (!args.out.empty()) writeStructure(s, args.out);
+    said = sayReport(reportOn(s));
+    document["structures"].push_back(structureJson(made, body));
+    document["structures"].back()["report"] = said.json;
+    text += format("%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %s\n",
+                   s.name.c_str(), s.grid.size.x(), s.grid.size.y(), s.grid.size.z(), s.shell.size(),
+                   s.triangles, s.surface->watertight() ? "" : " (not watertight)", 1e3 * s.errorBound(),
+                   static_cast<double>(s.memoryBytes()) * 1e-6, timeText(made).c_str());
+    text += said.text;
+  }
+  for (const auto& remark : body.remarks) text += "  " + remark + "\n";
+}
+
 int run(const CommandLine& line, const Arguments& args) {
   HapticOptions options;
   options.voxel_size = number(args.voxel, "--voxel");
@@ -91,34 +119,25 @@ int run(const CommandLine& line, const Arguments& args) {
   options.outer_layers = args.outer_layers;
   options.field = *parseFieldKind(args.field);
   options.validate();
-  const double scale = number(args.scale, "--scale");
 
   StructureCache cache(line.cache ? userCacheFolder() : std::filesystem::path());
-  nlohmann::ordered_json document{{"structures", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json document;
+  document[args.explain ? "explained" : "structures"] = nlohmann::ordered_json::array();
+  if (args.explain) document["rules"] = explainRules();
   std::string text;
   auto failed = nlohmann::ordered_json::array();
   for (const auto& name : args.meshes) {
     try {
-      const Body body = load(name, scale, cache);
-      const MadeStructure made =
-          makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
-      for (const auto& warning : cache.takeWarnings()) line.warn(warning);
-      const auto& s = made.structure;
-      if (!args.out.empty()) writeStructure(*s, args.out);
-      document["structures"].push_back(structureJson(made, body));
-      text +=
-          format("%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %s\n",
-                 s->name.c_str(), s->grid.size.x(), s->grid.size.y(), s->grid.size.z(), s->shell.size(),
-                 s->triangles, s->surface->watertight() ? "" : " (not watertight)", 1e3 * s->errorBound(),
-                 static_cast<double>(s->memoryBytes()) * 1e-6, timeText(made).c_str());
-      for (const auto& remark : body.remarks) text += "  " + remark + "\n";
+      make(line, args, options, name, cache, document, text);
     } catch (const ParseError& e) {
       if (args.meshes.size() == 1) throw;
       std::cerr << e.what() << std::endl;
       failed.push_back({{"name", name}, {"error", e.what()}});
     }
+    for (const auto& warning : cache.takeWarnings()) line.warn(warning);
   }
   if (!failed.empty()) document["failed"] = failed;
+  if (args.explain) text += "* as asked; predicted, nothing was built. How: abstand build --explain --json\n";
   line.print(document, text);
   if (failed.empty()) return kDone;
   return failed.size() == args.meshes.size() ? kBadInput : kPartly;
@@ -143,6 +162,9 @@ void addBuild(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
   command->add_option("--scale", args->scale, "metres a unit of the mesh files");
   command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each");
+  command->add_flag(
+      "--explain", args->explain,
+      "build nothing: predict error, memory, points, time and cost of this and other resolutions");
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

@@ -113,6 +113,46 @@ TEST_F(Cli, BuildGivesTheThesisSphere) {
     EXPECT_TRUE(s.contains(key)) << key;
 }
 
+TEST_F(Cli, BuildReportsWhatToKnow) {
+  const json r = runJson("build cuboid:0.2,0.1,0.004")["structures"][0]["report"];
+  EXPECT_EQ(r["leaks"], json({{"open_edges", 0}, {"non_manifold_edges", 0}, {"flipped_edges", 0}}));
+  EXPECT_EQ(r["inside_doubtful"], false);
+  EXPECT_EQ(r["thin_walls"]["below"], 0.01);
+  EXPECT_NEAR(r["thin_walls"]["thinnest"].get<double>(), 0.004, 1e-6);
+  EXPECT_GT(r["thin_walls"]["share"].get<double>(), 0.9);
+  EXPECT_EQ(r["thin_walls"]["where"].size(), 3u);
+  EXPECT_EQ(r["convex_hull"]["volume_ratio"], 1.0);
+  const json ball = runJson("build sphere:0.05")["structures"][0]["report"];
+  EXPECT_TRUE(ball["thin_walls"]["thinnest"].is_null());
+}
+
+TEST_F(Cli, ExplainPredictsAndBuildsNothing) {
+  const auto cache = folder_.path() / "cache";
+  ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
+  const json j = runJson("build sphere:0.05 cuboid:9,9,9 --voxel 0.003 --point 0.004 --explain");
+  EXPECT_FALSE(exists(cache));
+  ASSERT_EQ(j["explained"].size(), 2u);
+  const json& rows = j["explained"][0]["rows"];
+  ASSERT_EQ(rows.size(), 6u);
+  int asked = 0;
+  for (const json& row : rows) {
+    for (const char* key : {"error_bound", "memory_bytes", "points", "build_ms", "distance_us", "contact_us"})
+      EXPECT_GT(row[key].get<double>(), 0.0) << key;
+    if (row["asked"] == true) {
+      ++asked;
+      EXPECT_EQ(row["voxel"], 0.003);
+      EXPECT_EQ(row["point"], 0.004);
+    }
+  }
+  EXPECT_EQ(asked, 1);
+  // Nine metres in millimetres are too many voxels.
+  EXPECT_TRUE(j["explained"][1]["rows"].back()["refused"].is_string());
+  for (const char* key : {"error_bound", "memory_bytes", "points", "build_ms", "distance_us", "contact_us"})
+    EXPECT_TRUE(j["rules"].contains(key)) << key;
+  const Answer text = run("build sphere:0.05 --explain");
+  EXPECT_NE(text.out.find("*   5.00   5.00"), std::string::npos) << text.out;
+}
+
 // The same numbers from the cache; damage is noticed and mended; --no-cache leaves it alone.
 TEST_F(Cli, BuildKeepsStructuresAndNoticesDamage) {
   const auto cache = folder_.path() / "cache";
