@@ -124,10 +124,10 @@ nlohmann::ordered_json explainRules() {
       {"build_ms", "phases of the coarse build on this machine, each scaled by voxels, blocks or points"},
       {"distance_us",
        "timed on the coarse build, two of the body a tenth of its size apart; grows with "
-       "log(points)"},
+       "the root of the points"},
       {"contact_us",
-       "timed on the coarse build, two of the body pressed 2 % of its size together; grows with "
-       "the points"}};
+       "timed on the coarse build, two of the body pressed 2 % of its size together; what it takes "
+       "more than a distance grows with points^0.75"}};
 }
 
 }  // namespace abstand::cli

@@ -29,9 +29,8 @@ struct ResolutionEstimate {
 ///   error     the field's part grows with the voxel, the shell's is kCovering spacings at most.
 ///   time      of the phases of the coarse build: voxels, blocks and points, each by its own count. Good to a
 ///             factor of two on a quiet machine; nothing depends on it.
-///   queries   of the coarse body, timed; a distance grows with the tree's depth, a contact with the points
-///   in
-///             it. Good to a factor of three.
+///   queries   of the coarse body, timed; a distance grows with the root of the number of points, what a
+///             contact takes more with its power 0.75. Good to a factor of three.
 /// A resolution that is coarser than the probe is built instead. Not shared between threads.
 class ResolutionProbe {
  public:
