@@ -135,6 +135,7 @@ bool StructureCache::read(const fs::path& path, const ContentKey& key, T& value)
   const std::uintmax_t size = fs::file_size(path, ec);
   if (ec) return false;
   std::ifstream in(path, std::ios::binary);
+  if (!in) return false;  // taken away meanwhile
   try {
     take(in, size, key, value);
   } catch (const ArchiveError& e) {
