@@ -46,6 +46,8 @@ nlohmann::ordered_json benchFk() {
 nlohmann::ordered_json benchScene(const CommandLine& line, const Benchmark& benchmark) {
   SessionOptions options;
   options.threads = 1;
+  options.cache = false;
+  options.monitor = buildMonitor(line);
   Session session(loadScene(dataFolder() / "scenes" / benchmark.scene), options);
   RunOptions run;
   run.progress = progressBar(line, benchmark.name);

@@ -1,12 +1,12 @@
 // abstand build: haptic structures of meshes and shapes.
 #include <iostream>
 
-#include "app/cli/command_line.hpp"
+#include "app/cli/build_texts.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
 #include "core/geometry/mesh_file.hpp"
-#include "core/haptic/haptic_structure.hpp"
+#include "core/haptic/structure_cache.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -17,6 +17,7 @@ struct Arguments {
   std::vector<std::string> meshes;
   std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
   int outer_layers{20};
+  bool explain{false};
 };
 
 struct Body {
@@ -25,11 +26,11 @@ struct Body {
   std::vector<std::string> remarks;
 };
 
-Body load(const std::string& text, double scale) {
+Body load(const std::string& text, double scale, StructureCache& cache) {
   if (const auto shape = parseShape(text)) return {text, makeSurface(*shape), {}};
   LoadedMesh mesh = loadMesh(text, scale);
   Body body{std::filesystem::path(text).stem().string(), nullptr, mesh.report.remarks};
-  body.surface = makeSurface(std::move(mesh.mesh));
+  body.surface = makeSurface(cache, std::move(mesh.mesh));
   return body;
 }
 
@@ -58,7 +59,8 @@ void writeStructure(const HapticStructure& s, const std::filesystem::path& folde
   writeShell(s.shell, folder / (stem + ".shell.ply"));
 }
 
-nlohmann::ordered_json structureJson(const HapticStructure& s, const Body& body) {
+nlohmann::ordered_json structureJson(const MadeStructure& made, const Body& body) {
+  const HapticStructure& s = *made.structure;
   return {{"name", s.name},
           {"triangles", s.triangles},
           {"watertight", s.surface->watertight()},
@@ -69,11 +71,45 @@ nlohmann::ordered_json structureJson(const HapticStructure& s, const Body& body)
           {"levels", s.tree.levels},
           {"memory_bytes", s.memoryBytes()},
           {"build_ms", s.build_ms},
+          {"cached", made.cached},
+          {"made_ms", made.made_ms},
           {"error_bound", s.errorBound()},
           {"covering_radius", s.shell.covering_radius},
           {"field", fieldName(s.options.field)},
           {"volume", s.mass_properties.volume},
           {"remarks", body.remarks}};
+}
+
+std::string timeText(const MadeStructure& made) {
+  if (!made.cached) return format("built in %.0f ms", made.structure->build_ms);
+  return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
+}
+
+/// Builds one body, or explains it; both add to the document and the text.
+void make(const CommandLine& line, const Arguments& args, const HapticOptions& options,
+          const std::string& name, StructureCache& cache, nlohmann::ordered_json& document,
+          std::string& text) {
+  const Body body = load(name, number(args.scale, "--scale"), cache);
+  Said said;
+  if (args.explain) {
+    said = explain(body.name, body.surface, options, buildMonitor(line));
+    document["explained"].push_back(said.json);
+    text += said.text;
+  } else {
+    const MadeStructure made =
+        makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+    const HapticStructure& s = *made.structure;
+    if (!args.out.empty()) writeStructure(s, args.out);
+    said = sayReport(reportOn(s));
+    document["structures"].push_back(structureJson(made, body));
+    document["structures"].back()["report"] = said.json;
+    text += format("%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %s\n",
+                   s.name.c_str(), s.grid.size.x(), s.grid.size.y(), s.grid.size.z(), s.shell.size(),
+                   s.triangles, s.surface->watertight() ? "" : " (not watertight)", 1e3 * s.errorBound(),
+                   static_cast<double>(s.memoryBytes()) * 1e-6, timeText(made).c_str());
+    text += said.text;
+  }
+  for (const auto& remark : body.remarks) text += "  " + remark + "\n";
 }
 
 int run(const CommandLine& line, const Arguments& args) {
@@ -83,30 +119,25 @@ int run(const CommandLine& line, const Arguments& args) {
   options.outer_layers = args.outer_layers;
   options.field = *parseFieldKind(args.field);
   options.validate();
-  const double scale = number(args.scale, "--scale");
 
-  nlohmann::ordered_json document{{"structures", nlohmann::ordered_json::array()}};
+  StructureCache cache(line.cache ? userCacheFolder() : std::filesystem::path());
+  nlohmann::ordered_json document;
+  document[args.explain ? "explained" : "structures"] = nlohmann::ordered_json::array();
+  if (args.explain) document["rules"] = explainRules();
   std::string text;
   auto failed = nlohmann::ordered_json::array();
   for (const auto& name : args.meshes) {
     try {
-      const Body body = load(name, scale);
-      const auto s = buildHapticStructure(body.name, body.surface, options);
-      if (!args.out.empty()) writeStructure(*s, args.out);
-      document["structures"].push_back(structureJson(*s, body));
-      text += format(
-          "%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %.0f ms\n",
-          s->name.c_str(), s->grid.size.x(), s->grid.size.y(), s->grid.size.z(), s->shell.size(),
-          s->triangles, s->surface->watertight() ? "" : " (not watertight)", 1e3 * s->errorBound(),
-          static_cast<double>(s->memoryBytes()) * 1e-6, s->build_ms);
-      for (const auto& remark : body.remarks) text += "  " + remark + "\n";
+      make(line, args, options, name, cache, document, text);
     } catch (const ParseError& e) {
       if (args.meshes.size() == 1) throw;
       std::cerr << e.what() << std::endl;
       failed.push_back({{"name", name}, {"error", e.what()}});
     }
+    for (const auto& warning : cache.takeWarnings()) line.warn(warning);
   }
   if (!failed.empty()) document["failed"] = failed;
+  if (args.explain) text += "* as asked; predicted, nothing was built. How: abstand build --explain --json\n";
   line.print(document, text);
   if (failed.empty()) return kDone;
   return failed.size() == args.meshes.size() ? kBadInput : kPartly;
@@ -131,6 +162,10 @@ void addBuild(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
   command->add_option("--scale", args->scale, "metres a unit of the mesh files");
   command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each");
+  command->add_flag(
+      "--explain", args->explain,
+      "build nothing: predict error, memory, points, time and cost of this and other resolutions");
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -44,6 +44,8 @@ int run(const CommandLine& line, const Arguments& args) {
     SessionOptions options;
     options.recording = recording;
     options.poses = args.poses;
+    options.cache = line.cache;
+    options.monitor = buildMonitor(line);
     Session session(scene, options);
     if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
     DistanceCheck check(session.scene(), limit, !args.margins.empty(), recording);
@@ -96,6 +98,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
   command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
   command->add_flag("--strict", args->strict,
                     "fail also where distance minus its error bound is below the limit");
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -44,6 +44,11 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
   return command;
 }
 
+void addCacheFlag(CLI::App* command, CommandLine& line) {
+  command->add_flag("--no-cache{false}", line.cache,
+                    "build all structures anew (they are kept in ~/.cache/abstand, or $ABSTAND_CACHE)");
+}
+
 double number(const std::string& text, const std::string& option) {
   const auto v = parseDouble(text);
   if (!v) throw UsageError(option + ": found '" + text + "', expected a finite number");
@@ -91,6 +96,18 @@ std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& lin
     std::fprintf(stderr, "\r%s %3zu %%%s", label.c_str(), percent, done == all ? "\n" : "");
     std::fflush(stderr);
   };
+}
+
+BuildMonitor buildMonitor(const CommandLine& line) {
+  BuildMonitor monitor;
+  monitor.cancelled = interrupted;
+  if (const auto bar = progressBar(line, "build")) {
+    monitor.progress = [bar](double fraction, std::string_view) {
+      constexpr std::size_t kAll = 1000;
+      bar(static_cast<std::size_t>(fraction * kAll), kAll);
+    };
+  }
+  return monitor;
 }
 
 std::string format(const char* pattern, ...) {

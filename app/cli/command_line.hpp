@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/haptic/build_progress.hpp"
+
 namespace abstand::cli {
 
 inline constexpr int kSchemaVersion = 1;
@@ -26,6 +28,7 @@ enum ExitCode : int {
 struct CommandLine {
   bool json{false};
   bool quiet{false};
+  bool cache{true};          ///< structures may come from the user's cache folder
   std::function<int()> run;  ///< set by the subcommand that was chosen
 
   /// One JSON document, or the text for people, on stdout; nothing with --quiet (but JSON when asked for).
@@ -37,6 +40,9 @@ struct CommandLine {
 /// A subcommand with --json, --quiet and an example in its help.
 CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
                      const std::string& example);
+
+/// --no-cache, for commands that need haptic structures.
+void addCacheFlag(CLI::App* command, CommandLine& line);
 
 void addFk(CLI::App& root, CommandLine& line);
 void addBuild(CLI::App& root, CommandLine& line);
@@ -62,6 +68,9 @@ void catchInterrupts();
 
 /// A progress bar on stderr when that is a terminal and neither --quiet nor NO_COLOR forbid it.
 std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label);
+
+/// Progress bar and Ctrl-C for the building of structures.
+BuildMonitor buildMonitor(const CommandLine& line);
 
 /// printf into a string.
 std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));

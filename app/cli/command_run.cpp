@@ -34,6 +34,7 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
     j["slowest_pair"] = {
         {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
   j["build_ms"] = s.build_ms;
+  j["cached_structures"] = session.cachedStructures();
   j["memory_bytes"] = s.memory_bytes;
   j["stale"] = s.stale;
   j["remarks"] = session.remarks();
@@ -69,6 +70,8 @@ int run(const CommandLine& line, Arguments& args) {
   args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
   args.run.interrupted = interrupted;
+  args.session.cache = line.cache;
+  args.session.monitor = buildMonitor(line);
   Session session(loadScene(args.scene), args.session);
   const RunSummary summary = runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
@@ -99,6 +102,7 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option("--session", args->run.session_log, "HDF5 log of the run");
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

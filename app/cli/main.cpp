@@ -18,6 +18,8 @@ int fail(int code, const std::string& text) {
 int runCommand(const cli::CommandLine& line) {
   try {
     return line.run();
+  } catch (const BuildCancelled&) {
+    return fail(cli::kInterrupted, "abstand: interrupted");
   } catch (const ParseError& e) {
     return fail(cli::kBadInput, e.what());
   } catch (const UsageError& e) {

@@ -14,7 +14,8 @@ std::string fileName(const std::filesystem::path& p) { return p.filename().strin
 }  // namespace
 
 Session::Session(SceneDescription description, const SessionOptions& options)
-    : description_(std::move(description)) {
+    : description_(std::move(description)),
+      library_(options.cache ? userCacheFolder() : std::filesystem::path()) {
   if (!options.recording.empty())
     for (auto& human : description_.humans) human.recording.file = options.recording;
 
@@ -24,7 +25,7 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   planHumans(plan);
   planObjects(plan);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
-  library_.build();
+  library_.build(0, options.monitor);
 
   for (auto& body : plan)
     body.placed(scene_.addObject({body.name, body.group, library_.get(body.key), body.margin}));

@@ -17,6 +17,8 @@ struct SessionOptions {
   std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
+  bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
+  BuildMonitor monitor;             ///< of the structures
 };
 
 /// Loads everything that a scene names, builds the haptic structures, and steps. Not shared between threads.
@@ -44,6 +46,8 @@ class Session {
   const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }
   const std::vector<double>& jointEfforts() const { return joint_efforts_; }
   double buildMs() const { return library_.buildMs(); }
+  /// How many of the structures came from the cache.
+  std::size_t cachedStructures() const { return library_.cached(); }
   /// What a user should know: remarks about meshes, guesses and gaps of recordings.
   const std::vector<std::string>& remarks() const { return remarks_; }
   SceneOutline outline() const;

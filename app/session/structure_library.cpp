@@ -1,6 +1,9 @@
 #include "app/session/structure_library.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -33,42 +36,108 @@ std::string optionsText(const HapticOptions& o) {
          std::to_string(o.outer_layers) + "|" + std::string(fieldName(o.field));
 }
 
+/// One bar for structures that are built side by side.
+class SharedProgress {
+ public:
+  SharedProgress(const BuildMonitor& monitor, const std::vector<double>& work)
+      : monitor_(monitor), work_(work), done_(work.size(), 0.0) {
+    for (const double w : work) all_ += w;
+  }
+
+  /// For structure number i.
+  BuildMonitor part(std::size_t i, const std::string& name) {
+    BuildMonitor part;
+    part.cancelled = monitor_.cancelled;
+    if (monitor_.progress)
+      part.progress = [this, i, name](double fraction, std::string_view) { tell(i, fraction, name); };
+    return part;
+  }
+
+ private:
+  void tell(std::size_t i, double fraction, const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    done_[i] = fraction * work_[i];
+    double sum = 0.0;
+    for (const double d : done_) sum += d;
+    monitor_.progress(std::min(1.0, sum / all_), name);
+  }
+
+  const BuildMonitor& monitor_;
+  const std::vector<double>& work_;
+  std::vector<double> done_;
+  double all_{0.0};
+  std::mutex mutex_;
+};
+
 }  // namespace
 
 StructureLibrary::Key StructureLibrary::add(const std::string& identity, std::string name,
-                                            std::shared_ptr<const Surface> surface,
-                                            const HapticOptions& options) {
+                                            std::shared_ptr<Body> body, const HapticOptions& options) {
   options.validate();
   const auto [it, fresh] = by_identity_.try_emplace(identity + optionsText(options), entries_.size());
-  if (fresh) entries_.push_back({std::move(name), std::move(surface), options, nullptr});
+  if (fresh) entries_.push_back({std::move(name), std::move(body), options, nullptr});
   return it->second;
 }
 
 StructureLibrary::Key StructureLibrary::request(const Shape& shape, const HapticOptions& options) {
   const std::string identity = shapeText(shape);
-  auto& surface = surfaces_[identity];
-  if (!surface) surface = makeSurface(shape);
-  return add(identity, identity, surface, options);
+  auto& body = bodies_[identity];
+  if (!body) body = std::make_shared<Body>(Body{{}, makeSurface(shape)});
+  return add(identity, identity, body, options);
 }
 
 StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mesh, double scale,
                                                 const HapticOptions& options) {
   const std::string identity = mesh.string() + "*" + formatDouble(scale);
-  auto& surface = surfaces_[identity];
-  if (!surface) {
+  auto& body = bodies_[identity];
+  if (!body) {
     LoadedMesh loaded = loadMesh(mesh, scale);
     for (const auto& remark : loaded.report.remarks) remarks_.push_back(mesh.string() + ": " + remark);
-    surface = makeSurface(std::move(loaded.mesh));
+    body = std::make_shared<Body>(Body{std::move(loaded.mesh), nullptr});
   }
-  return add(identity, mesh.stem().string(), surface, options);
+  return add(identity, mesh.stem().string(), body, options);
 }
 
-void StructureLibrary::build(int threads) {
-  const auto begin = std::chrono::steady_clock::now();
-  parallelFor(threads, entries_.size(), [&](std::size_t i) {
-    Entry& e = entries_[i];
-    if (!e.structure) e.structure = buildHapticStructure(e.name, e.surface, e.options, 1);
+void StructureLibrary::makeSurfaces(int threads) {
+  std::vector<Body*> missing;
+  for (const auto& [identity, body] : bodies_)
+    if (!body->surface) missing.push_back(body.get());
+  // The largest first, so that the cores end together.
+  std::stable_sort(missing.begin(), missing.end(), [](const Body* l, const Body* r) {
+    return l->mesh.triangles.size() > r->mesh.triangles.size();
   });
+  parallelFor(threads, missing.size(),
+              [&](std::size_t i) { missing[i]->surface = makeSurface(cache_, std::move(missing[i]->mesh)); });
+}
+
+void StructureLibrary::build(int threads, const BuildMonitor& monitor) {
+  const auto begin = std::chrono::steady_clock::now();
+  makeSurfaces(threads);
+  std::vector<Entry*> missing;
+  for (Entry& e : entries_) {
+    if (e.structure) continue;
+    const double h = e.options.voxel_size, s = e.options.point_spacing;
+    e.work = e.body->surface->area() * (1.0 / (h * h) + 1.0 / (s * s));
+    missing.push_back(&e);
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const Entry* l, const Entry* r) { return l->work > r->work; });
+  std::vector<double> work;
+  for (const Entry* e : missing) work.push_back(e->work);
+
+  SharedProgress progress(monitor, work);
+  std::atomic<std::size_t> cached{0};
+  const int all = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int each = std::max(1, all / static_cast<int>(std::max<std::size_t>(1, missing.size())));
+  parallelFor(threads, missing.size(), [&](std::size_t i) {
+    Entry& e = *missing[i];
+    const MadeStructure made =
+        makeHapticStructure(cache_, e.name, e.body->surface, e.options, each, progress.part(i, e.name));
+    e.structure = made.structure;
+    if (made.cached) ++cached;
+  });
+  cached_ += cached;
+  for (std::string& warning : cache_.takeWarnings()) remarks_.push_back(std::move(warning));
   build_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 

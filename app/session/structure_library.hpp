@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/mesh_report.hpp"
-#include "core/haptic/haptic_structure.hpp"
+#include "core/haptic/structure_cache.hpp"
 
 namespace abstand {
 
@@ -17,31 +17,48 @@ namespace abstand {
 class StructureLibrary {
  public:
   using Key = std::size_t;
+  /// Structures are looked for and kept in the folder; empty: none.
+  explicit StructureLibrary(std::filesystem::path cache_folder) : cache_(std::move(cache_folder)) {}
+
   Key request(const Shape& shape, const HapticOptions& options);
   /// Reads the mesh at once. Throws ParseError for a file that is no mesh.
   Key request(const std::filesystem::path& mesh, double scale, const HapticOptions& options);
 
-  void build(int threads = 0);
+  /// On `threads` threads (0: all cores); the result does not depend on the number. Throws UsageError for a
+  /// mesh without area and for options that do not fit a body, and BuildCancelled.
+  void build(int threads = 0, const BuildMonitor& monitor = {});
   std::shared_ptr<const HapticStructure> get(Key key) const { return entries_[key].structure; }
+  /// Wall time of build().
   double buildMs() const { return build_ms_; }
-  /// Remarks about the meshes, "FILE: text".
+  /// How many structures the cache had, and how many are there.
+  std::size_t cached() const { return cached_; }
+  std::size_t size() const { return entries_.size(); }
+  /// Remarks about the meshes, "FILE: text", and about the cache.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
+  struct Body {
+    TriangleMesh mesh;  ///< until the surface is made
+    std::shared_ptr<const Surface> surface;
+  };
   struct Entry {
     std::string name;
-    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<Body> body;
     HapticOptions options;
     std::shared_ptr<const HapticStructure> structure;
+    double work{0.0};  ///< grows with the time that building takes; no unit
   };
-  Key add(const std::string& identity, std::string name, std::shared_ptr<const Surface> surface,
+  Key add(const std::string& identity, std::string name, std::shared_ptr<Body> body,
           const HapticOptions& options);
+  void makeSurfaces(int threads);
 
+  StructureCache cache_;
   std::vector<Entry> entries_;
   std::map<std::string, Key> by_identity_;
-  std::map<std::string, std::shared_ptr<const Surface>> surfaces_;
+  std::map<std::string, std::shared_ptr<Body>> bodies_;
   std::vector<std::string> remarks_;
   double build_ms_{0.0};
+  std::size_t cached_{0};
 };
 
 }  // namespace abstand

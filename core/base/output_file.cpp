@@ -2,15 +2,21 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <locale>
 
 #include "core/base/error.hpp"
 
 namespace abstand {
 
+namespace {
+// Two threads may write the same file at once; the last one to end wins.
+std::atomic<unsigned> files_made{0};
+}  // namespace
+
 OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
   part_ = file_;
-  part_ += ".part" + std::to_string(::getpid());
+  part_ += ".part" + std::to_string(::getpid()) + "." + std::to_string(files_made.fetch_add(1));
   out_.open(part_, std::ios::binary | std::ios::trunc);
   out_.imbue(std::locale::classic());
   if (!out_) throw UsageError(file_.string() + ": cannot be written");

@@ -14,6 +14,12 @@ class MeshSurface final : public Surface {
   /// Takes a welded mesh; triangles without area are dropped. Throws UsageError for coordinates that are not
   /// finite, an index beyond the vertices, or no triangle left.
   explicit MeshSurface(TriangleMesh mesh);
+  /// Empty, to be filled by archive() and by nothing else.
+  MeshSurface() = default;
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(mesh_.vertices, mesh_.triangles, bounds_.lower, bounds_.upper, tree_, winding_, sides_);
+  }
 
   SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const override;
   bool inside(const Vector3d& p) const override;

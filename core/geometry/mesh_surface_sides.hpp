@@ -20,9 +20,14 @@ class MeshSides {
   /// For embedded meshes: p lies behind the surface at its nearest point (Baerentzen, Aanaes, Signed Distance
   /// Computation Using the Angle Weighted Pseudonormal, 2005).
   bool behind(const TriangleTree::Nearest& nearest, const Vector3d& p) const;
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(watertight_, embedded_, slots_, vertex_normals_);
+  }
 
  private:
   struct Slot {
+    using ArchivedAsBytes = void;
     std::uint32_t corner[3];  ///< vertices A, B, C
     std::uint32_t across[3];  ///< slot on the other side of edge i
     Vector3d normal;

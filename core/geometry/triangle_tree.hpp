@@ -63,9 +63,15 @@ class TriangleTree {
   template <class Fn>
   void forOverlapping(const Bounds& box, Fn&& fn) const;
 
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(origin_, scale_, nodes_, triangles_, leaves_);
+  }
+
  private:
   /// A triangle in its own frame: A at the origin, the longest edge AB along ex, C = (cx, cy) with cy > 0.
   struct Triangle {
+    using ArchivedAsBytes = void;
     Vector3d a, ex, ey, n;  ///< a relative to origin_
     double bx, cx, cy;
     std::uint32_t id;
@@ -76,6 +82,7 @@ class TriangleTree {
   /// A leaf's triangles side by side in float, to tell which of them are worth a look in double. Unused lanes
   /// repeat the last triangle.
   struct Leaf {
+    using ArchivedAsBytes = void;
     Lanes a[3], ex[3], ey[3], n[3];
     Lanes bx, cx, cy, ux;    ///< ux = bx - cx
     Lanes per_ac2, per_bc2;  ///< 1 / squared lengths of edges AC and BC

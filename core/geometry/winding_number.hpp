@@ -25,6 +25,10 @@ class WindingNumber {
   double at(const Vector3d& p, std::uint32_t without = TriangleTree::kNone) const;
   /// Every triangle one by one: the reference.
   double exactAt(const Vector3d& p, std::uint32_t without = TriangleTree::kNone) const;
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(nodes_, corners_);
+  }
 
  private:
   struct Dipole {
@@ -33,12 +37,14 @@ class WindingNumber {
     double far2{kInfinity};             ///< squared distance from which on the cluster is far
   };
   struct Corners {
+    using ArchivedAsBytes = void;
     Vector3d a, b, c;
   };
   struct Sums;
   Sums addNode(const TriangleTree& tree, std::uint32_t node);
 
   struct Node {
+    using ArchivedAsBytes = void;
     Dipole dipole[TriangleTree::kWidth];
     std::uint32_t index[TriangleTree::kWidth];
     std::uint32_t count[TriangleTree::kWidth];

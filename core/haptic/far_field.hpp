@@ -41,6 +41,10 @@ class FarField {
     float outermost;              ///< kRatio of the last level
     float ball;                   ///< m, radius of a ball about the centre that holds the body
     const std::uint16_t* values;
+    template <class Archive>
+    void archive(Archive& ar) {
+      ar(centre, inv_half, middle, n, levels, width, inv_h, h2, q2, rounding, outermost, ball);
+    }
   };
 
   FarField() = default;

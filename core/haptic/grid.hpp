@@ -23,6 +23,10 @@ struct VoxelGrid {
   bool contains(const Vector3i& v) const {
     return (v.array() >= 0).all() && (v.array() < size.array()).all();
   }
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(first_centre, voxel_size, size);
+  }
 };
 
 /// Of one grid.

@@ -20,6 +20,10 @@ struct HapticOptions {
   FieldKind field{FieldKind::kMixed};
   /// Throws UsageError with name, value and rule.
   void validate() const;
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(voxel_size, point_spacing, outer_layers, field);
+  }
 };
 
 }  // namespace abstand

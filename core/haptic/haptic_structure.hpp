@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/haptic/build_progress.hpp"
 #include "core/haptic/field_view.hpp"
 #include "core/haptic/haptic_options.hpp"
 #include "core/haptic/support_map.hpp"
@@ -43,11 +44,20 @@ struct HapticStructure {
   /// What searches read. Views point into the members.
   FieldView fieldView() const;
   TreeView treeView(const Transform& X_FP) const;
+  /// All but name and surface.
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(options, voxelmap, near_field, far_field, support, shell, tree, mass_properties.volume, mass_properties.com,
+       mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius, grid, surface_voxels,
+       solid_voxels, triangles, build_ms);
+  }
 };
 
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
+/// Throws UsageError for options that do not fit the body, and BuildCancelled when the monitor says so.
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
                                                             std::shared_ptr<const Surface> surface,
-                                                            const HapticOptions& options, int threads = 0);
+                                                            const HapticOptions& options, int threads = 0,
+                                                            const BuildMonitor& monitor = {});
 
 }  // namespace abstand

@@ -26,6 +26,10 @@ struct Pointshell {
   std::size_t size() const { return x.size(); }
   Vector3d point(std::size_t i) const { return Vector3d(x[i], y[i], z[i]); }
   Vector3d normal(std::size_t i) const { return Vector3d(nx[i], ny[i], nz[i]); }
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(x, y, z, nx, ny, nz, area, spacing, covering_radius);
+  }
 };
 
 /// Samples uniformly with the pitch `spacing` (m), the same on every run: farthest-point sampling (Gonzalez

@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/geometry/hull_vertices.hpp"
+#include "core/geometry/convex_hull.hpp"
 #include "core/haptic/search_kernels.hpp"
 
 namespace abstand {
 namespace {
 
 // Relative to the radius: points and directions in float, three products and two sums, and storing.
+// Of the largest coordinate; far below kRounding.
+constexpr double kOutside = 1e-12;
 constexpr std::size_t kLanes = 8;
 constexpr float kRounding = 8.0f * 0x1p-24f;
 
@@ -26,6 +28,17 @@ struct ShapeSupport {
   }
   double operator()(const Capsule& s) const { return s.radius * g.norm() + 0.5 * s.length * std::abs(g.z()); }
 };
+
+/// The corners of the mesh's hull; all of its vertices where there is no telling.
+std::vector<Vector3d> hullCorners(const TriangleMesh& mesh) {
+  const std::optional<ConvexHull> hull = convexHull(mesh.vertices);
+  double largest = 0.0;
+  for (const Vector3d& p : mesh.vertices) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  if (!hull || hull->farthest_outside > kOutside * largest) return mesh.vertices;
+  std::vector<Vector3d> corners;
+  for (const std::uint32_t i : hull->corners) corners.push_back(mesh.vertices[i]);
+  return corners;
+}
 
 /// The direction through the corner (u, v) of a face of the cube [-1, 1]^3.
 Vector3f corner(int face, float u, float v) {
@@ -43,12 +56,10 @@ float along(int i) { return 2.0f * static_cast<float>(i) / SupportMap::kCells - 
 
 SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const Vector3d& centre,
                        int threads) {
-  if (const Shape* shape = surface.shape()) {
-    shape_ = *shape;
-    return;
-  }
+  setShape(surface);
+  if (shape_) return;
   centre_ = centre;
-  for (const Vector3d& vertex : hullVertices(mesh.vertices)) {
+  for (const Vector3d& vertex : hullCorners(mesh)) {
     const Vector3f p = (vertex - centre).cast<float>();
     radius_ = std::max(radius_, p.norm());
     x_.push_back(p.x());
@@ -65,6 +76,10 @@ SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const V
       values_[row * kCorners + static_cast<std::size_t>(i)] = reach(g);
     }
   });
+}
+
+void SupportMap::setShape(const Surface& surface) {
+  if (const Shape* shape = surface.shape()) shape_ = *shape;
 }
 
 float SupportMap::reach(const Vector3f& g) const {

@@ -25,11 +25,13 @@ class SupportMap {
   /// `mesh`: that of the surface; `centre`: about the middle of the body, where rounding is smallest.
   SupportMap(const Surface& surface, const TriangleMesh& mesh, const Vector3d& centre, int threads = 0);
 
+  /// Archives hold no shapes: to be called after reading one.
+  void setShape(const Surface& surface);
+
   /// Not below h(g), for finite g of any length but 0. m times the length of g.
   double upper(const Vector3d& g) const;
   /// The same, and above h(g) by rounding in float only: looks at every corner of the hull.
   double closeUpper(const Vector3d& g) const;
-  bool isExact() const { return shape_.has_value(); }
   std::size_t memoryBytes() const { return sizeof(float) * (values_.capacity() + 3 * x_.capacity()); }
   template <class Archive>
   void archive(Archive& ar) {

@@ -20,6 +20,10 @@ struct Voxelmap {
   bool inside_doubtful{false};      ///< the mesh is not watertight; winding numbers decided
 
   std::int16_t at(const Vector3i& v) const { return layer[grid.index(v.x(), v.y(), v.z())]; }
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(grid, layer, surface_voxels, solid_voxels, inside_doubtful);
+  }
 };
 
 /// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.

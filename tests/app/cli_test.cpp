@@ -20,6 +20,7 @@ struct Answer {
 
 class Cli : public ::testing::Test {
  protected:
+  ~Cli() override { ::setenv("ABSTAND_CACHE", "off", 1); }
   ScratchFolder folder_;
 
   Answer run(const std::string& arguments) {
@@ -110,6 +111,104 @@ TEST_F(Cli, BuildGivesTheThesisSphere) {
   for (const char* key : {"name", "triangles", "watertight", "surface_voxels", "solid_voxels", "levels",
                           "memory_bytes", "build_ms", "error_bound"})
     EXPECT_TRUE(s.contains(key)) << key;
+}
+
+TEST_F(Cli, BuildReportsWhatToKnow) {
+  const json r = runJson("build cuboid:0.2,0.1,0.004")["structures"][0]["report"];
+  EXPECT_EQ(r["leaks"], json({{"open_edges", 0}, {"non_manifold_edges", 0}, {"flipped_edges", 0}}));
+  EXPECT_EQ(r["inside_doubtful"], false);
+  EXPECT_EQ(r["thin_walls"]["below"], 0.01);
+  EXPECT_NEAR(r["thin_walls"]["thinnest"].get<double>(), 0.004, 1e-6);
+  EXPECT_GT(r["thin_walls"]["share"].get<double>(), 0.9);
+  EXPECT_EQ(r["thin_walls"]["where"].size(), 3u);
+  EXPECT_EQ(r["convex_hull"]["volume_ratio"], 1.0);
+  const json ball = runJson("build sphere:0.05")["structures"][0]["report"];
+  EXPECT_TRUE(ball["thin_walls"]["thinnest"].is_null());
+}
+
+TEST_F(Cli, ExplainPredictsAndBuildsNothing) {
+  const auto cache = folder_.path() / "cache";
+  ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
+  const json j = runJson("build sphere:0.05 cuboid:9,9,9 --voxel 0.003 --point 0.004 --explain");
+  EXPECT_FALSE(exists(cache));
+  ASSERT_EQ(j["explained"].size(), 2u);
+  const json& rows = j["explained"][0]["rows"];
+  ASSERT_EQ(rows.size(), 6u);
+  int asked = 0;
+  for (const json& row : rows) {
+    for (const char* key : {"error_bound", "memory_bytes", "points", "build_ms", "distance_us", "contact_us"})
+      EXPECT_GT(row[key].get<double>(), 0.0) << key;
+    if (row["asked"] == true) {
+      ++asked;
+      EXPECT_EQ(row["voxel"], 0.003);
+      EXPECT_EQ(row["point"], 0.004);
+    }
+  }
+  EXPECT_EQ(asked, 1);
+  // Nine metres in millimetres are too many voxels.
+  EXPECT_TRUE(j["explained"][1]["rows"].back()["refused"].is_string());
+  for (const char* key : {"error_bound", "memory_bytes", "points", "build_ms", "distance_us", "contact_us"})
+    EXPECT_TRUE(j["rules"].contains(key)) << key;
+  const Answer text = run("build sphere:0.05 --explain");
+  EXPECT_NE(text.out.find("*   5.00   5.00"), std::string::npos) << text.out;
+}
+
+// The same numbers from the cache; damage is noticed and mended; --no-cache leaves it alone.
+TEST_F(Cli, BuildKeepsStructuresAndNoticesDamage) {
+  const auto cache = folder_.path() / "cache";
+  ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
+  const auto build = [&](const std::string& more) {
+    return runJson("build sphere:0.05 --voxel 0.01 --point 0.01 " + more)["structures"][0];
+  };
+  json first = build("--no-cache");
+  EXPECT_FALSE(exists(cache));
+  EXPECT_EQ(first["cached"], false);
+  EXPECT_EQ(build("")["cached"], false);
+  json second = build("");
+  EXPECT_EQ(second["cached"], true);
+  for (const char* changes : {"cached", "made_ms", "build_ms"}) {
+    first.erase(changes);
+    second.erase(changes);
+  }
+  EXPECT_EQ(first, second);
+
+  const auto file = std::filesystem::directory_iterator(cache)->path();
+  std::string bytes = readFile(file);
+  bytes[bytes.size() / 2] ^= 1;
+  folder_.write("cache/" + file.filename().string(), bytes);
+  const Answer damaged = run("build sphere:0.05 --voxel 0.01 --point 0.01 --json");
+  EXPECT_EQ(damaged.code, 0);
+  EXPECT_NE(damaged.err.find("warning: " + file.string() + " is damaged"), std::string::npos) << damaged.err;
+  EXPECT_EQ(json::parse(damaged.out)["structures"][0]["cached"], false);
+  EXPECT_EQ(build("")["cached"], true);
+}
+
+TEST_F(Cli, RunGivesTheSameFromTheCache) {
+  ::setenv("ABSTAND_CACHE", (folder_.path() / "cache").c_str(), 1);
+  const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(-0.01));
+  std::string csv[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string pairs = (folder_.path() / "p.csv").string();
+    const json j = runJson("run " + scene + " --poses " + poses + " --pairs-out " + pairs);
+    EXPECT_EQ(j["cached_structures"], i == 0 ? 0 : 2);
+    csv[i] = readFile(pairs);
+  }
+  EXPECT_EQ(csv[0], csv[1]);
+}
+
+TEST_F(Cli, CtrlCEndsABuildAndLeavesNothing) {
+  const auto cache = folder_.path() / "cache";
+  ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
+  // Without the signal this would take minutes.
+  const auto err = folder_.path() / "err";
+  const std::string command = "timeout --preserve-status -s INT 2 '" ABSTAND_PROGRAM
+                              "' build sphere:0.5 --voxel 0.002 --point 0.001 2>'" +
+                              err.string() + "'";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(readFile(err), "abstand: interrupted\n");
+  EXPECT_FALSE(exists(cache));
 }
 
 TEST_F(Cli, BuildOfGoodAndBadIsPartlyDone) {

@@ -1,0 +1,13 @@
+# cmake -DSOURCES=a;b;c -DOUT=file -P WriteFingerprint.cmake: a header with a fingerprint of the sources.
+set(all "")
+foreach(source IN LISTS SOURCES)
+  file(SHA256 ${source} hash)
+  string(APPEND all ${hash})
+endforeach()
+string(SHA256 hash "${all}")
+string(SUBSTRING ${hash} 0 16 short)
+file(WRITE ${OUT} "// Made by scripts/cmake/WriteFingerprint.cmake.\n#pragma once\n\n#include <cstdint>\n
+namespace abstand {\n
+/// Of the sources that structures are built by.
+inline constexpr std::uint64_t kEngineFingerprint = 0x${short};\n
+}  // namespace abstand\n")
