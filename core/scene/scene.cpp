@@ -21,7 +21,12 @@ void checkNotNegative(const char* what, double value) {
 
 class Scene::History : public MotionHistory<Scene::kMeanSamples> {};
 
-Scene::Scene() = default;
+/// On cache lines of its own.
+struct alignas(64) Scene::Scratch {
+  PairScratch of_query;
+};
+
+Scene::Scene() : scratch_(1) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
@@ -38,6 +43,9 @@ ObjectId Scene::addObject(ObjectSpec spec) {
   objects_.push_back(std::move(object));
   pairs_of_.emplace_back();
   histories_.emplace_back();
+  has_moved_.push_back(false);
+  renewed_at_.push_back(0);
+  moved_.reserve(objects_.capacity());
   return id;
 }
 
@@ -53,9 +61,11 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, options, {}, {}});
+  pairs_.push_back({a, b, options, {}});
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
+  for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
+  enqueue(id);
   return id;
 }
 
@@ -68,6 +78,7 @@ void Scene::setThreads(int threads) {
   if (threads == threads_) return;
   workers_.reset();
   threads_ = 1;
+  scratch_.resize(static_cast<std::size_t>(threads));
   if (threads > 1) workers_ = std::make_unique<PairWorkers>(threads - 1);
   threads_ = threads;
 }
@@ -78,6 +89,7 @@ void Scene::setMargin(ObjectId object, double margin) {
   for (const PairId id : pairs_of_[object.index()]) {
     Pair& pair = pairs_[id.index()];
     pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
+    enqueue(id);
   }
 }
 
@@ -85,9 +97,10 @@ void Scene::setForceLaw(ForceLaw law, double stiffness) {
   checkNotNegative("stiffness", stiffness);
   law_ = law;
   stiffness_ = stiffness;
-  for (Pair& pair : pairs_) {
-    pair.options.law = law;
-    pair.options.stiffness = stiffness;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    pairs_[i].options.law = law;
+    pairs_[i].options.stiffness = stiffness;
+    enqueue(PairId(i));
   }
 }
 
@@ -110,35 +123,106 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
     object.velocity = {way / dt, rotation / dt};
     object.mean_velocity = history.mean();
   }
+  if (object.X_WB.matrix() != X_WB.matrix()) touch(id);
   object.X_WB = X_WB;
   object.t = t;
   object.pose_state = state;
   return true;
 }
 
-void Scene::step() {
-  const auto query = [](void* context, std::size_t i) {
-    auto& scene = *static_cast<Scene*>(context);
-    Pair& pair = scene.pairs_[i];
-    const Object& a = scene.objects_[pair.a.index()];
-    const Object& b = scene.objects_[pair.b.index()];
-    queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, pair.scratch, pair.result);
+void Scene::touch(ObjectId id) {
+  if (has_moved_[id.index()]) return;
+  has_moved_[id.index()] = true;
+  moved_.push_back(id);
+}
+
+void Scene::enqueue(PairId id) {
+  Pair& pair = pairs_[id.index()];
+  if (pair.queued) return;
+  pair.queued = true;
+  pending_.push_back(id);
+}
+
+/// What the last steps left and the pairs of everything that has moved, each once, become the work of this
+/// step.
+void Scene::enqueueMoved() {
+  for (const PairId id : pending_) renewed_at_[pairs_[id.index()].a.index()] = steps_;
+  for (const ObjectId object : moved_) {
+    for (const PairId id : pairs_of_[object.index()]) enqueue(id);
+    has_moved_[object.index()] = false;
+    renewed_at_[object.index()] = steps_;
+  }
+  moved_.clear();
+  std::swap(renewed_, pending_);
+  pending_.clear();
+}
+
+/// task(pair, scratch) for each, on all threads.
+template <class Task>
+void Scene::spread(const std::vector<PairId>& pairs, Task task) {
+  struct Context {
+    Scene& scene;
+    const std::vector<PairId>& pairs;
+    Task& task;
+  } context{*this, pairs, task};
+  const auto one = [](void* c, std::size_t i, std::size_t thread) {
+    auto& [scene, list, work] = *static_cast<Context*>(c);
+    work(scene.pairs_[list[i].index()], scene.scratch_[thread].of_query);
   };
   if (workers_) {
-    workers_->run(pairs_.size(), query, this);
+    workers_->run(pairs.size(), one, &context);
   } else {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) query(this, i);
+    for (std::size_t i = 0; i < pairs.size(); ++i) one(&context, i, 0);
   }
+}
+
+void Scene::query(Pair& pair, PairScratch& scratch) const {
+  const Object& a = objects_[pair.a.index()];
+  const Object& b = objects_[pair.b.index()];
+  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
+}
+
+void Scene::step() {
+  ++steps_;
+  enqueueMoved();
+  spread(renewed_, [this](Pair& pair, PairScratch& scratch) { query(pair, scratch); });
+  takeStock();
   addUp();
 }
 
-void Scene::addUp() {
-  for (Object& object : objects_) {
-    object.contact = {};
-    object.contacts = 0;
-    object.colliding = false;
+/// What the renewed pairs change in what is known of all pairs.
+void Scene::takeStock() {
+  if (distances_.size() != pairs_.size()) {
+    distances_.resize(pairs_.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) distances_.set(i, pairs_[i].result.distance);
   }
-  for (const Pair& pair : pairs_) {
+  for (const PairId id : touching_) {
+    const Pair& pair = pairs_[id.index()];
+    for (const ObjectId object : {pair.a, pair.b}) {
+      objects_[object.index()].contact = {};
+      objects_[object.index()].contacts = 0;
+      objects_[object.index()].colliding = false;
+    }
+  }
+  bool begun = false, ended = false;
+  for (const PairId id : renewed_) {
+    Pair& pair = pairs_[id.index()];
+    pair.queued = false;
+    distances_.set(id.index(), pair.result.distance);
+    const bool touches = pair.result.contacts > 0;
+    if (touches == pair.touching) continue;
+    pair.touching = touches;
+    (touches ? begun : ended) = true;
+    if (touches) touching_.push_back(id);
+  }
+  if (ended) std::erase_if(touching_, [this](PairId id) { return !pairs_[id.index()].touching; });
+  if (begun) std::sort(touching_.begin(), touching_.end());
+}
+
+/// In pair order. Pairs without contacts would add zeros.
+void Scene::addUp() {
+  for (const PairId id : touching_) {
+    const Pair& pair = pairs_[id.index()];
     const PairResult& r = pair.result;
     Object& a = objects_[pair.a.index()];
     Object& b = objects_[pair.b.index()];
@@ -146,8 +230,13 @@ void Scene::addUp() {
     b.contact += {-r.force_a, r.torque_b};
     a.contacts += r.contacts;
     b.contacts += r.contacts;
-    if (r.contacts > 0) a.colliding = b.colliding = true;
+    a.colliding = b.colliding = true;
   }
+}
+
+std::optional<PairId> Scene::nearest() const {
+  const auto i = distances_.smallest();
+  return i ? std::optional(PairId(static_cast<std::uint32_t>(*i))) : std::nullopt;
 }
 
 const Object* Scene::find(const std::string& name, ObjectId* id) const {

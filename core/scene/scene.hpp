@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -11,6 +12,7 @@
 
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
+#include "core/scene/minimum_tree.hpp"
 
 namespace abstand {
 
@@ -44,15 +46,18 @@ struct Object {
 struct alignas(64) Pair {
   ObjectId a, b;
   PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
-  PairScratch scratch;
   PairResult result;
+  bool queued{false};    ///< the next step() looks at it
+  bool touching{false};  ///< is among Scene::touching()
 };
 
 class PairWorkers;
 
 /// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order,
-/// so the bits are the same for any number of threads. After the first step(), step() allocates nothing and
-/// locks nothing but the workers' barrier. Other threads read snapshots, never the scene.
+/// so the bits are the same for any number of threads. Pairs of two bodies that have not moved keep their
+/// results, which are those that a query would give again, so a step costs what has moved. After the first
+/// step(), step() allocates nothing and locks nothing but the workers' barrier. Other threads read snapshots,
+/// never the scene.
 class Scene {
  public:
   /// Poses in the mean velocity.
@@ -85,14 +90,25 @@ class Scene {
   /// recording) they start again from zero.
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
 
-  /// Queries every pair at the present poses and sums the totals of the objects.
+  /// Brings every pair's result up to the present poses and sums the totals of the objects.
   void step();
+  /// Steps so far.
+  long steps() const { return steps_; }
 
   std::size_t objectCount() const { return objects_.size(); }
   const Object& object(ObjectId id) const { return objects_[id.index()]; }
   const std::vector<Object>& objects() const { return objects_; }
   const std::vector<Pair>& pairs() const { return pairs_; }
   const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
+  /// Pairs whose results the last step() renewed; the others are as they were. In no order.
+  const std::vector<PairId>& renewed() const { return renewed_; }
+  /// Pairs with contacts, in order.
+  const std::vector<PairId>& touching() const { return touching_; }
+  /// The pair with the smallest distance, the first of equal ones; none before the first step().
+  std::optional<PairId> nearest() const;
+  /// The last step() (of steps()) that renewed a pair which is named with this object; every renewed pair
+  /// is named with one of its two.
+  long renewedAt(ObjectId id) const { return renewed_at_[id.index()]; }
   /// The object with this name, or null. The pointer holds until the next addObject.
   const Object* find(const std::string& name, ObjectId* id = nullptr) const;
   /// The thesis's relation table: the pairs of one object (row and column).
@@ -102,6 +118,14 @@ class Scene {
 
  private:
   class History;
+  struct Scratch;
+  template <class Task>
+  void spread(const std::vector<PairId>& pairs, Task task);
+  void enqueue(PairId id);
+  void enqueueMoved();
+  void touch(ObjectId id);
+  void query(Pair& pair, PairScratch& scratch) const;
+  void takeStock();
   void addUp();
 
   std::vector<Object> objects_;
@@ -110,10 +134,18 @@ class Scene {
   std::unordered_map<std::string, std::uint32_t> index_of_;
   std::unordered_set<std::uint64_t> pair_keys_;
   std::vector<History> histories_;
+  std::vector<ObjectId> moved_;  ///< since the last step()
+  std::vector<bool> has_moved_;
+  std::vector<PairId> pending_;  ///< to be looked at whatever has moved
+  std::vector<PairId> renewed_, touching_;
+  std::vector<long> renewed_at_;  ///< of each object
+  MinimumTree distances_;
+  std::vector<Scratch> scratch_;  ///< of each thread
   std::unique_ptr<PairWorkers> workers_;
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};
   int threads_{1};
+  long steps_{0};
 };
 
 }  // namespace abstand
