@@ -40,6 +40,7 @@ ObjectId Scene::addObject(ObjectSpec spec) {
     throw UsageError("object name `" + spec.name + "`: taken already, expected a new one");
   Object object;
   object.spec = std::move(spec);
+  reaches_.emplace_back(object.spec.structure->bounding_sphere);
   objects_.push_back(std::move(object));
   pairs_of_.emplace_back();
   histories_.emplace_back();
@@ -61,11 +62,11 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, options, {}});
+  pairs_.push_back({a, b, options, {}, {}});
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
-  enqueue(id);
+  renew(id);
   return id;
 }
 
@@ -89,7 +90,7 @@ void Scene::setMargin(ObjectId object, double margin) {
   for (const PairId id : pairs_of_[object.index()]) {
     Pair& pair = pairs_[id.index()];
     pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
-    enqueue(id);
+    renew(id);
   }
 }
 
@@ -100,8 +101,14 @@ void Scene::setForceLaw(ForceLaw law, double stiffness) {
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     pairs_[i].options.law = law;
     pairs_[i].options.stiffness = stiffness;
-    enqueue(PairId(i));
+    renew(PairId(i));
   }
+}
+
+void Scene::setSkipping(const Skipping& skipping) {
+  skipping.validate();
+  skipping_ = skipping;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 
 bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState state) {
@@ -123,7 +130,10 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
     object.velocity = {way / dt, rotation / dt};
     object.mean_velocity = history.mean();
   }
-  if (object.X_WB.matrix() != X_WB.matrix()) touch(id);
+  if (object.X_WB.matrix() != X_WB.matrix()) {
+    reaches_[id.index()].moveTo(X_WB);
+    touch(id);
+  }
   object.X_WB = X_WB;
   object.t = t;
   object.pose_state = state;
@@ -141,6 +151,12 @@ void Scene::enqueue(PairId id) {
   if (pair.queued) return;
   pair.queued = true;
   pending_.push_back(id);
+}
+
+/// The next step() queries it, whatever was proven.
+void Scene::renew(PairId id) {
+  pairs_[id.index()].rest.forget();
+  enqueue(id);
 }
 
 /// What the last steps left and the pairs of everything that has moved, each once, become the work of this
@@ -176,16 +192,34 @@ void Scene::spread(const std::vector<PairId>& pairs, Task task) {
   }
 }
 
-void Scene::query(Pair& pair, PairScratch& scratch) const {
+void Scene::check(Pair& pair, PairScratch& scratch) const {
   const Object& a = objects_[pair.a.index()];
   const Object& b = objects_[pair.b.index()];
   queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
+  pair.outcome = PairOutcome::kChecked;
+  if (!skipping_.any()) return;
+  // Fields may see a contact earlier by their error.
+  const double error = std::max(a.spec.structure->errorBound(), b.spec.structure->errorBound());
+  pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
+                 pair.options.margin + error, skipping_);
+}
+
+void Scene::visit(Pair& pair, PairScratch& scratch) const {
+  const ObjectReach& a = reaches_[pair.a.index()];
+  const ObjectReach& b = reaches_[pair.b.index()];
+  pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;
+  if (pair.outcome == PairOutcome::kChecked) {
+    check(pair, scratch);
+  } else {
+    pair.rest.proof().carry(objects_[pair.a.index()].X_WB, objects_[pair.b.index()].X_WB,
+                            pair.rest.lowerNow(a, b), pair.result);
+  }
 }
 
 void Scene::step() {
   ++steps_;
   enqueueMoved();
-  spread(renewed_, [this](Pair& pair, PairScratch& scratch) { query(pair, scratch); });
+  spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
   takeStock();
   addUp();
 }
@@ -204,10 +238,12 @@ void Scene::takeStock() {
       objects_[object.index()].colliding = false;
     }
   }
+  counts_ = {};
   bool begun = false, ended = false;
   for (const PairId id : renewed_) {
     Pair& pair = pairs_[id.index()];
     pair.queued = false;
+    ++counts_.of(pair.outcome);
     distances_.set(id.index(), pair.result.distance);
     const bool touches = pair.result.contacts > 0;
     if (touches == pair.touching) continue;

@@ -13,6 +13,7 @@
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
 #include "core/scene/minimum_tree.hpp"
+#include "core/scene/pair_rest.hpp"
 
 namespace abstand {
 
@@ -47,17 +48,27 @@ struct alignas(64) Pair {
   ObjectId a, b;
   PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
   PairResult result;
+  PairRest rest;
+  PairOutcome outcome{PairOutcome::kChecked};
   bool queued{false};    ///< the next step() looks at it
   bool touching{false};  ///< is among Scene::touching()
+};
+
+/// How the pairs of a step came to their results; those that nothing moved do not count.
+struct StepCounts {
+  long checked{0}, rested{0}, beyond{0};
+  long& of(PairOutcome outcome) {
+    return outcome == PairOutcome::kChecked ? checked : outcome == PairOutcome::kRested ? rested : beyond;
+  }
 };
 
 class PairWorkers;
 
 /// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order,
 /// so the bits are the same for any number of threads. Pairs of two bodies that have not moved keep their
-/// results, which are those that a query would give again, so a step costs what has moved. After the first
-/// step(), step() allocates nothing and locks nothing but the workers' barrier. Other threads read snapshots,
-/// never the scene.
+/// results, which are those that a query would give again, so a step costs what has moved. What else may be
+/// left out is in Skipping. After the first step(), step() allocates nothing and locks nothing but the
+/// workers' barrier. Other threads read snapshots, never the scene.
 class Scene {
  public:
   /// Poses in the mean velocity.
@@ -84,6 +95,10 @@ class Scene {
   /// For all pairs, those that are added later too. Throws UsageError unless finite and not negative.
   void setForceLaw(ForceLaw law, double stiffness);
 
+  /// From the next step() on. Throws UsageError.
+  void setSkipping(const Skipping& skipping);
+  const Skipping& skipping() const { return skipping_; }
+
   /// False, and the object keeps its last pose and is flagged kRejected, when the pose is not finite, no
   /// rotation or farther than kFarthest from the origin, or t is not finite. Velocities come from the rise of
   /// t: at the same t the pose is replaced and the velocities stay; at an earlier t (a jump back in a
@@ -94,6 +109,7 @@ class Scene {
   void step();
   /// Steps so far.
   long steps() const { return steps_; }
+  const StepCounts& counts() const { return counts_; }  ///< of the last step()
 
   std::size_t objectCount() const { return objects_.size(); }
   const Object& object(ObjectId id) const { return objects_[id.index()]; }
@@ -122,9 +138,11 @@ class Scene {
   template <class Task>
   void spread(const std::vector<PairId>& pairs, Task task);
   void enqueue(PairId id);
+  void renew(PairId id);
   void enqueueMoved();
   void touch(ObjectId id);
-  void query(Pair& pair, PairScratch& scratch) const;
+  void check(Pair& pair, PairScratch& scratch) const;
+  void visit(Pair& pair, PairScratch& scratch) const;
   void takeStock();
   void addUp();
 
@@ -134,6 +152,7 @@ class Scene {
   std::unordered_map<std::string, std::uint32_t> index_of_;
   std::unordered_set<std::uint64_t> pair_keys_;
   std::vector<History> histories_;
+  std::vector<ObjectReach> reaches_;
   std::vector<ObjectId> moved_;  ///< since the last step()
   std::vector<bool> has_moved_;
   std::vector<PairId> pending_;  ///< to be looked at whatever has moved
@@ -144,6 +163,8 @@ class Scene {
   std::unique_ptr<PairWorkers> workers_;
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};
+  Skipping skipping_;
+  StepCounts counts_;
   int threads_{1};
   long steps_{0};
 };
