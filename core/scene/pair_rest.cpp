@@ -42,9 +42,8 @@ double PairRest::movement(const ObjectReach& a, const ObjectReach& b) const {
   return ((a.way() - way_a_) + (b.way() - way_b_)) * kRoundUp;
 }
 
-// Written so that a pair of which nothing is proven (NaN) is checked.
 PairOutcome PairRest::outcome(const ObjectReach& a, const ObjectReach& b, const Skipping& skipping) const {
-  if (!(proof_.lower > -kInfinity)) return PairOutcome::kChecked;
+  if (!proven()) return PairOutcome::kChecked;
   if (movement(a, b) <= allowance_) return PairOutcome::kRested;
   if (!touches_ && proof_.apart && gapOf(a, b) > std::max(skipping.horizon, touch_from_))
     return PairOutcome::kBeyond;

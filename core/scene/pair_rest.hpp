@@ -14,6 +14,7 @@ enum class PairOutcome : std::uint8_t {
   kChecked,  ///< queried at the present poses
   kRested,   ///< its bodies have hardly moved since it was queried
   kBeyond,   ///< farther apart than the horizon
+  kPutOff,   ///< ought to have been queried, but the time was up
 };
 
 /// A queried result that can be carried on to other poses.
@@ -42,6 +43,8 @@ class PairRest {
   /// m: what is proven at the present poses.
   double lowerNow(const ObjectReach& a, const ObjectReach& b) const;
   const PairProof& proof() const { return proof_; }
+  bool proven() const { return proof_.lower > -kInfinity; }  ///< false for NaN
+  double touchFrom() const { return touch_from_; }
 
  private:
   /// m: bound on what the distance can have lost since the query.

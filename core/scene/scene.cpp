@@ -1,6 +1,7 @@
 #include "core/scene/scene.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -17,6 +18,13 @@ void checkNotNegative(const char* what, double value) {
     throw UsageError(std::string(what) + " " + formatDouble(value) + ": expected a finite number, 0 or more");
 }
 
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Queries of a thread between two looks at the clock.
+constexpr std::size_t kBatch = 8;
+
 }  // namespace
 
 class Scene::History : public MotionHistory<Scene::kMeanSamples> {};
@@ -26,7 +34,7 @@ struct alignas(64) Scene::Scratch {
   PairScratch of_query;
 };
 
-Scene::Scene() : scratch_(1) {}
+Scene::Scene() : scratch_(1), clock_(steadySeconds) { batch_.reserve(kBatch); }
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
@@ -62,10 +70,11 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, options, {}, {}});
+  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, 0, {}, {}, options});
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
+  if (skipping_.limited()) agenda_.reserve(pairs_.capacity());
   renew(id);
   return id;
 }
@@ -80,6 +89,7 @@ void Scene::setThreads(int threads) {
   workers_.reset();
   threads_ = 1;
   scratch_.resize(static_cast<std::size_t>(threads));
+  batch_.reserve(scratch_.size() * kBatch);
   if (threads > 1) workers_ = std::make_unique<PairWorkers>(threads - 1);
   threads_ = threads;
 }
@@ -108,6 +118,7 @@ void Scene::setForceLaw(ForceLaw law, double stiffness) {
 void Scene::setSkipping(const Skipping& skipping) {
   skipping.validate();
   skipping_ = skipping;
+  if (skipping.limited()) agenda_.reserve(pairs_.capacity());
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 
@@ -209,19 +220,59 @@ void Scene::visit(Pair& pair, PairScratch& scratch) const {
   const ObjectReach& b = reaches_[pair.b.index()];
   pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;
   if (pair.outcome == PairOutcome::kChecked) {
-    check(pair, scratch);
-  } else {
-    pair.rest.proof().carry(objects_[pair.a.index()].X_WB, objects_[pair.b.index()].X_WB,
-                            pair.rest.lowerNow(a, b), pair.result);
+    // Under a budget what is proven has to do until its turn comes.
+    if (!skipping_.limited() || !pair.rest.proven()) return check(pair, scratch);
+    pair.outcome = PairOutcome::kPutOff;
   }
+  pair.rest.proof().carry(objects_[pair.a.index()].X_WB, objects_[pair.b.index()].X_WB,
+                          pair.rest.lowerNow(a, b), pair.result);
+}
+
+/// Queries what was put off, the most urgent first, until the clock shows `deadline`; one batch at least, so
+/// that everything gets its turn.
+void Scene::checkWithin(double deadline) {
+  agenda_.clear();
+  for (const PairId id : renewed_) {
+    const Pair& pair = pairs_[id.index()];
+    if (pair.outcome != PairOutcome::kPutOff) continue;
+    const double clearance = pair.result.distance - pair.result.bound - pair.rest.touchFrom();
+    agenda_.add({id, clearance <= 0.0, pair.waited, clearance});
+  }
+  agenda_.sortOut();
+  do {
+    batch_.clear();
+    while (!agenda_.empty() && batch_.size() < kBatch * scratch_.size()) batch_.push_back(agenda_.next());
+    spread(batch_, [this](Pair& pair, PairScratch& scratch) { check(pair, scratch); });
+  } while (!agenda_.empty() && clock_() < deadline);
 }
 
 void Scene::step() {
+  const double deadline = skipping_.limited() ? clock_() + skipping_.budget : kInfinity;
   ++steps_;
   enqueueMoved();
   spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
+  if (skipping_.limited()) checkWithin(deadline);
   takeStock();
   addUp();
+}
+
+void Scene::count(Pair& pair) {
+  switch (pair.outcome) {
+    case PairOutcome::kChecked:
+      ++counts_.checked;
+      break;
+    case PairOutcome::kRested:
+      ++counts_.rested;
+      break;
+    case PairOutcome::kBeyond:
+      ++counts_.beyond;
+      break;
+    case PairOutcome::kPutOff:
+      ++counts_.put_off;
+      counts_.longest_wait = std::max(counts_.longest_wait, ++pair.waited);
+      return;
+  }
+  pair.waited = 0;
 }
 
 /// What the renewed pairs change in what is known of all pairs.
@@ -243,8 +294,10 @@ void Scene::takeStock() {
   for (const PairId id : renewed_) {
     Pair& pair = pairs_[id.index()];
     pair.queued = false;
-    ++counts_.of(pair.outcome);
+    count(pair);
     distances_.set(id.index(), pair.result.distance);
+    if (pair.outcome == PairOutcome::kPutOff) enqueue(id);
+    if (pair.outcome != PairOutcome::kChecked) continue;
     const bool touches = pair.result.contacts > 0;
     if (touches == pair.touching) continue;
     pair.touching = touches;

@@ -13,6 +13,7 @@
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
 #include "core/scene/minimum_tree.hpp"
+#include "core/scene/pair_agenda.hpp"
 #include "core/scene/pair_rest.hpp"
 
 namespace abstand {
@@ -43,23 +44,23 @@ struct Object {
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
 };
 
-/// On cache lines of its own, because neighbours are worked on by different threads.
+/// On cache lines of its own, because neighbours are worked on by different threads; what a resting pair
+/// needs comes first.
 struct alignas(64) Pair {
   ObjectId a, b;
-  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
-  PairResult result;
-  PairRest rest;
   PairOutcome outcome{PairOutcome::kChecked};
   bool queued{false};    ///< the next step() looks at it
   bool touching{false};  ///< is among Scene::touching()
+  int waited{0};         ///< steps that it has been put off
+  PairRest rest;
+  PairResult result;
+  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
 };
 
 /// How the pairs of a step came to their results; those that nothing moved do not count.
 struct StepCounts {
-  long checked{0}, rested{0}, beyond{0};
-  long& of(PairOutcome outcome) {
-    return outcome == PairOutcome::kChecked ? checked : outcome == PairOutcome::kRested ? rested : beyond;
-  }
+  long checked{0}, rested{0}, beyond{0}, put_off{0};
+  int longest_wait{0};  ///< steps, of the pairs put off
 };
 
 class PairWorkers;
@@ -98,6 +99,9 @@ class Scene {
   /// From the next step() on. Throws UsageError.
   void setSkipping(const Skipping& skipping);
   const Skipping& skipping() const { return skipping_; }
+  /// What the time budget is measured with: seconds from any beginning. Default: the steady clock.
+  using Clock = double (*)();
+  void setClock(Clock clock) { clock_ = clock; }
 
   /// False, and the object keeps its last pose and is flagged kRejected, when the pose is not finite, no
   /// rotation or farther than kFarthest from the origin, or t is not finite. Velocities come from the rise of
@@ -143,6 +147,8 @@ class Scene {
   void touch(ObjectId id);
   void check(Pair& pair, PairScratch& scratch) const;
   void visit(Pair& pair, PairScratch& scratch) const;
+  void checkWithin(double deadline);
+  void count(Pair& pair);
   void takeStock();
   void addUp();
 
@@ -164,6 +170,9 @@ class Scene {
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};
   Skipping skipping_;
+  Clock clock_;
+  PairAgenda agenda_;
+  std::vector<PairId> batch_;
   StepCounts counts_;
   int threads_{1};
   long steps_{0};

@@ -10,6 +10,8 @@ void Skipping::validate() const {
     throw UsageError("rest " + formatDouble(rest) + ": expected a share from 0 to 1");
   if (!(horizon >= 0.0))
     throw UsageError("horizon " + formatDouble(horizon) + ": expected a distance in m, 0 or more");
+  if (!(budget >= 0.0))
+    throw UsageError("budget " + formatDouble(budget) + ": expected a time in s, 0 or more");
 }
 
 }  // namespace abstand

@@ -20,8 +20,7 @@ Scene hall() {
   Scene scene;
   for (std::uint32_t i = 0; i < kObjects; ++i)
     scene.addObject({"object" + std::to_string(i), "objects", kinds[i % 3], 0.05});
-  for (std::uint32_t i = 0; i < kObjects; ++i)
-    scene.setPose(ObjectId(i), randomPose(i, kHall), 0.0);
+  for (std::uint32_t i = 0; i < kObjects; ++i) scene.setPose(ObjectId(i), randomPose(i, kHall), 0.0);
   for (std::uint32_t a = 0; a < kObjects; ++a)
     for (std::uint32_t b = a + 1; b < kObjects; ++b) scene.addPair(ObjectId(a), ObjectId(b));
   return scene;
