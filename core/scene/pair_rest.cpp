@@ -27,6 +27,15 @@ void PairProof::carry(const Transform& X_WA, const Transform& X_WB, double lower
   result.bound = std::max(0.0, result.distance - lower_now);
 }
 
+double allowanceOf(const PairProof& proof, const PairResult& result, double touch_from, double share) {
+  const double clearance = proof.lower - touch_from;
+  return share > 0.0 && clearance > 0.0 && result.contacts == 0 ? share * clearance : -1.0;
+}
+
+double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options) {
+  return options.margin + std::max(a.errorBound(), b.errorBound());
+}
+
 void PairRest::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
                     const ObjectReach& a, const ObjectReach& b, double touch_from, const Skipping& skipping) {
   proof_.take(result, X_WA, X_WB);
@@ -34,8 +43,7 @@ void PairRest::take(const PairResult& result, const Transform& X_WA, const Trans
   way_b_ = b.way();
   touch_from_ = touch_from;
   touches_ = result.contacts > 0;
-  const double clearance = proof_.lower - touch_from;
-  allowance_ = skipping.rest > 0.0 && clearance > 0.0 && !touches_ ? skipping.rest * clearance : -1.0;
+  allowance_ = allowanceOf(proof_, result, touch_from, skipping.rest);
 }
 
 double PairRest::movement(const ObjectReach& a, const ObjectReach& b) const {

@@ -30,6 +30,12 @@ struct PairProof {
   void carry(const Transform& X_WA, const Transform& X_WB, double lower_now, PairResult& result) const;
 };
 
+/// m of movement after which a pair has to be queried again: a share of its clearance beyond `touch_from`;
+/// negative when it may not rest.
+double allowanceOf(const PairProof& proof, const PairResult& result, double touch_from, double share);
+/// m: what is certified to be farther apart has no contacts; fields may see one earlier, by their error.
+double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options);
+
 /// Decides when a pair rests in lock step, by how far its bodies have really come (object_reach.hpp).
 class PairRest {
  public:

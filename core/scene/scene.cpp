@@ -115,6 +115,12 @@ void Scene::setForceLaw(ForceLaw law, double stiffness) {
   }
 }
 
+void Scene::setMaxSpeed(ObjectId object, double speed) {
+  if (!(speed >= 0.0))
+    throw UsageError("max_speed " + formatDouble(speed) + ": expected a speed in m/s, 0 or more");
+  objects_[object.index()].max_speed = speed;
+}
+
 void Scene::setSkipping(const Skipping& skipping) {
   skipping.validate();
   skipping_ = skipping;
@@ -131,7 +137,11 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   }
   History& history = histories_[id.index()];
   const double dt = t - object.t;
+  const bool moved = object.X_WB.matrix() != X_WB.matrix();
+  const double step = moved ? reaches_[id.index()].moveTo(X_WB) : 0.0;
+  if (moved) touch(id);
   if (!history.started() || dt <= -kLeastTimeStep) {
+    ++object.interruptions;
     history.start();
     object.velocity = object.mean_velocity = Twist{};
   } else if (dt >= kLeastTimeStep) {
@@ -140,10 +150,9 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
     history.add(dt, way, rotation);
     object.velocity = {way / dt, rotation / dt};
     object.mean_velocity = history.mean();
-  }
-  if (object.X_WB.matrix() != X_WB.matrix()) {
-    reaches_[id.index()].moveTo(X_WB);
-    touch(id);
+    if (speed_watch_.add(id, t, step, dt, object.max_speed, object.speed_state)) ++object.interruptions;
+  } else if (moved) {
+    ++object.interruptions;
   }
   object.X_WB = X_WB;
   object.t = t;
@@ -209,10 +218,8 @@ void Scene::check(Pair& pair, PairScratch& scratch) const {
   queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!skipping_.any()) return;
-  // Fields may see a contact earlier by their error.
-  const double error = std::max(a.spec.structure->errorBound(), b.spec.structure->errorBound());
   pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
-                 pair.options.margin + error, skipping_);
+                 touchFrom(*a.spec.structure, *b.spec.structure, pair.options), skipping_);
 }
 
 void Scene::visit(Pair& pair, PairScratch& scratch) const {

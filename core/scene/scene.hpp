@@ -15,6 +15,7 @@
 #include "core/scene/minimum_tree.hpp"
 #include "core/scene/pair_agenda.hpp"
 #include "core/scene/pair_rest.hpp"
+#include "core/scene/speed_watch.hpp"
 
 namespace abstand {
 
@@ -34,11 +35,16 @@ struct Object {
   ObjectSpec spec;
   Transform X_WB{Transform::Identity()};
   PoseState pose_state{PoseState::kFresh};
-  long rejected_poses{0};  ///< poses that were not finite or no rotation; the last good one stayed
-  double t{0.0};           ///< s, of X_WB
-  Twist velocity;          ///< instant: from the last two poses; linear of the centre of mass
-  Twist mean_velocity;     ///< over the last Scene::kMeanSamples poses
-  Wrench contact;          ///< sum over its pairs, about its centre of mass
+  long rejected_poses{0};       ///< poses that were not finite or no rotation; the last good one stayed
+  double t{0.0};                ///< s, of X_WB
+  Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass
+  Twist mean_velocity;          ///< over the last Scene::kMeanSamples poses
+  double max_speed{kInfinity};  ///< m/s, of its farthest point; what rests on it is watched by setPose
+  /// Grows when what was concluded from times and speeds no longer holds: at a breach of max_speed, and when
+  /// the object is moved back in time or without time.
+  long interruptions{0};
+  SpeedWatch::State speed_state;
+  Wrench contact;  ///< sum over its pairs, about its centre of mass
   int contacts{0};
   bool colliding{false};  ///< some pair of it has a contact (margins included)
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
@@ -96,6 +102,9 @@ class Scene {
   /// For all pairs, those that are added later too. Throws UsageError unless finite and not negative.
   void setForceLaw(ForceLaw law, double stiffness);
 
+  /// m/s, from the next pose on; infinity: no bound. Throws UsageError unless 0 or more.
+  void setMaxSpeed(ObjectId object, double speed);
+  const SpeedWatch& speedWatch() const { return speed_watch_; }
   /// From the next step() on. Throws UsageError.
   void setSkipping(const Skipping& skipping);
   const Skipping& skipping() const { return skipping_; }
@@ -159,6 +168,7 @@ class Scene {
   std::unordered_set<std::uint64_t> pair_keys_;
   std::vector<History> histories_;
   std::vector<ObjectReach> reaches_;
+  SpeedWatch speed_watch_;
   std::vector<ObjectId> moved_;  ///< since the last step()
   std::vector<bool> has_moved_;
   std::vector<PairId> pending_;  ///< to be looked at whatever has moved
