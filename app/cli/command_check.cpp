@@ -44,6 +44,9 @@ int run(const CommandLine& line, const Arguments& args) {
     SessionOptions options;
     options.recording = recording;
     options.poses = args.poses;
+    // The gate leaves nothing out, whatever the scene allows.
+    options.rest = 0.0;
+    options.horizon = options.budget = kInfinity;
     Session session(scene, options);
     if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
     DistanceCheck check(session.scene(), limit, !args.margins.empty(), recording);

@@ -137,6 +137,14 @@ std::vector<std::vector<PairId>> liveGroups(const Session& session) {
   return groups;
 }
 
+void add(const StepCounts& counts, RunSummary::Work& work) {
+  work.checked += counts.checked;
+  work.rested += counts.rested;
+  work.beyond += counts.beyond;
+  work.put_off += counts.put_off;
+  work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
+}
+
 std::vector<PairId> allPairs(const Scene& scene) {
   std::vector<PairId> all;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) all.emplace_back(i);
@@ -229,6 +237,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
         watch();
         return worked += seconds(Clock::now() - begin);
       });
+      add(threads.counts(), summary.work);
     }
   }
   summary.median_us = 1e6 * statistics.median();
@@ -236,6 +245,9 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   summary.p999_us = 1e6 * statistics.p999();
   summary.max_us = 1e6 * statistics.max();
   summary.overruns = statistics.overruns();
+  for (const SpeedBreach& b : scene.speedWatch().listed())
+    summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
+  summary.breach_count = scene.speedWatch().count();
   for (std::size_t i = 0; i < stale.size(); ++i)
     if (stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
   return summary;

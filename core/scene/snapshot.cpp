@@ -21,6 +21,7 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
     for (std::size_t i = 0; i < pairs.size(); ++i) copy(i);
   const auto nearest = scene.nearest();
   snapshot.nearest_pair = nearest ? static_cast<int>(nearest->index()) : -1;
+  snapshot.work = scene.counts();
   snapshot.captured = scene.steps();
 }
 

@@ -35,12 +35,13 @@ struct SceneSnapshot {
   double cycle_us{0.0};                 ///< last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
   long overruns{0};  ///< cycles longer than the period
+  StepCounts work;   ///< how the pairs of the last step came to their results
   double real_time_factor{0.0};
   bool playing{false};
   int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
 
-/// Fills objects, pairs and nearest_pair (the first of equal ones; pairs that were never queried do not
+/// Fills objects, pairs, work and nearest_pair (the first of equal ones; pairs that were never queried do not
 /// count), as of the last step(), and leaves the rest alone. A snapshot stays with one scene: only what was
 /// renewed since the last capture is copied. Allocates nothing when the sizes are right already.
 void capture(const Scene& scene, SceneSnapshot& snapshot);
