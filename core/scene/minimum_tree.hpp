@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/huge_pages.hpp"
 #include "core/math/transform.hpp"
 
 namespace abstand {
@@ -42,7 +43,8 @@ class MinimumTree {
   std::size_t size() const { return count_; }
 
  private:
-  std::vector<double> node_;  ///< node n has the children 2 n and 2 n + 1; leaves from leaves_ on
+  std::vector<double, HugePageAllocator<double>>
+      node_;  ///< node n has the children 2 n and 2 n + 1; leaves from leaves_ on
   std::size_t count_{0}, leaves_{1};
 };
 

@@ -184,13 +184,25 @@ void Scene::renew(PairId id) {
 void Scene::enqueueMoved() {
   for (const PairId id : pending_) renewed_at_[pairs_[id.index()].a.index()] = steps_;
   for (const ObjectId object : moved_) {
-    for (const PairId id : pairs_of_[object.index()]) enqueue(id);
+    const auto& pairs = pairs_of_[object.index()];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      prefetch(pairs, i);
+      enqueue(pairs[i]);
+    }
     has_moved_[object.index()] = false;
     renewed_at_[object.index()] = steps_;
   }
   moved_.clear();
   std::swap(renewed_, pending_);
   pending_.clear();
+}
+
+/// The pairs of an object that moves lie far apart in memory: asks for one some places ahead.
+void Scene::prefetch(const std::vector<PairId>& pairs, std::size_t i) const {
+  constexpr std::size_t kAhead = 8;
+  if (i + kAhead >= pairs.size()) return;
+  const char* line = reinterpret_cast<const char*>(&pairs_[pairs[i + kAhead].index()]);
+  for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(line + 64 * k, 1);
 }
 
 /// task(pair, scratch) for each, on all threads.
@@ -203,6 +215,7 @@ void Scene::spread(const std::vector<PairId>& pairs, Task task) {
   } context{*this, pairs, task};
   const auto one = [](void* c, std::size_t i, std::size_t thread) {
     auto& [scene, list, work] = *static_cast<Context*>(c);
+    scene.prefetch(list, i);
     work(scene.pairs_[list[i].index()], scene.scratch_[thread].of_query);
   };
   if (workers_) {
@@ -298,7 +311,9 @@ void Scene::takeStock() {
   }
   counts_ = {};
   bool begun = false, ended = false;
-  for (const PairId id : renewed_) {
+  for (std::size_t i = 0; i < renewed_.size(); ++i) {
+    prefetch(renewed_, i);
+    const PairId id = renewed_[i];
     Pair& pair = pairs_[id.index()];
     pair.queued = false;
     count(pair);

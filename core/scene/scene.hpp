@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/huge_pages.hpp"
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
 #include "core/scene/minimum_tree.hpp"
@@ -62,6 +63,8 @@ struct alignas(64) Pair {
   PairResult result;
   PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
 };
+
+using PairTable = std::vector<Pair, HugePageAllocator<Pair>>;
 
 /// How the pairs of a step came to their results; those that nothing moved do not count.
 struct StepCounts {
@@ -127,7 +130,7 @@ class Scene {
   std::size_t objectCount() const { return objects_.size(); }
   const Object& object(ObjectId id) const { return objects_[id.index()]; }
   const std::vector<Object>& objects() const { return objects_; }
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  const PairTable& pairs() const { return pairs_; }
   const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
   /// Pairs whose results the last step() renewed; the others are as they were. In no order.
   const std::vector<PairId>& renewed() const { return renewed_; }
@@ -157,12 +160,13 @@ class Scene {
   void check(Pair& pair, PairScratch& scratch) const;
   void visit(Pair& pair, PairScratch& scratch) const;
   void checkWithin(double deadline);
+  void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
   void count(Pair& pair);
   void takeStock();
   void addUp();
 
   std::vector<Object> objects_;
-  std::vector<Pair> pairs_;
+  PairTable pairs_;
   std::vector<std::vector<PairId>> pairs_of_;
   std::unordered_map<std::string, std::uint32_t> index_of_;
   std::unordered_set<std::uint64_t> pair_keys_;
