@@ -217,7 +217,9 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   session.step(t);
                   for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
                   watch();
-                  return seconds(Clock::now() - begin);
+                  const double worked = seconds(Clock::now() - begin);
+                  add(scene.counts(), summary.work);
+                  return worked;
                 });
     } else {
       PairThreads threads(scene);
