@@ -122,8 +122,9 @@ void addRun(CLI::App& root, CommandLine& line) {
       "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");
   command->add_option("--horizon", args->horizon,
                       "m between bounding spheres beyond which a pair is not queried (lockstep)");
-  command->add_option("--budget", args->budget,
-                      "s a cycle for queries; what is left over waits, with a growing bound (lockstep)");
+  command->add_option(
+      "--budget", args->budget,
+      "s of a cycle after which no more is queried; what waits has a growing bound (lockstep)");
   command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
   command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
   command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");

@@ -15,10 +15,10 @@ struct Skipping {
   double rest{0.0};
   /// m. A pair whose bounding spheres are farther apart than this is not queried.
   double horizon{kInfinity};
-  /// s a step. When it is used up, the pairs that ought still to be queried keep what was proven of them,
-  /// with a bound that grows as their bodies move, and are taken up in the steps that follow
-  /// (pair_agenda.hpp). What is proven then depends on the machine's speed. Pairs of which nothing is proven
-  /// yet are queried in any case.
+  /// s, of a step from its beginning. When it is used up, the pairs that ought still to be queried keep what
+  /// was proven of them, with a bound that grows as their bodies move, and are taken up in the steps that
+  /// follow (pair_agenda.hpp). What is proven then depends on the machine's speed. Pairs of which nothing is
+  /// proven yet are queried in any case.
   double budget{kInfinity};
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }

@@ -47,11 +47,13 @@ void stepOfAThousand(benchmark::State& state, const Skipping& skipping, int movi
     sum.checked += scene.counts().checked;
     sum.rested += scene.counts().rested;
     sum.beyond += scene.counts().beyond;
+    sum.put_off += scene.counts().put_off;
   }
   const auto perStep = [&](long count) { return static_cast<double>(count) / static_cast<double>(n); };
   state.counters["checked"] = perStep(sum.checked);
   state.counters["rested"] = perStep(sum.rested);
   state.counters["beyond"] = perStep(sum.beyond);
+  state.counters["put_off"] = perStep(sum.put_off);
 }
 
 #define ABSTAND_STEP(name, skipping, moving, threads) \
@@ -62,6 +64,7 @@ ABSTAND_STEP(ten_move_all_queried, Skipping{}, 10, 1);
 ABSTAND_STEP(ten_move_rest, Skipping{.rest = 0.01}, 10, 1);
 ABSTAND_STEP(ten_move_horizon, (Skipping{.horizon = 2.0}), 10, 1);
 ABSTAND_STEP(ten_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_half_a_millisecond, Skipping{.budget = 0.0005}, 10, 1);
 ABSTAND_STEP(ten_move_both_two_threads, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 2);
 ABSTAND_STEP(hundred_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 100, 1);
 
