@@ -14,19 +14,18 @@ void LiveRest::take(const PairResult& result, const Transform& X_WA, const Trans
   margin_ = margin;
 }
 
-double LiveRest::movement(const LiveObject& a, const LiveObject& b, double speed_a, double speed_b) const {
-  return (speed_a * (a.t - a_.t) + speed_b * (b.t - b_.t)) * SpeedWatch::kTolerance;
+double LiveRest::movement(const LiveObject& a, const LiveObject& b) const {
+  return (a.max_speed * (a.t - a_.t) + b.max_speed * (b.t - b_.t)) * SpeedWatch::kTolerance;
 }
 
-bool LiveRest::mayRest(const LiveObject& a, const LiveObject& b, double speed_a, double speed_b,
-                       double margin) const {
+bool LiveRest::mayRest(const LiveObject& a, const LiveObject& b, double margin) const {
   return margin == margin_ && a.interruptions == a_.interruptions && b.interruptions == b_.interruptions &&
-         speed_a < kInfinity && speed_b < kInfinity && movement(a, b, speed_a, speed_b) <= allowance_;
+         a.max_speed < kInfinity && b.max_speed < kInfinity && movement(a, b) <= allowance_;
 }
 
 void LiveRest::carry(const Transform& X_WA, const Transform& X_WB, const LiveObject& a, const LiveObject& b,
-                     double speed_a, double speed_b, PairResult& result) const {
-  proof_.carry(X_WA, X_WB, proof_.lower - movement(a, b, speed_a, speed_b), result);
+                     PairResult& result) const {
+  proof_.carry(X_WA, X_WB, proof_.lower - movement(a, b), result);
 }
 
 }  // namespace abstand

@@ -7,8 +7,9 @@ namespace abstand {
 
 /// What live mode knows of an object beside its pose.
 struct LiveObject {
-  double t{-kInfinity};   ///< s, of its pose
-  long interruptions{0};  ///< Object::interruptions
+  double t{-kInfinity};         ///< s, of its pose
+  long interruptions{0};        ///< Object::interruptions
+  double max_speed{kInfinity};  ///< m/s, Object::max_speed
 };
 
 /// A pair may rest while (v_A + v_B) times the time since its query is within a share of its clearance, v the
@@ -19,14 +20,14 @@ class LiveRest {
  public:
   void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const LiveObject& a,
             const LiveObject& b, double touch_from, double margin, double share);
-  /// `speed_a`, `speed_b` in m/s; a pair with an infinite one never rests, nor does one with a new margin.
-  bool mayRest(const LiveObject& a, const LiveObject& b, double speed_a, double speed_b, double margin) const;
+  /// Without a bound on both speeds, and with a new margin: never.
+  bool mayRest(const LiveObject& a, const LiveObject& b, double margin) const;
   /// Only when it may rest.
   void carry(const Transform& X_WA, const Transform& X_WB, const LiveObject& a, const LiveObject& b,
-             double speed_a, double speed_b, PairResult& result) const;
+             PairResult& result) const;
 
  private:
-  double movement(const LiveObject& a, const LiveObject& b, double speed_a, double speed_b) const;
+  double movement(const LiveObject& a, const LiveObject& b) const;
 
   PairProof proof_;
   LiveObject a_, b_;  ///< at the query

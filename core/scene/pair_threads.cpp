@@ -44,8 +44,7 @@ struct PairBodies {
 struct World {
   std::vector<std::shared_ptr<const HapticStructure>> structures;
   std::vector<PairBodies> pairs;
-  std::vector<double> max_speed;  ///< m/s, one an object
-  double rest{0.0};               ///< Skipping::rest
+  double rest{0.0};  ///< Skipping::rest
 
   void query(std::uint32_t pair, const PoseSet& poses, PairScratch& scratch, PairResult& result) const {
     const auto [a, b] = pairs[pair];
@@ -59,9 +58,9 @@ struct World {
     const auto [a, b] = pairs[pair];
     const PairOptions& options = poses.options[pair];
     const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
-    if (last.mayRest(now_a, now_b, max_speed[a], max_speed[b], options.margin)) {
+    if (last.mayRest(now_a, now_b, options.margin)) {
       result = {};  // a pair that rests has no contacts
-      last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, max_speed[a], max_speed[b], result);
+      last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, result);
       return false;
     }
     query(pair, poses, scratch, result);
@@ -231,7 +230,7 @@ struct PairThreads::Impl {
     for (std::size_t i = 0; i < poses.X_WB.size(); ++i) {
       const Object& object = scene.objects()[i];
       poses.X_WB[i] = object.X_WB;
-      poses.objects[i] = {object.t, object.interruptions};
+      poses.objects[i] = {object.t, object.interruptions, object.max_speed};
       latest = std::max(latest, object.t);
     }
     for (std::size_t i = 0; i < poses.options.size(); ++i) poses.options[i] = scene.pairs()[i].options;
@@ -262,7 +261,6 @@ PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
   const auto& objects = scene.objects();
   for (const Object& object : objects) {
     m.world.structures.push_back(object.spec.structure);
-    m.world.max_speed.push_back(object.max_speed);
   }
   m.world.rest = scene.skipping().rest;
   for (const Pair& pair : scene.pairs()) {

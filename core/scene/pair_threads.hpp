@@ -19,8 +19,8 @@ namespace abstand {
 /// run.
 class PairThreads {
  public:
-  /// Objects, their greatest speeds and pairs are those of the scene at this moment, at their present poses;
-  /// how long pairs rest, too. Structures are shared, the scene itself may go.
+  /// Objects and pairs are those of the scene at this moment, at their present poses; how long pairs rest,
+  /// too. Structures are shared, the scene itself may go.
   explicit PairThreads(const Scene& scene);
   /// Stops all groups.
   ~PairThreads();

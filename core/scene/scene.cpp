@@ -119,6 +119,7 @@ void Scene::setMaxSpeed(ObjectId object, double speed) {
   if (!(speed >= 0.0))
     throw UsageError("max_speed " + formatDouble(speed) + ": expected a speed in m/s, 0 or more");
   objects_[object.index()].max_speed = speed;
+  ++objects_[object.index()].interruptions;
 }
 
 void Scene::setSkipping(const Skipping& skipping) {

@@ -41,8 +41,8 @@ struct Object {
   Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass
   Twist mean_velocity;          ///< over the last Scene::kMeanSamples poses
   double max_speed{kInfinity};  ///< m/s, of its farthest point; what rests on it is watched by setPose
-  /// Grows when what was concluded from times and speeds no longer holds: at a breach of max_speed, and when
-  /// the object is moved back in time or without time.
+  /// Grows when what was concluded from times and speeds no longer holds: at a breach of max_speed, when
+  /// max_speed changes, and when the object is moved back in time or without time.
   long interruptions{0};
   SpeedWatch::State speed_state;
   Wrench contact;  ///< sum over its pairs, about its centre of mass

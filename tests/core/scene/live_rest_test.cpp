@@ -126,6 +126,11 @@ TEST_F(LiveRests, WhatTimesDoNotExplainEndsTheRest) {
   EXPECT_TRUE(goTo(0.5, 0.001)) << "a jump back in time";
   scene_.setMargin(ObjectId(0), 0.3);
   EXPECT_TRUE(goTo(0.5, 0.002)) << "a new margin";
+  scene_.setMargin(ObjectId(0), 0.05);
+  goTo(0.5, 0.003);
+  EXPECT_FALSE(goTo(0.5, 0.004));
+  scene_.setMaxSpeed(ObjectId(1), 0.5);
+  EXPECT_TRUE(goTo(0.5, 0.005)) << "a new bound";
   EXPECT_EQ(scene_.speedWatch().count(), 0);
 }
 
@@ -183,14 +188,14 @@ TEST(LiveRest, HoldsForRandomMotionWithinTheBounds) {
         const Vector3d aim = testing::randomPose(seed + 31 * k, 1.0).translation() - X.translation();
         if (i > 0) X.translation() += aim.normalized() * speeds[k] * (t - scene.object(id).t);
         scene.setPose(id, X, t);
-        now[k] = {t, 0};
+        now[k] = {t, 0, speeds[k]};
         p[k] = X.translation();
       }
       const Pair& pair = scene.pairs()[0];
       const Transform &X_WA = scene.object(pair.a).X_WB, &X_WB = scene.object(pair.b).X_WB;
-      if (rest.mayRest(now[0], now[1], speeds[0], speeds[1], pair.options.margin)) {
+      if (rest.mayRest(now[0], now[1], pair.options.margin)) {
         ++rested;
-        rest.carry(X_WA, X_WB, now[0], now[1], speeds[0], speeds[1], result);
+        rest.carry(X_WA, X_WB, now[0], now[1], result);
         ASSERT_EQ(queried(scene, pair).contacts, 0);
       } else {
         result = queried(scene, pair);
