@@ -46,6 +46,9 @@ int run(const CommandLine& line, const Arguments& args) {
     options.poses = args.poses;
     options.cache = line.cache;
     options.monitor = buildMonitor(line);
+    // The gate leaves nothing out, whatever the scene allows.
+    options.rest = 0.0;
+    options.horizon = options.budget = kInfinity;
     Session session(scene, options);
     if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
     DistanceCheck check(session.scene(), limit, !args.margins.empty(), recording);

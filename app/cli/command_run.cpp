@@ -7,7 +7,7 @@ namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::string scene, start, end, rate, mode{"lockstep"};
+  std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"};
   SessionOptions session;
   RunOptions run;
 };
@@ -15,6 +15,19 @@ struct Arguments {
 nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& e) {
   if (!e) return nullptr;
   return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
+}
+
+nlohmann::ordered_json skippingJson(const RunSummary& s) {
+  auto breaches = nlohmann::ordered_json::array();
+  for (const auto& b : s.breaches)
+    breaches.push_back({{"object", b.object}, {"t", b.t}, {"speed", b.speed}, {"bound", b.bound}});
+  return {{"checked", s.work.checked},
+          {"rested", s.work.rested},
+          {"beyond_horizon", s.work.beyond},
+          {"put_off", s.work.put_off},
+          {"longest_wait_cycles", s.work.longest_wait},
+          {"breach_count", s.breach_count},
+          {"breaches", breaches}};
 }
 
 nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) {
@@ -33,6 +46,7 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   if (s.slowest_pair)
     j["slowest_pair"] = {
         {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
+  j["skipping"] = skippingJson(s);
   j["build_ms"] = s.build_ms;
   j["cached_structures"] = session.cachedStructures();
   j["memory_bytes"] = s.memory_bytes;
@@ -54,6 +68,13 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
                    s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,
                    s.contacts);
+  if (s.work.rested + s.work.beyond + s.work.put_off > 0)
+    text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
+                   s.work.checked, s.work.rested, s.work.beyond, s.work.put_off);
+  if (s.breach_count > 0)
+    text += format("faster than its max_speed: %s at %.3f s, %.2f m/s (bound %.2f); %ld stretches in all\n",
+                   s.breaches.front().object.c_str(), s.breaches.front().t, s.breaches.front().speed,
+                   s.breaches.front().bound, s.breach_count);
   for (const auto& name : s.stale) text += "stale or refused poses: " + name + "\n";
   for (const auto& remark : session.remarks()) text += remark + "\n";
   return text;
@@ -67,6 +88,9 @@ int run(const CommandLine& line, Arguments& args) {
     if (*args.run.rate < 0.001 || *args.run.rate > 1e6)
       throw UsageError("--rate: found " + args.rate + ", expected 0.001 to 1000000 Hz");
   }
+  if (!args.rest.empty()) args.session.rest = number(args.rest, "--rest");
+  if (!args.horizon.empty()) args.session.horizon = number(args.horizon, "--horizon");
+  if (!args.budget.empty()) args.session.budget = number(args.budget, "--budget");
   args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
   args.run.interrupted = interrupted;
@@ -96,6 +120,14 @@ void addRun(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(0, 256));
   command->add_option("--mode", args->mode, "lockstep or live (pair threads in real time)")
       ->check(CLI::IsMember({"lockstep", "live"}));
+  command->add_option(
+      "--rest", args->rest,
+      "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");
+  command->add_option("--horizon", args->horizon,
+                      "m between bounding spheres beyond which a pair is not queried (lockstep)");
+  command->add_option(
+      "--budget", args->budget,
+      "s of a cycle after which no more is queried; what waits has a growing bound (lockstep)");
   command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
   command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
   command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");

@@ -32,24 +32,32 @@ std::vector<double> timesOf(const Session& session, const RunOptions& options) {
 /// Collects what a frame says of the extremes.
 class Extremes {
  public:
-  explicit Extremes(const Session& session) : session_(session) {}
+  explicit Extremes(const Session& session)
+      : session_(session), touching_(session.scene().pairs().size(), false) {}
 
-  void frame(double t, const std::vector<PairResult>& results, RunSummary& summary) {
-    for (std::size_t i = 0; i < results.size(); ++i) {
+  /// `renewed`: the pairs whose results may differ from the last frame's; all of them in the first frame.
+  void frame(double t, const std::vector<PairResult>& results, const std::vector<PairId>& renewed,
+             RunSummary& summary) {
+    for (const PairId id : renewed) {
+      const std::size_t i = id.index();
       const PairResult& r = results[i];
-      if (r.distance < distance_) {
+      // Of equal ones in a frame the first in scene order, whatever the order of `renewed`.
+      if (r.distance < distance_ || (r.distance == distance_ && t == distance_t_ && i < distance_pair_)) {
         distance_ = r.distance;
         distance_pair_ = i;
         distance_t_ = t;
       }
       const double force = r.force_a.norm();
-      if (force > force_) {
+      if (force > force_ || (force == force_ && t == force_t_ && i < force_pair_)) {
         force_ = force;
         force_pair_ = i;
         force_t_ = t;
       }
-      if (r.contacts > 0) ++summary.contacts;
+      const bool touches = r.contacts > 0;
+      if (touches != touching_[i]) touching_count_ += touches ? 1 : -1;
+      touching_[i] = touches;
     }
+    summary.contacts += touching_count_;
   }
 
   void finish(RunSummary& summary) const {
@@ -65,6 +73,8 @@ class Extremes {
 
  private:
   const Session& session_;
+  std::vector<bool> touching_;
+  long touching_count_{0};
   double distance_{kInfinity}, distance_t_{0.0};
   double force_{0.0}, force_t_{0.0};
   std::size_t distance_pair_{0}, force_pair_{0};
@@ -127,12 +137,26 @@ std::vector<std::vector<PairId>> liveGroups(const Session& session) {
   return groups;
 }
 
+void add(const StepCounts& counts, RunSummary::Work& work) {
+  work.checked += counts.checked;
+  work.rested += counts.rested;
+  work.beyond += counts.beyond;
+  work.put_off += counts.put_off;
+  work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
+}
+
+std::vector<PairId> allPairs(const Scene& scene) {
+  std::vector<PairId> all;
+  for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) all.emplace_back(i);
+  return all;
+}
+
 /// Cycles of one run over all frames; lock step and live differ only in `cycle`, which gives the seconds that
-/// it worked.
+/// it worked, and in `renewed`, the pairs whose results it may have changed.
 template <class Cycle>
 void runFrames(const Session& session, const std::vector<double>& times, const RunOptions& options, bool last,
                RunSummary& summary, CycleStatistics& statistics, std::vector<PairResult>& results,
-               Cycle cycle) {
+               const std::vector<PairId>& all, const std::vector<PairId>& renewed, Cycle cycle) {
   CsvOutputs csv(last ? options.csv : CsvPaths{}, session);
   std::unique_ptr<SessionLog> log;
   if (last && !options.session_log.empty()) log = std::make_unique<SessionLog>(options.session_log, session);
@@ -146,7 +170,7 @@ void runFrames(const Session& session, const std::vector<double>& times, const R
       break;
     }
     statistics.add(cycle(t));
-    extremes.frame(t, results, summary);
+    extremes.frame(t, results, summary.frames == 0 ? all : renewed, summary);
     pair_clock.sample(session.scene());
     csv.write(t, session, results);
     if (log) log->write(t, session, results);
@@ -171,6 +195,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   summary.build_ms = session.buildMs();
   summary.memory_bytes = scene.memoryBytes();
   std::vector<PairResult> results(summary.pairs);
+  const std::vector<PairId> all = allPairs(scene);
   std::vector<bool> stale(summary.objects);
   const auto watch = [&] {
     for (std::size_t i = 0; i < stale.size(); ++i) {
@@ -181,24 +206,28 @@ RunSummary runScene(Session& session, const RunOptions& options) {
 
   // The first cycle sets sizes and first-time caches; it is run once more as a frame.
   session.step(times.front());
+  for (const PairId id : all) results[id.index()] = scene.result(id);
   CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
     if (options.mode == RunMode::kLockstep) {
-      runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
-        const auto begin = Clock::now();
-        session.step(t);
-        for (std::size_t i = 0; i < results.size(); ++i) results[i] = scene.pairs()[i].result;
-        watch();
-        return seconds(Clock::now() - begin);
-      });
+      runFrames(session, times, options, last, summary, statistics, results, all, scene.renewed(),
+                [&](double t) {
+                  const auto begin = Clock::now();
+                  session.step(t);
+                  for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
+                  watch();
+                  const double worked = seconds(Clock::now() - begin);
+                  add(scene.counts(), summary.work);
+                  return worked;
+                });
     } else {
       PairThreads threads(scene);
       for (auto& group : liveGroups(session)) threads.start(threads.addGroup(std::move(group)));
       const double period =
           times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
       Pacer pacer{std::chrono::nanoseconds(static_cast<long>(period * 1e9))};
-      runFrames(session, times, options, last, summary, statistics, results, [&](double t) {
+      runFrames(session, times, options, last, summary, statistics, results, all, all, [&](double t) {
         auto begin = Clock::now();
         session.applyMotion(t);
         threads.publishPoses(scene);
@@ -210,6 +239,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
         watch();
         return worked += seconds(Clock::now() - begin);
       });
+      add(threads.counts(), summary.work);
     }
   }
   summary.median_us = 1e6 * statistics.median();
@@ -217,6 +247,9 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   summary.p999_us = 1e6 * statistics.p999();
   summary.max_us = 1e6 * statistics.max();
   summary.overruns = statistics.overruns();
+  for (const SpeedBreach& b : scene.speedWatch().listed())
+    summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
+  summary.breach_count = scene.speedWatch().count();
   for (std::size_t i = 0; i < stale.size(); ++i)
     if (stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
   return summary;

@@ -38,6 +38,17 @@ struct RunSummary {
   long contacts{0};                     ///< pairs in contact, counted over all frames
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
+  /// How pairs came to their results, over all frames of all repeats.
+  struct Work {
+    long checked{0}, rested{0}, beyond{0}, put_off{0};
+    int longest_wait{0};  ///< cycles, of a pair put off
+  } work;
+  struct Breach {
+    std::string object;
+    double t{0.0}, speed{0.0}, bound{0.0};
+  };
+  std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
+  long breach_count{0};          ///< all of them
   double build_ms{0.0};
   std::size_t memory_bytes{0};
   bool interrupted{false};

@@ -119,10 +119,10 @@ void LiveSession::cycle(Timing& timing) {
   ++step_;
   dirty_ = false;
   PlotSample sample{t_, kInfinity, 0.0, 0.0};
-  for (const Pair& p : session_->scene().pairs()) {
-    sample.min_distance = std::min(sample.min_distance, p.result.distance);
-    sample.peak_force = std::max(sample.peak_force, p.result.force_a.norm());
-  }
+  const Scene& scene = session_->scene();
+  if (const auto nearest = scene.nearest()) sample.min_distance = scene.result(*nearest).distance;
+  for (const PairId id : scene.touching())
+    sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
   for (double e : session_->jointEfforts()) sample.peak_effort = std::max(sample.peak_effort, std::abs(e));
   if (!plot_.push(sample)) samples_lost_.fetch_add(1, std::memory_order_relaxed);
 }

@@ -25,12 +25,18 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   planHumans(plan);
   planObjects(plan);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
+  Skipping& skipping = description_.skipping;
+  skipping.rest = options.rest.value_or(skipping.rest);
+  skipping.horizon = options.horizon.value_or(skipping.horizon);
+  skipping.budget = options.budget.value_or(skipping.budget);
+  scene_.setSkipping(skipping);
   library_.build(0, options.monitor);
 
   for (auto& body : plan)
     body.placed(scene_.addObject({body.name, body.group, library_.get(body.key), body.margin}));
   selectAndAddPairs();
   if (poses_) bindPoses(options.poses);
+  setSpeeds(plan);
   for (const auto& remark : library_.remarks()) remarks_.push_back(remark);
 
   std::size_t dof = 0;
@@ -60,7 +66,8 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
       const auto key = link.shape ? library_.request(*link.shape, options)
                                   : library_.request(link.mesh, link.scale, options);
       plan.push_back({link.name, d.name, key, link.settings.margin.value_or(description_.defaults.margin),
-                      [driver, i](ObjectId id) { driver->bind(i, id); }});
+                      link.settings.max_speed ? link.settings.max_speed : d.max_speed,
+                      driver->motion() ? kInfinity : 0.0, [driver, i](ObjectId id) { driver->bind(i, id); }});
     }
     for (const auto& [a, b] : driver->adjacentLinks())
       adjacent_.emplace_back(first + static_cast<int>(a), first + static_cast<int>(b));
@@ -80,9 +87,11 @@ void Session::planHumans(std::vector<Planned>& plan) {
         if (const auto n = numbers.find("margin"); n != numbers.end()) settings.margin = n->second;
         if (const auto n = numbers.find("voxel"); n != numbers.end()) settings.voxel = n->second;
         if (const auto n = numbers.find("point"); n != numbers.end()) settings.point = n->second;
+        if (const auto n = numbers.find("max_speed"); n != numbers.end()) settings.max_speed = n->second;
       }
       plan.push_back({d.name + "/" + part_name, d.name, library_.request(part.shape, hapticOptions(settings)),
-                      settings.margin.value_or(description_.defaults.margin),
+                      settings.margin.value_or(description_.defaults.margin), settings.max_speed,
+                      driver->recording() ? kHandSpeed : 0.0,
                       [driver, id = part.part](ObjectId object) { driver->bind(id, object); }});
     }
     for (const auto& [a, b] : adjacentParts()) {
@@ -105,6 +114,7 @@ void Session::planObjects(std::vector<Planned>& plan) {
     const auto key =
         d.shape ? library_.request(*d.shape, options) : library_.request(d.mesh, d.scale, options);
     plan.push_back({d.name, "objects", key, d.settings.margin.value_or(description_.defaults.margin),
+                    d.settings.max_speed, 0.0,
                     [this, X_WB = d.X_WB](ObjectId id) { scene_.setPose(id, X_WB, 0.0); }});
   }
 }
@@ -128,6 +138,19 @@ void Session::bindPoses(const std::filesystem::path& file) {
                        near.empty() ? "" : "did you mean '" + near + "'?");
     }
     poses_objects_.push_back(id);
+  }
+}
+
+/// Bodies are in the scene in the order of the plan.
+void Session::setSpeeds(const std::vector<Planned>& plan) {
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const ObjectId id(static_cast<std::uint32_t>(i));
+    const bool posed = std::find(poses_objects_.begin(), poses_objects_.end(), id) != poses_objects_.end();
+    if (plan[i].max_speed) {
+      scene_.setMaxSpeed(id, *plan[i].max_speed);
+    } else if (description_.skipping.rest > 0.0 && !posed) {
+      scene_.setMaxSpeed(id, plan[i].usual_speed);
+    }
   }
 }
 

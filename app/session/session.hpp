@@ -19,7 +19,12 @@ struct SessionOptions {
   int threads{0};                   ///< lock-step workers; 0: all cores
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
   BuildMonitor monitor;             ///< of the structures
+  std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in Skipping
 };
+
+/// m/s. What a part of a person is taken to move at most where pairs may rest and the scene does not say: the
+/// speed of a hand in ISO 13855. Who boxes is faster; the watch sees it.
+inline constexpr double kHandSpeed = 2.0;
 
 /// Loads everything that a scene names, builds the haptic structures, and steps. Not shared between threads.
 class Session {
@@ -60,6 +65,8 @@ class Session {
     std::string name, group;
     StructureLibrary::Key key;
     double margin;
+    std::optional<double> max_speed;  ///< as the scene says
+    double usual_speed;               ///< m/s, where it does not and pairs may rest
     std::function<void(ObjectId)> placed;
   };
   void planMechanisms(std::vector<Planned>& plan);
@@ -67,6 +74,7 @@ class Session {
   void planObjects(std::vector<Planned>& plan);
   void selectAndAddPairs();
   void bindPoses(const std::filesystem::path& file);
+  void setSpeeds(const std::vector<Planned>& plan);
   HapticOptions hapticOptions(const BodySettings& settings) const;
 
   SceneDescription description_;

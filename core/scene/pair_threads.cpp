@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/triple_buffer.hpp"
+#include "core/scene/live_rest.hpp"
 
 namespace abstand {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 /// What the owner hands in.
 struct PoseSet {
   std::vector<Transform> X_WB;       ///< one an object
+  std::vector<LiveObject> objects;   ///< the same
   std::vector<PairOptions> options;  ///< one a pair
   double t{-kInfinity};
   long number{0};  ///< counts publications; t may jump back
@@ -42,11 +44,29 @@ struct PairBodies {
 struct World {
   std::vector<std::shared_ptr<const HapticStructure>> structures;
   std::vector<PairBodies> pairs;
+  double rest{0.0};  ///< Skipping::rest
 
   void query(std::uint32_t pair, const PoseSet& poses, PairScratch& scratch, PairResult& result) const {
     const auto [a, b] = pairs[pair];
     queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair], scratch,
               result);
+  }
+
+  /// The same, or what is left of the last query when that will do. True when it was queried.
+  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveRest& last, PairScratch& scratch,
+               PairResult& result) const {
+    const auto [a, b] = pairs[pair];
+    const PairOptions& options = poses.options[pair];
+    const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
+    if (last.mayRest(now_a, now_b, options.margin)) {
+      result = {};  // a pair that rests has no contacts
+      last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, result);
+      return false;
+    }
+    query(pair, poses, scratch, result);
+    last.take(result, poses.X_WB[a], poses.X_WB[b], now_a, now_b,
+              touchFrom(*structures[a], *structures[b], options), options.margin, rest);
+    return true;
   }
 };
 
@@ -59,6 +79,7 @@ class Group {
         poses_(poses),
         wanted_(pairs),
         results_(emptyResults(world)),
+        rests_(world.rest > 0.0 ? world.pairs.size() : 0),
         pairs_(std::move(pairs)) {}
   ~Group() { stop(); }
   Group(const Group&) = delete;
@@ -103,6 +124,12 @@ class Group {
   }
 
   const ResultSet& latest() { return results_.latest(); }
+  StepCounts counts() const {
+    StepCounts c;
+    c.checked = checked_.load(std::memory_order_relaxed);
+    c.rested = rested_.load(std::memory_order_relaxed);
+    return c;
+  }
   long cycles() const { return cycles_.load(std::memory_order_acquire) - first_cycle_; }
 
   long collected{0};  ///< the owner's: cycle of the results that it has seen
@@ -142,10 +169,18 @@ class Group {
     out.pairs.count = pairs.count;
     out.t = poses.t;
     out.number = poses.number;
+    long rested = 0;
     for (std::size_t k = 0; k < pairs.count; ++k) {
-      out.pairs.index[k] = pairs.index[k];
-      world_.query(pairs.index[k], poses, scratch_, out.results[k]);
+      const std::uint32_t pair = pairs.index[k];
+      out.pairs.index[k] = pair;
+      if (rests_.empty()) {
+        world_.query(pair, poses, scratch_, out.results[k]);
+      } else if (!world_.bringUp(pair, poses, rests_[pair], scratch_, out.results[k])) {
+        ++rested;
+      }
     }
+    rested_.fetch_add(rested, std::memory_order_relaxed);
+    checked_.fetch_add(static_cast<long>(pairs.count) - rested, std::memory_order_relaxed);
     const long cycle = cycles_.load(std::memory_order_relaxed) + 1;
     out.cycle = cycle;
     // Before the results, so that whoever has seen them finds their cycle counted.
@@ -157,12 +192,14 @@ class Group {
   TripleBuffer<PoseSet> poses_;      ///< owner to group
   TripleBuffer<PairList> wanted_;    ///< owner to group
   TripleBuffer<ResultSet> results_;  ///< group to owner
+  std::vector<LiveRest> rests_;      ///< the group's, one a pair of the scene; empty when none may rest
   PairList pairs_;                   ///< the owner's copy of what it wants
   PairScratch scratch_;
   long first_cycle_{0};  ///< the owner's
   alignas(64) std::atomic<std::uint32_t> signal_{0};
   std::atomic<Order> order_{Order::kRun};
   alignas(64) std::atomic<long> cycles_{0};  ///< over all threads that this group has had
+  std::atomic<long> checked_{0}, rested_{0};
   std::jthread thread_;
 };
 
@@ -191,8 +228,10 @@ struct PairThreads::Impl {
                   scene.pairs().size() >= world.pairs.size());
     double latest = -kInfinity;
     for (std::size_t i = 0; i < poses.X_WB.size(); ++i) {
-      poses.X_WB[i] = scene.objects()[i].X_WB;
-      latest = std::max(latest, scene.objects()[i].t);
+      const Object& object = scene.objects()[i];
+      poses.X_WB[i] = object.X_WB;
+      poses.objects[i] = {object.t, object.interruptions, object.max_speed};
+      latest = std::max(latest, object.t);
     }
     for (std::size_t i = 0; i < poses.options.size(); ++i) poses.options[i] = scene.pairs()[i].options;
     poses.t = latest;
@@ -220,13 +259,17 @@ struct PairThreads::Impl {
 PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
   Impl& m = *impl_;
   const auto& objects = scene.objects();
-  for (const Object& object : objects) m.world.structures.push_back(object.spec.structure);
+  for (const Object& object : objects) {
+    m.world.structures.push_back(object.spec.structure);
+  }
+  m.world.rest = scene.skipping().rest;
   for (const Pair& pair : scene.pairs()) {
     m.world.pairs.push_back({pair.a.index(), pair.b.index()});
     m.pair_names.push_back("`" + objects[pair.a.index()].spec.name + "`, `" +
                            objects[pair.b.index()].spec.name + "`");
   }
   m.poses.X_WB.resize(objects.size());
+  m.poses.objects.resize(objects.size());
   m.poses.options.resize(scene.pairs().size());
   m.group_of.assign(scene.pairs().size(), Impl::kNoGroup);
   m.results.resize(scene.pairs().size());
@@ -313,6 +356,16 @@ long PairThreads::collect(std::vector<PairResult>& results) {
     if (m.result_number[i] >= 0) results[i] = m.results[i];
   }
   return finished;
+}
+
+StepCounts PairThreads::counts() const {
+  StepCounts sum;
+  for (const auto& group : impl_->groups) {
+    const StepCounts c = group->counts();
+    sum.checked += c.checked;
+    sum.rested += c.rested;
+  }
+  return sum;
 }
 
 double PairThreads::resultTime(PairId pair) const {

@@ -14,12 +14,13 @@ namespace abstand {
 ///
 /// One owner thread calls all functions; poses are handed in and results taken out through triple buffers, so
 /// that neither side waits for the other (but stop(), which waits for the group's cycle under way). A pair is
-/// in one group at most. Groups can be started, paused and stopped, and pairs added and removed, while the
-/// others run.
+/// in one group at most. With Skipping::rest, pairs of bodies with a bound on their speed rest
+/// (live_rest.hpp). Groups can be started, paused and stopped, and pairs added and removed, while the others
+/// run.
 class PairThreads {
  public:
-  /// Objects and pairs are those of the scene at this moment, at their present poses. Structures are shared,
-  /// the scene itself may go.
+  /// Objects and pairs are those of the scene at this moment, at their present poses; how long pairs rest,
+  /// too. Structures are shared, the scene itself may go.
   explicit PairThreads(const Scene& scene);
   /// Stops all groups.
   ~PairThreads();
@@ -45,6 +46,8 @@ class PairThreads {
   /// Time of the poses that a pair's last collected result belongs to (s, the latest of the objects' times);
   /// minus infinity for a pair that was never in a group.
   double resultTime(PairId pair) const;
+  /// Pairs that were queried and that rested, over all cycles of all groups.
+  StepCounts counts() const;
   /// Cycles that a group has run since its thread began.
   long cycles(GroupIndex group) const;
 

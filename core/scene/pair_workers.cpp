@@ -11,7 +11,8 @@ constexpr std::uint64_t kLeft = 0xffffffffu;
 
 PairWorkers::PairWorkers(int helpers) {
   try {
-    for (int i = 0; i < helpers; ++i) helpers_.emplace_back([this] { help(); });
+    for (int i = 0; i < helpers; ++i)
+      helpers_.emplace_back([this, thread = static_cast<std::size_t>(i) + 1] { help(thread); });
   } catch (...) {
     stopAll();
     throw;
@@ -38,23 +39,23 @@ void PairWorkers::run(std::size_t count, Task task, void* context) noexcept {
   cycle_.store(cycle, std::memory_order_release);
   cycle_.notify_all();
 
-  takeAll();
+  takeAll(0);
   for (auto left = unfinished_.load(std::memory_order_acquire); left != 0;
        left = unfinished_.load(std::memory_order_acquire))
     unfinished_.wait(left, std::memory_order_acquire);
 }
 
-void PairWorkers::help() noexcept {
+void PairWorkers::help(std::size_t thread) noexcept {
   std::uint32_t seen = 0;
   for (;;) {
     cycle_.wait(seen, std::memory_order_acquire);
     seen = cycle_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
-    takeAll();
+    takeAll(thread);
   }
 }
 
-void PairWorkers::takeAll() noexcept {
+void PairWorkers::takeAll(std::size_t thread) noexcept {
   // Large shares first, single pairs at the end, so that all threads finish together.
   const std::uint64_t shares = 2 * (helpers_.size() + 1);
   std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
@@ -64,7 +65,7 @@ void PairWorkers::takeAll() noexcept {
     if (!ticket_.compare_exchange_weak(ticket, ticket - n, std::memory_order_acq_rel,
                                        std::memory_order_acquire))
       continue;
-    for (std::uint64_t i = left - n; i < left; ++i) task_(context_, i);
+    for (std::uint64_t i = left - n; i < left; ++i) task_(context_, i, thread);
     if (unfinished_.fetch_sub(static_cast<std::uint32_t>(n), std::memory_order_acq_rel) == n)
       unfinished_.notify_one();
     ticket = ticket_.load(std::memory_order_acquire);

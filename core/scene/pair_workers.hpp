@@ -13,8 +13,9 @@ namespace abstand {
 /// thread.
 class PairWorkers {
  public:
-  /// `task(context, index)`; must not throw.
-  using Task = void (*)(void* context, std::size_t index);
+  /// `task(context, index, thread)`; must not throw. `thread`: 0 is the caller, 1 to `helpers` the others,
+  /// for work space that each thread has once.
+  using Task = void (*)(void* context, std::size_t index, std::size_t thread);
 
   /// Throws std::system_error when the machine gives no more threads.
   explicit PairWorkers(int helpers);
@@ -28,8 +29,8 @@ class PairWorkers {
   void run(std::size_t count, Task task, void* context) noexcept;
 
  private:
-  void help() noexcept;
-  void takeAll() noexcept;
+  void help(std::size_t thread) noexcept;
+  void takeAll(std::size_t thread) noexcept;
   void stopAll() noexcept;
 
   Task task_{nullptr};

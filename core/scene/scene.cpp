@@ -1,6 +1,7 @@
 #include "core/scene/scene.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -17,11 +18,23 @@ void checkNotNegative(const char* what, double value) {
     throw UsageError(std::string(what) + " " + formatDouble(value) + ": expected a finite number, 0 or more");
 }
 
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Queries of a thread between two looks at the clock.
+constexpr std::size_t kBatch = 8;
+
 }  // namespace
 
 class Scene::History : public MotionHistory<Scene::kMeanSamples> {};
 
-Scene::Scene() = default;
+/// On cache lines of its own.
+struct alignas(64) Scene::Scratch {
+  PairScratch of_query;
+};
+
+Scene::Scene() : scratch_(1), clock_(steadySeconds) { batch_.reserve(kBatch); }
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
@@ -35,9 +48,13 @@ ObjectId Scene::addObject(ObjectSpec spec) {
     throw UsageError("object name `" + spec.name + "`: taken already, expected a new one");
   Object object;
   object.spec = std::move(spec);
+  reaches_.emplace_back(object.spec.structure->bounding_sphere);
   objects_.push_back(std::move(object));
   pairs_of_.emplace_back();
   histories_.emplace_back();
+  has_moved_.push_back(false);
+  renewed_at_.push_back(0);
+  moved_.reserve(objects_.capacity());
   return id;
 }
 
@@ -53,9 +70,12 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, options, {}, {}});
+  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, 0, {}, {}, options});
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
+  for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
+  if (skipping_.limited()) agenda_.reserve(pairs_.capacity());
+  renew(id);
   return id;
 }
 
@@ -68,6 +88,8 @@ void Scene::setThreads(int threads) {
   if (threads == threads_) return;
   workers_.reset();
   threads_ = 1;
+  scratch_.resize(static_cast<std::size_t>(threads));
+  batch_.reserve(scratch_.size() * kBatch);
   if (threads > 1) workers_ = std::make_unique<PairWorkers>(threads - 1);
   threads_ = threads;
 }
@@ -78,6 +100,7 @@ void Scene::setMargin(ObjectId object, double margin) {
   for (const PairId id : pairs_of_[object.index()]) {
     Pair& pair = pairs_[id.index()];
     pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
+    renew(id);
   }
 }
 
@@ -85,10 +108,25 @@ void Scene::setForceLaw(ForceLaw law, double stiffness) {
   checkNotNegative("stiffness", stiffness);
   law_ = law;
   stiffness_ = stiffness;
-  for (Pair& pair : pairs_) {
-    pair.options.law = law;
-    pair.options.stiffness = stiffness;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    pairs_[i].options.law = law;
+    pairs_[i].options.stiffness = stiffness;
+    renew(PairId(i));
   }
+}
+
+void Scene::setMaxSpeed(ObjectId object, double speed) {
+  if (!(speed >= 0.0))
+    throw UsageError("max_speed " + formatDouble(speed) + ": expected a speed in m/s, 0 or more");
+  objects_[object.index()].max_speed = speed;
+  ++objects_[object.index()].interruptions;
+}
+
+void Scene::setSkipping(const Skipping& skipping) {
+  skipping.validate();
+  skipping_ = skipping;
+  if (skipping.limited()) agenda_.reserve(pairs_.capacity());
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 
 bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState state) {
@@ -100,7 +138,11 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   }
   History& history = histories_[id.index()];
   const double dt = t - object.t;
+  const bool moved = object.X_WB.matrix() != X_WB.matrix();
+  const double step = moved ? reaches_[id.index()].moveTo(X_WB) : 0.0;
+  if (moved) touch(id);
   if (!history.started() || dt <= -kLeastTimeStep) {
+    ++object.interruptions;
     history.start();
     object.velocity = object.mean_velocity = Twist{};
   } else if (dt >= kLeastTimeStep) {
@@ -109,6 +151,9 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
     history.add(dt, way, rotation);
     object.velocity = {way / dt, rotation / dt};
     object.mean_velocity = history.mean();
+    if (speed_watch_.add(id, t, step, dt, object.max_speed, object.speed_state)) ++object.interruptions;
+  } else if (moved) {
+    ++object.interruptions;
   }
   object.X_WB = X_WB;
   object.t = t;
@@ -116,29 +161,180 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   return true;
 }
 
-void Scene::step() {
-  const auto query = [](void* context, std::size_t i) {
-    auto& scene = *static_cast<Scene*>(context);
-    Pair& pair = scene.pairs_[i];
-    const Object& a = scene.objects_[pair.a.index()];
-    const Object& b = scene.objects_[pair.b.index()];
-    queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, pair.scratch, pair.result);
+void Scene::touch(ObjectId id) {
+  if (has_moved_[id.index()]) return;
+  has_moved_[id.index()] = true;
+  moved_.push_back(id);
+}
+
+void Scene::enqueue(PairId id) {
+  Pair& pair = pairs_[id.index()];
+  if (pair.queued) return;
+  pair.queued = true;
+  pending_.push_back(id);
+}
+
+/// The next step() queries it, whatever was proven.
+void Scene::renew(PairId id) {
+  pairs_[id.index()].rest.forget();
+  enqueue(id);
+}
+
+/// What the last steps left and the pairs of everything that has moved, each once, become the work of this
+/// step.
+void Scene::enqueueMoved() {
+  for (const PairId id : pending_) renewed_at_[pairs_[id.index()].a.index()] = steps_;
+  for (const ObjectId object : moved_) {
+    const auto& pairs = pairs_of_[object.index()];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      prefetch(pairs, i);
+      enqueue(pairs[i]);
+    }
+    has_moved_[object.index()] = false;
+    renewed_at_[object.index()] = steps_;
+  }
+  moved_.clear();
+  std::swap(renewed_, pending_);
+  pending_.clear();
+}
+
+/// The pairs of an object that moves lie far apart in memory: asks for one some places ahead.
+void Scene::prefetch(const std::vector<PairId>& pairs, std::size_t i) const {
+  constexpr std::size_t kAhead = 8;
+  if (i + kAhead >= pairs.size()) return;
+  const char* line = reinterpret_cast<const char*>(&pairs_[pairs[i + kAhead].index()]);
+  for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(line + 64 * k, 1);
+}
+
+/// task(pair, scratch) for each, on all threads.
+template <class Task>
+void Scene::spread(const std::vector<PairId>& pairs, Task task) {
+  struct Context {
+    Scene& scene;
+    const std::vector<PairId>& pairs;
+    Task& task;
+  } context{*this, pairs, task};
+  const auto one = [](void* c, std::size_t i, std::size_t thread) {
+    auto& [scene, list, work] = *static_cast<Context*>(c);
+    scene.prefetch(list, i);
+    work(scene.pairs_[list[i].index()], scene.scratch_[thread].of_query);
   };
   if (workers_) {
-    workers_->run(pairs_.size(), query, this);
+    workers_->run(pairs.size(), one, &context);
   } else {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) query(this, i);
+    for (std::size_t i = 0; i < pairs.size(); ++i) one(&context, i, 0);
   }
+}
+
+void Scene::check(Pair& pair, PairScratch& scratch) const {
+  const Object& a = objects_[pair.a.index()];
+  const Object& b = objects_[pair.b.index()];
+  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
+  pair.outcome = PairOutcome::kChecked;
+  if (!skipping_.any()) return;
+  pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
+                 touchFrom(*a.spec.structure, *b.spec.structure, pair.options), skipping_);
+}
+
+void Scene::visit(Pair& pair, PairScratch& scratch) const {
+  const ObjectReach& a = reaches_[pair.a.index()];
+  const ObjectReach& b = reaches_[pair.b.index()];
+  pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;
+  if (pair.outcome == PairOutcome::kChecked) {
+    // Under a budget what is proven has to do until its turn comes.
+    if (!skipping_.limited() || !pair.rest.proven()) return check(pair, scratch);
+    pair.outcome = PairOutcome::kPutOff;
+  }
+  pair.rest.proof().carry(objects_[pair.a.index()].X_WB, objects_[pair.b.index()].X_WB,
+                          pair.rest.lowerNow(a, b), pair.result);
+}
+
+/// Queries what was put off, the most urgent first, until the clock shows `deadline`; one batch at least, so
+/// that everything gets its turn.
+void Scene::checkWithin(double deadline) {
+  agenda_.clear();
+  for (const PairId id : renewed_) {
+    const Pair& pair = pairs_[id.index()];
+    if (pair.outcome != PairOutcome::kPutOff) continue;
+    const double clearance = pair.result.distance - pair.result.bound - pair.rest.touchFrom();
+    agenda_.add({id, clearance <= 0.0, pair.waited, clearance});
+  }
+  agenda_.sortOut();
+  do {
+    batch_.clear();
+    while (!agenda_.empty() && batch_.size() < kBatch * scratch_.size()) batch_.push_back(agenda_.next());
+    spread(batch_, [this](Pair& pair, PairScratch& scratch) { check(pair, scratch); });
+  } while (!agenda_.empty() && clock_() < deadline);
+}
+
+void Scene::step() {
+  const double deadline = skipping_.limited() ? clock_() + skipping_.budget : kInfinity;
+  ++steps_;
+  enqueueMoved();
+  spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
+  if (skipping_.limited()) checkWithin(deadline);
+  takeStock();
   addUp();
 }
 
-void Scene::addUp() {
-  for (Object& object : objects_) {
-    object.contact = {};
-    object.contacts = 0;
-    object.colliding = false;
+void Scene::count(Pair& pair) {
+  switch (pair.outcome) {
+    case PairOutcome::kChecked:
+      ++counts_.checked;
+      break;
+    case PairOutcome::kRested:
+      ++counts_.rested;
+      break;
+    case PairOutcome::kBeyond:
+      ++counts_.beyond;
+      break;
+    case PairOutcome::kPutOff:
+      ++counts_.put_off;
+      counts_.longest_wait = std::max(counts_.longest_wait, ++pair.waited);
+      return;
   }
-  for (const Pair& pair : pairs_) {
+  pair.waited = 0;
+}
+
+/// What the renewed pairs change in what is known of all pairs.
+void Scene::takeStock() {
+  if (distances_.size() != pairs_.size()) {
+    distances_.resize(pairs_.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) distances_.set(i, pairs_[i].result.distance);
+  }
+  for (const PairId id : touching_) {
+    const Pair& pair = pairs_[id.index()];
+    for (const ObjectId object : {pair.a, pair.b}) {
+      objects_[object.index()].contact = {};
+      objects_[object.index()].contacts = 0;
+      objects_[object.index()].colliding = false;
+    }
+  }
+  counts_ = {};
+  bool begun = false, ended = false;
+  for (std::size_t i = 0; i < renewed_.size(); ++i) {
+    prefetch(renewed_, i);
+    const PairId id = renewed_[i];
+    Pair& pair = pairs_[id.index()];
+    pair.queued = false;
+    count(pair);
+    distances_.set(id.index(), pair.result.distance);
+    if (pair.outcome == PairOutcome::kPutOff) enqueue(id);
+    if (pair.outcome != PairOutcome::kChecked) continue;
+    const bool touches = pair.result.contacts > 0;
+    if (touches == pair.touching) continue;
+    pair.touching = touches;
+    (touches ? begun : ended) = true;
+    if (touches) touching_.push_back(id);
+  }
+  if (ended) std::erase_if(touching_, [this](PairId id) { return !pairs_[id.index()].touching; });
+  if (begun) std::sort(touching_.begin(), touching_.end());
+}
+
+/// In pair order. Pairs without contacts would add zeros.
+void Scene::addUp() {
+  for (const PairId id : touching_) {
+    const Pair& pair = pairs_[id.index()];
     const PairResult& r = pair.result;
     Object& a = objects_[pair.a.index()];
     Object& b = objects_[pair.b.index()];
@@ -146,8 +342,13 @@ void Scene::addUp() {
     b.contact += {-r.force_a, r.torque_b};
     a.contacts += r.contacts;
     b.contacts += r.contacts;
-    if (r.contacts > 0) a.colliding = b.colliding = true;
+    a.colliding = b.colliding = true;
   }
+}
+
+std::optional<PairId> Scene::nearest() const {
+  const auto i = distances_.smallest();
+  return i ? std::optional(PairId(static_cast<std::uint32_t>(*i))) : std::nullopt;
 }
 
 const Object* Scene::find(const std::string& name, ObjectId* id) const {

@@ -3,14 +3,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
 
+#include "core/base/huge_pages.hpp"
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
+#include "core/scene/minimum_tree.hpp"
+#include "core/scene/pair_agenda.hpp"
+#include "core/scene/pair_rest.hpp"
+#include "core/scene/speed_watch.hpp"
 
 namespace abstand {
 
@@ -30,29 +36,49 @@ struct Object {
   ObjectSpec spec;
   Transform X_WB{Transform::Identity()};
   PoseState pose_state{PoseState::kFresh};
-  long rejected_poses{0};  ///< poses that were not finite or no rotation; the last good one stayed
-  double t{0.0};           ///< s, of X_WB
-  Twist velocity;          ///< instant: from the last two poses; linear of the centre of mass
-  Twist mean_velocity;     ///< over the last Scene::kMeanSamples poses
-  Wrench contact;          ///< sum over its pairs, about its centre of mass
+  long rejected_poses{0};       ///< poses that were not finite or no rotation; the last good one stayed
+  double t{0.0};                ///< s, of X_WB
+  Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass
+  Twist mean_velocity;          ///< over the last Scene::kMeanSamples poses
+  double max_speed{kInfinity};  ///< m/s, of its farthest point; what rests on it is watched by setPose
+  /// Grows when what was concluded from times and speeds no longer holds: at a breach of max_speed, when
+  /// max_speed changes, and when the object is moved back in time or without time.
+  long interruptions{0};
+  SpeedWatch::State speed_state;
+  Wrench contact;  ///< sum over its pairs, about its centre of mass
   int contacts{0};
   bool colliding{false};  ///< some pair of it has a contact (margins included)
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
 };
 
-/// On cache lines of its own, because neighbours are worked on by different threads.
+/// On cache lines of its own, because neighbours are worked on by different threads; what a resting pair
+/// needs comes first.
 struct alignas(64) Pair {
   ObjectId a, b;
-  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
-  PairScratch scratch;
+  PairOutcome outcome{PairOutcome::kChecked};
+  bool queued{false};    ///< the next step() looks at it
+  bool touching{false};  ///< is among Scene::touching()
+  int waited{0};         ///< steps that it has been put off
+  PairRest rest;
   PairResult result;
+  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
+};
+
+using PairTable = std::vector<Pair, HugePageAllocator<Pair>>;
+
+/// How the pairs of a step came to their results; those that nothing moved do not count.
+struct StepCounts {
+  long checked{0}, rested{0}, beyond{0}, put_off{0};
+  int longest_wait{0};  ///< steps, of the pairs put off
 };
 
 class PairWorkers;
 
 /// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order,
-/// so the bits are the same for any number of threads. After the first step(), step() allocates nothing and
-/// locks nothing but the workers' barrier. Other threads read snapshots, never the scene.
+/// so the bits are the same for any number of threads. Pairs of two bodies that have not moved keep their
+/// results, which are those that a query would give again, so a step costs what has moved. What else may be
+/// left out is in Skipping. After the first step(), step() allocates nothing and locks nothing but the
+/// workers' barrier. Other threads read snapshots, never the scene.
 class Scene {
  public:
   /// Poses in the mean velocity.
@@ -79,20 +105,42 @@ class Scene {
   /// For all pairs, those that are added later too. Throws UsageError unless finite and not negative.
   void setForceLaw(ForceLaw law, double stiffness);
 
+  /// m/s, from the next pose on; infinity: no bound. Throws UsageError unless 0 or more.
+  void setMaxSpeed(ObjectId object, double speed);
+  const SpeedWatch& speedWatch() const { return speed_watch_; }
+  /// From the next step() on. Throws UsageError.
+  void setSkipping(const Skipping& skipping);
+  const Skipping& skipping() const { return skipping_; }
+  /// What the time budget is measured with: seconds from any beginning. Default: the steady clock.
+  using Clock = double (*)();
+  void setClock(Clock clock) { clock_ = clock; }
+
   /// False, and the object keeps its last pose and is flagged kRejected, when the pose is not finite, no
   /// rotation or farther than kFarthest from the origin, or t is not finite. Velocities come from the rise of
   /// t: at the same t the pose is replaced and the velocities stay; at an earlier t (a jump back in a
   /// recording) they start again from zero.
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
 
-  /// Queries every pair at the present poses and sums the totals of the objects.
+  /// Brings every pair's result up to the present poses and sums the totals of the objects.
   void step();
+  /// Steps so far.
+  long steps() const { return steps_; }
+  const StepCounts& counts() const { return counts_; }  ///< of the last step()
 
   std::size_t objectCount() const { return objects_.size(); }
   const Object& object(ObjectId id) const { return objects_[id.index()]; }
   const std::vector<Object>& objects() const { return objects_; }
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  const PairTable& pairs() const { return pairs_; }
   const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
+  /// Pairs whose results the last step() renewed; the others are as they were. In no order.
+  const std::vector<PairId>& renewed() const { return renewed_; }
+  /// Pairs with contacts, in order.
+  const std::vector<PairId>& touching() const { return touching_; }
+  /// The pair with the smallest distance, the first of equal ones; none before the first step().
+  std::optional<PairId> nearest() const;
+  /// The last step() (of steps()) that renewed a pair which is named with this object; every renewed pair
+  /// is named with one of its two.
+  long renewedAt(ObjectId id) const { return renewed_at_[id.index()]; }
   /// The object with this name, or null. The pointer holds until the next addObject.
   const Object* find(const std::string& name, ObjectId* id = nullptr) const;
   /// The thesis's relation table: the pairs of one object (row and column).
@@ -102,18 +150,46 @@ class Scene {
 
  private:
   class History;
+  struct Scratch;
+  template <class Task>
+  void spread(const std::vector<PairId>& pairs, Task task);
+  void enqueue(PairId id);
+  void renew(PairId id);
+  void enqueueMoved();
+  void touch(ObjectId id);
+  void check(Pair& pair, PairScratch& scratch) const;
+  void visit(Pair& pair, PairScratch& scratch) const;
+  void checkWithin(double deadline);
+  void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
+  void count(Pair& pair);
+  void takeStock();
   void addUp();
 
   std::vector<Object> objects_;
-  std::vector<Pair> pairs_;
+  PairTable pairs_;
   std::vector<std::vector<PairId>> pairs_of_;
   std::unordered_map<std::string, std::uint32_t> index_of_;
   std::unordered_set<std::uint64_t> pair_keys_;
   std::vector<History> histories_;
+  std::vector<ObjectReach> reaches_;
+  SpeedWatch speed_watch_;
+  std::vector<ObjectId> moved_;  ///< since the last step()
+  std::vector<bool> has_moved_;
+  std::vector<PairId> pending_;  ///< to be looked at whatever has moved
+  std::vector<PairId> renewed_, touching_;
+  std::vector<long> renewed_at_;  ///< of each object
+  MinimumTree distances_;
+  std::vector<Scratch> scratch_;  ///< of each thread
   std::unique_ptr<PairWorkers> workers_;
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};
+  Skipping skipping_;
+  Clock clock_;
+  PairAgenda agenda_;
+  std::vector<PairId> batch_;
+  StepCounts counts_;
   int threads_{1};
+  long steps_{0};
 };
 
 }  // namespace abstand

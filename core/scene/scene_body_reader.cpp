@@ -19,6 +19,7 @@ constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
 constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
 constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
+constexpr YamlRange kSpeedRange{0.0, 1e4, "m/s"};
 constexpr int kMostFrameId = 1000000;
 
 double needNumber(const YamlFields& fields, std::string_view key, const YamlRange& range) {
@@ -45,6 +46,7 @@ BodySettings settings(const YamlFields& fields) {
   s.point = fields.number("point", kVoxelRange);
   s.margin = fields.number("margin", kMarginRange);
   s.outer_layers = fields.integer("outer_layers", 0, kMostOuterLayers);
+  s.max_speed = fields.number("max_speed", kSpeedRange);
   return s;
 }
 
@@ -68,14 +70,16 @@ Shape shape(const YamlNode& node, const std::string& file) {
 }
 
 HumanPartDescription humanPart(const YamlNode& node, const std::string& file, const std::string& name) {
-  const YamlFields fields(node, file, "the part `" + name + "`",
-                          {"contour", "length", "breadth", "depth", "shape", "margin", "voxel", "point"});
+  const YamlFields fields(
+      node, file, "the part `" + name + "`",
+      {"contour", "length", "breadth", "depth", "shape", "margin", "voxel", "point", "max_speed"});
   HumanPartDescription part;
   const auto keep = [&](const char* key, const YamlRange& range) {
     if (const auto value = fields.number(key, range)) part.numbers[key] = *value;
   };
   for (const char* key : {"contour", "length", "breadth", "depth"}) keep(key, kPartRange);
   keep("margin", kMarginRange);
+  keep("max_speed", kSpeedRange);
   for (const char* key : {"voxel", "point"}) keep(key, kVoxelRange);
   part.shape = fields.choice("shape", {"ellipsoid", "cuboid"});
   return part;
@@ -155,9 +159,9 @@ void SceneBodyReader::meshOrShape(const YamlFields& fields, Body& body) const {
 }
 
 LinkDescription SceneBodyReader::link(const YamlNode& node) {
-  const YamlFields fields(
-      node, file_, "a link",
-      {"name", "frame", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin"});
+  const YamlFields fields(node, file_, "a link",
+                          {"name", "frame", "mesh", "scale", "shape", "pose", "voxel", "point",
+                           "outer_layers", "margin", "max_speed"});
   LinkDescription l;
   l.pos = fields.pos();
   l.name = newBody(fields);
@@ -170,7 +174,8 @@ LinkDescription SceneBodyReader::link(const YamlNode& node) {
 }
 
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
-  const YamlFields fields(node, file_, "a mechanism", {"name", "file", "base", "q", "motion", "links"});
+  const YamlFields fields(node, file_, "a mechanism",
+                          {"name", "file", "base", "q", "motion", "links", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
@@ -179,6 +184,7 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   for (const auto& q : fields.list("q")) m.q.push_back(yamlNumber(q, file_, "`q`", kJointRange));
   if (const auto* motion = fields.find("motion"))
     m.motion = existingFile(*motion, "`motion`", "a CSV of joint values");
+  m.max_speed = fields.number("max_speed", kSpeedRange);
   for (const auto& l : fields.list("links")) m.links.push_back(link(l));
   return m;
 }
@@ -206,7 +212,7 @@ RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
 HumanDescription SceneBodyReader::human(const YamlNode& node) {
   const YamlFields fields(node, file_, "a human",
                           {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
-                           "voxel", "point", "outer_layers", "margin"});
+                           "voxel", "point", "outer_layers", "margin", "max_speed"});
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
@@ -235,7 +241,7 @@ HumanDescription SceneBodyReader::human(const YamlNode& node) {
 ObjectDescription SceneBodyReader::object(const YamlNode& node) {
   const YamlFields fields(
       node, file_, "an object",
-      {"name", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin"});
+      {"name", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin", "max_speed"});
   ObjectDescription o;
   o.pos = fields.pos();
   o.name = newBody(fields);

@@ -13,6 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr YamlRange kStiffnessRange{0.0, 1e15, "N/m^3", true};
+constexpr YamlRange kShareRange{0.0, 1.0};
+constexpr YamlRange kHorizonRange{0.0, 1e4, "m"};
+constexpr YamlRange kBudgetRange{0.0, 1e3, "s"};
 
 using NamePair = std::pair<std::string, std::string>;
 
@@ -98,13 +101,23 @@ ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
   return groups;
 }
 
+Skipping skippingRules(const YamlNode& node, const std::string& file) {
+  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget"});
+  Skipping s;
+  s.rest = fields.number("rest", kShareRange).value_or(s.rest);
+  s.horizon = fields.number("horizon", kHorizonRange).value_or(s.horizon);
+  s.budget = fields.number("budget", kBudgetRange).value_or(s.budget);
+  return s;
+}
+
 }  // namespace
 
 SceneDescription parseScene(const std::string& text, const fs::path& path) {
   const std::string file = path.string();
   const YamlNode root = parseYaml(text, file);
-  const YamlFields fields(root, file, "the scene",
-                          {"abstand", "defaults", "mechanisms", "humans", "objects", "pairs", "threads"});
+  const YamlFields fields(
+      root, file, "the scene",
+      {"abstand", "defaults", "mechanisms", "humans", "objects", "pairs", "threads", "skipping"});
   if (!fields.find("abstand"))
     throw ParseError(fields.pos(),
                      "found no `abstand` in the scene, expected the format version `abstand: 1`");
@@ -123,6 +136,7 @@ SceneDescription parseScene(const std::string& text, const fs::path& path) {
   for (const auto& node : fields.list("objects")) scene.objects.push_back(bodies.object(node));
   if (const auto* node = fields.find("pairs")) scene.pairs = pairRules(*node, file, bodies.bodies());
   if (const auto* node = fields.find("threads")) scene.threads = threadGroups(*node, file, bodies.bodies());
+  if (const auto* node = fields.find("skipping")) scene.skipping = skippingRules(*node, file);
   return scene;
 }
 

@@ -12,12 +12,14 @@
 #include "core/base/error.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/haptic/haptic_options.hpp"
+#include "core/scene/skipping.hpp"
 
 namespace abstand {
 
 /// What a body of the scene may set for itself; what is not set follows `defaults`.
 struct BodySettings {
   std::optional<double> voxel, point, margin;
+  std::optional<double> max_speed;  ///< m/s
   std::optional<int> outer_layers;
 };
 
@@ -38,6 +40,7 @@ struct MechanismDescription {
   Transform X_WB{Transform::Identity()};  ///< `base`
   std::vector<double> q;                  ///< empty: all zero
   std::filesystem::path motion;           ///< empty: none
+  std::optional<double> max_speed;        ///< m/s, of its links, where they have none of their own
   std::vector<LinkDescription> links;
   SourcePos pos;
 };
@@ -50,7 +53,8 @@ struct RecordingDescription {
   SourcePos pos;
 };
 
-/// Overrides of one part: key ("contour", "length", "breadth", "depth", "margin", "voxel", "point") -> value.
+/// Overrides of one part: key ("contour", "length", "breadth", "depth", "margin", "voxel", "point",
+/// "max_speed") -> value.
 struct HumanPartDescription {
   std::map<std::string, double> numbers;
   std::optional<std::string> shape;
@@ -106,6 +110,7 @@ struct SceneDescription {
   std::vector<ObjectDescription> objects;
   PairsDescription pairs;
   ThreadGroups threads;
+  Skipping skipping;
 };
 
 /// Reads a scene file (cli contract, YAML). Relative paths are resolved against the scene file's folder.

@@ -112,6 +112,7 @@ std::string settings(const BodySettings& s, const char* before = ", ", const cha
   if (s.point) t += before + ("point: " + formatDouble(*s.point)) + after;
   if (s.outer_layers) t += before + ("outer_layers: " + std::to_string(*s.outer_layers)) + after;
   if (s.margin) t += before + ("margin: " + formatDouble(*s.margin)) + after;
+  if (s.max_speed) t += before + ("max_speed: " + formatDouble(*s.max_speed)) + after;
   return t;
 }
 
@@ -130,6 +131,7 @@ std::string mechanismText(const MechanismDescription& m) {
     s += "]\n";
   }
   if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
+  if (m.max_speed) s += "    max_speed: " + formatDouble(*m.max_speed) + "\n";
   if (!m.links.empty()) s += "    links:\n";
   for (const auto& l : m.links)
     s += "      - {name: " + scalar(l.name) + ", frame: " + std::to_string(l.frame) + meshOrShape(l) +
@@ -160,6 +162,14 @@ std::string humanText(const HumanDescription& h) {
   if (!h.parts.empty()) s += "    parts:\n";
   for (const auto& [name, part] : h.parts) s += "      " + name + ": " + partText(part) + "\n";
   return h.recording.file.empty() ? s : s + recordingText(h.recording);
+}
+
+/// What is not limited has no key.
+std::string skippingText(const Skipping& s) {
+  std::string text = "skipping: {rest: " + formatDouble(s.rest);
+  if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
+  if (s.limited()) text += ", budget: " + formatDouble(s.budget);
+  return text + "}\n";
 }
 
 std::string pairList(const std::vector<std::pair<std::string, std::string>>& pairs) {
@@ -194,6 +204,7 @@ std::string describeScene(const SceneDescription& scene) {
                                            : "between_groups") +
        "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
        "\n  exclude: " + pairList(p.exclude) + "\n  include: " + pairList(p.include) + "\n";
+  s += skippingText(scene.skipping);
   if (scene.threads.empty()) return s + "threads: auto\n";
   s += "threads:\n";
   for (const auto& group : scene.threads) s += "  - " + pairList(group) + "\n";

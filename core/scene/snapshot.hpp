@@ -26,7 +26,8 @@ struct PairSnapshot {
 /// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
 struct SceneSnapshot {
   long step{0};
-  double t{0.0};  ///< s, simulation time
+  long captured{-1};  ///< Scene::steps() at the last capture() into this one
+  double t{0.0};      ///< s, simulation time
   std::vector<ObjectSnapshot> objects;
   std::vector<PairSnapshot> pairs;
   std::vector<double> joint_positions;  ///< all mechanisms, one after the other (rad, m)
@@ -34,13 +35,15 @@ struct SceneSnapshot {
   double cycle_us{0.0};                 ///< last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
   long overruns{0};  ///< cycles longer than the period
+  StepCounts work;   ///< how the pairs of the last step came to their results
   double real_time_factor{0.0};
   bool playing{false};
   int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
 
-/// Fills objects, pairs and nearest_pair (the first of equal ones; pairs that were never queried do not
-/// count) and leaves the rest alone. Allocates nothing when the sizes are right already.
+/// Fills objects, pairs, work and nearest_pair (the first of equal ones; pairs that were never queried do not
+/// count), as of the last step(), and leaves the rest alone. A snapshot stays with one scene: only what was
+/// renewed since the last capture is copied. Allocates nothing when the sizes are right already.
 void capture(const Scene& scene, SceneSnapshot& snapshot);
 
 /// What does not change while a scene is open: names, groups, pairs, for the tree and the tables.

@@ -66,7 +66,7 @@ std::string ballPoses(double stop) {
 TEST_F(Cli, WrongUsageIsTwo) {
   for (const char* bad :
        {"", "nothing", "fk", "human --height 0", "human --height nan", "build sphere:0.05 --voxel -1",
-        "build sphere:-1", "run --mode sideways x.yaml", "bench nosuch"}) {
+        "build sphere:-1", "run --mode sideways x.yaml", "bench nosuch", "run --rest some x.yaml"}) {
     const Answer a = run(bad);
     EXPECT_EQ(a.code, 2) << bad << ": " << a.err;
     EXPECT_FALSE(a.err.empty()) << bad;
@@ -264,6 +264,35 @@ TEST_F(Cli, LostTrackingIsRefusedFlaggedAndSaid) {
   const json j = runJson("run " + write("s.yaml", kBallAndWall) + " --poses " + write("m.csv", csv));
   EXPECT_EQ(j["stale"], json({"ball"}));
   EXPECT_FALSE(j["min_distance"]["value"].is_null());
+}
+
+TEST_F(Cli, WhatARunLeftOutIsSaid) {
+  const std::string poses = " --poses " + write("m.csv", ballPoses(0.12));
+  std::string text = kBallAndWall;
+  text.replace(text.find("voxel: 0.005, point: 0.005"), 26, "voxel: 0.02, point: 0.02");
+  const std::string scene = write("s.yaml", text);
+  const json plain = runJson("run " + scene + poses)["skipping"];
+  EXPECT_EQ(plain["checked"], 88);  // the warm-up had the first pose already, and the last 12 are one
+  EXPECT_EQ(plain["rested"], 0);
+  const json j = runJson("run " + scene + poses + " --rest 0.3");
+  EXPECT_EQ(j["skipping"]["checked"].get<int>() + j["skipping"]["rested"].get<int>(), 88);
+  EXPECT_GT(j["skipping"]["rested"], 10);
+  EXPECT_GE(j["min_distance"]["value"].get<double>(), 0.12 - 0.005);
+  EXPECT_EQ(run("run " + scene + poses + " --rest 1.5").code, 2);
+  EXPECT_EQ(run("run " + scene + poses + " --horizon -1").code, 2);
+  EXPECT_EQ(run("run " + scene + poses + " --budget -1").code, 2);
+
+  // The same scene with leave to rest and a bound that the ball breaks: the gate queries all the same.
+  text.replace(text.find("name: ball,"), 11, "name: ball, max_speed: 1.0e-3,");
+  const std::string slow = write("slow.yaml", text + "skipping: {rest: 0.3, budget: 100}\n");
+  const json s = runJson("run " + slow + poses)["skipping"];
+  EXPECT_GT(s["rested"], 10);
+  EXPECT_EQ(s["breach_count"], 1);
+  EXPECT_EQ(s["breaches"][0]["object"], "ball");
+  EXPECT_GT(s["breaches"][0]["speed"], 1e-3);
+  EXPECT_EQ(s["breaches"][0]["bound"], 1e-3);
+  EXPECT_EQ(run("check " + slow + poses + " --min-distance 0.1199").code,
+            run("check " + scene + poses + " --min-distance 0.1199").code);
 }
 
 TEST_F(Cli, DryRunPrintsASceneThatReadsBack) {

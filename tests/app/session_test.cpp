@@ -87,6 +87,63 @@ TEST(Session, SecondRunOfTheSameSessionGivesTheSameNumbers) {
   EXPECT_EQ(runHash(*session), first);
 }
 
+TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
+  // Certified distances hold for the exact surfaces; reported ones are off them by less than this.
+  constexpr double kOnSurface = 1e-5;
+  auto exact = openReach();
+  std::uint64_t expected = 0;
+  for (const int threads : {1, 3}) {
+    SessionOptions options;
+    options.threads = threads;
+    options.rest = 0.05;
+    options.horizon = 1.0;
+    Session session(loadScene(projectFile("data/scenes/hug_reach.yaml")), options);
+    StateHash hash;
+    StepCounts sum;
+    for (int i = 0; i < 400; ++i) {
+      session.step(0.005 * i);
+      exact->step(0.005 * i);
+      sum.checked += session.scene().counts().checked;
+      sum.rested += session.scene().counts().rested;
+      sum.beyond += session.scene().counts().beyond;
+      for (std::size_t p = 0; p < session.scene().pairs().size(); ++p) {
+        const PairResult& r = session.scene().pairs()[p].result;
+        const PairResult& e = exact->scene().pairs()[p].result;
+        ASSERT_EQ(r.contacts, e.contacts) << i << " " << p;
+        ASSERT_EQ(r.force_a, e.force_a);
+        ASSERT_LE(r.distance - r.bound, e.distance + kOnSurface) << i << " " << p;
+        ASSERT_LE(e.distance - e.bound, r.distance + kOnSurface) << i << " " << p;
+        hash.add(r.distance);
+        hash.add(r.bound);
+      }
+    }
+    EXPECT_GT(sum.rested, 0);
+    EXPECT_GT(sum.beyond, 0);
+    EXPECT_GT(sum.checked, 0);
+    if (threads == 1) expected = hash.value();
+    EXPECT_EQ(hash.value(), expected);
+  }
+}
+
+TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
+  SessionOptions options;
+  options.threads = 1;
+  const auto scene = loadScene(projectFile("data/scenes/hug_reach.yaml"));
+  Session plain(scene, options);
+  for (const Object& o : plain.scene().objects()) EXPECT_EQ(o.max_speed, kInfinity) << o.spec.name;
+  options.rest = 0.5;
+  SceneDescription said = scene;
+  said.humans.at(0).parts["hand_left"].numbers["max_speed"] = 3.5;
+  said.mechanisms.at(0).max_speed = 1.25;
+  Session resting(said, options);
+  const std::string person = said.humans[0].name;
+  EXPECT_EQ(resting.scene().find(person + "/hand_left")->max_speed, 3.5);
+  EXPECT_EQ(resting.scene().find(person + "/hand_right")->max_speed,
+            said.humans[0].recording.file.empty() ? 0.0 : kHandSpeed);
+  for (const auto& link : said.mechanisms[0].links)
+    EXPECT_EQ(resting.scene().find(link.name)->max_speed, 1.25) << link.name;
+}
+
 TEST(LiveSession, PlaysSeeksAndTakesMargins) {
   LiveSession live(openReach(), 0.0);
   SceneSnapshot snapshot;

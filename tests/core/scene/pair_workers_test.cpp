@@ -11,7 +11,9 @@ TEST(PairWorkers, EveryIndexIsDoneOnceACycle) {
   for (const int helpers : {0, 1, 2, 6}) {
     PairWorkers workers(helpers);
     std::vector<int> done(97, 0);
-    const auto task = [](void* context, std::size_t i) { ++(*static_cast<std::vector<int>*>(context))[i]; };
+    const auto task = [](void* context, std::size_t i, std::size_t) {
+      ++(*static_cast<std::vector<int>*>(context))[i];
+    };
     long cycles = 0;
     const testing::NoAlloc guard;
     // Short and long cycles in turn, so that helpers wake up late and see a cycle that is over.

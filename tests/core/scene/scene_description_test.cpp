@@ -46,7 +46,8 @@ mechanisms:
         voxel: 0.01
         point: 0.02
         outer_layers: 3
-  - {name: bare, file: lwr4.mech}
+        max_speed: 1.25
+  - {name: bare, file: lwr4.mech, max_speed: 0.5}
 humans:
   - name: operator
     height: 1.8
@@ -55,7 +56,7 @@ humans:
     preset: thesis
     lengths: recording
     margin: 0.10
-    parts: {hand_left: {margin: 0.15, contour: 0.24}, torso: {shape: cuboid, breadth: 0.4, voxel: 0.01}, head: {}}
+    parts: {hand_left: {margin: 0.15, contour: 0.24}, torso: {shape: cuboid, breadth: 0.4, voxel: 0.01, max_speed: 1.6}, head: {}}
     recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
   - {name: guest}
 objects:
@@ -73,6 +74,7 @@ threads:
   - [[left_arm/link1, ball]]
   - - [left_arm/link2, ball]
     - [left_arm/link2, egg]
+skipping: {rest: 0.01, horizon: 2.5, budget: 0.0005}
 )";
 
 TEST_F(SceneFile, EveryKeyIsUnderstood) {
@@ -142,10 +144,16 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_FALSE(s.pairs.exclude_adjacent);
   ASSERT_EQ(s.pairs.exclude.size(), 2u);
   EXPECT_EQ(s.pairs.exclude[1], (std::pair<std::string, std::string>("table", "ball")));
-  EXPECT_EQ(s.pairs.exclude_pos[1].line, 39);
+  EXPECT_EQ(s.pairs.exclude_pos[1].line, 40);
   EXPECT_EQ(s.pairs.include[0].second, "operator/head");
   ASSERT_EQ(s.threads.size(), 2u);
   EXPECT_EQ(s.threads[1].size(), 2u);
+  EXPECT_EQ(arm.links[1].settings.max_speed, 1.25);
+  EXPECT_EQ(s.mechanisms[1].max_speed, 0.5);
+  EXPECT_EQ(h.parts.at("torso").numbers.at("max_speed"), 1.6);
+  EXPECT_EQ(s.skipping.rest, 0.01);
+  EXPECT_EQ(s.skipping.horizon, 2.5);
+  EXPECT_EQ(s.skipping.budget, 0.0005);
 }
 
 TEST_F(SceneFile, TheLeastSceneHasTheDefaults) {

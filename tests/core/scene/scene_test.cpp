@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "core/base/error.hpp"
 #include "core/base/state_hash.hpp"
 #include "core/scene/object_motion.hpp"
 #include "core/scene/snapshot.hpp"
+#include "tests/core/scene/crowd.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
@@ -20,47 +20,17 @@ constexpr double kRounding = 1e-12;
 // Differences of poses near 1 m, divided by steps of 10 ms.
 constexpr double kVelocityRounding = 1e-9;
 
-/// A coarse ball of `cm` centimetres; its centre for torques is moved to `com`, so that moments matter.
-std::shared_ptr<const HapticStructure> ball(int cm, const Vector3d& com = Vector3d::Zero()) {
-  static std::map<int, std::shared_ptr<const HapticStructure>> built;
-  auto& one = built[cm];
-  if (!one)
-    one = buildHapticStructure("ball", makeSurface(Sphere{unit::cm(cm)}),
-                               {.voxel_size = 0.04, .point_spacing = 0.04});
-  auto moved = std::make_shared<HapticStructure>(*one);
-  moved->com = com;
-  return moved;
-}
-
-Transform at(double x, double y = 0.0, double z = 0.0) {
-  Transform X = Transform::Identity();
-  X.translation() = Vector3d(x, y, z);
-  return X;
-}
-
-/// `n` balls in a crowd, all pairs.
-Scene crowd(int n) {
-  Scene scene;
-  for (int i = 0; i < n; ++i)
-    scene.addObject({"ball" + std::to_string(i), "objects", ball(20 + i, Vector3d(0.01 * i, 0, 0)), 0.01});
-  for (std::uint32_t a = 0; a < static_cast<std::uint32_t>(n); ++a)
-    for (std::uint32_t b = a + 1; b < static_cast<std::uint32_t>(n); ++b)
-      scene.addPair(ObjectId(a), ObjectId(b));
-  return scene;
-}
-
-void move(Scene& scene, int frame) {
-  for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
-    ASSERT_TRUE(scene.setPose(ObjectId(i), testing::randomPose(1000u * static_cast<unsigned>(frame) + i),
-                              0.01 * frame));
-}
+using testing::at;
+using testing::ball;
+using testing::crowd;
+using testing::scatter;
 
 std::uint64_t runHash(int threads) {
   Scene scene = crowd(20);
   scene.setThreads(threads);
   StateHash hash;
   for (int frame = 0; frame < 50; ++frame) {
-    move(scene, frame);
+    scatter(scene, frame);
     scene.step();
     for (const Object& o : scene.objects()) {
       for (int k = 0; k < 3; ++k) {
@@ -83,7 +53,7 @@ TEST(Scene, ThreadsMayChangeBetweenSteps) {
   Scene scene = crowd(10);
   for (const int n : {3, 1, 8, 2, 2, 0}) {
     scene.setThreads(n);
-    move(scene, n);
+    scatter(scene, n);
     scene.step();
     EXPECT_TRUE(std::isfinite(scene.result(PairId(44)).distance));
   }
@@ -109,12 +79,12 @@ TEST(Scene, CycleAllocatesNothing) {
     Scene scene = crowd(10);
     scene.setThreads(threads);
     SceneSnapshot snapshot;
-    move(scene, 0);
+    scatter(scene, 0);
     scene.step();
     capture(scene, snapshot);
     const testing::NoAlloc guard;
     for (int frame = 1; frame < 20; ++frame) {
-      move(scene, frame);
+      scatter(scene, frame);
       scene.step();
       capture(scene, snapshot);
     }
@@ -124,7 +94,7 @@ TEST(Scene, CycleAllocatesNothing) {
 
 TEST(Scene, TotalsAreTheSumsOfThePairs) {
   Scene scene = crowd(12);
-  move(scene, 3);
+  scatter(scene, 3);
   scene.step();
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
   int contacts = 0;
@@ -328,7 +298,7 @@ TEST(Snapshot, HoldsWhatTheSceneHolds) {
   s.step = 17;
   capture(scene, s);
   EXPECT_EQ(s.nearest_pair, -1) << "nothing was queried yet";
-  move(scene, 1);
+  scatter(scene, 1);
   scene.setPose(ObjectId(2), at(5.0), 0.5, PoseState::kStale);
   scene.step();
   capture(scene, s);

@@ -1,0 +1,51 @@
+// The smallest of many numbers that change a few at a time.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/huge_pages.hpp"
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// A tournament: each inner node holds the smaller of its two children. A change climbs only as far as it
+/// matters. NaN counts as infinity. One thread.
+class MinimumTree {
+ public:
+  /// Forgets all values; allocates.
+  void resize(std::size_t count) {
+    count_ = count;
+    leaves_ = std::bit_ceil(std::max<std::size_t>(count, 1));
+    node_.assign(2 * leaves_, kInfinity);
+  }
+
+  void set(std::size_t i, double value) {
+    std::size_t n = leaves_ + i;
+    node_[n] = value < kInfinity ? value : kInfinity;
+    for (n /= 2; n > 0; n /= 2) {
+      const double smaller = std::min(node_[2 * n], node_[2 * n + 1]);
+      if (smaller == node_[n]) return;
+      node_[n] = smaller;
+    }
+  }
+
+  /// Index of the smallest value, the first of equal ones; none when all are infinite.
+  std::optional<std::size_t> smallest() const {
+    if (count_ == 0 || !(node_[1] < kInfinity)) return std::nullopt;
+    std::size_t n = 1;
+    while (n < leaves_) n = node_[2 * n] == node_[n] ? 2 * n : 2 * n + 1;
+    return n - leaves_;
+  }
+  std::size_t size() const { return count_; }
+
+ private:
+  std::vector<double, HugePageAllocator<double>>
+      node_;  ///< node n has the children 2 n and 2 n + 1; leaves from leaves_ on
+  std::size_t count_{0}, leaves_{1};
+};
+
+}  // namespace abstand

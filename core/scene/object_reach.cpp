@@ -1,0 +1,38 @@
+#include "core/scene/object_reach.hpp"
+
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+// Some hundred roundings of a double: computed lengths are widened by this part of what they come from.
+constexpr double kRounding = 1e-14;
+
+}  // namespace
+
+ObjectReach::ObjectReach(const EnclosingSphere& sphere_B)
+    : sphere_B_(sphere_B), centre_(sphere_B.centre), radius_(sphere_B.radius) {}
+
+double ObjectReach::moveTo(const Transform& X_WB) {
+  const Matrix3d& R_WB = X_WB.linear();
+  const Vector3d centre = X_WB * sphere_B_.centre;
+  const double defect = (R_WB * R_WB.transpose() - Matrix3d::Identity()).norm();
+  const double defects = defect + defect_;
+  const double turn = ((R_WB - R_WB_).norm() + defects) / std::sqrt(2.0) + defects;
+  const double rounding = kRounding * (centre.norm() + centre_.norm() + sphere_B_.radius);
+  const double step = (centre - centre_).norm() + sphere_B_.radius * turn + rounding;
+  R_WB_ = R_WB;
+  centre_ = centre;
+  radius_ = sphere_B_.radius * (1.0 + defect);
+  defect_ = defect;
+  way_ = std::nextafter(way_ + step, kInfinity);
+  return step;
+}
+
+double gapOf(const ObjectReach& a, const ObjectReach& b) {
+  const Vector3d &c = a.centre(), &d = b.centre();
+  const double rounding = kRounding * (c.norm() + d.norm() + a.radius() + b.radius());
+  return (d - c).norm() - a.radius() - b.radius() - rounding;
+}
+
+}  // namespace abstand

@@ -1,0 +1,50 @@
+// Which pairs come first when there is no time for all.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/base/id.hpp"
+
+namespace abstand {
+
+/// A pair that ought to be queried.
+struct DuePair {
+  PairId id;
+  bool may_touch;    ///< contacts cannot be ruled out
+  int waited;        ///< steps since it ought to have been queried
+  double clearance;  ///< m, certified beyond margins
+};
+
+/// Pairs that may touch come first, then those that have waited longest, then the nearest: everything gets
+/// its turn, what is near more often. Equal ones by their order in the scene. One thread; add() and next()
+/// allocate nothing within the reserved size.
+class PairAgenda {
+ public:
+  void reserve(std::size_t pairs) { heap_.reserve(pairs); }
+  void clear() { heap_.clear(); }
+  bool empty() const { return heap_.empty(); }
+
+  /// All adding before the first next().
+  void add(const DuePair& pair) { heap_.push_back(pair); }
+  void sortOut() { std::make_heap(heap_.begin(), heap_.end(), later); }
+  PairId next() {
+    std::pop_heap(heap_.begin(), heap_.end(), later);
+    const PairId id = heap_.back().id;
+    heap_.pop_back();
+    return id;
+  }
+
+ private:
+  static bool later(const DuePair& x, const DuePair& y) {
+    if (x.may_touch != y.may_touch) return y.may_touch;
+    if (x.waited != y.waited) return x.waited < y.waited;
+    if (x.clearance != y.clearance) return x.clearance > y.clearance;
+    return x.id > y.id;
+  }
+
+  std::vector<DuePair> heap_;
+};
+
+}  // namespace abstand

@@ -1,0 +1,65 @@
+#include "core/scene/pair_rest.hpp"
+
+#include <algorithm>
+
+namespace abstand {
+namespace {
+
+// Above the rounding of differences and sums of two lengths.
+constexpr double kRoundUp = 1.0 + 1e-12;
+
+}  // namespace
+
+void PairProof::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB) {
+  lower = result.distance - result.bound;
+  apart = result.distance > 0.0;
+  p_Aa = X_WA.inverse() * result.witness_a;
+  p_Bb = X_WB.inverse() * result.witness_b;
+}
+
+void PairProof::carry(const Transform& X_WA, const Transform& X_WB, double lower_now,
+                      PairResult& result) const {
+  if (apart) {
+    result.witness_a = X_WA * p_Aa;
+    result.witness_b = X_WB * p_Bb;
+    result.distance = (result.witness_a - result.witness_b).norm();
+  }
+  result.bound = std::max(0.0, result.distance - lower_now);
+}
+
+double allowanceOf(const PairProof& proof, const PairResult& result, double touch_from, double share) {
+  const double clearance = proof.lower - touch_from;
+  return share > 0.0 && clearance > 0.0 && result.contacts == 0 ? share * clearance : -1.0;
+}
+
+double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options) {
+  return options.margin + std::max(a.errorBound(), b.errorBound());
+}
+
+void PairRest::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
+                    const ObjectReach& a, const ObjectReach& b, double touch_from, const Skipping& skipping) {
+  proof_.take(result, X_WA, X_WB);
+  way_a_ = a.way();
+  way_b_ = b.way();
+  touch_from_ = touch_from;
+  touches_ = result.contacts > 0;
+  allowance_ = allowanceOf(proof_, result, touch_from, skipping.rest);
+}
+
+double PairRest::movement(const ObjectReach& a, const ObjectReach& b) const {
+  return ((a.way() - way_a_) + (b.way() - way_b_)) * kRoundUp;
+}
+
+PairOutcome PairRest::outcome(const ObjectReach& a, const ObjectReach& b, const Skipping& skipping) const {
+  if (!proven()) return PairOutcome::kChecked;
+  if (movement(a, b) <= allowance_) return PairOutcome::kRested;
+  if (!touches_ && proof_.apart && gapOf(a, b) > std::max(skipping.horizon, touch_from_))
+    return PairOutcome::kBeyond;
+  return PairOutcome::kChecked;
+}
+
+double PairRest::lowerNow(const ObjectReach& a, const ObjectReach& b) const {
+  return std::max(proof_.lower - movement(a, b), gapOf(a, b));
+}
+
+}  // namespace abstand

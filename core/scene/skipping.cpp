@@ -1,0 +1,17 @@
+#include "core/scene/skipping.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+
+namespace abstand {
+
+void Skipping::validate() const {
+  if (!(rest >= 0.0 && rest <= 1.0))
+    throw UsageError("rest " + formatDouble(rest) + ": expected a share from 0 to 1");
+  if (!(horizon >= 0.0))
+    throw UsageError("horizon " + formatDouble(horizon) + ": expected a distance in m, 0 or more");
+  if (!(budget >= 0.0))
+    throw UsageError("budget " + formatDouble(budget) + ": expected a time in s, 0 or more");
+}
+
+}  // namespace abstand

@@ -1,0 +1,72 @@
+// Whole steps of a scene of 1,000 objects. Compare figures of one run with each other only.
+#include <benchmark/benchmark.h>
+
+#include "core/scene/scene.hpp"
+#include "tests/core/haptic/structures.hpp"
+#include "tests/support/random_pose.hpp"
+
+namespace abstand::testing {
+namespace {
+
+constexpr std::uint32_t kObjects = 1000;
+constexpr double kHall = 10.0;  // m, half an edge of the cube that they lie in
+
+/// Things of a hall, all pairs, most of them metres apart.
+Scene hall() {
+  const std::shared_ptr<const HapticStructure> kinds[] = {
+      buildHapticStructure("box", makeSurface(Cuboid{{0.1, 0.12, 0.3}}), {}),
+      buildHapticStructure("rod", makeSurface(Capsule{0.04, 0.4}), {}),
+      buildHapticStructure("ball", makeSurface(Sphere{0.1}), {})};
+  Scene scene;
+  for (std::uint32_t i = 0; i < kObjects; ++i)
+    scene.addObject({"object" + std::to_string(i), "objects", kinds[i % 3], 0.05});
+  for (std::uint32_t i = 0; i < kObjects; ++i) scene.setPose(ObjectId(i), randomPose(i, kHall), 0.0);
+  for (std::uint32_t a = 0; a < kObjects; ++a)
+    for (std::uint32_t b = a + 1; b < kObjects; ++b) scene.addPair(ObjectId(a), ObjectId(b));
+  return scene;
+}
+
+/// `moving` objects, spread over the scene, go on circles at 1 m/s; a step a millisecond.
+void stepOfAThousand(benchmark::State& state, const Skipping& skipping, int moving, int threads) {
+  static Scene scene = hall();
+  scene.setThreads(threads);
+  scene.setSkipping(skipping);
+  scene.step();
+  long n = 0;
+  StepCounts sum;
+  for (auto _ : state) {
+    const double t = 0.001 * static_cast<double>(++n);
+    for (int k = 0; k < moving; ++k) {
+      const auto i = static_cast<std::uint32_t>(k) * kObjects / static_cast<std::uint32_t>(moving);
+      Transform X = randomPose(i, kHall);
+      X.translation() += Vector3d(std::cos(t), std::sin(t), 0.0);
+      X.linear() = X.linear() * Eigen::AngleAxisd(t, Vector3d::UnitX());
+      scene.setPose(ObjectId(i), X, t);
+    }
+    scene.step();
+    sum.checked += scene.counts().checked;
+    sum.rested += scene.counts().rested;
+    sum.beyond += scene.counts().beyond;
+    sum.put_off += scene.counts().put_off;
+  }
+  const auto perStep = [&](long count) { return static_cast<double>(count) / static_cast<double>(n); };
+  state.counters["checked"] = perStep(sum.checked);
+  state.counters["rested"] = perStep(sum.rested);
+  state.counters["beyond"] = perStep(sum.beyond);
+  state.counters["put_off"] = perStep(sum.put_off);
+}
+
+#define ABSTAND_STEP(name, skipping, moving, threads) \
+  BENCHMARK_CAPTURE(stepOfAThousand, name, skipping, moving, threads)->Unit(benchmark::kMicrosecond)
+
+ABSTAND_STEP(nothing_moves, Skipping{}, 0, 1);
+ABSTAND_STEP(ten_move_all_queried, Skipping{}, 10, 1);
+ABSTAND_STEP(ten_move_rest, Skipping{.rest = 0.01}, 10, 1);
+ABSTAND_STEP(ten_move_horizon, (Skipping{.horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_half_a_millisecond, Skipping{.budget = 0.0005}, 10, 1);
+ABSTAND_STEP(ten_move_both_two_threads, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 2);
+ABSTAND_STEP(hundred_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 100, 1);
+
+}  // namespace
+}  // namespace abstand::testing
