@@ -90,7 +90,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   }
   s.far_field =
       FarField(*s.surface, std::max(kFarSpacing * h, kFarPart * box.extent().maxCoeff()), kFarReach, threads);
-  s.shell = makePointshell(*s.surface, options.point_spacing);
+  s.shell = makePointshell(*s.surface, options.point_spacing, threads);
   s.tree = makeTree(s.shell);
 
   s.mass_properties = s.surface->massProperties();

@@ -33,6 +33,7 @@ struct BlockTree {
 class NearestPoint {
  public:
   explicit NearestPoint(const std::vector<Vector3f>& points) : tree_(points) {}
+  bool empty() const { return tree_.order.empty(); }
   /// Distance from p to the nearest point, and its index; `limit` and no index when none is nearer than
   /// `limit` (m).
   double distance(const Vector3d& p, std::uint32_t& index, double limit = kInfinity) const;
