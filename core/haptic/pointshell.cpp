@@ -288,12 +288,12 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   }
   if (!pool.creases().empty() || !tips.empty()) {
     const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh, pool.creases(),
-                               spacing, threads);
+                               balanced, spacing, threads);
     const std::vector<double> from_rim = rimDistances(pool, nearest, points);
     for (std::size_t i = 0; i < balanced.size(); ++i) {
       balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
     }
-    balance.adjust(balanced, ShellBalance::Freedom::kPlaceAndArea, threads);
+    balance.adjust(balanced, ShellBalance::Freedom::kPlaceAndArea);
     std::vector<Vector3d> moved = points;
     for (std::size_t i = 0; i < balanced.size(); ++i) moved[cell_of[i]] = balanced[i].position;
     moved = onSurface(pool, nearest, moved);
@@ -301,7 +301,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
       balanced[i].position = moved[cell_of[i]];
       if (shape != nullptr) settle(surface, balanced[i]);
     }
-    balance.adjust(balanced, ShellBalance::Freedom::kArea, threads);
+    balance.adjust(balanced, ShellBalance::Freedom::kArea);
     keepTotalArea(balanced);
   }
 

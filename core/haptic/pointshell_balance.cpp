@@ -2,6 +2,7 @@
 #include "core/haptic/pointshell_balance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -94,85 +95,114 @@ std::size_t stride(std::size_t n) {
   return step;
 }
 
+/// The triangles at each vertex: those of v are list[first[v]] ... list[first[v + 1] - 1].
+struct VertexTriangles {
+  explicit VertexTriangles(const TriangleMesh& mesh) : first(mesh.vertices.size() + 1, 0) {
+    for (const auto& t : mesh.triangles) {
+      for (const std::uint32_t v : t) ++first[v + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    list.resize(first.back());
+    std::vector<std::uint32_t> next = first;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) list[next[v]++] = t;
+    }
+  }
+  std::vector<std::uint32_t> first, list;
+};
+
+/// What one direction's half-spaces should give, and their points.
+struct Presses {
+  double level[kDepths];
+  Vector3d force[kDepths];
+  double weight[kDepths];
+  std::vector<std::uint32_t> points[kDepths];
+};
+
 }  // namespace
 
-ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases, double spacing,
-                           int threads)
+ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
+                           const std::vector<BalancePoint>& points, double spacing, int threads)
     : spacing_(spacing) {
   const std::vector<Vector3d> directions = pressDirections(creases);
-  std::vector<std::array<Press, kDepths>> found(directions.size());
+  const VertexTriangles at(mesh);
+  std::vector<Vector3f> vertices, places;
+  for (const Vector3d& v : mesh.vertices) vertices.push_back(v.cast<float>());
+  for (const BalancePoint& p : points) places.push_back(p.position.cast<float>());
+  const PointsBelow vertices_below(vertices), points_below(places);
+  std::vector<Presses> found(directions.size());
   parallelFor(threads, directions.size(), [&](std::size_t k) {
     const Vector3d& u = directions[k];
-    std::vector<double> height(mesh.vertices.size());
-    double lowest = kInfinity;
-    for (std::size_t v = 0; v < height.size(); ++v) {
-      height[v] = u.dot(mesh.vertices[v]);
-      lowest = std::min(lowest, height[v]);
-    }
+    const Vector3f uf = u.cast<float>();
+    Presses& presses = found[k];
+    const double lowest = double(vertices_below.lowest(uf));
     const double shift = std::fmod(kGolden * static_cast<double>(k), 1.0);
-    double size[kDepths] = {};
-    for (int d = 0; d < kDepths; ++d) {
-      const double depth = kShallowest * std::pow(kDeepest / kShallowest, (d + shift) / kDepths);
-      found[k][d] = {u, lowest + depth * spacing, Vector3d::Zero(), std::min(1.0, std::pow(depth, 1.5)),
-                     k % kCoarse == 0};
+    const std::size_t most = k % kCoarse == 0 ? kMostCoarse : kMostPoints;
+    int depths = 0;
+    for (; depths < kDepths; ++depths) {
+      const double depth = kShallowest * std::pow(kDeepest / kShallowest, (depths + shift) / kDepths);
+      const double level = lowest + depth * spacing;
+      std::vector<std::uint32_t>& inside = presses.points[depths];
+      points_below.find(uf, static_cast<float>(level + kMargin * spacing), most, inside);
+      if (inside.size() > most) inside.clear();
+      if (inside.empty() && depths > 0) break;
+      presses.level[depths] = level;
+      presses.force[depths] = Vector3d::Zero();
+      presses.weight[depths] = std::min(1.0, std::pow(depth, 1.5));
     }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t];
-      const double low = std::min({height[v[0]], height[v[1]], height[v[2]]});
-      if (low >= found[k][kDepths - 1].level) continue;
+    if (depths == 0) return;
+    // A triangle reaches into the half-space when one of its corners does. Vertices are found in float; a
+    // rounding error missed at the level itself has no weight.
+    std::vector<std::uint32_t> reached, triangles;
+    vertices_below.find(uf, static_cast<float>(presses.level[depths - 1]), vertices.size(), reached);
+    for (const std::uint32_t v : reached) {
+      triangles.insert(triangles.end(), at.list.begin() + at.first[v], at.list.begin() + at.first[v + 1]);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    double size[kDepths] = {};
+    for (const std::uint32_t t : triangles) {
       const Vector3d corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-      for (int d = 0; d < kDepths; ++d) {
-        const double level = found[k][d].level;
-        if (low >= level) continue;
-        addClipped(corner, {level - height[v[0]], level - height[v[1]], level - height[v[2]]},
-                   found[k][d].force, size[d]);
+      const double height[3] = {u.dot(corner[0]), u.dot(corner[1]), u.dot(corner[2])};
+      for (int d = 0; d < depths; ++d) {
+        const double level = presses.level[d];
+        addClipped(corner, {level - height[0], level - height[1], level - height[2]}, presses.force[d],
+                   size[d]);
       }
     }
-    for (int d = 0; d < kDepths; ++d) {
-      if (!(found[k][d].force.norm() > kSheet * size[d])) found[k][d].weight = 0.0;
+    for (int d = 0; d < depths; ++d) {
+      if (!(presses.force[d].norm() > kSheet * size[d])) presses.points[d].clear();
     }
   });
-  for (const auto& presses : found) {
-    for (const Press& press : presses) {
-      if (press.weight > 0.0) presses_.push_back(press);
-    }
+
+  // Neighbouring directions far apart in time, so that one place is not mended twice in a row.
+  const std::size_t n = directions.size() * kDepths, step = stride(n);
+  for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMostVisits; ++i, r = (r + step) % n) {
+    const Presses& presses = found[r / kDepths];
+    const std::size_t d = r % kDepths;
+    const std::vector<std::uint32_t>& inside = presses.points[d];
+    if (inside.empty()) continue;
+    presses_.push_back({directions[r / kDepths], presses.level[d], presses.force[d], presses.weight[d],
+                        static_cast<std::uint32_t>(points_.size()),
+                        static_cast<std::uint32_t>(inside.size())});
+    points_.insert(points_.end(), inside.begin(), inside.end());
   }
 }
 
-void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom, int threads) const {
-  // The points that each half-space holds.
-  std::vector<std::vector<std::uint32_t>> inside(presses_.size());
-  parallelFor(threads, presses_.size(), [&](std::size_t r) {
-    const Press& press = presses_[r];
-    const double level = press.level + (freedom == Freedom::kArea ? 0.0 : kMargin * spacing_);
-    const std::size_t most = press.coarse ? kMostCoarse : kMostPoints;
-    for (std::uint32_t i = 0; i < points.size() && inside[r].size() <= most; ++i) {
-      if (press.direction.dot(points[i].position) < level) inside[r].push_back(i);
-    }
-    if (inside[r].size() > most) inside[r].clear();
-  });
-  std::vector<std::uint32_t> rows;
-  std::size_t visits = 0;
-  for (std::size_t i = 0, r = 0, step = stride(presses_.size()); i < presses_.size(); ++i) {
-    r = (r + step) % presses_.size();
-    if (inside[r].empty() || visits > kMostVisits) continue;
-    rows.push_back(static_cast<std::uint32_t>(r));
-    visits += inside[r].size();
-  }
-
+void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
   const double move2 = freedom == Freedom::kArea ? 0.0 : kMove * kMove * spacing_ * spacing_;
   std::vector<double> depth;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const double step = kFirstStep + (kLastStep - kFirstStep) * sweep / (kSweeps - 1);
-    for (const std::uint32_t r : rows) {
-      const Press& press = presses_[r];
+    for (const Press& press : presses_) {
+      const std::uint32_t* inside = &points_[press.first];
       const Vector3d& u = press.direction;
       depth.clear();
       Vector3d force = Vector3d::Zero();
       // What unit changes of each point do to the force, squared: along its normal, as everything it does.
       double g00 = 0.0, g01 = 0.0, g02 = 0.0, g11 = 0.0, g12 = 0.0, g22 = 0.0;
-      for (const std::uint32_t i : inside[r]) {
-        const BalancePoint& p = points[i];
+      for (std::uint32_t k = 0; k < press.count; ++k) {
+        const BalancePoint& p = points[inside[k]];
         const double d = press.level - u.dot(p.position);
         depth.push_back(d);
         if (d <= 0.0) continue;
@@ -188,9 +218,9 @@ void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom, in
       Matrix3d gram;
       gram << g00 + damping, g01, g02, g01, g11 + damping, g12, g02, g12, g22 + damping;
       const Vector3d pull = step * press.weight * (gram.inverse() * (press.force - force));
-      for (std::size_t k = 0; k < inside[r].size(); ++k) {
+      for (std::uint32_t k = 0; k < press.count; ++k) {
         if (depth[k] <= 0.0) continue;
-        BalancePoint& p = points[inside[r][k]];
+        BalancePoint& p = points[inside[k]];
         const double g = p.home_area * p.normal.dot(pull);
         p.area = std::clamp(p.area + p.home_area * depth[k] * g, kLeastArea * p.home_area,
                             kMostArea * p.home_area);

@@ -30,13 +30,15 @@ class ShellBalance {
   /// Directions all around, and those in which edges and their neighbourhood come first; depths from half a
   /// spacing to two and a half. Only the places that a flat wall can reach are adjusted. The result does not
   /// depend on the number of threads.
-  ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases, double spacing, int threads);
+  ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
+               const std::vector<BalancePoint>& points, double spacing, int threads);
 
   enum class Freedom { kPlaceAndArea, kArea };
   /// Row-action least squares (Kaczmarz 1937): one half-space after the other, each with the smallest change
   /// that mends it, less and less far, so that what they disagree on is averaged. Positions move within the
   /// tangent plane, within their reach; areas stay within kLeastArea to kMostArea of theirs.
-  void adjust(std::vector<BalancePoint>& points, Freedom freedom, int threads) const;
+  /// `points`: those given to the constructor, no farther from home than their reach.
+  void adjust(std::vector<BalancePoint>& points, Freedom freedom) const;
 
   static constexpr double kReach = 0.25;  ///< spacings
   static constexpr double kLeastArea = 0.4;
@@ -46,13 +48,14 @@ class ShellBalance {
   struct Press {
     Vector3d direction;
     double level;
-    Vector3d force;  ///< what it should be, for stiffness 1
-    double weight;   ///< how far it is mended at once: shallow ones less, as they cannot be right
-    bool coarse;     ///< one of the few that may have many points
+    Vector3d force;              ///< what it should be, for stiffness 1
+    double weight;               ///< how far it is mended at once: shallow ones less, as they cannot be right
+    std::uint32_t first, count;  ///< of its points, in points_
   };
 
   double spacing_;
-  std::vector<Press> presses_;
+  std::vector<Press> presses_;  ///< in the order in which they are mended
+  std::vector<std::uint32_t> points_;
 };
 
 }  // namespace abstand
