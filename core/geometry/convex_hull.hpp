@@ -11,8 +11,8 @@ namespace abstand {
 
 /// As an intersection of half-spaces: p is inside where normal . p + offset <= 0 for all of them.
 struct ConvexHull {
-  Eigen::MatrixX4d planes;  ///< rows (outward unit normal, offset), m
-  double volume{0.0};       ///< m^3
+  Eigen::MatrixX4d planes;             ///< rows (outward unit normal, offset), m
+  double volume{0.0};                  ///< m^3
   std::vector<std::uint32_t> corners;  ///< indices of the points that span it
   double farthest_outside{0.0};        ///< m, of a point; not 0 by rounding alone
 

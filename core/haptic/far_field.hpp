@@ -22,8 +22,6 @@ class FarField {
   static constexpr int kMostLevels = 8;
   /// Width of each grid in widths of the first.
   static constexpr float kRatio[kMostLevels] = {1.0f, 2.0f, 8.0f, 32.0f, 128.0f, 512.0f, 2048.0f, 8192.0f};
-  /// Of sum_axes h^2 t (1 - t): what an estimate takes off, between a tip (1) and a plane (about 1/3).
-  static constexpr float kUsualLoss = 2.0f / 3.0f;
 
   /// What a query reads, for one point or many at a time. Grid coordinates of p on level l are
   /// (p - centre) inv_h[l] + middle; values of vertex (i, j, k): ((l n_z + k) n_y + j) n_x + i, in quanta.

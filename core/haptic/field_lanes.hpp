@@ -37,13 +37,18 @@ inline Distance8 farAt(const FarField::View& v, const Point8& p) {
   const Float8 tx = coordinate(x, 0, i), ty = coordinate(y, 1, j), tz = coordinate(z, 2, k);
   const int nx = v.n[0], nxy = v.n[0] * v.n[1];
   const Int8 at = ((level * splatInt(v.n[2]) + k) * splatInt(v.n[1]) + j) * splatInt(nx) + i;
-  const auto along = [&](int offset) {
+  // Of the squares, and of the distances themselves.
+  const auto along = [&](int offset, Float8& plain) {
     Float8 a, b;
     gatherTwo(v.values + offset, at, a, b);
+    plain = between(tx, a, b);
     return between(tx, a * a, b * b);
   };
-  const Float8 sum = between(tz, between(ty, along(0), along(nx)), between(ty, along(nxy), along(nxy + nx))) *
-                     lookUp(v.q2, level);
+  Float8 d00, d10, d01, d11;
+  const Float8 s00 = along(0, d00), s10 = along(nx, d10), s01 = along(nxy, d01), s11 = along(nxy + nx, d11);
+  const Float8 q2 = lookUp(v.q2, level);
+  const Float8 sum = between(tz, between(ty, s00, s10), between(ty, s01, s11)) * q2;
+  const Float8 plain = between(tz, between(ty, d00, d10), between(ty, d01, d11)) * sqrt(q2);
   const Float8 one = splat(1.0f), zero = splat(0.0f);
   const Float8 loss = h2 * multiplyAdd(tx, one - tx, multiplyAdd(ty, one - ty, tz * (one - tz)));
   const Float8 summed = sum - splat(FarField::kSummed) * multiplyAdd(splat(4.0f), h2, sum);
@@ -52,10 +57,10 @@ inline Distance8 farAt(const FarField::View& v, const Point8& p) {
       sqrt(multiplyAdd(x, x, multiplyAdd(y, y, z * z))) * splat(1.0f - FarField::kSummed) - splat(v.ball);
   const Mask8 beyond = splat(v.outermost) < r;
   const Float8 inside_f = sqrt(max(summed - loss, zero)) - rounding;
-  const Float8 inside_s = sqrt(max(sum - splat(FarField::kUsualLoss) * loss, zero));
   Distance8 d;
   d.f = max(select(beyond, from_ball, max(inside_f, from_ball)), zero);
-  d.s = max(select(beyond, from_ball, inside_s), zero);
+  // Exact before a plane is the interpolation, before a tip the bound; between them, about the middle.
+  d.s = select(beyond, d.f, splat(0.5f) * (plain + max(inside_f, zero)));
   return d;
 }
 

@@ -17,9 +17,9 @@ namespace {
 // where its own error is a small part of the distance.
 constexpr double kBand = 4.0;
 // Spacing of the far field's first grid: so many voxels, or this part of the body's extent, whichever is
-// more.
-constexpr double kFarSpacing = 2.0;
-constexpr double kFarPart = 1.0 / 24.0;
+// more; the part keeps small bodies with fine voxels from grids of millions.
+constexpr double kFarSpacing = 3.0;
+constexpr double kFarPart = 1.0 / 64.0;
 // m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
 constexpr double kFarReach = 2.0;
 // Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
@@ -182,7 +182,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   s.far_field =
       FarField(*s.surface, std::max(kFarSpacing * h, kFarPart * box.extent().maxCoeff()), kFarReach, threads);
   watch.begin("pointshell", 0.4);
-  s.shell = makePointshell(*s.surface, options.point_spacing);
+  s.shell = makePointshell(*s.surface, options.point_spacing, threads);
   s.tree = makeTree(s.shell);
 
   s.mass_properties = s.surface->massProperties();
@@ -192,7 +192,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   s.bounding_sphere = sphereAbout(*s.surface, mesh);
   s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
   Shrink shrink;
-  shrink(s.shell, s.tree);
+  shrink(s.shell, s.tree, s.support);
   watch.end();
   s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return structure;

@@ -47,9 +47,9 @@ struct HapticStructure {
   /// All but name and surface.
   template <class Archive>
   void archive(Archive& ar) {
-    ar(options, voxelmap, near_field, far_field, support, shell, tree, mass_properties.volume, mass_properties.com,
-       mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius, grid, surface_voxels,
-       solid_voxels, triangles, build_ms);
+    ar(options, voxelmap, near_field, far_field, support, shell, tree, mass_properties.volume,
+       mass_properties.com, mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius,
+       grid, surface_voxels, solid_voxels, triangles, build_ms);
   }
 };
 

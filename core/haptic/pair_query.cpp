@@ -52,30 +52,30 @@ class Query {
 
   /// The nearest shell point, then the nearest points on the exact surfaces about it.
   void search(PairMemory& memory, PairScratch& scratch) {
-    const bool apart = witness_.distance > kTouching;
-    const NearestLimits limits{
-        apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
-        static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
-    const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
-    if (nearest.point != NearestPoint::kNone) {
-      const std::uint32_t i = nearest.point;
-      const Vector3d start = X_FP_ * Vector3d(P_.tree.x[i], P_.tree.y[i], P_.tree.z[i]);
-      const double spacing = P_.shell.spacing;
-      // What leads to the witness again, or cannot lead to anything nearer.
-      const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
-      const bool known = settled_ && static_cast<double>(nearest.estimate) >
-                                         witness_.distance + (same_place ? 0.0 : spacing);
-      if (!known) {
-        const bool far = apart && static_cast<double>(nearest.lower_bound) > kFarFrom;
-        const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-                                  : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing,
-                                                  nearest.lower_bound > 0.0f ? 1 : 0);
-        if (!apart || found.distance < witness_.distance) witness_ = found;
-      }
-    }
+    const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
     memory.X_FP = X_FP_;
-    memory.searched = static_cast<double>(nearest.lower_bound) - kFloatRounding;
-    searched(memory.searched);
+    memory.searched = lower_bound;
+    searched(lower_bound);
+    isProven();
+  }
+
+  /// True when the bodies may touch, as far as is proven.
+  bool mayTouch() const { return certified_ <= 0.0; }
+
+  /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
+  /// of it inside of P.
+  void searchOtherWay(PairScratch& scratch) {
+    Query other(F_, X_WF_, P_, X_WP_);
+    const double lower_bound = other.searchPoints(false, scratch) - kFloatRounding - F_.shell.covering_radius;
+    // Each search bounds the depth of its own points.
+    certified_ = std::min(certified_, lower_bound);
+    const Witness& found = other.witness_;
+    if (!(found.distance < witness_.distance)) return;
+    witness_.on_points = X_FP_ * found.on_field;
+    witness_.on_field = X_FP_ * found.on_points;
+    witness_.hint_points = found.hint_field;
+    witness_.hint_field = found.hint_points;
+    witness_.distance = found.distance;
     isProven();
   }
 
@@ -100,6 +100,30 @@ class Query {
   double certified() const { return certified_; }
 
  private:
+  /// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
+  /// (m) of any shell point that is proven.
+  double searchPoints(bool apart, PairScratch& scratch) {
+    const NearestLimits limits{
+        apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
+        static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
+    const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+    const auto lower_bound = static_cast<double>(nearest.lower_bound);
+    if (nearest.point == NearestPoint::kNone) return lower_bound;
+    const std::uint32_t i = nearest.point;
+    const Vector3d start = X_FP_ * Vector3d(P_.tree.x[i], P_.tree.y[i], P_.tree.z[i]);
+    const double spacing = P_.shell.spacing;
+    // What leads to the witness again, or cannot lead to anything nearer.
+    const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
+    if (settled_ && static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
+      return lower_bound;
+    const bool far = apart && lower_bound > kFarFrom;
+    const Witness found =
+        far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+            : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing, lower_bound > 0.0 ? 1 : 0);
+    if (!apart || found.distance < witness_.distance) witness_ = found;
+    return lower_bound;
+  }
+
   void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
 
   /// No shell point is nearer than this; so no surface point by more than the covering radius.
@@ -151,7 +175,10 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
   const Transform& X_WF = from_a ? X_WB : X_WA;
   Query query(P, from_a ? X_WA : X_WB, F, X_WF);
 
-  if (!query.remember(memory, from_a)) query.search(memory, scratch);
+  if (!query.remember(memory, from_a)) {
+    query.search(memory, scratch);
+    if (query.mayTouch()) query.searchOtherWay(scratch);
+  }
   query.keep(memory, from_a);
   const Witness& witness = query.witness();
   result.distance = witness.distance;

@@ -1,9 +1,11 @@
-// Points spread evenly over a surface: farthest-point sampling, centring, areas and normals.
+// Points spread evenly over a surface: farthest-point sampling, centring, areas and normals, fine adjustment.
 #include "core/haptic/pointshell.hpp"
 
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/geometry/mass_properties.hpp"
+#include "core/haptic/pointshell_balance.hpp"
 #include "core/haptic/pointshell_cover.hpp"
 #include "core/haptic/pointshell_pool.hpp"
 #include "core/haptic/pointshell_tips.hpp"
@@ -14,6 +16,8 @@ namespace {
 
 // Lengths are multiples of the spacing.
 constexpr double kSagitta = 0.01;
+/// Of the mesh whose overlaps a shape's points are adjusted to.
+constexpr double kFineSagitta = 0.001;
 /// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
 /// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
 /// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
@@ -24,8 +28,12 @@ constexpr double kNormalLength = 1.0;
 constexpr double kPiecesPerPoint = 20.0;
 constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
 constexpr double kMaxEdge = 0.5;
-/// A shell gets at most this many times as many points because of its tips.
-constexpr double kTipExtra = 1.35;
+/// Pitch at a sharp convex edge, as a multiple of the usual one; it holds up to kEdgeStart spacings from the
+/// edge, and from kEdgeEnd on it is 1.
+constexpr double kEdgePitch = 0.65;
+constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
+/// A shell gets at most this many times as many points because of its tips and edges.
+constexpr double kMostExtra = 1.6;
 
 /// The surface that one point stands for.
 struct Cell {
@@ -110,6 +118,23 @@ std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::
   return out;
 }
 
+/// How far each point is from the sharp edges of its own cell; infinite where there are none.
+std::vector<double> rimDistances(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
+                                 const std::vector<Vector3d>& points) {
+  std::vector<double> out(points.size(), kInfinity);
+  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
+    const Vector3d& p = points[nearest[i]];
+    double& least = out[nearest[i]];
+    for (int e = 0; e < 3; ++e) {
+      if ((piece.sharp >> e & 1u) == 0) continue;
+      const Vector3d way = piece.corner[(e + 1) % 3] - piece.corner[e], from = p - piece.corner[e];
+      const double t = std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (from - t * way).norm());
+    }
+  });
+  return out;
+}
+
 /// Outward unit normal of a shape at p; `near` tells on which side of an edge p is.
 Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near) {
   struct Visitor {
@@ -134,20 +159,49 @@ Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near
   return std::visit(Visitor{p, near}, shape);
 }
 
-/// Points per area at each sample, as a multiple of the usual density: 1 but near tips. There it grows, so
-/// that the small overlap of a corner pressed in a little is still felt by enough points; within kTipExtra.
-std::vector<float> pointDensity(const TipField& tips, const std::vector<Vector3f>& samples,
-                                const std::vector<float>& areas) {
+/// Moves a point to the nearest one of a shape's surface, with the normal there.
+void settle(const Surface& surface, BalancePoint& point) {
+  point.position = surface.closest(point.position).point;
+  point.normal = -shapeNormal(*surface.shape(), point.position, -point.normal);
+}
+
+void keepTotalArea(std::vector<BalancePoint>& points) {
+  double now = 0.0, before = 0.0;
+  for (const BalancePoint& p : points) now += p.area, before += p.home_area;
+  for (BalancePoint& p : points) p.area *= before / now;
+}
+
+/// Points along sharp convex edges, half a spacing apart or less.
+std::vector<Vector3f> alongCreases(const std::vector<Crease>& creases, double spacing) {
+  std::vector<Vector3f> out;
+  for (const Crease& crease : creases) {
+    const Vector3d way = crease.end[1] - crease.end[0];
+    const int steps = 1 + static_cast<int>(2.0 * way.norm() / spacing);
+    for (int i = 0; i <= steps; ++i) out.push_back((crease.end[0] + i * way / steps).cast<float>());
+  }
+  return out;
+}
+
+/// Points per area at each sample, as a multiple of the usual density: 1 but near tips and sharp convex
+/// edges. There it grows, so that the small overlap of a corner or an edge pressed in a little is still felt
+/// by enough points; within kMostExtra.
+std::vector<float> pointDensity(const TipField& tips, const std::vector<Crease>& creases, double spacing,
+                                const std::vector<Vector3f>& samples, const std::vector<float>& areas) {
+  const NearestPoint edges(alongCreases(creases, spacing));
   std::vector<float> density(samples.size(), 1.0f);
   double area = 0.0, extra = 0.0;
+  std::uint32_t nearest = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double pitch = tips.pitch(samples[i].cast<double>());
+    const Vector3d p = samples[i].cast<double>();
+    const double from_edge = edges.distance(p, nearest, kEdgeEnd * spacing) / spacing;
+    const double at_edge = std::clamp((kEdgeEnd - from_edge) / (kEdgeEnd - kEdgeStart), 0.0, 1.0);
+    const double pitch = std::min(tips.pitch(p), 1.0 - (1.0 - kEdgePitch) * at_edge);
     density[i] = static_cast<float>(1.0 / (pitch * pitch));
     area += areas[i];
     extra += areas[i] * (density[i] - 1.0);
   }
-  if (extra > (kTipExtra - 1.0) * area) {
-    const float share = static_cast<float>((kTipExtra - 1.0) * area / extra);
+  if (extra > (kMostExtra - 1.0) * area) {
+    const float share = static_cast<float>((kMostExtra - 1.0) * area / extra);
     for (float& d : density) d = 1.0f + share * (d - 1.0f);
   }
   return density;
@@ -190,7 +244,7 @@ std::uint32_t fill(SampleCover& cover, const Samples& samples, std::uint32_t cou
 
 }  // namespace
 
-Pointshell makePointshell(const Surface& surface, double spacing) {
+Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   if (!(spacing > 0.0) || !std::isfinite(spacing)) {
     throw UsageError("point spacing is " + std::to_string(spacing) + " m, expected a positive length");
   }
@@ -201,7 +255,8 @@ Pointshell makePointshell(const Surface& surface, double spacing) {
   const double normal_length = kNormalLength * spacing;
   const Samples samples = takeSamples(pool, normal_length);
   if (samples.position.empty()) throw UsageError("a surface without area has no shell points");
-  const std::vector<float> density = pointDensity(tips, samples.position, samples.area);
+  const std::vector<float> density =
+      pointDensity(tips, pool.creases(), spacing, samples.position, samples.area);
 
   SampleCover cover(samples.position, samples.normal, density);
   std::uint32_t count = fill(cover, samples, 0, kStop * spacing);
@@ -218,27 +273,50 @@ Pointshell makePointshell(const Surface& surface, double spacing) {
   cells = gatherCells(pool, density, nearest, count);
   const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
 
-  Pointshell shell;
-  shell.spacing = spacing;
   const double area_scale = shape != nullptr ? surface.area() / samples.total_area : 1.0;
-  std::vector<std::uint32_t> kept(count, 0);
-  std::vector<Vector3f> positions;
+  std::vector<BalancePoint> balanced;
+  std::vector<std::uint32_t> cell_of, kept(count, 0);
   for (std::uint32_t k = 0; k < count; ++k) {
     if (cells[k].area <= 0.0) continue;
-    Vector3d p = points[k], n = cells[k].normal.normalized();
-    if (shape != nullptr) {
-      p = surface.closest(p).point;
-      n = shapeNormal(*shape, p, n);
+    kept[k] = static_cast<std::uint32_t>(balanced.size());
+    cell_of.push_back(k);
+    // Bumps within a cell press against each other; what is left of them is the area times the mean normal.
+    const double area = shape != nullptr ? area_scale * cells[k].area : cells[k].normal.norm();
+    balanced.push_back(
+        {points[k], -cells[k].normal.normalized(), area, points[k], area, ShellBalance::kReach * spacing});
+    if (shape != nullptr) settle(surface, balanced.back());
+  }
+  if (!pool.creases().empty() || !tips.empty()) {
+    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh, pool.creases(),
+                               balanced, spacing, threads);
+    const std::vector<double> from_rim = rimDistances(pool, nearest, points);
+    for (std::size_t i = 0; i < balanced.size(); ++i) {
+      balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
     }
-    kept[k] = static_cast<std::uint32_t>(positions.size());
-    positions.push_back(p.cast<float>());
+    balance.adjust(balanced, ShellBalance::Freedom::kPlaceAndArea);
+    std::vector<Vector3d> moved = points;
+    for (std::size_t i = 0; i < balanced.size(); ++i) moved[cell_of[i]] = balanced[i].position;
+    moved = onSurface(pool, nearest, moved);
+    for (std::size_t i = 0; i < balanced.size(); ++i) {
+      balanced[i].position = moved[cell_of[i]];
+      if (shape != nullptr) settle(surface, balanced[i]);
+    }
+    balance.adjust(balanced, ShellBalance::Freedom::kArea);
+    keepTotalArea(balanced);
+  }
+
+  Pointshell shell;
+  shell.spacing = spacing;
+  std::vector<Vector3f> positions;
+  for (const BalancePoint& p : balanced) {
+    positions.push_back(p.position.cast<float>());
     shell.x.push_back(positions.back().x());
     shell.y.push_back(positions.back().y());
     shell.z.push_back(positions.back().z());
-    shell.nx.push_back(static_cast<float>(-n.x()));
-    shell.ny.push_back(static_cast<float>(-n.y()));
-    shell.nz.push_back(static_cast<float>(-n.z()));
-    shell.area.push_back(static_cast<float>(area_scale * cells[k].area));
+    shell.nx.push_back(static_cast<float>(p.normal.x()));
+    shell.ny.push_back(static_cast<float>(p.normal.y()));
+    shell.nz.push_back(static_cast<float>(p.normal.z()));
+    shell.area.push_back(static_cast<float>(p.area));
   }
   for (std::uint32_t& k : nearest) k = kept[k];
   // No point of a shape's surface is farther than the sagitta from its mesh.

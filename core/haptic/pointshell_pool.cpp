@@ -16,7 +16,8 @@ struct Edge {
   std::uint32_t low, high, triangle, side;
 };
 
-std::vector<std::uint8_t> sharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals) {
+std::vector<std::uint8_t> sharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals,
+                                     std::vector<Crease>& creases) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -33,6 +34,14 @@ std::vector<std::uint8_t> sharpEdges(const TriangleMesh& mesh, const std::vector
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
     if (end == i + 2 && normals[edges[i].triangle].dot(normals[edges[i + 1].triangle]) >= smooth) continue;
+    if (end == i + 2) {
+      const Edge &e = edges[i], &f = edges[i + 1];
+      const Vector3d across = mesh.corner(f.triangle, (f.side + 2) % 3) - mesh.vertices[e.low];
+      if (normals[e.triangle].dot(across) < 0.0) {
+        creases.push_back(
+            {{normals[e.triangle], normals[f.triangle]}, {mesh.vertices[e.low], mesh.vertices[e.high]}});
+      }
+    }
     for (std::size_t k = i; k < end; ++k) sharp[edges[k].triangle] |= std::uint8_t(1u << edges[k].side);
   }
   return sharp;
@@ -102,7 +111,7 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
                      " million surface pieces, at most " + std::to_string(kMaxPieces / 1e6) +
                      " million are allowed");
   }
-  sharp_ = sharpEdges(mesh, normals_);
+  sharp_ = sharpEdges(mesh, normals_, creases_);
 
   constexpr double kSmallestShare = TipField::kSmallest * TipField::kSmallest;
   const auto tooLarge = [&](const SubTriangle& piece) {

@@ -22,6 +22,13 @@ struct SubTriangle {
   double longestEdge(int* edge = nullptr) const;
 };
 
+/// A sharp convex edge of a mesh.
+struct Crease {
+  Vector3d normal[2];  ///< outward unit normals of its two triangles
+  Vector3d end[2];
+  Vector3d along() const { return (end[1] - end[0]).normalized(); }
+};
+
 /// Nearest point of the triangle (Ericson 2005, Real-Time Collision Detection, 5.1.5).
 Vector3d closestPoint(const SubTriangle& triangle, const Vector3d& p);
 
@@ -61,6 +68,7 @@ class SurfacePool {
 
   /// Outward unit normal of a triangle of the mesh; zero for a triangle without area.
   const Vector3d& normal(std::uint32_t triangle) const { return normals_[triangle]; }
+  const std::vector<Crease>& creases() const { return creases_; }
   /// Triangles without area: part of the surface, but no piece comes from them.
   std::vector<SubTriangle> degenerate() const;
 
@@ -73,6 +81,7 @@ class SurfacePool {
   const TriangleMesh& mesh_;
   std::vector<Vector3d> normals_;
   std::vector<std::uint8_t> sharp_;
+  std::vector<Crease> creases_;
   std::vector<bool> split_;          ///< in the order of the walk: is this triangle halved?
   std::vector<SubTriangle> pieces_;  ///< in the order of the walk; empty when there are too many
 };

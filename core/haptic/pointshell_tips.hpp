@@ -19,6 +19,7 @@ class TipField {
 
   TipField(const TriangleMesh& mesh, double spacing);
   double pitch(const Vector3d& p) const;
+  bool empty() const { return tips_.empty(); }
 
  private:
   double reach_;

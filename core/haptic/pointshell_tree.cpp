@@ -2,6 +2,7 @@
 #include "core/haptic/pointshell_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace abstand {
@@ -88,6 +89,53 @@ void NearestPoint::visit(std::size_t node, const Eigen::Array4f& p, float& best,
   if (far_d2 < near_d2) std::swap(near, far), std::swap(near_d2, far_d2);
   if (near_d2 < best) visit(near, p, best, index);
   if (far_d2 < best) visit(far, p, best, index);
+}
+
+float PointsBelow::lowest(const Vector3f& u) const {
+  if (tree_.order.empty()) return std::numeric_limits<float>::infinity();
+  const Eigen::Array4f direction = BlockTree::corner(u);
+  float best = std::numeric_limits<float>::infinity();
+  std::array<std::size_t, 64> stack;
+  int top = 0;
+  stack[top++] = 1;
+  while (top > 0) {
+    const std::size_t node = stack[--top];
+    if (tree_.empty(node) || tree_.boxes[node].lowest(direction) >= best) continue;
+    if (node >= tree_.leaves) {
+      const auto [first, last] = tree_.block(node);
+      for (std::size_t i = first; i < last; ++i) {
+        best = std::min(best, u.x() * tree_.x[i] + u.y() * tree_.y[i] + u.z() * tree_.z[i]);
+      }
+      continue;
+    }
+    // The lower child is looked at first.
+    const bool right = !tree_.empty(2 * node + 1) &&
+                       tree_.boxes[2 * node + 1].lowest(direction) < tree_.boxes[2 * node].lowest(direction);
+    stack[top++] = 2 * node + (right ? 0 : 1);
+    stack[top++] = 2 * node + (right ? 1 : 0);
+  }
+  return best;
+}
+
+void PointsBelow::find(const Vector3f& u, float level, std::size_t most,
+                       std::vector<std::uint32_t>& out) const {
+  const Eigen::Array4f direction = BlockTree::corner(u);
+  std::array<std::size_t, 64> stack;
+  int top = 0;
+  stack[top++] = 1;
+  while (top > 0 && out.size() <= most) {
+    const std::size_t node = stack[--top];
+    if (tree_.empty(node) || tree_.boxes[node].lowest(direction) >= level) continue;
+    if (node < tree_.leaves) {
+      stack[top++] = 2 * node + 1;
+      stack[top++] = 2 * node;
+      continue;
+    }
+    const auto [first, last] = tree_.block(node);
+    for (std::size_t i = first; i < last; ++i) {
+      if (u.x() * tree_.x[i] + u.y() * tree_.y[i] + u.z() * tree_.z[i] < level) out.push_back(tree_.order[i]);
+    }
+  }
 }
 
 SampleCover::SampleCover(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,

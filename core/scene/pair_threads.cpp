@@ -46,15 +46,16 @@ struct World {
   std::vector<PairBodies> pairs;
   double rest{0.0};  ///< Skipping::rest
 
-  void query(std::uint32_t pair, const PoseSet& poses, PairScratch& scratch, PairResult& result) const {
+  void query(std::uint32_t pair, const PoseSet& poses, PairMemory& memory, PairScratch& scratch,
+             PairResult& result) const {
     const auto [a, b] = pairs[pair];
-    queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair], scratch,
-              result);
+    queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair], memory,
+              scratch, result);
   }
 
   /// The same, or what is left of the last query when that will do. True when it was queried.
-  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveRest& last, PairScratch& scratch,
-               PairResult& result) const {
+  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveRest& last, PairMemory& memory,
+               PairScratch& scratch, PairResult& result) const {
     const auto [a, b] = pairs[pair];
     const PairOptions& options = poses.options[pair];
     const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
@@ -63,7 +64,7 @@ struct World {
       last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, result);
       return false;
     }
-    query(pair, poses, scratch, result);
+    query(pair, poses, memory, scratch, result);
     last.take(result, poses.X_WB[a], poses.X_WB[b], now_a, now_b,
               touchFrom(*structures[a], *structures[b], options), options.margin, rest);
     return true;
@@ -80,6 +81,7 @@ class Group {
         wanted_(pairs),
         results_(emptyResults(world)),
         rests_(world.rest > 0.0 ? world.pairs.size() : 0),
+        memories_(world.pairs.size()),
         pairs_(std::move(pairs)) {}
   ~Group() { stop(); }
   Group(const Group&) = delete;
@@ -174,8 +176,8 @@ class Group {
       const std::uint32_t pair = pairs.index[k];
       out.pairs.index[k] = pair;
       if (rests_.empty()) {
-        world_.query(pair, poses, scratch_, out.results[k]);
-      } else if (!world_.bringUp(pair, poses, rests_[pair], scratch_, out.results[k])) {
+        world_.query(pair, poses, memories_[pair], scratch_, out.results[k]);
+      } else if (!world_.bringUp(pair, poses, rests_[pair], memories_[pair], scratch_, out.results[k])) {
         ++rested;
       }
     }
@@ -189,11 +191,12 @@ class Group {
   }
 
   const World& world_;
-  TripleBuffer<PoseSet> poses_;      ///< owner to group
-  TripleBuffer<PairList> wanted_;    ///< owner to group
-  TripleBuffer<ResultSet> results_;  ///< group to owner
-  std::vector<LiveRest> rests_;      ///< the group's, one a pair of the scene; empty when none may rest
-  PairList pairs_;                   ///< the owner's copy of what it wants
+  TripleBuffer<PoseSet> poses_;       ///< owner to group
+  TripleBuffer<PairList> wanted_;     ///< owner to group
+  TripleBuffer<ResultSet> results_;   ///< group to owner
+  std::vector<LiveRest> rests_;       ///< the group's, one a pair of the scene; empty when none may rest
+  std::vector<PairMemory> memories_;  ///< likewise
+  PairList pairs_;                    ///< the owner's copy of what it wants
   PairScratch scratch_;
   long first_cycle_{0};  ///< the owner's
   alignas(64) std::atomic<std::uint32_t> signal_{0};
@@ -250,7 +253,8 @@ struct PairThreads::Impl {
     const std::uint32_t i = pair.index();
     group_of[i] = group;
     list.index[list.count++] = i;
-    world.query(i, poses, scratch, results[i]);
+    PairMemory nothing;
+    world.query(i, poses, nothing, scratch, results[i]);
     result_time[i] = poses.t;
     result_number[i] = poses.number;
   }

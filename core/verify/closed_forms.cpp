@@ -23,7 +23,7 @@ constexpr std::size_t kPart = 10;
 // Bodies. The wall is so wide that whatever is pressed into its upper face (z = 0) feels a half-space.
 constexpr double kBall = 0.05, kSmallBall = 0.03, kRod = 0.03, kRodLength = 0.15, kDrum = 0.04,
                  kDrumLength = 0.1;
-const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kWall{0.4, 0.4, 0.2};
+const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kWall{1.6, 1.6, 0.2};
 const Transform kWallPose = fromXyzRpy({0, 0, -0.1}, Vector3d::Zero());
 
 enum Body { kBallBody, kSmallBallBody, kRodBody, kDrumBody, kBoxBody, kEggBody, kWallBody, kBodies };

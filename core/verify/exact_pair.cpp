@@ -20,20 +20,22 @@ ExactDistance exactDistance(const NastyBody& P, const NastyBody& F, const Transf
   const TriangleSoup moved = P.soup.moved(X_FP);
   const double apart = moved.distanceTo(F.soup);
   // An open body has no certain inside: wherever the engine sees one, it may say so.
-  if (!F.closed) return {-kInfinity, apart, apart == 0.0, false};
+  if (!F.closed || !P.closed) return {-kInfinity, apart, apart == 0.0, false};
+  bool swallowed = false;
+  const Transform X_PF = X_FP.inverse();
   if (apart > 0.0) {
     // No surface cuts another: then all of a piece is inside the other body, or nothing of it.
     if ((X_FP * P.centre - F.centre).norm() > P.radius + F.radius) return {apart, apart, false, false};
-    if (!anyInside(moved.probes(), F)) {
-      std::vector<Vector3d> probes;
-      for (const Vector3d& q : F.soup.probes()) probes.push_back(X_FP.inverse() * q);
-      const bool swallowed = anyInside(probes, P);
-      return {apart, apart, swallowed, swallowed};
-    }
+    std::vector<Vector3d> probes;
+    for (const Vector3d& q : F.soup.probes()) probes.push_back(X_PF * q);
+    swallowed = anyInside(probes, P);
+    if (!swallowed && !anyInside(moved.probes(), F)) return {apart, apart, false, false};
   }
-  const Penetration depth =
-      penetration(moved, F.soup, tolerance, kMostSamples + static_cast<int>(moved.size()));
-  return {-std::max(0.0, depth.most), -std::max(0.0, depth.least), true, false};
+  const auto samples = [](const TriangleSoup& soup) { return kMostSamples + static_cast<int>(soup.size()); };
+  const Penetration of_points = penetration(moved, F.soup, tolerance, samples(moved));
+  const Penetration of_field = penetration(F.soup.moved(X_PF), P.soup, tolerance, samples(F.soup));
+  return {-std::max({0.0, of_points.most, of_field.most}), -std::max({0.0, of_points.least, of_field.least}),
+          true, swallowed};
 }
 
 }  // namespace abstand::verify

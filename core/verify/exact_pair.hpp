@@ -6,10 +6,9 @@
 namespace abstand::verify {
 
 /// The true signed distance lies between the two (m). Apart: both are the distance of the meshes.
-/// Overlapping: minus the greatest depth of the point body's surface in the field body, as far as it was
-/// enclosed; minus infinity to 0 where surfaces meet and the field body is open. A piece of the field body
-/// that the point body swallows whole has no part of the latter's surface inside it: then it is the distance
-/// of the surfaces, as core/haptic/pair_query.hpp has it, though the solids overlap.
+/// Overlapping: minus the greatest depth of either body's surface in the other, as far as it was enclosed;
+/// minus infinity to the distance of the meshes where a body is open. `swallowed`: a piece of the field body
+/// lies whole in the point body, where none of the latter's points sees it.
 struct ExactDistance {
   double least;
   double most;

@@ -15,11 +15,12 @@ namespace {
 constexpr double kSpacing = 0.005;
 /// Areas are stored as floats.
 constexpr double kAreaTolerance = 1e-6;
-/// The force law's promise, relative to the overlapping volume, for depths above one and a half spacings.
+/// Bumps within the piece of a mesh that a point stands for do not count.
+constexpr double kMeshAreaTolerance = 0.01;
+/// The force law's promise, relative to the overlapping volume, for depths from one spacing on.
 constexpr double kVolumeTolerance = 0.02;
-/// Pressed in by hardly more than one spacing, a corner or an edge touches with so few points that single
-/// orientations miss the promise.
-constexpr double kShallowTolerance = 0.06;
+/// In 85 of 100 orientations.
+constexpr double kUsualTolerance = 0.01;
 /// Over all orientations the errors cancel: the rule is unbiased.
 constexpr double kMeanTolerance = 0.007;
 
@@ -129,12 +130,16 @@ TEST(Pointshell, EveryPrefixIsACoarserShell) {
   }
 }
 
-TEST(Pointshell, IsTheSameOnEveryRun) {
+TEST(Pointshell, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
   const auto surface = makeSurface(Cylinder{0.05, 0.12});
-  const Pointshell one = makePointshell(*surface, kSpacing), two = makePointshell(*surface, kSpacing);
-  EXPECT_EQ(one.x, two.x);
-  EXPECT_EQ(one.nz, two.nz);
-  EXPECT_EQ(one.area, two.area);
+  const Pointshell one = makePointshell(*surface, kSpacing, 1);
+  for (const int threads : {1, 2, 3, 7}) {
+    const Pointshell other = makePointshell(*surface, kSpacing, threads);
+    EXPECT_EQ(one.x, other.x);
+    EXPECT_EQ(one.nz, other.nz);
+    EXPECT_EQ(one.area, other.area);
+    EXPECT_EQ(one.covering_radius, other.covering_radius);
+  }
 }
 
 TEST(Pointshell, RefusesWhatItCannotSample) {
@@ -166,6 +171,11 @@ void pressIntoWall(const TriangleMesh& exact, const Pointshell& shell) {
   }
   for (std::uint64_t seed = 1; seed <= 74; ++seed)
     directions.push_back(testing::randomPose(seed).linear().col(2));
+  // Nearly along the axes, edges and diagonals of a box: where an edge just tilts.
+  for (std::uint64_t seed = 1; seed <= 104; ++seed) {
+    const Vector3d tilt = 0.02 * double(seed % 5 + 1) * testing::randomPose(1000 + seed).linear().col(2);
+    directions.push_back((directions[seed % 26] + tilt).normalized());
+  }
   for (const double depth : {kSpacing, 0.0075, 0.01, 0.015, 0.02}) {
     SCOPED_TRACE(depth);
     double mean = 0.0;
@@ -177,11 +187,10 @@ void pressIntoWall(const TriangleMesh& exact, const Pointshell& shell) {
       errors.push_back((force - volume * u).dot(u) / volume);
       mean += errors.back() / static_cast<double>(directions.size());
       errors.back() = std::abs(errors.back());
-      EXPECT_LE(errors.back(), depth > 1.5 * kSpacing ? kVolumeTolerance : kShallowTolerance)
-          << u.transpose();
+      EXPECT_LE(errors.back(), kVolumeTolerance) << u.transpose();
     }
     std::sort(errors.begin(), errors.end());
-    EXPECT_LE(errors[errors.size() * 85 / 100], kVolumeTolerance);
+    EXPECT_LE(errors[errors.size() * 85 / 100], kUsualTolerance);
     EXPECT_LE(std::abs(mean), kMeanTolerance);
   }
 }
@@ -199,7 +208,8 @@ TEST(Pointshell, PressingTheBunnyIntoAWallGivesTheOverlap) {
   if (!exists(file)) GTEST_SKIP() << file;
   const TriangleMesh mesh = testing::readOff(file, 0.2);
   const Pointshell shell = makePointshell(*makeSurface(mesh), kSpacing);
-  EXPECT_NEAR(totalArea(shell) / surfaceArea(mesh), 1.0, kAreaTolerance);
+  EXPECT_NEAR(totalArea(shell) / surfaceArea(mesh), 1.0, kMeshAreaTolerance);
+  EXPECT_LE(totalArea(shell), surfaceArea(mesh));
   pressIntoWall(mesh, shell);
 }
 

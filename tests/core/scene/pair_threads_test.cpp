@@ -55,12 +55,15 @@ class LiveScene : public ::testing::Test {
     return out;
   }
 
+  /// What a pair remembers differs, as a live group need not see every pose; so the nearest points may be
+  /// others, within what queryPair() allows.
   static void expectSame(const PairResult& live, const PairResult& step) {
-    EXPECT_EQ(live.distance, step.distance);
-    EXPECT_EQ(live.bound, step.bound);
+    const double allowed = std::max(0.01 * std::abs(step.distance), 1e-3);
+    EXPECT_NEAR(live.distance, step.distance, allowed);
+    EXPECT_LE(live.distance - live.bound, step.distance + 1e-9);
+    EXPECT_LE(step.distance - step.bound, live.distance + 1e-9);
     EXPECT_EQ(live.force_a, step.force_a);
     EXPECT_EQ(live.torque_b, step.torque_b);
-    EXPECT_EQ(live.witness_a, step.witness_a);
     EXPECT_EQ(live.contacts, step.contacts);
   }
 

@@ -1,0 +1,236 @@
+// Fine adjustment of a pointshell: presses into walls and row-action least squares.
+#include "core/haptic/pointshell_balance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "core/base/parallel.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kGolden = 0.6180339887498949;
+constexpr int kDirections = 800;  ///< all around: one every 7 degrees
+/// Spacings, in steps of equal ratio between them; shifted from direction to direction.
+constexpr double kShallowest = 0.55, kDeepest = 2.2;
+constexpr int kDepths = 6;
+/// The steps of the directions about a crease: between its two normals, and along it. Two directions closer
+/// than kSameDirection count as one.
+constexpr double kBetween[] = {0.05, 0.25, 0.5, 0.75, 0.95};
+constexpr double kAlong[] = {0.0, 0.03, -0.03, 0.08, -0.08};
+constexpr double kSameDirection = 0.05;
+/// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
+/// all the same, up to kMostCoarse points, so that nothing drifts.
+constexpr std::size_t kMostPoints = 100, kMostCoarse = 1500, kCoarse = 16;
+/// Points in all half-spaces; beyond, some are left out, so that a large body takes no longer.
+constexpr std::size_t kMostVisits = 600'000;
+constexpr int kSweeps = 5;
+constexpr double kFirstStep = 1.0, kLastStep = 0.1;
+/// Moving by this part of the spacing counts as much as changing the area by its whole.
+constexpr double kMove = 0.7;
+/// Points as much outside as this part of the spacing may still come in while they are moved.
+constexpr double kMargin = 0.1;
+/// Part of the trace that is added to the 3 x 3 systems, as a face alone gives only one direction of force.
+constexpr double kDamping = 1e-3;
+/// An overlap whose force is a smaller part than this of the sum without signs is no overlap: the two sides
+/// of a sheet.
+constexpr double kSheet = 1e-3;
+
+std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases) {
+  std::vector<Vector3d> out;
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
+    const double turn = 2.0 * kPi * kGolden * i;
+    out.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  std::set<std::array<int, 3>> seen;
+  for (const Crease& crease : creases) {
+    for (const double between : kBetween) {
+      for (const double along : kAlong) {
+        const Vector3d outwards =
+            ((1.0 - between) * crease.normal[0] + between * crease.normal[1]).normalized();
+        const Vector3d u = -(outwards + along * crease.along()).normalized();
+        const Vector3i key = (u / kSameDirection).array().round().cast<int>();
+        if (seen.insert({key.x(), key.y(), key.z()}).second) out.push_back(u);
+      }
+    }
+  }
+  return out;
+}
+
+/// Integral of depth times inward normal over the part of a triangle whose depth is positive, and of the
+/// depth alone.
+void addClipped(const Vector3d (&corner)[3], const double (&depth)[3], Vector3d& force, double& size) {
+  const Vector3d cross = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  // Corners of the clipped polygon in barycentric coordinates of the second and third corner.
+  struct {
+    double b, c, d;
+  } polygon[4];
+  constexpr double kB[3] = {0.0, 1.0, 0.0}, kC[3] = {0.0, 0.0, 1.0};
+  int n = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (depth[i] > 0.0) polygon[n++] = {kB[i], kC[i], depth[i]};
+    if ((depth[i] > 0.0) != (depth[j] > 0.0)) {
+      const double t = depth[i] / (depth[i] - depth[j]);
+      polygon[n++] = {kB[i] + t * (kB[j] - kB[i]), kC[i] + t * (kC[j] - kC[i]), 0.0};
+    }
+  }
+  double integral = 0.0;  // over the unit triangle, times 6
+  for (int k = 1; k + 1 < n; ++k) {
+    const auto &p = polygon[0], &q = polygon[k], &r = polygon[k + 1];
+    integral += ((q.b - p.b) * (r.c - p.c) - (q.c - p.c) * (r.b - p.b)) * (p.d + q.d + r.d);
+  }
+  force -= integral / 6.0 * cross;
+  size += integral / 6.0 * cross.norm();
+}
+
+/// A step coprime to n, so that i * step mod n visits all, neighbours far apart in time.
+std::size_t stride(std::size_t n) {
+  std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(kGolden * static_cast<double>(n)));
+  while (std::gcd(step, n) != 1) ++step;
+  return step;
+}
+
+/// The triangles at each vertex: those of v are list[first[v]] ... list[first[v + 1] - 1].
+struct VertexTriangles {
+  explicit VertexTriangles(const TriangleMesh& mesh) : first(mesh.vertices.size() + 1, 0) {
+    for (const auto& t : mesh.triangles) {
+      for (const std::uint32_t v : t) ++first[v + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    list.resize(first.back());
+    std::vector<std::uint32_t> next = first;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) list[next[v]++] = t;
+    }
+  }
+  std::vector<std::uint32_t> first, list;
+};
+
+/// What one direction's half-spaces should give, and their points.
+struct Presses {
+  double level[kDepths];
+  Vector3d force[kDepths];
+  double weight[kDepths];
+  std::vector<std::uint32_t> points[kDepths];
+};
+
+}  // namespace
+
+ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
+                           const std::vector<BalancePoint>& points, double spacing, int threads)
+    : spacing_(spacing) {
+  const std::vector<Vector3d> directions = pressDirections(creases);
+  const VertexTriangles at(mesh);
+  std::vector<Vector3f> vertices, places;
+  for (const Vector3d& v : mesh.vertices) vertices.push_back(v.cast<float>());
+  for (const BalancePoint& p : points) places.push_back(p.position.cast<float>());
+  const PointsBelow vertices_below(vertices), points_below(places);
+  std::vector<Presses> found(directions.size());
+  parallelFor(threads, directions.size(), [&](std::size_t k) {
+    const Vector3d& u = directions[k];
+    const Vector3f uf = u.cast<float>();
+    Presses& presses = found[k];
+    const double lowest = double(vertices_below.lowest(uf));
+    const double shift = std::fmod(kGolden * static_cast<double>(k), 1.0);
+    const std::size_t most = k % kCoarse == 0 ? kMostCoarse : kMostPoints;
+    int depths = 0;
+    for (; depths < kDepths; ++depths) {
+      const double depth = kShallowest * std::pow(kDeepest / kShallowest, (depths + shift) / kDepths);
+      const double level = lowest + depth * spacing;
+      std::vector<std::uint32_t>& inside = presses.points[depths];
+      points_below.find(uf, static_cast<float>(level + kMargin * spacing), most, inside);
+      if (inside.size() > most) inside.clear();
+      if (inside.empty() && depths > 0) break;
+      presses.level[depths] = level;
+      presses.force[depths] = Vector3d::Zero();
+      presses.weight[depths] = std::min(1.0, std::pow(depth, 1.5));
+    }
+    if (depths == 0) return;
+    // A triangle reaches into the half-space when one of its corners does. Vertices are found in float; a
+    // rounding error missed at the level itself has no weight.
+    std::vector<std::uint32_t> reached, triangles;
+    vertices_below.find(uf, static_cast<float>(presses.level[depths - 1]), vertices.size(), reached);
+    for (const std::uint32_t v : reached) {
+      triangles.insert(triangles.end(), at.list.begin() + at.first[v], at.list.begin() + at.first[v + 1]);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    double size[kDepths] = {};
+    for (const std::uint32_t t : triangles) {
+      const Vector3d corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+      const double height[3] = {u.dot(corner[0]), u.dot(corner[1]), u.dot(corner[2])};
+      for (int d = 0; d < depths; ++d) {
+        const double level = presses.level[d];
+        addClipped(corner, {level - height[0], level - height[1], level - height[2]}, presses.force[d],
+                   size[d]);
+      }
+    }
+    for (int d = 0; d < depths; ++d) {
+      if (!(presses.force[d].norm() > kSheet * size[d])) presses.points[d].clear();
+    }
+  });
+
+  // Neighbouring directions far apart in time, so that one place is not mended twice in a row.
+  const std::size_t n = directions.size() * kDepths, step = stride(n);
+  for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMostVisits; ++i, r = (r + step) % n) {
+    const Presses& presses = found[r / kDepths];
+    const std::size_t d = r % kDepths;
+    const std::vector<std::uint32_t>& inside = presses.points[d];
+    if (inside.empty()) continue;
+    presses_.push_back({directions[r / kDepths], presses.level[d], presses.force[d], presses.weight[d],
+                        static_cast<std::uint32_t>(points_.size()),
+                        static_cast<std::uint32_t>(inside.size())});
+    points_.insert(points_.end(), inside.begin(), inside.end());
+  }
+}
+
+void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
+  const double move2 = freedom == Freedom::kArea ? 0.0 : kMove * kMove * spacing_ * spacing_;
+  std::vector<double> depth;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    const double step = kFirstStep + (kLastStep - kFirstStep) * sweep / (kSweeps - 1);
+    for (const Press& press : presses_) {
+      const std::uint32_t* inside = &points_[press.first];
+      const Vector3d& u = press.direction;
+      depth.clear();
+      Vector3d force = Vector3d::Zero();
+      // What unit changes of each point do to the force, squared: along its normal, as everything it does.
+      double g00 = 0.0, g01 = 0.0, g02 = 0.0, g11 = 0.0, g12 = 0.0, g22 = 0.0;
+      for (std::uint32_t k = 0; k < press.count; ++k) {
+        const BalancePoint& p = points[inside[k]];
+        const double d = press.level - u.dot(p.position);
+        depth.push_back(d);
+        if (d <= 0.0) continue;
+        const Vector3d& n = p.normal;
+        force += p.area * d * n;
+        const double un = u.dot(n);
+        const double g = p.home_area * p.home_area * (d * d + move2 * (1.0 - un * un));
+        g00 += g * n.x() * n.x(), g01 += g * n.x() * n.y(), g02 += g * n.x() * n.z();
+        g11 += g * n.y() * n.y(), g12 += g * n.y() * n.z(), g22 += g * n.z() * n.z();
+      }
+      const double damping = kDamping * (g00 + g11 + g22);
+      if (!(damping > 0.0)) continue;
+      Matrix3d gram;
+      gram << g00 + damping, g01, g02, g01, g11 + damping, g12, g02, g12, g22 + damping;
+      const Vector3d pull = step * press.weight * (gram.inverse() * (press.force - force));
+      for (std::uint32_t k = 0; k < press.count; ++k) {
+        if (depth[k] <= 0.0) continue;
+        BalancePoint& p = points[inside[k]];
+        const double g = p.home_area * p.normal.dot(pull);
+        p.area = std::clamp(p.area + p.home_area * depth[k] * g, kLeastArea * p.home_area,
+                            kMostArea * p.home_area);
+        if (move2 == 0.0) continue;
+        const Vector3d moved = p.position - move2 * g * (u - u.dot(p.normal) * p.normal) - p.home;
+        const double length = moved.norm();
+        p.position = p.home + (length > p.reach ? p.reach / length : 1.0) * moved;
+      }
+    }
+  }
+}
+
+}  // namespace abstand
