@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
+#include "core/geometry/mesh_pieces.hpp"
 #include "core/haptic/voxelmap_sides.hpp"
 
 namespace abstand {
@@ -189,6 +190,8 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   s.com = s.mass_properties.com;
   const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
   s.triangles = mesh.triangles.size();
+  s.pieces = abstand::pieces(mesh);
+  if (s.pieces.size() == 1) s.pieces.clear();
   s.bounding_sphere = sphereAbout(*s.surface, mesh);
   s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
   Shrink shrink;

@@ -31,6 +31,7 @@ struct HapticStructure {
 
   MassProperties mass_properties;   ///< density 1
   Vector3d com{Vector3d::Zero()};   ///< centre for torques
+  std::vector<Vector3d> pieces;     ///< a point of each piece of the surface; none when it is one piece
   EnclosingSphere bounding_sphere;  ///< of the surface, not only of its points
   VoxelGrid grid;                   ///< the effective grid, whatever the field
   std::size_t surface_voxels{0};

@@ -59,8 +59,16 @@ class Query {
     isProven();
   }
 
-  /// True when the bodies may touch, as far as is proven.
-  bool mayTouch() const { return certified_ <= 0.0; }
+  /// True when the bodies may touch, as far as is proven, or P may have swallowed a piece of F.
+  bool mayTouch() const {
+    if (certified_ <= 0.0) return true;
+    if (F_.pieces.empty() || separated_) return false;
+    const Transform X_PF = X_FP_.inverse();
+    return std::any_of(F_.pieces.begin(), F_.pieces.end(), [&](const Vector3d& piece) {
+      const Vector3d p = X_PF * piece;
+      return (p - P_.bounding_sphere.centre).norm() < P_.bounding_sphere.radius && P_.surface->inside(p);
+    });
+  }
 
   /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
   /// of it inside of P.
@@ -140,6 +148,7 @@ class Query {
     for (const bool closely : {false, true}) {
       const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
       certify(separation - kPlaneRounding);
+      separated_ = separated_ || separation > kPlaneRounding;
       if (witness_.distance - std::max(certified_, of_points_) <= enough) return true;
       // What the first look may have lost.
       if (witness_.distance - separation >
@@ -157,7 +166,8 @@ class Query {
   Witness witness_;
   double certified_{-kInfinity};
   double of_points_{-kInfinity};
-  bool settled_{false};  ///< the witness is a nearest pair of its neighbourhood
+  bool separated_{false};  ///< a plane parts the hulls
+  bool settled_{false};    ///< the witness is a nearest pair of its neighbourhood
 };
 
 }  // namespace

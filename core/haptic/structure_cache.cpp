@@ -173,7 +173,7 @@ std::shared_ptr<const HapticStructure> StructureCache::findStructure(const Conte
   if (!on() || !read(structureFile(key), key, *structure)) return nullptr;
   structure->name = std::move(name);
   structure->surface = std::move(surface);
-  structure->support.setShape(*structure->surface);
+  if (structure->surface) structure->support.setShape(*structure->surface);
   return structure;
 }
 

@@ -70,7 +70,7 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, 0, {}, {}, {}, options});
+  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, 0, {}, {}, options});
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
@@ -144,8 +144,6 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   if (!history.started() || dt <= -kLeastTimeStep) {
     ++object.interruptions;
     history.start();
-    // So that a run from the same moment gives the same numbers again.
-    for (const PairId pair : pairs_of_[id.index()]) pairs_[pair.index()].memory = {};
     object.velocity = object.mean_velocity = Twist{};
   } else if (dt >= kLeastTimeStep) {
     const Vector3d way = X_WB * object.spec.structure->com - object.p_WCom();
@@ -231,8 +229,7 @@ void Scene::spread(const std::vector<PairId>& pairs, Task task) {
 void Scene::check(Pair& pair, PairScratch& scratch) const {
   const Object& a = objects_[pair.a.index()];
   const Object& b = objects_[pair.b.index()];
-  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, pair.memory, scratch,
-            pair.result);
+  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!skipping_.any()) return;
   pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],

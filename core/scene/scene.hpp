@@ -61,7 +61,6 @@ struct alignas(64) Pair {
   int waited{0};         ///< steps that it has been put off
   PairRest rest;
   PairResult result;
-  PairMemory memory;    ///< of the last query
   PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
 };
 

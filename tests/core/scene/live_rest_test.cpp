@@ -77,7 +77,11 @@ TEST_F(LiveRests, WithinTheTimeThatTheSpeedsLeave) {
       ++queries;
       longest = std::max(longest, t - last);
       last = t;
-      EXPECT_TRUE(sameBits(results_[0], queried(scene_, scene_.pairs()[0])));
+      // A live pair remembers its last query, so far away it may be off by a hundredth.
+      const PairResult cold = queried(scene_, scene_.pairs()[0]);
+      EXPECT_NEAR(results_[0].distance, cold.distance, 0.01 * cold.distance + kOnSurface);
+      EXPECT_LE(results_[0].distance - results_[0].bound, cold.distance + kOnSurface);
+      EXPECT_EQ(results_[0].force_a, cold.force_a);
     }
     ASSERT_LE(results_[0].distance - results_[0].bound, gap + kOnSurface) << t;
     ASSERT_GE(results_[0].distance, gap - kOnSurface) << t;
