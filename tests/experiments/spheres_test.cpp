@@ -84,10 +84,12 @@ TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
     // pairs remember earlier poses, so far away they may be off by a hundredth.
     const auto same = [&] {
       threads.collect(live);
-      for (std::size_t i = 0; i < 3; ++i) const PairResult& step = session->scene().pairs()[i].result;
-      if (std::abs(live[i].distance - step.distance) > 0.01 * std::abs(step.distance) + 1e-5 ||
-          live[i].force_a != step.force_a)
-        return false;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PairResult& step = session->scene().pairs()[i].result;
+        const double allowed = 0.01 * std::abs(step.distance) + 1e-5;
+        if (std::abs(live[i].distance - step.distance) > allowed || live[i].force_a != step.force_a)
+          return false;
+      }
       return true;
     };
     bool agreed = false;

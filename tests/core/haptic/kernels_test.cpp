@@ -1,0 +1,62 @@
+// The searches for machines with and without AVX2 say the same, but for rounding.
+#include <gtest/gtest.h>
+
+#include "core/haptic/search_kernels.hpp"
+#include "tests/core/haptic/structures.hpp"
+#include "tests/support/random_pose.hpp"
+
+namespace abstand::testing {
+namespace {
+
+/// m; a fused multiply-add rounds once where two instructions round twice.
+constexpr float kRounding = 1e-5f;
+
+TEST(SearchKernels, AgreeOnEveryMachine) {
+  const SearchKernels &fast = searchKernels(), &plain = kPortableKernels;
+  if (&fast == &plain) GTEST_SKIP() << "this machine runs the portable ones";
+  for (const FieldKind kind : {FieldKind::kMixed, FieldKind::kFloat, FieldKind::kLayered}) {
+    const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, kind);
+    const auto& F = structureOf(Cuboid{{0.1, 0.12, 0.3}}, kind);
+    const FieldView field = F.fieldView();
+    PairScratch scratch;
+    int touching = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+      const TreeView tree = P.treeView(randomPose(seed, seed % 3 == 0 ? 0.1 : 0.6));
+      const NearestLimits limits{std::numeric_limits<float>::infinity(), 0.1f, 0.0f};
+      const NearestPoint a = fast.nearest(tree, field, limits, scratch),
+                         b = plain.nearest(tree, field, limits, scratch);
+      ASSERT_NEAR(a.lower_bound, b.lower_bound, kRounding) << seed;
+      // Where two voxels of a layered map meet, rounding decides which one a point lies in.
+      if (kind == FieldKind::kLayered) continue;
+      ASSERT_NEAR(a.estimate, b.estimate, kRounding) << seed;
+      const ContactSum s = fast.contacts(tree, field, {0.02f, true}, scratch),
+                       t = plain.contacts(tree, field, {0.02f, true}, scratch);
+      ASSERT_NEAR(s.depth, t.depth, kRounding);
+      for (int k = 0; k < 3; ++k) {
+        // Relative to some cm^2 pressed by some cm.
+        ASSERT_NEAR(s.force[k], t.force[k], 1e-8);
+        ASSERT_NEAR(s.moment[k], t.moment[k], 1e-8);
+      }
+      touching += s.contacts > 0;
+    }
+    if (kind != FieldKind::kLayered) {
+      EXPECT_GT(touching, 50);
+    }
+  }
+}
+
+TEST(SearchKernels, SupportIsTheLargestProduct) {
+  std::vector<float> x, y, z;
+  for (std::uint64_t i = 0; i < 64; ++i) {
+    const Vector3f p = randomPose(i).translation().cast<float>();
+    x.push_back(p.x()), y.push_back(p.y()), z.push_back(p.z());
+  }
+  for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
+    float most = -1e30f;
+    for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, 0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i]);
+    EXPECT_NEAR(kernels->support(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f), most, 1e-6f);
+  }
+}
+
+}  // namespace
+}  // namespace abstand::testing
