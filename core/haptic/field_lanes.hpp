@@ -59,8 +59,11 @@ inline Distance8 farAt(const FarField::View& v, const Point8& p) {
   const Float8 inside_f = sqrt(max(summed - loss, zero)) - rounding;
   Distance8 d;
   d.f = max(select(beyond, from_ball, max(inside_f, from_ball)), zero);
-  // Exact before a plane is the interpolation, before a tip the bound; between them, about the middle.
-  d.s = select(beyond, d.f, splat(0.5f) * (plain + max(inside_f, zero)));
+  // Exact before a plane is the interpolation, before a tip the bound. Near the body most of it is like a
+  // plane; farther away, about the middle.
+  const Mask8 near = toFloat(level) < splat(0.5f);
+  const Float8 least = max(inside_f, zero);
+  d.s = select(beyond, d.f, select(near, max(plain, least), splat(0.5f) * (plain + least)));
   return d;
 }
 
