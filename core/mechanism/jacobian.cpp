@@ -22,13 +22,13 @@ void jacobian(const Mechanism& mechanism, const MechanismState& state, int index
               Eigen::Matrix<double, 6, Eigen::Dynamic>& J) {
   J.setZero(6, mechanism.dof);
   forEachJointBelow(mechanism, state, index, [&](const MechanismFrame& f, const Transform& X_BF) {
-    const Vector3d axis_B = f.scale * X_BF.linear().col(2);
+    const Vector3d axis_B = f.scale * (X_BF.linear() * f.axis);
     if (f.type == JointType::kPrismatic) {
-      J.col(f.dof).head<3>() = axis_B;
+      J.col(f.dof).head<3>() += axis_B;
     } else {
       const Vector3d arm_B = state.X_BF[static_cast<std::size_t>(index)].translation() - X_BF.translation();
-      J.col(f.dof).head<3>() = axis_B.cross(arm_B);
-      J.col(f.dof).tail<3>() = axis_B;
+      J.col(f.dof).head<3>() += axis_B.cross(arm_B);
+      J.col(f.dof).tail<3>() += axis_B;
     }
   });
 }
@@ -37,7 +37,7 @@ void addJointEfforts(const Mechanism& mechanism, const MechanismState& state, in
                      const Wrench& w, std::span<double> efforts) {
   ABSTAND_CHECK(efforts.size() == static_cast<std::size_t>(mechanism.dof));
   forEachJointBelow(mechanism, state, index, [&](const MechanismFrame& f, const Transform& X_BF) {
-    const Vector3d axis_B = f.scale * X_BF.linear().col(2);
+    const Vector3d axis_B = f.scale * (X_BF.linear() * f.axis);
     double& effort = efforts[static_cast<std::size_t>(f.dof)];
     if (f.type == JointType::kPrismatic)
       effort += axis_B.dot(w.force);

@@ -21,7 +21,9 @@ void forward(const Mechanism& mechanism, std::span<const double> q, MechanismSta
     if (f.type == JointType::kFixed) continue;
     const double value = f.offset + (f.dof < 0 ? 0.0 : f.scale * q[static_cast<std::size_t>(f.dof)]);
     if (f.type == JointType::kPrismatic) {
-      X_BF.translation() += value * X_BF.linear().col(2);
+      X_BF.translation() += value * (X_BF.linear() * f.axis);
+    } else if (f.axis != Vector3d::UnitZ()) {
+      X_BF.linear() *= Eigen::AngleAxisd(value, f.axis).toRotationMatrix();
     } else {
       const double c = std::cos(value), s = std::sin(value);
       const Vector3d x_B = X_BF.linear().col(0), y_B = X_BF.linear().col(1);

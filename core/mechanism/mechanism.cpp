@@ -18,6 +18,8 @@ void Mechanism::prepare() {
     auto& f = frames[i];
     ABSTAND_CHECK(f.parent >= -1 && f.parent < static_cast<int>(i));
     ABSTAND_CHECK(f.dof >= -1 && f.dof < dof && (f.dof < 0 || f.type != JointType::kFixed));
+    ABSTAND_CHECK(std::abs(f.axis.norm() - 1.0) < 1e-9 && (!f.has_dh || f.axis == Vector3d::UnitZ()));
+    if (!f.has_dh) continue;
     // RotZ(theta) and TransZ(d) commute, so the variable one can stand last whichever it is.
     f.X_PJ = Eigen::AngleAxisd(f.alpha, Vector3d::UnitX()) * Eigen::Translation3d(f.a, 0.0, f.d) *
              Eigen::AngleAxisd(f.theta, Vector3d::UnitZ());

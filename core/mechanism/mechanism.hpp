@@ -11,8 +11,24 @@ namespace abstand {
 
 enum class JointType { kFixed, kRevolute, kPrismatic };
 
-/// One frame i of the modified (Craig) Denavit-Hartenberg convention, relative to its parent:
-/// T = RotX(alpha) TransX(a) RotZ(theta) TransZ(d). SI. A variable joint's value is offset + scale * q[dof].
+/// What a joint may do, in the units of its value (rad or m). Infinity where nothing is known.
+struct JointLimits {
+  double lower{-kInfinity}, upper{kInfinity};
+  double velocity{kInfinity};  ///< rad/s or m/s, of its size
+  double effort{kInfinity};    ///< N m or N, of its size
+};
+
+/// Mass of the body that moves with a frame. SI; 0 where nothing is known.
+struct LinkInertia {
+  double mass{0.0};
+  Vector3d com_F{Vector3d::Zero()};      ///< centre of mass in the frame
+  Matrix3d inertia_F{Matrix3d::Zero()};  ///< kg m^2, about the centre of mass, in the frame's axes
+};
+
+/// One frame i, relative to its parent. In a `.mech` file by the modified (Craig) Denavit-Hartenberg
+/// convention, T = RotX(alpha) TransX(a) RotZ(theta) TransZ(d); elsewhere (`has_dh` false) by a constant
+/// X_PJ, then the joint about or along `axis`. SI. A variable joint's value is offset + scale * q[dof];
+/// several frames may share a dof (mimic joints).
 struct MechanismFrame {
   int id{0};         ///< unique, positive; 0 is the base
   std::string name;  ///< the id as text for .mech files
@@ -23,7 +39,12 @@ struct MechanismFrame {
   double offset{0.0}, scale{1.0};
   bool has_center{false};
   Transform X_FC{Transform::Identity()};  ///< `link` environment: centre of the link in its frame
-  Transform X_PJ{Transform::Identity()};  ///< constant part of the transform, set by Mechanism::prepare()
+  bool has_dh{true};
+  /// Constant part of the transform; set by Mechanism::prepare() where has_dh, else by who makes the frame.
+  Transform X_PJ{Transform::Identity()};
+  Vector3d axis{Vector3d::UnitZ()};  ///< unit vector in the frame's axes: the joint moves about or along it
+  JointLimits limits;                ///< of the joint's value
+  LinkInertia inertia;
 };
 
 /// Constant after prepare(); shared by all threads. Frames stand in an order in which parents come first.
