@@ -26,6 +26,20 @@ constexpr double kSamePlace = 2.0;
 constexpr double kPlaneRounding = 1e-8;
 // m; points nearer to each other give no direction.
 constexpr double kTouching = 1e-6;
+// Of the distance: by so much at most it exceeds that of the hulls where it is worth to look at them first.
+constexpr double kHullPart = 0.03;
+// Of the distance: a witness so near to what is proven is not worth to improve.
+constexpr double kStayPart = 0.005;
+// m; bodies that move by no more from one search to the next are worth to look at a second time, for points
+// that are farther away than the nearest by this.
+constexpr double kSlow = 0.001, kRivalry = 0.004;
+// Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
+constexpr double kHome = 6.0;
+// A line found anew gains little after that.
+constexpr int kRounds = 3;
+
+/// By so much (m) a distance may exceed the smallest.
+double allowed(double distance) { return distance > kFarFrom ? kFarPart * distance : kNearEnough; }
 
 /// One query: P gives the points, F the field.
 class Query {
@@ -36,27 +50,39 @@ class Query {
   /// Where the nearest points were may be where they are: proven when no points can be much nearer.
   bool remember(const PairMemory& memory, bool from_a) {
     if (!memory.apart) return false;
-    searched(memory.searched - mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_));
+    motion_ = mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_);
+    searched(memory.searched - motion_);
+    found_ = memory.found - motion_;
     witness_.on_points = X_FP_ * (from_a ? memory.on_a : memory.on_b);
     witness_.on_field = from_a ? memory.on_b : memory.on_a;
     witness_.hint_points = from_a ? memory.hint_a : memory.hint_b;
     witness_.hint_field = from_a ? memory.hint_b : memory.hint_a;
     witness_.distance = (witness_.on_points - witness_.on_field).norm();
-    if (isProven()) return true;
+    hulls_ = memory.hulls;
+    if (witness_.distance > kTouching && isKnown()) return remembered_ = true;
+    if (isProven()) return remembered_ = true;
     // Farther away a search is the shorter way.
-    if (witness_.distance > kFarFrom) return false;
+    if (witness_.distance > kFarFrom) {
+      if (memory.hulls && turned(from_a ? memory.n_a : -memory.n_b, from_a ? memory.n_b : -memory.n_a)) return true;
+      if (witness_.distance > kFarFrom) return false;
+    }
     approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
     settled_ = true;
-    return isProven();
+    return isProven() || isAlone(memory);
   }
 
   /// The nearest shell point, then the nearest points on the exact surfaces about it.
   void search(PairMemory& memory, PairScratch& scratch) {
+    found_ = kInfinity;
     const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
     memory.X_FP = X_FP_;
     memory.searched = lower_bound;
+    const double loss = witness_.distance > kFarFrom ? kSearchPart * witness_.distance : 0.0;
+    memory.found = found_ = std::min(found_, witness_.distance - loss);
     searched(lower_bound);
     isProven();
+    memory.rivals = -kInfinity;
+    if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kFarFrom) seekRivals(memory, scratch);
   }
 
   /// True when the bodies may touch, as far as is proven, or P may have swallowed a piece of F.
@@ -89,6 +115,13 @@ class Query {
 
   void keep(PairMemory& memory, bool from_a) const {
     memory.apart = witness_.distance > kTouching;
+    memory.hulls = hulls_;
+    if (!remembered_ && memory.apart) {
+      const Vector3d n = (witness_.on_points - witness_.on_field) / witness_.distance;
+      const Vector3d n_P = X_FP_.linear().transpose() * n;
+      memory.n_a = from_a ? n_P : -n;
+      memory.n_b = from_a ? n : -n_P;
+    }
     const Vector3d on_points = X_FP_.inverse() * witness_.on_points;
     memory.on_a = from_a ? on_points : witness_.on_field;
     memory.on_b = from_a ? witness_.on_field : on_points;
@@ -108,6 +141,33 @@ class Query {
   double certified() const { return certified_; }
 
  private:
+  /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
+  /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
+  /// the axes of each.
+  bool turned(const Vector3d& n_P, const Vector3d& n_F) {
+    Vector3d n = X_FP_.linear() * n_P;
+    if (separation(n) < separation(n_F)) n = n_F;
+    for (int round = 0; round < kRounds; ++round) {
+      const Vector3d on_points = X_FP_ * P_.support.extreme(X_FP_.linear().transpose() * -n);
+      const Vector3d on_field = F_.support.extreme(n);
+      const double before = witness_.distance;
+      take(on_points, witness_.on_field);
+      take(witness_.on_points, on_field);
+      take(on_points, on_field);
+      if (isProven()) return true;
+      if (!(witness_.distance < before)) return false;
+      n = (witness_.on_points - witness_.on_field) / witness_.distance;
+    }
+    return false;
+  }
+
+  /// These points of the surfaces, when they are nearer.
+  void take(const Vector3d& on_points, const Vector3d& on_field) {
+    const double distance = (on_points - on_field).norm();
+    if (!(distance < witness_.distance)) return;
+    witness_ = {on_points, on_field, distance, kNoHint, kNoHint};
+  }
+
   /// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
   /// (m) of any shell point that is proven.
   double searchPoints(bool apart, PairScratch& scratch) {
@@ -125,11 +185,31 @@ class Query {
     if (settled_ && static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
       return lower_bound;
     const bool far = apart && lower_bound > kFarFrom;
+    if (far && witness_.distance - lower_bound <= kStayPart * witness_.distance) {
+      found_ = lower_bound;
+      return lower_bound;
+    }
     const Witness found =
         far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
             : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing, lower_bound > 0.0 ? 1 : 0);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
+  }
+
+  /// The nearest points that moved with the bodies are still the nearest, when all others were farther away by
+  /// more than what the bodies have moved.
+  bool isAlone(const PairMemory& memory) const {
+    return certified_ > 0.0 && witness_.distance <= memory.rivals - motion_ &&
+           (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
+  }
+
+  void seekRivals(PairMemory& memory, PairScratch& scratch) const {
+    const Vector3f home = witness_.on_points.cast<float>();
+    const Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
+    const auto most = static_cast<float>(witness_.distance + kRivalry);
+    memory.home = X_FP_.inverse() * witness_.on_points;
+    memory.rivals = static_cast<double>(
+        searchKernels().nearestOutside(P_.treeView(X_FP_), F_.fieldView(), ball, most, scratch));
   }
 
   void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
@@ -140,16 +220,27 @@ class Query {
     certify(of_points - P_.shell.covering_radius);
   }
 
+  /// Certified, along the unit vector n from F to P in F's axes.
+  double separation(const Vector3d& n) {
+    const double apart = separationAlong(X_WF_.linear() * n, P_, X_WP_, F_, X_WF_, false);
+    certify(apart - kPlaneRounding);
+    return apart;
+  }
+
+  bool isKnown() const {
+    return witness_.distance - std::max({certified_, of_points_, found_}) <= allowed(witness_.distance);
+  }
+
   /// The distance is within what is allowed of the smallest one of the surfaces, or of the shell's points.
   bool isProven() {
     if (!(witness_.distance > kTouching)) return false;
     const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
-    const double enough = witness_.distance > kFarFrom ? kFarPart * witness_.distance : kNearEnough;
     for (const bool closely : {false, true}) {
       const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
       certify(separation - kPlaneRounding);
       separated_ = separated_ || separation > kPlaneRounding;
-      if (witness_.distance - std::max(certified_, of_points_) <= enough) return true;
+      hulls_ = witness_.distance - separation <= kHullPart * witness_.distance;
+      if (isKnown()) return true;
       // What the first look may have lost.
       if (witness_.distance - separation >
           kHullLoss * (P_.bounding_sphere.radius + F_.bounding_sphere.radius))
@@ -165,10 +256,36 @@ class Query {
   const Transform X_FP_;
   Witness witness_;
   double certified_{-kInfinity};
+  double motion_{kInfinity};  ///< m, since the last search
   double of_points_{-kInfinity};
+  double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
   bool separated_{false};  ///< a plane parts the hulls
+  bool hulls_{false};       ///< the witness is about as near as the hulls
+  bool remembered_{false};  ///< it is the one of the last query
   bool settled_{false};    ///< the witness is a nearest pair of its neighbourhood
 };
+
+}  // namespace
+
+namespace {
+
+/// Most pairs: the nearest points are still where they were, and the hulls prove it.
+bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
+            double margin, const PairMemory& memory, PairResult& result) {
+  if (!memory.apart || !memory.hulls) return false;
+  const Vector3d on_a = X_WA * memory.on_a, on_b = X_WB * memory.on_b;
+  const double distance = (on_a - on_b).norm();
+  if (!(distance > kTouching)) return false;
+  const double certified =
+      separationAlong((on_a - on_b) / distance, a, X_WA, b, X_WB, false) - kPlaneRounding;
+  if (distance - certified > allowed(distance) || certified <= margin) return false;
+  result = {};
+  result.distance = distance;
+  result.bound = std::max(0.0, distance - certified);
+  result.witness_a = on_a;
+  result.witness_b = on_b;
+  return true;
+}
 
 }  // namespace
 
@@ -179,6 +296,7 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
                PairResult& result) noexcept {
+  if (stayed(a, X_WA, b, X_WB, options.margin, memory, result)) return;
   const bool from_a = pointsFromA(a, b);
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;

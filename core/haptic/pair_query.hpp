@@ -48,8 +48,14 @@ struct PairMemory {
   Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
   Vector3d on_b{Vector3d::Zero()};
   std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
+  bool hulls{false};  ///< their distance was about that of the convex hulls
+  Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
+  Vector3d n_b{Vector3d::Zero()};
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
-  double searched{-kInfinity};  ///< ... and the least distance (m) of any shell point that it proved
+  double searched{-kInfinity};  ///< ... the least distance (m) of any shell point that it proved ...
+  double found{-kInfinity};     ///< ... the distance (m) that it found ...
+  double rivals{-kInfinity};    ///< ... and the least (m) of the shell points that are not about `home`
+  Vector3d home{Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
 };
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,

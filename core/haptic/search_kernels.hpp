@@ -21,6 +21,12 @@ struct NearestPoint {
   std::uint32_t point;  ///< leaf order; kNone when none was looked at
 };
 
+/// A ball in the field body's frame; m.
+struct Ball {
+  float centre[3];
+  float radius;
+};
+
 struct ContactLimits {
   float margin;  ///< m
   bool by_area;  ///< weigh points by their areas, else by 1
@@ -37,10 +43,15 @@ struct ContactSum {
 
 struct SearchKernels {
   NearestPoint (*nearest)(const TreeView&, const FieldView&, const NearestLimits&, PairScratch&);
+  /// No shell point outside of the ball is nearer than what it returns (m), which is at most `start`.
+  float (*nearestOutside)(const TreeView&, const FieldView&, const Ball&, float start, PairScratch&);
   ContactSum (*contacts)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
   /// The largest of g . p over `count` points, a multiple of 8.
   float (*support)(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
                    float gz);
+  /// Which of them it is.
+  std::size_t (*extreme)(const float* x, const float* y, const float* z, std::size_t count, float gx,
+                         float gy, float gz);
   const char* name;
 };
 

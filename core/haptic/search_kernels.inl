@@ -25,6 +25,46 @@ inline Point8 centresOf(const TreeView& tree, const Family& family) {
   return moved(tree.X_FP, load(family.cx), load(family.cy), load(family.cz));
 }
 
+inline Mask8 farther(const Point8& p, const Ball& ball, Float8 by) {
+  const Float8 x = p.x - splat(ball.centre[0]), y = p.y - splat(ball.centre[1]),
+               z = p.z - splat(ball.centre[2]);
+  const Float8 reach = max(splat(ball.radius) - by, splat(0.0f));
+  return reach * reach < multiplyAdd(x, x, multiplyAdd(y, y, z * z));
+}
+
+/// The same for the points outside of a ball, without telling which is the nearest.
+template <class Lanes>
+float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ball, float best,
+                    Entry* stack) {
+  const Lanes lanes(field);
+  const Float8 none = splat(kNever);
+  std::size_t top = 0;
+  stack[top++] = {-kNever, 0};
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (!(entry.lower_bound < best)) continue;
+    const Family& family = tree.families[entry.node];
+    const Point8 centres = centresOf(tree, family);
+    const Float8 radius = load(family.radius);
+    const Float8 bound = select(farther(centres, ball, radius), lanes.spheres(centres, radius), none);
+    float of[8];
+    store(of, bound);
+    for (int left = bits(bound < splat(best)); left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(static_cast<unsigned>(left));
+      const std::uint32_t child = family.child[lane];
+      if (!(child & PointSphereTree::kLeafChild)) {
+        stack[top++] = {of[lane], child};
+        continue;
+      }
+      const std::uint32_t first = (child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane;
+      const Point8 p = pointsAt(tree, first);
+      const float f = leastOf(select(farther(p, ball, splat(0.0f)), lanes.points(p, tree, first).f, none));
+      best = f < best ? f : best;
+    }
+  }
+  return best;
+}
+
 /// Branch and bound for the smallest distance over all shell points.
 template <class Lanes>
 class NearestSearch {
@@ -168,6 +208,13 @@ NearestPoint nearest(const TreeView& tree, const FieldView& field, const Nearest
              : NearestSearch<LayeredLanes>(tree, field, limits, scratch.stack).run();
 }
 
+float nearestOutside(const TreeView& tree, const FieldView& field, const Ball& ball, float start,
+                     PairScratch& scratch) {
+  return field.kind == FieldView::Kind::kNear
+             ? searchOutside<NearLanes>(tree, field, ball, start, scratch.stack)
+             : searchOutside<LayeredLanes>(tree, field, ball, start, scratch.stack);
+}
+
 ContactSum contacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
                     PairScratch& scratch) {
   return field.kind == FieldView::Kind::kNear
@@ -182,6 +229,25 @@ float support(const float* x, const float* y, const float* z, std::size_t count,
   for (std::size_t i = 0; i < count; i += 8)
     most = max(most, multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i))));
   return -leastOf(splat(0.0f) - most);
+}
+
+std::size_t extreme(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
+                    float gz) {
+  const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
+  // Whole numbers below 2^24 are exact in float.
+  Float8 most = splat(-kNever), where = splat(0.0f);
+  for (std::size_t i = 0; i < count; i += 8) {
+    const Float8 h = multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i)));
+    const Mask8 more = most < h;
+    most = select(more, h, most);
+    where = select(more, splat(static_cast<float>(i)), where);
+  }
+  const Float8 farthest = splat(-leastOf(splat(0.0f) - most));
+  const auto lane = static_cast<std::size_t>(
+      __builtin_ctz(static_cast<unsigned>(bits(farthest <= most) | 0x80)));
+  float first[8];
+  store(first, where);
+  return static_cast<std::size_t>(first[lane]) + lane;
 }
 
 }  // namespace

@@ -2,5 +2,5 @@
 #include "core/haptic/search_kernels.inl"
 
 namespace abstand {
-extern const SearchKernels kPortableKernels{nearest, contacts, support, "portable"};
+extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts, support, extreme, "portable"};
 }  // namespace abstand

@@ -29,6 +29,29 @@ struct ShapeSupport {
   double operator()(const Capsule& s) const { return s.radius * g.norm() + 0.5 * s.length * std::abs(g.z()); }
 };
 
+/// A point where g . p is largest.
+struct ShapeExtreme {
+  const Vector3d& g;
+  Vector3d operator()(const Sphere& s) const { return s.radius * g.normalized(); }
+  Vector3d operator()(const Ellipsoid& s) const {
+    const Vector3d stretched = s.semi_axes.cwiseProduct(g);
+    return s.semi_axes.cwiseProduct(stretched) / stretched.norm();
+  }
+  Vector3d operator()(const Cuboid& s) const {
+    return 0.5 * Vector3d(std::copysign(s.size.x(), g.x()), std::copysign(s.size.y(), g.y()),
+                          std::copysign(s.size.z(), g.z()));
+  }
+  Vector3d operator()(const Cylinder& s) const {
+    const double across = std::hypot(g.x(), g.y());
+    const double r = across > 0.0 ? s.radius / across : 0.0;
+    // Straight up, any point of the rim.
+    return {across > 0.0 ? r * g.x() : s.radius, r * g.y(), std::copysign(0.5 * s.length, g.z())};
+  }
+  Vector3d operator()(const Capsule& s) const {
+    return s.radius * g.normalized() + Vector3d(0.0, 0.0, std::copysign(0.5 * s.length, g.z()));
+  }
+};
+
 /// The corners of the mesh's hull; all of its vertices where there is no telling.
 std::vector<Vector3d> hullCorners(const TriangleMesh& mesh) {
   const std::optional<ConvexHull> hull = convexHull(mesh.vertices);
@@ -91,6 +114,14 @@ float SupportMap::reach(const Vector3f& g) const {
 double SupportMap::closeUpper(const Vector3d& g) const {
   if (shape_) return std::visit(ShapeSupport{g}, *shape_);
   return g.dot(centre_) + static_cast<double>(reach(g.cast<float>()));
+}
+
+Vector3d SupportMap::extreme(const Vector3d& g) const {
+  if (shape_) return std::visit(ShapeExtreme{g}, *shape_);
+  const Vector3f d = g.cast<float>();
+  const std::size_t i =
+      searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
+  return centre_ + Vector3f(x_[i], y_[i], z_[i]).cast<double>();
 }
 
 double SupportMap::upper(const Vector3d& g) const {

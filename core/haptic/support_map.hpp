@@ -32,6 +32,8 @@ class SupportMap {
   double upper(const Vector3d& g) const;
   /// The same, and above h(g) by rounding in float only: looks at every corner of the hull.
   double closeUpper(const Vector3d& g) const;
+  /// A point of the surface that reaches as far along g, to rounding in float.
+  Vector3d extreme(const Vector3d& g) const;
   std::size_t memoryBytes() const { return sizeof(float) * (values_.capacity() + 3 * x_.capacity()); }
   template <class Archive>
   void archive(Archive& ar) {
