@@ -2,13 +2,14 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iostream>
 
 #include "app/bench/scenario.hpp"
 #include "app/cli/bench_scenario.hpp"
 #include "core/base/error.hpp"
 #include "core/geometry/mesh_file.hpp"
-#include "core/haptic/pair_query.hpp"
+#include "core/haptic/pair_set.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -56,11 +57,44 @@ Structures build(const Scenario& scenario, const HapticOptions& options) {
   return structures;
 }
 
-/// The value that the harness wants of a pair.
-double value(const PairResult& r, const std::string& mode) {
-  if (mode == "collide") return r.distance <= 0.0 ? 1.0 : 0.0;
-  if (mode == "contact") return std::max(0.0, -r.distance);
-  return r.distance;
+PairSet makePairs(const Scenario& scenario, const Structures& structures) {
+  std::vector<const HapticStructure*> bodies;
+  for (const auto& structure : structures) bodies.push_back(structure.get());
+  std::vector<PairSet::Bodies> pairs;
+  for (const auto& [a, b] : scenario.pairs)
+    pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+  return PairSet(std::move(bodies), std::move(pairs));
+}
+
+/// What the harness takes for: not computed.
+constexpr float kNotComputed = 1e9f;
+
+/// Answers one frame in the way of a mode: the values that the harness wants of each pair.
+using Ask = std::function<void(std::span<const Transform>)>;
+
+Ask asker(const std::string& mode, PairSet& pairs, std::vector<float>& answers) {
+  if (mode == "distance" || mode == "both")
+    return [&pairs, &answers, results = std::vector<PairResult>(pairs.size())](auto X_WB) mutable {
+      pairs.distances(X_WB, {}, results);
+      for (std::size_t i = 0; i < results.size(); ++i) answers[i] = static_cast<float>(results[i].distance);
+    };
+  if (mode == "dmin")
+    return [&pairs, &answers](auto X_WB) {
+      std::fill(answers.begin(), answers.end(), kNotComputed);
+      const PairSet::Nearest& nearest = pairs.nearest(X_WB, {});
+      answers[nearest.pair] = static_cast<float>(nearest.result.distance);
+    };
+  const bool depth = mode == "contact";
+  return [&pairs, &answers, depth](auto X_WB) {
+    std::fill(answers.begin(), answers.end(), 0.0f);
+    for (const PairSet::Touch& touch : pairs.contacts(X_WB, {}))
+      answers[touch.pair] = depth ? static_cast<float>(touch.penalty.depth) : 1.0f;
+  };
+}
+
+auto isTouching(const std::string& mode) {
+  const bool distance = mode == "distance" || mode == "both" || mode == "dmin";
+  return [distance](float value) { return distance ? value <= 0.0f : value > 0.0f; };
 }
 
 nlohmann::ordered_json statistics(std::vector<double> seconds) {
@@ -97,17 +131,10 @@ int benchScenario(const BenchScenario& args) {
   const Structures structures = build(scenario, variantOptions(args.variant));
   const double build_s = secondsSince(build_begin);
 
-  PairScratch scratch;
-  std::vector<PairMemory> memories(scenario.pairs.size());
-  std::vector<PairResult> results(scenario.pairs.size());
-  const auto frame = [&](std::size_t f) {
-    const Transform* X_WB = scenario.frame(f);
-    for (std::size_t i = 0; i < scenario.pairs.size(); ++i) {
-      const auto a = static_cast<std::size_t>(scenario.pairs[i].first),
-                 b = static_cast<std::size_t>(scenario.pairs[i].second);
-      queryPair(*structures[a], X_WB[a], *structures[b], X_WB[b], {}, memories[i], scratch, results[i]);
-    }
-  };
+  PairSet pairs = makePairs(scenario, structures);
+  std::vector<float> answers(scenario.pairs.size());
+  const auto ask = asker(args.mode, pairs, answers);
+  const auto frame = [&](std::size_t f) { ask({scenario.frame(f), scenario.bodies.size()}); };
   std::vector<double> times;
   std::vector<std::int32_t> frames;
   std::vector<float> values;
@@ -122,10 +149,8 @@ int benchScenario(const BenchScenario& args) {
     times.push_back(secondsSince(begin));
     spent += times.back();
     frames.push_back(static_cast<std::int32_t>(f));
-    for (const PairResult& r : results) {
-      values.push_back(static_cast<float>(value(r, args.mode)));
-      if (r.distance <= 0.0) ++touching;
-    }
+    values.insert(values.end(), answers.begin(), answers.end());
+    touching += static_cast<std::size_t>(std::count_if(answers.begin(), answers.end(), isTouching(args.mode)));
     if (interrupted()) return kInterrupted;
   }
   if (times.empty()) throw UsageError("no frame of the scenario was chosen");

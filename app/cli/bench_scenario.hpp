@@ -13,7 +13,7 @@ struct BenchScenario {
   double budget{60.0};
 };
 
-/// Every mode runs the whole query (distance, witnesses and force). Throws ParseError, UsageError.
+/// Throws ParseError, UsageError.
 int benchScenario(const BenchScenario& args);
 
 }  // namespace abstand::cli

@@ -105,8 +105,8 @@ void addBench(CLI::App& root, CommandLine& line) {
   auto scenario = std::make_shared<BenchScenario>();
   command->add_option("NAME", *name, "fk, spheres, rods, hug, boxing or reach (default: all)");
   command->add_option("--scenario", scenario->scenario, "folder of a peer benchmark's scene");
-  command->add_option("--mode", scenario->mode, "distance, collide, contact, both")
-      ->check(CLI::IsMember({"distance", "collide", "contact", "both"}));
+  command->add_option("--mode", scenario->mode, "distance, collide, contact, both, dmin")
+      ->check(CLI::IsMember({"distance", "collide", "contact", "both", "dmin"}));
   command->add_option("--variant", scenario->variant, "h1, h2, h4: voxels of 1, 2, 4 mm");
   command->add_option("--block", scenario->block, "frames in a row")->check(CLI::Range(1, 1000000));
   command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));

@@ -65,6 +65,13 @@ bool MeshSurface::inside(const Vector3d& p, const SurfacePoint& closest_to_p) co
                     : std::abs(winding_.at(p)) > 0.5;
 }
 
+bool MeshSurface::triangle(std::uint32_t hint, TriangleCorners& corners) const {
+  if (hint >= tree_.size()) return false;
+  const std::size_t t = tree_.triangle(hint);
+  corners = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+  return true;
+}
+
 std::unique_ptr<Surface> makeSurface(TriangleMesh mesh) {
   return std::make_unique<MeshSurface>(std::move(mesh));
 }

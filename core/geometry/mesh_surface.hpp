@@ -24,6 +24,7 @@ class MeshSurface final : public Surface {
   SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const override;
   bool inside(const Vector3d& p) const override;
   bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const override;
+  bool triangle(std::uint32_t hint, TriangleCorners& corners) const override;
   Bounds bounds() const override { return bounds_; }
   MassProperties massProperties() const override { return abstand::massProperties(mesh_); }
   double area() const override { return surfaceArea(mesh_); }

@@ -14,6 +14,7 @@ class ShapeSurface final : public Surface {
   SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const override;
   bool inside(const Vector3d& p) const override;
   bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const override;
+  bool triangle(std::uint32_t, TriangleCorners&) const override { return false; }
   Bounds bounds() const override;
   MassProperties massProperties() const override;
   double area() const override;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/geometry/shape.hpp"
+#include "core/geometry/triangle_pair.hpp"
 
 namespace abstand {
 
@@ -31,6 +32,8 @@ class Surface {
   virtual bool inside(const Vector3d& p) const = 0;
   /// inside(p), given closest(p), which makes it cheaper.
   virtual bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const = 0;
+  /// The triangle on which the point with this hint lies. False where the surface has none, and for kNoHint.
+  virtual bool triangle(std::uint32_t hint, TriangleCorners& corners) const = 0;
   /// Positive outside, negative inside.
   double signedDistance(const Vector3d& p, std::uint32_t hint = kNoHint) const {
     const SurfacePoint nearest = closest(p, hint);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/haptic/penalty_force.hpp"
 #include "core/haptic/search_kernels.hpp"
 #include "core/haptic/separation.hpp"
 #include "core/haptic/witness.hpp"
@@ -16,6 +17,8 @@ constexpr double kFarFrom = 0.1;  // m
 constexpr double kFarPart = 0.01;
 // A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
 constexpr double kSearchPart = 0.0025;
+// Of the distance: so much nearer points a search beyond may have missed, as the field there is coarse.
+constexpr double kFoundPart = 0.005;
 // Nearer, by this. m.
 constexpr double kNearEnough = 1e-5;
 // Of the radii: what separationAlong loses at most by not looking closely, and some staleness.
@@ -66,6 +69,8 @@ class Query {
       if (memory.hulls && turned(from_a ? memory.n_a : -memory.n_b, from_a ? memory.n_b : -memory.n_a)) return true;
       if (witness_.distance > kFarFrom) return false;
     }
+    slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
+    if (isProven()) return true;
     approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
     settled_ = true;
     return isProven() || isAlone(memory);
@@ -77,7 +82,7 @@ class Query {
     const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
     memory.X_FP = X_FP_;
     memory.searched = lower_bound;
-    const double loss = witness_.distance > kFarFrom ? kSearchPart * witness_.distance : 0.0;
+    const double loss = witness_.distance > kFarFrom ? kFoundPart * witness_.distance : 0.0;
     memory.found = found_ = std::min(found_, witness_.distance - loss);
     searched(lower_bound);
     isProven();
@@ -129,14 +134,7 @@ class Query {
     memory.hint_b = from_a ? witness_.hint_field : witness_.hint_points;
   }
 
-  ContactSum contacts(const PairOptions& options, PairScratch& scratch) const {
-    return searchKernels().contacts(P_.treeView(X_FP_), F_.fieldView(),
-                                    {static_cast<float>(options.margin), options.law == ForceLaw::kVolume},
-                                    scratch);
-  }
-
   const Witness& witness() const { return witness_; }
-  const Transform& X_FP() const { return X_FP_; }
   /// The true distance is never below it.
   double certified() const { return certified_; }
 
@@ -191,7 +189,7 @@ class Query {
     }
     const Witness found =
         far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-            : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing, lower_bound > 0.0 ? 1 : 0);
+            : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
   }
@@ -315,19 +313,13 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
 
-  // Penalty forces of the shell points within the margins.
-  ContactSum sum{};
-  if (query.certified() <= options.margin) sum = query.contacts(options, scratch);
-  result.contacts = sum.contacts;
-  result.depth = static_cast<double>(sum.depth);
-  const Vector3d force = options.stiffness * Vector3d(sum.force[0], sum.force[1], sum.force[2]);
-  const Vector3d moment = options.stiffness * Vector3d(sum.moment[0], sum.moment[1], sum.moment[2]);
-  const Vector3d force_P = X_WF.linear() * force;
-  const Vector3d torque_P = X_WF.linear() * (moment - (query.X_FP() * P.com).cross(force));
-  const Vector3d torque_F = -(X_WF.linear() * (moment - F.com.cross(force)));
-  result.force_a = from_a ? force_P : Vector3d(-force_P);
-  result.torque_a = from_a ? torque_P : torque_F;
-  result.torque_b = from_a ? torque_F : torque_P;
+  PenaltyForce penalty;
+  if (query.certified() <= options.margin) penalty = penaltyForce(a, X_WA, b, X_WB, options, scratch);
+  result.contacts = penalty.contacts;
+  result.depth = penalty.depth;
+  result.force_a = penalty.force_a;
+  result.torque_a = penalty.torque_a;
+  result.torque_b = penalty.torque_b;
 }
 
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,

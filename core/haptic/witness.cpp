@@ -26,7 +26,24 @@ class Surfaces {
     w_.hint_field = s.hint;
     return s.point;
   }
-  bool inField(const Vector3d& p_F) const { return field_.inside(p_F); }
+  /// The foot of p_F, and whether p_F is inside of the field body.
+  Vector3d toField(const Vector3d& p_F, bool& inside) {
+    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    w_.hint_field = s.hint;
+    inside = field_.inside(p_F, s);
+    return s.point;
+  }
+  /// To the nearest points of the two triangles on which they lie.
+  void slide() {
+    TriangleCorners a, b;
+    if (!points_.triangle(w_.hint_points, a) || !field_.triangle(w_.hint_field, b)) return;
+    for (Vector3d& corner : a) corner = X_FP_ * corner;
+    const NearestPair nearest = nearestPoints(a, b);
+    if (!(nearest.distance < w_.distance)) return;
+    w_.on_points = nearest.on_a;
+    w_.on_field = nearest.on_b;
+    w_.distance = nearest.distance;
+  }
 
  private:
   const Surface& points_;
@@ -43,6 +60,7 @@ void set(Witness& w, const Vector3d& p, const Vector3d& q, double distance) {
 
 void approach(Surfaces& surfaces, Witness& w) {
   for (int i = 0; i < kProjections; ++i) {
+    surfaces.slide();
     const Vector3d p = surfaces.toPoints(w.on_field);
     const Vector3d q = surfaces.toField(p);
     const double d = (p - q).norm();
@@ -59,9 +77,10 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
     if (depth < 1e-12) return;
     const Vector3d inward = (w.on_points - w.on_field) / depth;
     const Vector3d p = surfaces.toPoints(w.on_points + step * inward);
-    const Vector3d q = surfaces.toField(p);
+    bool inside;
+    const Vector3d q = surfaces.toField(p, inside);
     const double deeper = (p - q).norm();
-    if (deeper > depth && surfaces.inField(p)) {
+    if (deeper > depth && inside) {
       const double gain = deeper - depth;
       set(w, p, q, -deeper);
       if (gain < kEnough) return;
@@ -74,12 +93,12 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
 }  // namespace
 
 Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
-                      const Vector3d& start, double step, int inside_known) noexcept {
+                      const Vector3d& start, double step) noexcept {
   Witness w;
   Surfaces surfaces(points, field, X_FP, w);
-  const Vector3d q = surfaces.toField(start);
+  bool inside;
+  const Vector3d q = surfaces.toField(start, inside);
   set(w, start, q, (start - q).norm());
-  const bool inside = inside_known < 0 || (inside_known == 0 && surfaces.inField(start));
   if (inside) {
     w.distance = -w.distance;
     deepen(surfaces, w, step);
@@ -97,6 +116,10 @@ Witness footWitness(const Surface& points, const Surface& field, const Transform
   const Vector3d q = surfaces.toField(start);
   set(w, start, q, (start - q).norm());
   return w;
+}
+
+void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+  Surfaces(points, field, X_FP, w).slide();
 }
 
 void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,

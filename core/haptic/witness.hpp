@@ -17,15 +17,17 @@ struct Witness {
 
 /// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
 /// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
-/// inside, by projected steps against the gradient of at most `step` (m). `inside_known` < 0: start is inside
-/// F, > 0: outside, 0: not known, F is asked. A local search: it ends at a nearest pair of the neighbourhood.
+/// inside, by projected steps against the gradient of at most `step` (m). A local search: it ends at a nearest pair of the neighbourhood.
 /// No allocation, no throw.
 Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
-                      const Vector3d& start, double step, int inside_known) noexcept;
+                      const Vector3d& start, double step) noexcept;
 
 /// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it.
 Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
                     std::uint32_t hint) noexcept;
+
+/// To the nearest points of the two triangles on which they are; nothing changes where a body has none.
+void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
 
 /// The walk from two points that are apart, until a round of projections gains less than 0.1 % of the
 /// distance.

@@ -1,0 +1,73 @@
+// Pairs of bodies that are asked together, cycle after cycle.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/haptic/pair_query.hpp"
+#include "core/haptic/penalty_force.hpp"
+
+namespace abstand {
+
+/// For who needs less of each pair than queryPair() gives: the forces of those that touch, or the one that is
+/// nearest. Pairs that are far apart end at their bounding spheres, others at the line across which they were
+/// apart before. Forces, and the distance of the nearest pair, are those of queryPair() with a memory. One
+/// thread; no allocation after construction, no throw.
+class PairSet {
+ public:
+  struct Bodies {
+    std::uint32_t a, b;  ///< indices of the structures
+  };
+  /// A pair whose margins overlap.
+  struct Touch {
+    std::uint32_t pair;
+    PenaltyForce penalty;
+  };
+  struct Nearest {
+    std::uint32_t pair{0};
+    PairResult result;
+  };
+
+  /// The structures must outlive the set. At least one pair.
+  PairSet(std::vector<const HapticStructure*> structures, std::vector<Bodies> pairs);
+
+  std::size_t size() const { return pairs_.size(); }
+
+  /// All of a pair, for every one. `X_WB`: a pose for each structure; `results` has a place for each pair.
+  void distances(std::span<const Transform> X_WB, const PairOptions& options, std::span<PairResult> results);
+
+  /// The pairs that touch, in order. Valid until the next call.
+  std::span<const Touch> contacts(std::span<const Transform> X_WB, const PairOptions& options);
+
+  /// The smallest signed distance of all; of several, the pair of the last call before the first in order.
+  const Nearest& nearest(std::span<const Transform> X_WB, const PairOptions& options);
+
+ private:
+  /// Unit vector from B to A along which the two were apart, in the axes of each.
+  struct Line {
+    Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
+    std::uint32_t idle{0};  ///< calls until it is worth to look for another one
+  };
+  struct Ball {
+    Vector3d centre;  ///< world
+    double radius;
+  };
+
+  void place(std::span<const Transform> X_WB);
+  bool ballsApart(const Bodies& pair, double by) const;
+  /// The pair's hulls are known to be farther apart than this (m).
+  bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by) const;
+  bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
+  void keepLine(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);
+
+  std::vector<const HapticStructure*> structures_;
+  std::vector<Bodies> pairs_;
+  std::vector<Ball> balls_;  ///< of the structures
+  std::vector<Line> lines_;
+  std::vector<PairMemory> memories_;
+  std::vector<Touch> touches_;
+  PairScratch scratch_;
+  Nearest nearest_;
+};
+
+}  // namespace abstand
