@@ -150,7 +150,8 @@ int benchScenario(const BenchScenario& args) {
     spent += times.back();
     frames.push_back(static_cast<std::int32_t>(f));
     values.insert(values.end(), answers.begin(), answers.end());
-    touching += static_cast<std::size_t>(std::count_if(answers.begin(), answers.end(), isTouching(args.mode)));
+    touching +=
+        static_cast<std::size_t>(std::count_if(answers.begin(), answers.end(), isTouching(args.mode)));
     if (interrupted()) return kInterrupted;
   }
   if (times.empty()) throw UsageError("no frame of the scenario was chosen");

@@ -15,9 +15,9 @@ struct NearestPair {
 };
 
 /// The nearest points of two triangles that do not cut each other: each lies on an edge of one and an edge of
-/// the other, or is a corner of one and lies in the other's face. Of triangles that cut each other, the nearest
-/// pair of these. Exact to rounding where edges are not shorter than 1e-9 of the coordinates. No allocation,
-/// no throw; pure.
+/// the other, or is a corner of one and lies in the other's face. Of triangles that cut each other, the
+/// nearest pair of these. Exact to rounding where edges are not shorter than 1e-9 of the coordinates. No
+/// allocation, no throw; pure.
 NearestPair nearestPoints(const TriangleCorners& a, const TriangleCorners& b) noexcept;
 
 }  // namespace abstand

@@ -66,7 +66,8 @@ class Query {
     if (isProven()) return remembered_ = true;
     // Farther away a search is the shorter way.
     if (witness_.distance > kFarFrom) {
-      if (memory.hulls && turned(from_a ? memory.n_a : -memory.n_b, from_a ? memory.n_b : -memory.n_a)) return true;
+      if (memory.hulls && turned(from_a ? memory.n_a : -memory.n_b, from_a ? memory.n_b : -memory.n_a))
+        return true;
       if (witness_.distance > kFarFrom) return false;
     }
     slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
@@ -187,15 +188,14 @@ class Query {
       found_ = lower_bound;
       return lower_bound;
     }
-    const Witness found =
-        far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-            : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing);
+    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+                              : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
   }
 
-  /// The nearest points that moved with the bodies are still the nearest, when all others were farther away by
-  /// more than what the bodies have moved.
+  /// The nearest points that moved with the bodies are still the nearest, when all others were farther away
+  /// by more than what the bodies have moved.
   bool isAlone(const PairMemory& memory) const {
     return certified_ > 0.0 && witness_.distance <= memory.rivals - motion_ &&
            (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
@@ -257,10 +257,10 @@ class Query {
   double motion_{kInfinity};  ///< m, since the last search
   double of_points_{-kInfinity};
   double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
-  bool separated_{false};  ///< a plane parts the hulls
-  bool hulls_{false};       ///< the witness is about as near as the hulls
-  bool remembered_{false};  ///< it is the one of the last query
-  bool settled_{false};    ///< the witness is a nearest pair of its neighbourhood
+  bool separated_{false};     ///< a plane parts the hulls
+  bool hulls_{false};         ///< the witness is about as near as the hulls
+  bool remembered_{false};    ///< it is the one of the last query
+  bool settled_{false};       ///< the witness is a nearest pair of its neighbourhood
 };
 
 }  // namespace
@@ -316,7 +316,7 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
   PenaltyForce penalty;
   if (query.certified() <= options.margin) penalty = penaltyForce(a, X_WA, b, X_WB, options, scratch);
   result.contacts = penalty.contacts;
-  result.depth = penalty.depth;
+  result.depth = std::max({penalty.depth, options.margin - witness.distance, 0.0});
   result.force_a = penalty.force_a;
   result.torque_a = penalty.torque_a;
   result.torque_b = penalty.torque_b;

@@ -48,13 +48,13 @@ struct PairMemory {
   Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
   Vector3d on_b{Vector3d::Zero()};
   std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
-  bool hulls{false};  ///< their distance was about that of the convex hulls
+  bool hulls{false};                               ///< their distance was about that of the convex hulls
   Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
   Vector3d n_b{Vector3d::Zero()};
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
-  double searched{-kInfinity};  ///< ... the least distance (m) of any shell point that it proved ...
-  double found{-kInfinity};     ///< ... the distance (m) that it found ...
-  double rivals{-kInfinity};    ///< ... and the least (m) of the shell points that are not about `home`
+  double searched{-kInfinity};      ///< ... the least distance (m) of any shell point that it proved ...
+  double found{-kInfinity};         ///< ... the distance (m) that it found ...
+  double rivals{-kInfinity};        ///< ... and the least (m) of the shell points that are not about `home`
   Vector3d home{Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
 };
 
@@ -68,12 +68,12 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
 /// How: where the nearest points were, they may be still: the distance of these two points of the surfaces is
 /// proven by a slab across it that parts the two hulls (separation.hpp), or by an earlier search less what
 /// the bodies have moved since. They may have slid on, to be found from where they were, while no rivals are
-/// as near; or a body has turned about itself, and others are the outermost along the same line. Else the point-sphere tree of one body is searched in the field of the other,
-/// branch and bound, with certified lower bounds f of the true distance (field_lanes.hpp): every shell point
-/// is at least best_f away, and every surface point at least best_f - covering radius. The best point is then
-/// moved along the exact surfaces (witness.hpp). Where the bodies may touch, the other body's points are
-/// searched as well. Inside, the depth is that of the deepest surface point that was found of either body in
-/// the other.
+/// as near; or a body has turned about itself, and others are the outermost along the same line. Else the
+/// point-sphere tree of one body is searched in the field of the other, branch and bound, with certified
+/// lower bounds f of the true distance (field_lanes.hpp): every shell point is at least best_f away, and
+/// every surface point at least best_f - covering radius. The best point is then moved along the exact
+/// surfaces (witness.hpp). Where the bodies may touch, the other body's points are searched as well. Inside,
+/// the depth is that of the deepest surface point that was found of either body in the other.
 ///
 /// With a memory, distances beyond 0.1 m may exceed the smallest of the shell's points by 1 %, as far as the
 /// field there tells them apart; `bound` says by how much in each case.

@@ -13,6 +13,8 @@ namespace {
 constexpr double kRounding = 1e-12;
 // m; of planes between bodies within a million metres.
 constexpr double kPlaneRounding = 1e-8;
+// Spacings; where bodies overlap by a tenth of a millimetre, a point is nearer to it than this.
+constexpr double kBetweenPoints = 0.2;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
 constexpr int kSteps = 10;
 constexpr std::uint32_t kIdle = 16;
@@ -43,13 +45,23 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
                                                   const PairOptions& options) {
   place(X_WB);
   touches_.clear();
+  PairResult result;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Bodies& pair = pairs_[i];
     if (ballsApart(pair, options.margin) || knownApart(i, X_WB, options.margin)) continue;
     if (seekLine(i, X_WB, options.margin)) continue;
-    const PenaltyForce penalty = penaltyForce(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b],
-                                              X_WB[pair.b], options, scratch_);
-    if (penalty.contacts > 0) touches_.push_back({static_cast<std::uint32_t>(i), penalty});
+    const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
+    const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
+    PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB_b, options, scratch_);
+    if (penalty.contacts == 0) {
+      // They may touch between the points.
+      PairOptions wider = options;
+      wider.margin += kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
+      if (penaltyForce(a, X_WA, b, X_WB_b, wider, scratch_).contacts == 0) continue;
+      queryPair(a, X_WA, b, X_WB_b, options, memories_[i], scratch_, result);
+      penalty.depth = result.depth;
+    }
+    if (penalty.depth > 0.0) touches_.push_back({static_cast<std::uint32_t>(i), penalty});
   }
   return touches_;
 }
@@ -116,8 +128,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
     const Vector3d n = v.normalized();
     const Vector3d w = X_WA * a.support.extreme(X_WA.linear().transpose() * -n) -
                        X_WB_b * b.support.extreme(X_WB_b.linear().transpose() * n);
-    if (n.dot(w) > by &&
-        separationAlong(n, a, X_WA, b, X_WB_b, false) > by + kPlaneRounding) {
+    if (n.dot(w) > by && separationAlong(n, a, X_WA, b, X_WB_b, false) > by + kPlaneRounding) {
       keepLine(i, X_WB, n);
       return true;
     }

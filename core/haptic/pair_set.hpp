@@ -36,7 +36,8 @@ class PairSet {
   /// All of a pair, for every one. `X_WB`: a pose for each structure; `results` has a place for each pair.
   void distances(std::span<const Transform> X_WB, const PairOptions& options, std::span<PairResult> results);
 
-  /// The pairs that touch, in order. Valid until the next call.
+  /// The pairs that touch, in order; where they touch between the points only, without a force. Valid until
+  /// the next call.
   std::span<const Touch> contacts(std::span<const Transform> X_WB, const PairOptions& options);
 
   /// The smallest signed distance of all; of several, the pair of the last call before the first in order.

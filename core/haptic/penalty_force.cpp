@@ -27,8 +27,8 @@ PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const
                           const Transform& X_WB, const PairOptions& options, PairScratch& scratch) noexcept {
   const bool from_a = pointsFromA(a, b);
   for (const bool a_gives : {from_a, !from_a}) {
-    PenaltyForce sum = a_gives ? sumOver(a, X_WA, b, X_WB, options, scratch)
-                               : sumOver(b, X_WB, a, X_WA, options, scratch);
+    PenaltyForce sum =
+        a_gives ? sumOver(a, X_WA, b, X_WB, options, scratch) : sumOver(b, X_WB, a, X_WA, options, scratch);
     if (sum.contacts == 0) continue;
     if (!a_gives) {
       sum.force_a = -sum.force_a;

@@ -17,8 +17,8 @@ struct Witness {
 
 /// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
 /// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
-/// inside, by projected steps against the gradient of at most `step` (m). A local search: it ends at a nearest pair of the neighbourhood.
-/// No allocation, no throw.
+/// inside, by projected steps against the gradient of at most `step` (m). A local search: it ends at a
+/// nearest pair of the neighbourhood. No allocation, no throw.
 Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
                       const Vector3d& start, double step) noexcept;
 

@@ -21,7 +21,8 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
     PairScratch scratch;
     int touching = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
-      const TreeView tree = P.treeView(randomPose(seed, seed % 3 == 0 ? 0.1 : 0.6));
+      const Transform X_FP = randomPose(seed, seed % 3 == 0 ? 0.1 : 0.6);
+      const TreeView tree = P.treeView(X_FP);
       const NearestLimits limits{std::numeric_limits<float>::infinity(), 0.1f, 0.0f};
       const NearestPoint a = fast.nearest(tree, field, limits, scratch),
                          b = plain.nearest(tree, field, limits, scratch);
@@ -38,6 +39,13 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
         ASSERT_NEAR(s.moment[k], t.moment[k], 1e-8);
       }
       touching += s.contacts > 0;
+      // Points about the nearest one left out.
+      const std::uint32_t i = a.point;
+      const Vector3d home = X_FP * Vector3d(P.tree.x[i], P.tree.y[i], P.tree.z[i]);
+      const Ball ball{{float(home.x()), float(home.y()), float(home.z())}, 0.03f};
+      const float rival = fast.nearestOutside(tree, field, ball, 1.0f, scratch);
+      ASSERT_NEAR(rival, plain.nearestOutside(tree, field, ball, 1.0f, scratch), kRounding) << seed;
+      ASSERT_GE(rival, a.lower_bound - kRounding);
     }
     if (kind != FieldKind::kLayered) {
       EXPECT_GT(touching, 50);
@@ -55,6 +63,9 @@ TEST(SearchKernels, SupportIsTheLargestProduct) {
     float most = -1e30f;
     for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, 0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i]);
     EXPECT_NEAR(kernels->support(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f), most, 1e-6f);
+    const std::size_t i = kernels->extreme(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f);
+    ASSERT_LT(i, x.size());
+    EXPECT_NEAR(0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i], most, 1e-6f);
   }
 }
 

@@ -1,0 +1,119 @@
+// Pairs asked together answer as each of them does alone.
+#include "core/haptic/pair_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/haptic/structures.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/random_pose.hpp"
+
+namespace abstand::testing {
+namespace {
+
+/// m; a walk ends when a round gains less than 0.1 % of the distance, here up to 0.1 m (witness.hpp).
+constexpr double kSameDistance = 1e-4;
+/// m; contacts deeper than that are never missed.
+constexpr double kShallow = 1e-4;
+constexpr int kFrames = 400;
+
+/// Five bodies that turn and pass close by, and through, each other.
+class Crowd {
+ public:
+  Crowd() {
+    for (const Shape& shape :
+         {Shape(Sphere{0.05}), Shape(Cuboid{{0.1, 0.12, 0.3}}), Shape(Ellipsoid{{0.04, 0.05, 0.12}}),
+          Shape(Capsule{0.04, 0.15}), Shape(Cylinder{0.05, 0.2})})
+      bodies.push_back(&structureOf(shape, FieldKind::kMixed));
+    for (std::uint32_t a = 0; a < bodies.size(); ++a)
+      for (std::uint32_t b = a + 1; b < bodies.size(); ++b) pairs.push_back({a, b});
+    X_WB.resize(bodies.size());
+  }
+  void move(int frame) {
+    for (std::size_t i = 0; i < X_WB.size(); ++i) {
+      const double t = 0.004 * frame * (1.0 + 0.3 * static_cast<double>(i));
+      const Transform start = randomPose(i);
+      const Vector3d about(0.22 * std::sin(t + double(i)), 0.2 * std::cos(1.3 * t + 2.0 * double(i)),
+                           0.1 * std::sin(2.1 * t));
+      X_WB[i] = Eigen::Translation3d(about) * Eigen::AngleAxisd(2.0 * t, start.linear().col(0)) *
+                Transform(start.linear());
+    }
+  }
+  std::vector<const HapticStructure*> bodies;
+  std::vector<PairSet::Bodies> pairs;
+  std::vector<Transform> X_WB;
+};
+
+PairResult alone(const Crowd& crowd, std::size_t pair, const PairOptions& options) {
+  PairScratch scratch;
+  PairResult result;
+  const auto [a, b] = crowd.pairs[pair];
+  queryPair(*crowd.bodies[a], crowd.X_WB[a], *crowd.bodies[b], crowd.X_WB[b], options, scratch, result);
+  return result;
+}
+
+TEST(PairSet, FindsTheNearestPairOfAll) {
+  Crowd crowd;
+  PairSet set(crowd.bodies, crowd.pairs);
+  int apart = 0, inside = 0;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    crowd.move(frame);
+    double least = kInfinity;
+    for (std::size_t i = 0; i < set.size(); ++i) least = std::min(least, alone(crowd, i, {}).distance);
+    const PairSet::Nearest& nearest = set.nearest(crowd.X_WB, {});
+    ASSERT_NEAR(nearest.result.distance, least, kSameDistance) << frame;
+    ASSERT_NEAR(alone(crowd, nearest.pair, {}).distance, least, kSameDistance) << frame;
+    ++(least > 0.0 ? apart : inside);
+  }
+  EXPECT_GT(apart, kFrames / 20);
+  EXPECT_GT(inside, kFrames / 20);
+}
+
+TEST(PairSet, MissesNoContactAndInventsNone) {
+  for (const double margin : {0.0, 0.03}) {
+    Crowd crowd;
+    PairSet set(crowd.bodies, crowd.pairs);
+    const PairOptions options{.margin = margin};
+    int touching = 0;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      crowd.move(frame);
+      const auto touches = set.contacts(crowd.X_WB, options);
+      auto touch = touches.begin();
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        const PairResult each = alone(crowd, i, options);
+        const bool found = touch != touches.end() && touch->pair == i;
+        if (found) {
+          ASSERT_LT(each.distance, margin + kShallow) << frame;
+          ASSERT_EQ(touch->penalty.contacts, each.contacts);
+          ASSERT_EQ(touch->penalty.force_a, each.force_a);
+          ASSERT_EQ(touch->penalty.torque_a, each.torque_a);
+          ASSERT_EQ(touch->penalty.torque_b, each.torque_b);
+          ++touch;
+          ++touching;
+        } else {
+          ASSERT_GT(each.distance, margin - kShallow) << frame;
+          ASSERT_EQ(each.contacts, 0);
+        }
+      }
+      ASSERT_EQ(touch, touches.end());
+    }
+    EXPECT_GT(touching, kFrames / 10);
+  }
+}
+
+TEST(PairSet, AllocatesNothing) {
+  Crowd crowd;
+  PairSet set(crowd.bodies, crowd.pairs);
+  std::vector<PairResult> results(set.size());
+  crowd.move(0);
+  const NoAlloc guard;
+  for (int frame = 0; frame < 50; ++frame) {
+    crowd.move(frame);
+    set.distances(crowd.X_WB, {}, results);
+    set.contacts(crowd.X_WB, {});
+    set.nearest(crowd.X_WB, {});
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace abstand::testing
