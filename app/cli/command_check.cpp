@@ -48,6 +48,7 @@ int run(const CommandLine& line, const Arguments& args) {
     options.monitor = buildMonitor(line);
     // The gate leaves nothing out, whatever the scene allows.
     options.rest = 0.0;
+    options.remember = false;
     options.horizon = options.budget = kInfinity;
     Session session(scene, options);
     if (!args.margins.empty()) applyMargins(session.scene(), args.margins);

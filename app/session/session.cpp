@@ -29,6 +29,7 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   skipping.rest = options.rest.value_or(skipping.rest);
   skipping.horizon = options.horizon.value_or(skipping.horizon);
   skipping.budget = options.budget.value_or(skipping.budget);
+  skipping.remember = options.remember.value_or(skipping.remember);
   scene_.setSkipping(skipping);
   library_.build(0, options.monitor);
 

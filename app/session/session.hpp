@@ -20,6 +20,7 @@ struct SessionOptions {
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
   BuildMonitor monitor;             ///< of the structures
   std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in Skipping
+  std::optional<bool> remember;                 ///< likewise
 };
 
 /// m/s. What a part of a person is taken to move at most where pairs may rest and the scene does not say: the

@@ -75,6 +75,7 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
   if (skipping_.limited()) agenda_.reserve(pairs_.capacity());
+  if (skipping_.remember) memories_.resize(pairs_.size());
   renew(id);
   return id;
 }
@@ -126,6 +127,7 @@ void Scene::setSkipping(const Skipping& skipping) {
   skipping.validate();
   skipping_ = skipping;
   if (skipping.limited()) agenda_.reserve(pairs_.capacity());
+  memories_.assign(skipping.remember ? pairs_.size() : 0, {});
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 
@@ -226,17 +228,20 @@ void Scene::spread(const std::vector<PairId>& pairs, Task task) {
   }
 }
 
-void Scene::check(Pair& pair, PairScratch& scratch) const {
+void Scene::check(Pair& pair, PairScratch& scratch) {
   const Object& a = objects_[pair.a.index()];
   const Object& b = objects_[pair.b.index()];
-  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, pair.result);
+  PairMemory nothing;
+  PairMemory& memory =
+      skipping_.remember ? memories_[static_cast<std::size_t>(&pair - pairs_.data())] : nothing;
+  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, memory, scratch, pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!skipping_.any()) return;
   pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
                  touchFrom(*a.spec.structure, *b.spec.structure, pair.options), skipping_);
 }
 
-void Scene::visit(Pair& pair, PairScratch& scratch) const {
+void Scene::visit(Pair& pair, PairScratch& scratch) {
   const ObjectReach& a = reaches_[pair.a.index()];
   const ObjectReach& b = reaches_[pair.b.index()];
   pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;

@@ -157,8 +157,8 @@ class Scene {
   void renew(PairId id);
   void enqueueMoved();
   void touch(ObjectId id);
-  void check(Pair& pair, PairScratch& scratch) const;
-  void visit(Pair& pair, PairScratch& scratch) const;
+  void check(Pair& pair, PairScratch& scratch);
+  void visit(Pair& pair, PairScratch& scratch);
   void checkWithin(double deadline);
   void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
   void count(Pair& pair);
@@ -179,7 +179,8 @@ class Scene {
   std::vector<PairId> renewed_, touching_;
   std::vector<long> renewed_at_;  ///< of each object
   MinimumTree distances_;
-  std::vector<Scratch> scratch_;  ///< of each thread
+  std::vector<PairMemory> memories_;  ///< of the pairs, where skipping_.remember
+  std::vector<Scratch> scratch_;      ///< of each thread
   std::unique_ptr<PairWorkers> workers_;
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};

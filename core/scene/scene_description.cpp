@@ -102,11 +102,12 @@ ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
 }
 
 Skipping skippingRules(const YamlNode& node, const std::string& file) {
-  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget"});
+  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget", "remember"});
   Skipping s;
   s.rest = fields.number("rest", kShareRange).value_or(s.rest);
   s.horizon = fields.number("horizon", kHorizonRange).value_or(s.horizon);
   s.budget = fields.number("budget", kBudgetRange).value_or(s.budget);
+  s.remember = fields.choice("remember", {"true", "false"}).value_or("false") == "true";
   return s;
 }
 

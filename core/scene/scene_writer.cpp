@@ -169,6 +169,7 @@ std::string skippingText(const Skipping& s) {
   std::string text = "skipping: {rest: " + formatDouble(s.rest);
   if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
   if (s.limited()) text += ", budget: " + formatDouble(s.budget);
+  if (s.remember) text += ", remember: true";
   return text + "}\n";
 }
 

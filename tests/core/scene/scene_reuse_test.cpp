@@ -6,6 +6,7 @@
 #include "core/base/state_hash.hpp"
 #include "core/scene/snapshot.hpp"
 #include "tests/core/scene/crowd.hpp"
+#include "tests/core/scene/drift.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
@@ -131,6 +132,52 @@ TEST(SceneReuse, StepsOfAFewAllocateNothing) {
     scene.step();
   }
   EXPECT_EQ(guard.count(), 0);
+}
+
+// What a pair may be too far by: 1 % beyond 0.1 m, else what a walk along the surfaces leaves (witness.hpp).
+double tooFar(double distance) { return distance > 0.1 ? 0.012 * distance : 1e-3 * distance + 1e-5; }
+
+TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
+  Scene one = testing::longBodies(), three = testing::longBodies();
+  one.setSkipping({.remember = true});
+  three.setSkipping({.remember = true});
+  three.setThreads(3);
+  testing::Drift drift(one), same_drift(three);
+  long apart = 0, touching = 0;
+  for (int frame = 0; frame < 400; ++frame) {
+    drift.frame(frame);
+    same_drift.frame(frame);
+    one.step();
+    three.step();
+    for (std::uint32_t i = 0; i < one.pairs().size(); ++i) {
+      const PairResult& remembered = one.pairs()[i].result;
+      ASSERT_TRUE(sameBits(remembered, three.pairs()[i].result)) << frame;
+      const PairResult fresh = queried(one, one.pairs()[i]);
+      ASSERT_LE(remembered.distance - remembered.bound, fresh.distance + 1e-9) << frame;
+      ASSERT_LE(fresh.distance - fresh.bound, remembered.distance + 1e-9) << frame;
+      ASSERT_EQ(remembered.force_a, fresh.force_a) << frame;
+      if (fresh.distance > 0.0) {
+        ASSERT_LE(remembered.distance, fresh.distance + tooFar(fresh.distance)) << frame;
+        ++apart;
+      }
+      touching += fresh.contacts > 0;
+    }
+  }
+  EXPECT_GT(apart, 1000);
+  EXPECT_GT(touching, 10);
+}
+
+TEST(SceneRemember, WhatWasRememberedIsForgottenWhenItIsTurnedOff) {
+  Scene scene = crowd(9);
+  testing::Drift drift(scene);
+  scene.setSkipping({.remember = true});
+  for (int frame = 0; frame < 20; ++frame) {
+    drift.frame(frame);
+    scene.step();
+  }
+  scene.setSkipping({});
+  scene.step();
+  expectAllQueried(scene);
 }
 
 }  // namespace
