@@ -15,6 +15,8 @@ constexpr double kFloatRounding = 1e-6;
 // Beyond this distance the answer may exceed the smallest distance by this part of it; the bound says so.
 constexpr double kFarFrom = 0.1;  // m
 constexpr double kFarPart = 0.01;
+// Of what is allowed: the surface between the points may be nearer than they are.
+constexpr double kPointsPart = 0.75;
 // A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
 constexpr double kSearchPart = 0.0025;
 // Of the distance: so much nearer points a search beyond may have missed, as the field there is coarse.
@@ -32,7 +34,7 @@ constexpr double kTouching = 1e-6;
 // Of the distance: by so much at most it exceeds that of the hulls where it is worth to look at them first.
 constexpr double kHullPart = 0.03;
 // Of the distance: a witness so near to what is proven is not worth to improve.
-constexpr double kStayPart = 0.005;
+constexpr double kStayPart = 0.002;
 // m; bodies that move by no more from one search to the next are worth to look at a second time, for points
 // that are farther away than the nearest by this.
 constexpr double kSlow = 0.001, kRivalry = 0.004;
@@ -226,7 +228,9 @@ class Query {
   }
 
   bool isKnown() const {
-    return witness_.distance - std::max({certified_, of_points_, found_}) <= allowed(witness_.distance);
+    const double may_exceed = allowed(witness_.distance);
+    return witness_.distance - certified_ <= may_exceed ||
+           witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
   }
 
   /// The distance is within what is allowed of the smallest one of the surfaces, or of the shell's points.
