@@ -11,7 +11,7 @@ namespace abstand {
 
 struct SweptOptions {
   static constexpr const char* kName = "swept";
-  double tolerance{1e-3};    ///< m; done when the bounds are so close
+  double tolerance{1e-3};    ///< m; done when the samples in between cannot lift `lower` by more
   double enough{kInfinity};  ///< m; done when the lower bound has reached this ...
   double hit{-kInfinity};    ///< m; ... or a sample has fallen below this
   int most_samples{64};      ///< 2 to kMostSweptSamples; the answer stays certified when they are used up
@@ -32,7 +32,8 @@ struct DistanceSample {
   double lower{kNaN}, upper{kNaN};
 };
 
-/// The smallest distance over [0, T] is never below `lower` and not above `upper`.
+/// The smallest distance over [0, T] is never below `lower` and not above `upper`. They are as close as the
+/// tolerance and the samples' own bounds are.
 struct SweptResult {
   double lower{-kInfinity}, upper{kInfinity};  ///< m
   double t{0.0};                               ///< s, of the sample with the smallest `upper`
@@ -67,10 +68,12 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   std::array<Interval, static_cast<std::size_t>(kMostSweptSamples)> intervals;
   std::size_t count = 0;
   SweptResult result;
+  double least = kInfinity;  // of the samples' lower bounds
   const auto take = [&](double t) {
     const DistanceSample s = sample(t);
     ++result.samples;
     if (s.upper < result.upper) result.upper = s.upper, result.t = t;
+    if (!(s.lower >= least)) least = s.lower;
     return s.lower;
   };
   const auto interval = [&](double a, double b, double lower_a, double lower_b) {
@@ -93,7 +96,7 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
       if (!(intervals[i].lower >= intervals[worst].lower)) worst = i;
     Interval& w = intervals[worst];
     result.lower = w.lower;
-    result.done = result.upper - result.lower <= options.tolerance || result.lower >= options.enough ||
+    result.done = least - result.lower <= options.tolerance || result.lower >= options.enough ||
                   result.upper < options.hit;
     if (result.done || result.samples >= most) return result;
     // Where both ends' cones meet, but not at an end.
