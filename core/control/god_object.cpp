@@ -90,12 +90,12 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
     if (at == kMostConstraints) {
       at = static_cast<std::size_t>(std::min_element(rows.least.begin(), rows.least.end()) -
                                     rows.least.begin());
-      if (-k.gap <= rows.least[at]) continue;
+      if (o_.gap - k.gap <= rows.least[at]) continue;
     } else {
       ++rows.count;
     }
     rows.row[at] << k.normal_W, Vector3d(k.p_W - c).cross(k.normal_W) / rho;
-    rows.least[at] = std::min(-k.gap, o_.step);
+    rows.least[at] = std::min(o_.gap - k.gap, o_.step);
     rows.weight[at] = rows.row[at].squaredNorm();
     rows.multiplier[at] = 0.0;
   }

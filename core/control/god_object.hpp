@@ -16,7 +16,10 @@ struct GodObjectOptions {
   double rotation_stiffness{10.0};  ///< N m/rad
   double force{50.0};               ///< N, the most
   double torque{5.0};               ///< N m, the most
-  double step{0.01};                ///< m, that no point of the object moves farther in one update
+  /// m, kept between the object and the surface. Apart, distances and directions are those of the exact
+  /// surfaces; inside, the direction of the way out is less sure.
+  double gap{5e-4};
+  double step{0.01};  ///< m, that no point of the object moves farther in one update
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -24,6 +27,7 @@ struct GodObjectOptions {
     visit("rotation_stiffness", o.rotation_stiffness, NumberRule{0.0, 1e6, "N m/rad"});
     visit("force", o.force, NumberRule{0.0, 1e6, "N"});
     visit("torque", o.torque, NumberRule{0.0, 1e6, "N m"});
+    visit("gap", o.gap, NumberRule{0.0, 0.1, "m"});
     visit("step", o.step, NumberRule{0.0, 1.0, "m", true});
   }
   void validate() const { requireNumbers(*this); }  ///< throws UsageError
@@ -36,15 +40,16 @@ struct ContactConstraint {
   double gap{0.0};                      ///< m, signed distance
 };
 
-/// From a pair with the object as A (or as B), queried at the object's pose; nothing when the pair has no
-/// direction. The certified lower bound is the gap for `certain`, else the distance itself.
+/// From a pair with the object as A (or as B), queried at the object's pose, best with a PairMemory; nothing
+/// when the pair has no direction. The certified lower bound is the gap for `certain`, else the distance
+/// itself.
 std::optional<ContactConstraint> constraintOf(const PairResult& result, bool object_is_a,
                                               bool certain = false) noexcept;
 
 /// The god-object of the thesis's [25] (Ortega, Redon, Coquillart 2007, A Six Degree-of-Freedom God-Object
 /// Method; Zilles and Salisbury 1995): the object's pose is the one nearest to the hand's that the contacts
 /// allow, by Gauss's principle of least constraint. One update moves it by the (dp, dtheta) that minimise
-///   |dp - dp*|^2 + rho^2 |dtheta - dtheta*|^2   with   n_i . (dp + dtheta x (p_i - c)) >= -gap_i
+///   |dp - dp*|^2 + rho^2 |dtheta - dtheta*|^2   with   n_i . (dp + dtheta x (p_i - c)) >= gap - gap_i
 /// where (dp*, dtheta*) leads to the hand's pose, cut to `step`, c is the centre and rho^2 = 2 r^2 / 5 that
 /// of a ball about the body. There is no friction. Contacts are those of the pose before the update, so
 /// between updates it may sink in by as much as the surfaces curve away within a step; the next update lifts

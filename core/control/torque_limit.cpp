@@ -18,17 +18,18 @@ TorqueLimit::TorqueLimit(const TorqueLimitOptions& options, int dof)
 int TorqueLimit::cut(std::span<double> torque) const noexcept {
   ABSTAND_CHECK(torque.size() == most_.size());
   int farthest = -1;
-  double factor = 1.0;
+  double least = 1.0, factor = 1.0;
   for (std::size_t i = 0; i < torque.size(); ++i) {
     double& tau = torque[i];
     const bool finite = std::isfinite(tau);
     if (!finite) tau = 0.0;
     if (finite && std::abs(tau) <= most_[i]) continue;
     const double share = finite ? most_[i] / std::abs(tau) : 0.0;
-    if (farthest < 0 || share < factor) {
+    if (farthest < 0 || share < least) {
       farthest = static_cast<int>(i);
-      if (finite) factor = share;
+      least = share;
     }
+    if (finite) factor = std::min(factor, share);
     if (cut_ == TorqueCut::kEach && finite) tau = std::copysign(most_[i], tau);
   }
   if (cut_ == TorqueCut::kTogether)
