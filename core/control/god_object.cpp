@@ -77,6 +77,7 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   // The way to the hand, in lengths.
   Vector6d wish;
   wish << X_WH * sphere_O_.centre - c, rho * rotationBetween(X_WO_.linear(), X_WH.linear());
+  if (!wish.allFinite()) wish.setZero();  // a hand that is nowhere leads nowhere
   const auto reach = [&](const Vector6d& x) {
     return x.head<3>().norm() + x.tail<3>().norm() * sphere_O_.radius / rho;
   };
@@ -84,8 +85,9 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
 
   Rows rows;
   for (const ContactConstraint& k : constraints) {
-    // Beyond two steps nothing is reached; what has no place left replaces the farthest.
-    if (k.gap > 2.0 * o_.step) continue;
+    // Beyond two steps and the gap nothing is reached; what has no place left replaces the farthest.
+    if (!(k.gap <= 2.0 * o_.step + o_.gap) || !k.p_W.allFinite() || !(k.normal_W.squaredNorm() > 0.5))
+      continue;
     std::size_t at = rows.count;
     if (at == kMostConstraints) {
       at = static_cast<std::size_t>(std::min_element(rows.least.begin(), rows.least.end()) -
@@ -112,6 +114,10 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   }
   X_WO_.translation() = c + x.head<3>() - X_WO_.linear() * sphere_O_.centre;
 
+  if (!X_WH.matrix().allFinite()) {
+    wrench_ = {};
+    return;
+  }
   hand_ = X_WH * sphere_O_.centre;
   wrench_.force = cut(o_.stiffness * (X_WO_ * sphere_O_.centre - hand_), o_.force);
   wrench_.torque = cut(o_.rotation_stiffness * rotationBetween(X_WH.linear(), X_WO_.linear()), o_.torque);

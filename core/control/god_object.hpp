@@ -63,7 +63,7 @@ class GodObject {
   GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O);
 
   void reset(const Transform& X_WO) noexcept;  ///< both the object and the hand are there
-  /// @param X_WH         where the hand would put the object
+  /// @param X_WH         where the hand would put the object; not finite: it stays, and there is no wrench
   /// @param constraints  at pose(), at most kMostConstraints; the nearest ones when there are more
   void update(const Transform& X_WH, std::span<const ContactConstraint> constraints) noexcept;
 

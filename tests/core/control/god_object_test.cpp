@@ -181,6 +181,21 @@ TEST(GodObject, TakesTheNearestOfTooManyAndAllocatesNothing) {
   EXPECT_NEAR(object.pose().translation().z(), 0.05, kExact);
 }
 
+TEST(GodObject, SurvivesWhatIsNoPoseAndNoContact) {
+  GodObject object({}, kBall);
+  object.reset(at({0, 0, 0.2}));
+  Transform broken = Transform::Identity();
+  broken.translation().x() = kNaN;
+  object.update(broken, {});
+  EXPECT_EQ(object.pose().translation(), Vector3d(0, 0, 0.2));
+  EXPECT_EQ(object.wrench().force, Vector3d::Zero());
+  const ContactConstraint bad[] = {{Vector3d::Zero(), Vector3d::Zero(), 0.0},
+                                   {Vector3d::Zero(), Vector3d::UnitZ(), kNaN},
+                                   {Vector3d::Constant(kNaN), Vector3d::UnitZ(), 0.0}};
+  object.update(at({0, 0, 0.195}), bad);
+  EXPECT_NEAR(object.pose().translation().z(), 0.195, kExact);
+}
+
 TEST(GodObject, OptionsAreChecked) {
   EXPECT_THROW(GodObject({.stiffness = -1.0}, kBall), UsageError);
   EXPECT_THROW(GodObject({.step = 0.0}, kBall), UsageError);
