@@ -43,6 +43,20 @@ class MotionHistory {
     return {sum.linear / time, sum.angular / time};
   }
 
+  /// Like mean(), but a step counts `fade` (0 to 1) times as much as the one after it. 0: the last one alone.
+  Twist fadedMean(double fade) const {
+    Twist sum;
+    double time = 0.0, weight = 1.0;
+    for (int age = 0; age < steps_; ++age, weight *= fade) {
+      const Step& s = ring_[static_cast<std::size_t>((next_ - 1 - age + kSteps) % kSteps)];
+      sum.linear += weight * s.way;
+      sum.angular += weight * s.rotation;
+      time += weight * s.dt;
+    }
+    if (steps_ == 0) return {};
+    return {sum.linear / time, sum.angular / time};
+  }
+
  private:
   static constexpr int kSteps = kPoses - 1;
   struct Step {

@@ -1,0 +1,60 @@
+// For robots that take positions or velocities: efforts in, motion out.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/safety/number_rule.hpp"
+
+namespace abstand {
+
+/// One number for all joints, or one a joint.
+struct AdmittanceOptions {
+  static constexpr const char* kName = "admittance";
+  JointNumbers inertia{1.0};     ///< kg m^2 or kg
+  JointNumbers damping{10.0};    ///< N m s/rad or N s/m
+  JointNumbers stiffness{20.0};  ///< N m/rad or N/m; 0: the offset stays where it was pushed
+  JointNumbers velocity{1.0};    ///< rad/s or m/s, the most, of its size
+  JointNumbers offset{0.5};      ///< rad or m, the most, of its size
+
+  template <class Self, class Visit>
+  static void eachNumber(Self&, Visit) {}
+  template <class Self, class Visit>
+  static void eachList(Self& o, Visit visit) {
+    visit("inertia", o.inertia, NumberRule{0.0, 1e6, "kg m^2 or kg", true});
+    visit("damping", o.damping, NumberRule{0.0, 1e6, "N m s/rad or N s/m"});
+    visit("stiffness", o.stiffness, NumberRule{0.0, 1e6, "N m/rad or N/m"});
+    visit("velocity", o.velocity, NumberRule{0.0, 1e3, "rad/s or m/s"});
+    visit("offset", o.offset, NumberRule{0.0, 1e3, "rad or m"});
+  }
+};
+
+/// Each joint behaves like m xddot + b xdot + k x = tau, x the offset from the commanded position: a virtual
+/// mass on a spring and a damper [Dietrich et al. 2011, the thesis's [6], give position controlled parts such
+/// an interface]. The step is implicit in damper and spring,
+///   v' = (m v + dt (tau - k x)) / (m + dt b + dt^2 k),  x' = x + dt v',
+/// so it is stable for every dt. At rest x = tau / k, or xdot = tau / b without a spring. Velocity and offset
+/// are cut at their limits; at the limit of the offset the velocity is what leads there. One thread, no
+/// allocation after it is made.
+class Admittance {
+ public:
+  /// Throws UsageError for options that are not allowed for `dof` joints.
+  Admittance(const AdmittanceOptions& options, int dof);
+
+  void reset() noexcept;  ///< no offset, at rest
+  void hold() noexcept;   ///< at rest where it is
+  /// @param efforts  N m or N, size dof; what is not finite counts as 0
+  /// @param dt       s; not above 0: nothing changes
+  void update(std::span<const double> efforts, double dt) noexcept;
+  std::span<const double> velocity() const { return velocity_; }  ///< rad/s or m/s, to be added
+  std::span<const double> offset() const { return offset_; }      ///< rad or m, to be added
+
+ private:
+  struct Joint {
+    double inertia, damping, stiffness, velocity, offset;
+  };
+  std::vector<Joint> joints_;
+  std::vector<double> velocity_, offset_;
+};
+
+}  // namespace abstand

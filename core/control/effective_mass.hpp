@@ -1,0 +1,31 @@
+// The mass of a mechanism as it is felt along a direction.
+#pragma once
+
+#include <span>
+
+#include <Eigen/Cholesky>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// m = 1 / (J M^-1 J^T) for a row J = d(distance)/dq [Khatib 1987, A unified approach for motion and force
+/// control]. Factors a mass matrix once a cycle. One thread; no allocation after it is made.
+class EffectiveMass {
+ public:
+  explicit EffectiveMass(int dof);
+
+  /// M: dof x dof, kg m^2 or kg, symmetric; only its lower half is read. False when it is of another size,
+  /// not finite or not positive definite: then mass() gives NaN.
+  bool take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
+  bool known() const { return known_; }
+  /// kg; infinite for a row of zeros: the mechanism cannot move that way.
+  double mass(std::span<const double> row) noexcept;
+
+ private:
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::VectorXd solved_;
+  bool known_{false};
+};
+
+}  // namespace abstand

@@ -1,0 +1,126 @@
+#include "core/control/god_object.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/control/pair_direction.hpp"
+#include "core/scene/object_motion.hpp"
+
+namespace abstand {
+namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+// Rounds of projected Gauss-Seidel over the multipliers. What is left of a violation is lifted out next time.
+constexpr int kRounds = 200;
+// m; a round that changes no contact by more than this was the last.
+constexpr double kSettled = 1e-12;
+
+Vector3d cut(const Vector3d& v, double most) {
+  const double length = v.norm();
+  return length > most ? Vector3d(v * (most / length)) : v;
+}
+
+/// Rows of the constraints, scaled so that the metric is the identity.
+struct Rows {
+  std::array<Vector6d, GodObject::kMostConstraints> row;
+  std::array<double, GodObject::kMostConstraints> least, weight, multiplier;
+  std::size_t count{0};
+
+  /// The nearest point to `x` that they allow.
+  Vector6d project(Vector6d x) {
+    for (int round = 0; round < kRounds; ++round) {
+      double change = 0.0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double lack = least[i] - row[i].dot(x);
+        const double now = std::max(0.0, multiplier[i] + lack / weight[i]);
+        x += (now - multiplier[i]) * row[i];
+        change = std::max(change, std::abs(now - multiplier[i]) * weight[i]);
+        multiplier[i] = now;
+      }
+      if (change <= kSettled) break;
+    }
+    return x;
+  }
+};
+
+}  // namespace
+
+std::optional<ContactConstraint> constraintOf(const PairResult& result, bool object_is_a,
+                                              bool certain) noexcept {
+  const Vector3d n = partingDirection(result);
+  const Vector3d& p = object_is_a ? result.witness_a : result.witness_b;
+  const double gap = certain ? result.distance - result.bound : result.distance;
+  if (!(n.squaredNorm() > 0.5) || !p.allFinite() || std::isnan(gap)) return std::nullopt;
+  return ContactConstraint{p, object_is_a ? n : Vector3d(-n), gap};
+}
+
+GodObject::GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O)
+    : o_(options), sphere_O_(sphere_O) {
+  options.validate();
+  // A point turns without moving; any length serves.
+  sphere_O_.radius = std::max(sphere_O.radius, 1e-6);
+}
+
+void GodObject::reset(const Transform& X_WO) noexcept {
+  X_WO_ = X_WO;
+  hand_ = X_WO * sphere_O_.centre;
+  wrench_ = {};
+  moved_ = 0.0;
+}
+
+void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint> constraints) noexcept {
+  const Vector3d c = X_WO_ * sphere_O_.centre;
+  const double rho = std::sqrt(0.4) * sphere_O_.radius;
+
+  // The way to the hand, in lengths.
+  Vector6d wish;
+  wish << X_WH * sphere_O_.centre - c, rho * rotationBetween(X_WO_.linear(), X_WH.linear());
+  if (!wish.allFinite()) wish.setZero();  // a hand that is nowhere leads nowhere
+  const auto reach = [&](const Vector6d& x) {
+    return x.head<3>().norm() + x.tail<3>().norm() * sphere_O_.radius / rho;
+  };
+  if (const double way = reach(wish); way > o_.step) wish *= o_.step / way;
+
+  Rows rows;
+  for (const ContactConstraint& k : constraints) {
+    // Beyond two steps and the gap nothing is reached; what has no place left replaces the farthest.
+    if (!(k.gap <= 2.0 * o_.step + o_.gap) || !k.p_W.allFinite() || !(k.normal_W.squaredNorm() > 0.5))
+      continue;
+    std::size_t at = rows.count;
+    if (at == kMostConstraints) {
+      at = static_cast<std::size_t>(std::min_element(rows.least.begin(), rows.least.end()) -
+                                    rows.least.begin());
+      if (o_.gap - k.gap <= rows.least[at]) continue;
+    } else {
+      ++rows.count;
+    }
+    rows.row[at] << k.normal_W, Vector3d(k.p_W - c).cross(k.normal_W) / rho;
+    rows.least[at] = std::min(o_.gap - k.gap, o_.step);
+    rows.weight[at] = rows.row[at].squaredNorm();
+    rows.multiplier[at] = 0.0;
+  }
+  Vector6d x = rows.project(wish);
+  // Contacts that contradict each other must not throw the object about.
+  if (const double way = reach(x); way > 2.0 * o_.step) x *= 2.0 * o_.step / way;
+  moved_ = reach(x);
+
+  const Vector3d turn = x.tail<3>() / rho;
+  const double angle = turn.norm();
+  if (angle > 0.0) {
+    const Matrix3d R = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * Matrix3d(X_WO_.linear());
+    X_WO_.linear() = Quaterniond(R).normalized().toRotationMatrix();  // keeps it a rotation for days
+  }
+  X_WO_.translation() = c + x.head<3>() - X_WO_.linear() * sphere_O_.centre;
+
+  if (!X_WH.matrix().allFinite()) {
+    wrench_ = {};
+    return;
+  }
+  hand_ = X_WH * sphere_O_.centre;
+  wrench_.force = cut(o_.stiffness * (X_WO_ * sphere_O_.centre - hand_), o_.force);
+  wrench_.torque = cut(o_.rotation_stiffness * rotationBetween(X_WH.linear(), X_WO_.linear()), o_.torque);
+}
+
+}  // namespace abstand

@@ -1,0 +1,87 @@
+// A held object stays on the surface while the hand that holds it is pressed into it.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/haptic/pair_query.hpp"
+#include "core/safety/number_rule.hpp"
+
+namespace abstand {
+
+/// SI.
+struct GodObjectOptions {
+  static constexpr const char* kName = "proxy";
+  double stiffness{1000.0};         ///< N/m, of the spring between the object on the surface and the hand
+  double rotation_stiffness{10.0};  ///< N m/rad
+  double force{50.0};               ///< N, the most
+  double torque{5.0};               ///< N m, the most
+  /// m, kept between the object and the surface. Apart, distances and directions are those of the exact
+  /// surfaces; inside, the direction of the way out is less sure.
+  double gap{5e-4};
+  double step{0.01};  ///< m, that no point of the object moves farther in one update
+
+  template <class Self, class Visit>
+  static void eachNumber(Self& o, Visit visit) {
+    visit("stiffness", o.stiffness, NumberRule{0.0, 1e7, "N/m"});
+    visit("rotation_stiffness", o.rotation_stiffness, NumberRule{0.0, 1e6, "N m/rad"});
+    visit("force", o.force, NumberRule{0.0, 1e6, "N"});
+    visit("torque", o.torque, NumberRule{0.0, 1e6, "N m"});
+    visit("gap", o.gap, NumberRule{0.0, 0.1, "m"});
+    visit("step", o.step, NumberRule{0.0, 1.0, "m", true});
+  }
+  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+};
+
+/// The object must not go deeper along -normal than the gap, at this point of it.
+struct ContactConstraint {
+  Vector3d p_W{Vector3d::Zero()};       ///< on the object
+  Vector3d normal_W{Vector3d::Zero()};  ///< unit, out of the other body
+  double gap{0.0};                      ///< m, signed distance
+};
+
+/// From a pair with the object as A (or as B), queried at the object's pose, best with a PairMemory; nothing
+/// when the pair has no direction. The certified lower bound is the gap for `certain`, else the distance
+/// itself.
+std::optional<ContactConstraint> constraintOf(const PairResult& result, bool object_is_a,
+                                              bool certain = false) noexcept;
+
+/// The god-object of the thesis's [25] (Ortega, Redon, Coquillart 2007, A Six Degree-of-Freedom God-Object
+/// Method; Zilles and Salisbury 1995): the object's pose is the one nearest to the hand's that the contacts
+/// allow, by Gauss's principle of least constraint. One update moves it by the (dp, dtheta) that minimise
+///   |dp - dp*|^2 + rho^2 |dtheta - dtheta*|^2   with   n_i . (dp + dtheta x (p_i - c)) >= gap - gap_i
+/// where (dp*, dtheta*) leads to the hand's pose, cut to `step`, c is the centre and rho^2 = 2 r^2 / 5 that
+/// of a ball about the body. There is no friction. Contacts are those of the pose before the update, so
+/// between updates it may sink in by as much as the surfaces curve away within a step; the next update lifts
+/// it out. Call it again with fresh contacts until still() for the pose nearest to the hand. One thread, no
+/// allocation.
+class GodObject {
+ public:
+  static constexpr std::size_t kMostConstraints = 32;
+
+  /// `sphere_O` holds the object; its centre is c. Throws UsageError.
+  GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O);
+
+  void reset(const Transform& X_WO) noexcept;  ///< both the object and the hand are there
+  /// @param X_WH         where the hand would put the object; not finite: it stays, and there is no wrench
+  /// @param constraints  at pose(), at most kMostConstraints; the nearest ones when there are more
+  void update(const Transform& X_WH, std::span<const ContactConstraint> constraints) noexcept;
+
+  const Transform& pose() const { return X_WO_; }
+  /// The spring's wrench on the hand, about the object's centre at the hand's pose (handCentre()), cut to the
+  /// largest force and torque.
+  const Wrench& wrench() const { return wrench_; }
+  const Vector3d& handCentre() const { return hand_; }  ///< world
+  double moved() const { return moved_; }  ///< m, by the last update, of the farthest point, at most
+  bool still(double tolerance = 1e-6) const { return moved_ <= tolerance; }
+
+ private:
+  GodObjectOptions o_;
+  EnclosingSphere sphere_O_;
+  Transform X_WO_{Transform::Identity()};
+  Wrench wrench_;
+  Vector3d hand_{Vector3d::Zero()};
+  double moved_{0.0};
+};
+
+}  // namespace abstand

@@ -1,0 +1,174 @@
+#include "core/control/reaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+namespace {
+
+// Asked for by watch(), the laws and the limits, one of each reason.
+constexpr std::size_t kOwnCauses = 8;
+
+double product(std::span<const double> row, std::span<const double> x) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < row.size(); ++i) sum += row[i] * x[i];
+  return sum;
+}
+
+}  // namespace
+
+Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs)
+    : description_(description), stops_(description.stop), mass_(dof) {
+  if (description.torque) limit_.emplace(*description.torque, dof);
+  if (description.repulsion) repulsion_.emplace(*description.repulsion);
+  if (description.proxy) description.proxy->validate();
+  if (description.admittance) admittance_.emplace(*description.admittance, dof);
+  if (description.speed) speed_.emplace(*description.speed);
+  requireNumbers(description.watch);
+  WatchOptions::eachList(description.watch,
+                         [&](const char* name, const JointNumbers& numbers, const NumberRule& rule) {
+                           joint_speed_ = forJoints(WatchOptions::kName, name, numbers, dof, rule);
+                         });
+  torque_.assign(static_cast<std::size_t>(dof), 0.0);
+  approaches_.reserve(most_pairs);
+  approach_pairs_.reserve(most_pairs);
+  causes_.reserve(kMostCauses + kOwnCauses);
+}
+
+void Reaction::hold(const EnclosingSphere& sphere_O, const Transform& X_WO) {
+  if (!description_.proxy) return;
+  proxy_.emplace(*description_.proxy, sphere_O);
+  proxy_->reset(X_WO);
+}
+
+void Reaction::ask(StopReason reason, double value, double limit, int pair, int joint) noexcept {
+  causes_.push_back({reason, value, limit, pair, joint});
+}
+
+void Reaction::watch(const ReactionInput& input) noexcept {
+  const WatchOptions& w = description_.watch;
+  if (!(input.input_age <= w.input_age)) ask(StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
+  if (!(input.person_age <= w.person_age))
+    ask(StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
+  // The nearest pair below the limit; a distance that is not known is the nearest of all.
+  const ReactionPair* nearest = nullptr;
+  for (const ReactionPair& p : input.pairs)
+    if (!(p.distance >= w.distance) && (!nearest || !(p.distance >= nearest->distance))) nearest = &p;
+  if (nearest) ask(StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
+  int joint = -1;
+  double most = 1.0;
+  for (std::size_t i = 0; i < joint_speed_.size(); ++i) {
+    const double share = std::abs(input.qd[i]) / joint_speed_[i];
+    if (share <= most) continue;
+    joint = static_cast<int>(i);
+    if (!std::isnan(share)) most = share;
+  }
+  if (joint >= 0)
+    ask(StopReason::kJointSpeed, std::abs(input.qd[static_cast<std::size_t>(joint)]),
+        joint_speed_[static_cast<std::size_t>(joint)], -1, joint);
+}
+
+void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
+  const bool by_matrix = mass_.take(M);
+  if (!by_matrix) ++without_mass_;
+  const RepulsionOptions& o = repulsion_->options();
+  StopCause worst;
+  double most = 0.0;
+  for (const ReactionPair& p : input.pairs) {
+    if (p.distance >= o.range) continue;
+    ABSTAND_CHECK(p.row.size() == torque_.size());
+    const double squared = product(p.row, p.row);
+    if (!(squared > 0.0)) continue;  // no joint moves it
+    const double own = product(p.row, input.qd);
+    const double rate = own + (std::isnan(p.other_rate) ? 0.0 : p.other_rate);
+    const RepulsionResult r =
+        repulsion_->update(p.distance, rate, own, by_matrix ? mass_.mass(p.row) : o.mass);
+    for (std::size_t i = 0; i < torque_.size(); ++i) torque_[i] += p.row[i] * r.force;
+    const double excess = r.kinetic - o.stop_share * r.available;
+    if (!r.stop || excess <= most) continue;
+    most = excess;
+    worst = {StopReason::kEnergy, r.kinetic, o.stop_share * r.available, p.pair, -1};
+  }
+  if (most > 0.0) causes_.push_back(worst);
+}
+
+double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
+  if (!speed_) return 1.0;
+  const std::span<const double> planned = input.planned.empty() ? input.qd : input.planned;
+  approaches_.clear();
+  approach_pairs_.clear();
+  for (const ReactionPair& p : input.pairs) {
+    if (!p.person) continue;
+    ABSTAND_CHECK(p.row.size() == torque_.size());
+    approaches_.push_back({p.distance, p.spread - product(p.row, planned), -p.other_rate});
+    approach_pairs_.push_back(p.pair);
+  }
+  const double scale = speed_->update(approaches_, input.dt);
+  if (speed_->slowest() < 0) return scale;
+  const int pair = approach_pairs_[static_cast<std::size_t>(speed_->slowest())];
+  if (scale > 0.0) {
+    ask(StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
+  } else {
+    // Not even standing is far enough, or hardly: the protective separation distance is broken.
+    const Approach& a = approaches_[static_cast<std::size_t>(speed_->slowest())];
+    const auto& o = speed_->options().separation;
+    ask(StopReason::kDistance, a.distance,
+        protectiveDistance(o, speed_->options().least * a.robot, a.person, a.distance).sum(), pair, -1);
+  }
+  return scale;
+}
+
+ReactionOutput Reaction::update(const ReactionInput& input,
+                                const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
+  ABSTAND_CHECK(input.qd.size() == torque_.size() && input.pairs.size() <= approaches_.capacity() &&
+                input.causes.size() <= kMostCauses);
+  causes_.assign(input.causes.begin(), input.causes.end());
+  watch(input);
+
+  // Torques.
+  std::fill(torque_.begin(), torque_.end(), 0.0);
+  if (limit_ && !input.efforts.empty())
+    for (std::size_t i = 0; i < torque_.size(); ++i) torque_[i] = limit_->gain() * input.efforts[i];
+  if (repulsion_) addRepulsion(input, M);
+  if (limit_) {
+    const int joint = limit_->cut(torque_);
+    if (joint >= 0) ask(StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
+  }
+  if (proxy_ && input.held) proxy_->update(input.held->X_WH, input.held->constraints);
+
+  // Speed and stops.
+  double scale = scaleSpeed(input);
+  double fastest = 0.0;
+  for (const double v : input.qd)
+    if (!(std::abs(v) <= fastest)) fastest = std::isnan(v) ? kInfinity : std::abs(v);
+  const StopState state = stops_.update(input.t, causes_, fastest, input.reset);
+  for (const StopCause& cause : causes_)
+    if (cause.reason != StopReason::kSeparation &&
+        description_.stop.policy.of(cause.reason) == StopResponse::kSlow)
+      scale = std::min(scale, description_.stop.slow_to);
+  if (state == StopState::kEmergencyStop) brakes_ = true;
+  if (stops_.moving()) {
+    brakes_ = false;
+  } else {
+    scale = 0.0;
+    if (speed_) speed_->stop();
+  }
+  if (brakes_) std::fill(torque_.begin(), torque_.end(), 0.0);
+
+  if (admittance_ && brakes_) admittance_->hold();
+  if (admittance_ && !brakes_) admittance_->update(torque_, input.dt);
+  ReactionOutput out;
+  out.torque = torque_;
+  if (admittance_) {
+    out.velocity = admittance_->velocity();
+    out.offset = admittance_->offset();
+  }
+  out.speed_scale = scale;
+  out.state = state;
+  out.brakes = brakes_;
+  return out;
+}
+
+}  // namespace abstand

@@ -1,0 +1,175 @@
+#include "core/control/reaction_reader.hpp"
+
+#include <cmath>
+
+#include "core/base/number.hpp"
+
+namespace abstand {
+namespace {
+
+const std::vector<std::string> kCuts{"each", "together"};
+
+template <class Options>
+concept HasLists = requires(Options& o) {
+  Options::eachList(o, [](const char*, JointNumbers&, const NumberRule&) {});
+};
+
+template <class Options>
+void addKeys(std::vector<std::string>& keys) {
+  Options o;
+  Options::eachNumber(o, [&](const char* name, double, const NumberRule&) { keys.push_back(name); });
+  if constexpr (HasLists<Options>)
+    Options::eachList(o, [&](const char* name, JointNumbers&, const NumberRule&) { keys.push_back(name); });
+}
+
+template <class Options>
+std::vector<std::string> keysOf(std::vector<std::string> more = {}) {
+  addKeys<Options>(more);
+  return more;
+}
+
+YamlRange rangeOf(const NumberRule& rule) { return {rule.least, rule.most, rule.unit, rule.above}; }
+
+template <class Options>
+void readNumbers(const YamlFields& fields, Options& options) {
+  Options::eachNumber(options, [&](const char* name, double& value, const NumberRule& rule) {
+    value = fields.number(name, rangeOf(rule)).value_or(value);
+  });
+  if constexpr (HasLists<Options>)
+    Options::eachList(options, [&](const char* name, JointNumbers& numbers, const NumberRule& rule) {
+      const YamlNode* const node = fields.find(name);
+      if (!node) return;
+      if (node->kind != YamlNode::Kind::kList) {
+        numbers = {*fields.number(name, rangeOf(rule))};
+        return;
+      }
+      numbers.clear();
+      for (const YamlNode& item : node->items)
+        numbers.push_back(yamlNumber(item, fields.file(), "`" + std::string(name) + "`", rangeOf(rule)));
+      if (numbers.empty())
+        throw ParseError(fields.pos(*node), "found an empty list for `" + std::string(name) +
+                                                "`, expected a number, or one for each joint");
+    });
+}
+
+template <class Options>
+std::optional<Options> law(const YamlFields& parent) {
+  const YamlNode* const node = parent.find(Options::kName);
+  if (!node) return std::nullopt;
+  Options options;
+  readNumbers(YamlFields(*node, parent.file(), "`" + std::string(Options::kName) + "`", keysOf<Options>()),
+              options);
+  return options;
+}
+
+std::optional<TorqueLimitOptions> torque(const YamlFields& parent) {
+  const YamlNode* const node = parent.find("torque");
+  if (!node) return std::nullopt;
+  TorqueLimitOptions options;
+  const YamlFields fields(*node, parent.file(), "`torque`", keysOf<TorqueLimitOptions>({"cut"}));
+  readNumbers(fields, options);
+  if (fields.choice("cut", kCuts).value_or("together") == "each") options.cut = TorqueCut::kEach;
+  return options;
+}
+
+void policy(const YamlFields& fields, StopPolicy& policy) {
+  const YamlNode* const node = fields.find("on");
+  if (!node) return;
+  std::vector<std::string> reasons, responses;
+  for (std::size_t i = 0; i < kStopReasons; ++i) reasons.emplace_back(reasonKey(static_cast<StopReason>(i)));
+  for (std::size_t i = 0; i < kStopResponses; ++i)
+    responses.emplace_back(responseName(static_cast<StopResponse>(i)));
+  const YamlFields on(*node, fields.file(), "`on`", reasons);
+  for (std::size_t i = 0; i < kStopReasons; ++i)
+    if (const auto text = on.choice(reasons[i], responses)) policy.response[i] = *parseResponse(*text);
+}
+
+class Lines {
+ public:
+  explicit Lines(const std::string& indent) : indent_(indent) {}
+  void open(const char* name) {
+    text_ += indent_ + name + ": {";
+    first_ = true;
+  }
+  void close() { text_ += "}\n"; }
+  void item(std::string_view name, const std::string& value) {
+    text_ += (first_ ? "" : ", ") + std::string(name) + ": " + value;
+    first_ = false;
+  }
+  template <class Options>
+  void numbers(const Options& options) {
+    Options::eachNumber(options, [&](const char* name, double value, const NumberRule&) {
+      if (std::isfinite(value)) item(name, formatDouble(value));
+    });
+    if constexpr (HasLists<Options>)
+      Options::eachList(options, [&](const char* name, const JointNumbers& list, const NumberRule&) {
+        std::string s;
+        for (const double x : list) s += (s.empty() ? "" : ", ") + formatDouble(x);
+        if (!list.empty() && std::isfinite(list.front())) item(name, list.size() == 1 ? s : "[" + s + "]");
+      });
+  }
+  template <class Options>
+  void law(const std::optional<Options>& options) {
+    if (!options) return;
+    open(Options::kName);
+    numbers(*options);
+    close();
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string indent_, text_;
+  bool first_{true};
+};
+
+}  // namespace
+
+ReactionDescription readReaction(const YamlNode& node, const std::string& file) {
+  const YamlFields fields(node, file, "`reaction`",
+                          {"torque", "repulsion", "proxy", "admittance", "speed", "stop"});
+  ReactionDescription r;
+  r.torque = torque(fields);
+  r.repulsion = law<RepulsionOptions>(fields);
+  if (r.repulsion && r.repulsion->stop_distance >= r.repulsion->range)
+    throw ParseError(fields.pos(fields.need("repulsion")),
+                     "found a `stop_distance` of " + formatDouble(r.repulsion->stop_distance) +
+                         ", expected less than the `range`, " + formatDouble(r.repulsion->range) + " m");
+  r.proxy = law<GodObjectOptions>(fields);
+  r.admittance = law<AdmittanceOptions>(fields);
+  r.speed = law<SpeedScaleOptions>(fields);
+  if (const YamlNode* const stop = fields.find("stop")) {
+    std::vector<std::string> keys = keysOf<WatchOptions>({"on"});
+    addKeys<StopOptions>(keys);
+    const YamlFields s(*stop, file, "`stop`", keys);
+    readNumbers(s, r.watch);
+    readNumbers(s, r.stop);
+    policy(s, r.stop.policy);
+  }
+  return r;
+}
+
+std::string describeReaction(const ReactionDescription& r, const std::string& indent) {
+  Lines lines(indent);
+  if (r.torque) {
+    lines.open("torque");
+    lines.numbers(*r.torque);
+    lines.item("cut", kCuts[r.torque->cut == TorqueCut::kEach ? 0 : 1]);
+    lines.close();
+  }
+  lines.law(r.repulsion);
+  lines.law(r.proxy);
+  lines.law(r.admittance);
+  lines.law(r.speed);
+  lines.open("stop");
+  lines.numbers(r.watch);
+  lines.numbers(r.stop);
+  std::string on;
+  for (std::size_t i = 0; i < kStopReasons; ++i)
+    on += (i ? ", " : "{") + std::string(reasonKey(static_cast<StopReason>(i))) + ": " +
+          std::string(responseName(r.stop.policy.response[i]));
+  lines.item("on", on + "}");
+  lines.close();
+  return lines.take();
+}
+
+}  // namespace abstand

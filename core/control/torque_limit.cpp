@@ -1,0 +1,47 @@
+#include "core/control/torque_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+
+TorqueLimit::TorqueLimit(const TorqueLimitOptions& options, int dof)
+    : gain_(options.gain), cut_(options.cut) {
+  requireNumbers(options);
+  TorqueLimitOptions::eachList(options, [&](const char* name, const JointNumbers& n, const NumberRule& rule) {
+    most_ = forJoints(TorqueLimitOptions::kName, name, n, dof, rule);
+  });
+}
+
+int TorqueLimit::cut(std::span<double> torque) const noexcept {
+  ABSTAND_CHECK(torque.size() == most_.size());
+  int farthest = -1;
+  double least = 1.0, factor = 1.0;
+  for (std::size_t i = 0; i < torque.size(); ++i) {
+    double& tau = torque[i];
+    const bool finite = std::isfinite(tau);
+    if (!finite) tau = 0.0;
+    if (finite && std::abs(tau) <= most_[i]) continue;
+    const double share = finite ? most_[i] / std::abs(tau) : 0.0;
+    if (farthest < 0 || share < least) {
+      farthest = static_cast<int>(i);
+      least = share;
+    }
+    if (finite) factor = std::min(factor, share);
+    if (cut_ == TorqueCut::kEach && finite) tau = std::copysign(most_[i], tau);
+  }
+  if (cut_ == TorqueCut::kTogether)
+    for (std::size_t i = 0; i < torque.size(); ++i)
+      torque[i] = std::clamp(torque[i] * factor, -most_[i], most_[i]);  // rounding
+  return farthest;
+}
+
+int TorqueLimit::update(std::span<const double> efforts, std::span<double> torque) const noexcept {
+  ABSTAND_CHECK(efforts.size() == torque.size());
+  for (std::size_t i = 0; i < torque.size(); ++i) torque[i] = gain_ * efforts[i];
+  return cut(torque);
+}
+
+}  // namespace abstand

@@ -1,0 +1,65 @@
+// Speed and separation monitoring: how far a person has to be for a speed of the robot.
+#pragma once
+
+#include "core/safety/reach_set.hpp"
+
+namespace abstand {
+
+/// Terms of ISO/TS 15066, 5.5.4, and ISO 13855. SI.
+struct SeparationOptions {
+  static constexpr const char* kName = "separation";
+  double reaction_time{0.1};  ///< s, T_r: sensor, network and controller together
+  double stopping_time{0.3};  ///< s, T_s, from the robot's maker; holds while `deceleration` is 0
+  /// m/s^2 along the direction of approach; not 0: T_s = v_r / deceleration, so slower is sooner at rest.
+  double deceleration{0.0};
+  double intrusion{0.0};     ///< m, C: how far a person gets in before the sensor sees it
+  double person_error{0.0};  ///< m, Z_d: of the person's measured position
+  double robot_error{0.0};   ///< m, Z_r
+  /// m/s, v_h of a person whose speed is not measured: 1.6 walking, and 2.0, a hand's, nearer than `near`
+  /// [ISO 13855]. Also the most that is believed of a measured speed to grow to.
+  double person_speed{1.6}, person_speed_near{2.0};
+  double near{0.5};  ///< m
+  /// m/s^2. A person whose approach is measured as v goes v T + a T^2 / 2 at most within T, and never more
+  /// than without a measurement. 0: measured speeds are not used.
+  double person_acceleration{0.0};
+
+  template <class Self, class Visit>
+  static void eachNumber(Self& o, Visit visit) {
+    visit("reaction_time", o.reaction_time, NumberRule{0.0, 10.0, "s"});
+    visit("stopping_time", o.stopping_time, NumberRule{0.0, 10.0, "s"});
+    visit("deceleration", o.deceleration, NumberRule{0.0, 1e3, "m/s^2"});
+    visit("intrusion", o.intrusion, NumberRule{0.0, 10.0, "m"});
+    visit("person_error", o.person_error, NumberRule{0.0, 10.0, "m"});
+    visit("robot_error", o.robot_error, NumberRule{0.0, 10.0, "m"});
+    visit("person_speed", o.person_speed, NumberRule{0.0, 20.0, "m/s"});
+    visit("person_speed_near", o.person_speed_near, NumberRule{0.0, 20.0, "m/s"});
+    visit("near", o.near, NumberRule{0.0, 10.0, "m"});
+    visit("person_acceleration", o.person_acceleration, NumberRule{0.0, 1e3, "m/s^2"});
+  }
+  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+};
+
+/// The terms of S_p = S_h + S_r + S_s + C + Z_d + Z_r, so that a user sees which one bought a stop. m.
+struct ProtectiveDistance {
+  double person{0.0};    ///< S_h = v_h (T_r + T_s), or less by what is measured
+  double reaction{0.0};  ///< S_r = v_r T_r
+  double stopping{0.0};  ///< S_s = v_r T_s / 2 at constant deceleration
+  double constant{0.0};  ///< C + Z_d + Z_r
+  double sum() const { return person + reaction + stopping + constant; }
+};
+
+/// m/s: 2.0 nearer than `near`, else 1.6, with the defaults.
+double assumedPersonSpeed(const SeparationOptions& options, double distance) noexcept;
+
+/// @param robot_speed   v_r, m/s, of the robot towards the person; what is negative counts as 0
+/// @param person_speed  m/s, measured approach of the person (negative: it goes away), or NaN: not measured
+/// @param distance      m, by which `near` is decided
+ProtectiveDistance protectiveDistance(const SeparationOptions& options, double robot_speed,
+                                      double person_speed, double distance) noexcept;
+
+/// The highest v_r in [0, `wanted`] m/s whose protective distance is not above `distance`; 0 where none is.
+/// With constant T_s: (d - S_h - C - Z_d - Z_r) / (T_r + T_s / 2).
+double permittedSpeed(const SeparationOptions& options, double wanted, double person_speed,
+                      double distance) noexcept;
+
+}  // namespace abstand

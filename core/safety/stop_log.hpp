@@ -1,0 +1,52 @@
+// What a stop machine did, and why: the last entries, kept without allocation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/safety/stop_reason.hpp"
+
+namespace abstand {
+
+enum class StopState : std::uint8_t { kRunning, kSlowing, kProtectiveStop, kEmergencyStop, kWaitingForReset };
+inline constexpr std::size_t kStopStates = 5;
+std::string_view stateName(StopState state);
+
+/// One change of state.
+struct StopEntry {
+  double t{0.0};  ///< s
+  StopState from{StopState::kRunning}, to{StopState::kRunning};
+  StopCause cause;     ///< of the highest response; while the state gets lower: of what is left behind
+  double lasted{0.0};  ///< s, how long `from` lasted
+};
+
+/// Ring of the last kKept entries. One thread.
+class StopLog {
+ public:
+  static constexpr std::size_t kKept = 256;
+
+  void add(const StopEntry& entry) noexcept { ring_[count_++ % kKept] = entry; }
+  std::size_t count() const { return count_; }  ///< ever
+  std::size_t kept() const { return count_ < kKept ? count_ : kKept; }
+  /// Of the kept ones, the oldest first.
+  const StopEntry& entry(std::size_t i) const { return ring_[(count_ - kept() + i) % kKept]; }
+
+ private:
+  std::array<StopEntry, kKept> ring_{};
+  std::size_t count_{0};
+};
+
+/// Names for what entries refer to; empty functions leave numbers.
+struct StopNames {
+  std::function<std::string(int pair)> pair;
+  std::function<std::string(int joint)> joint;
+};
+
+/// One line: `12.345 s: running -> protective stop, distance 0.043 m, limit 0.05 m, pair link5 - hand, after
+/// 3.2 s`. Allocates; not for the cycle.
+std::string describe(const StopEntry& entry, const StopNames& names = {});
+
+}  // namespace abstand

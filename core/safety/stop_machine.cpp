@@ -1,0 +1,71 @@
+#include "core/safety/stop_machine.hpp"
+
+namespace abstand {
+namespace {
+
+using S = StopState;
+constexpr std::array<std::array<StopState, kStopEvents>, kStopStates> kTable{{
+    // free, slow, protect, emergency, standstill, resume, reset
+    {S::kRunning, S::kSlowing, S::kProtectiveStop, S::kEmergencyStop, S::kRunning, S::kRunning, S::kRunning},
+    {S::kRunning, S::kSlowing, S::kProtectiveStop, S::kEmergencyStop, S::kSlowing, S::kSlowing, S::kSlowing},
+    {S::kProtectiveStop, S::kProtectiveStop, S::kProtectiveStop, S::kEmergencyStop, S::kWaitingForReset,
+     S::kRunning, S::kProtectiveStop},
+    {S::kEmergencyStop, S::kEmergencyStop, S::kEmergencyStop, S::kEmergencyStop, S::kWaitingForReset,
+     S::kEmergencyStop, S::kEmergencyStop},
+    {S::kWaitingForReset, S::kWaitingForReset, S::kWaitingForReset, S::kEmergencyStop, S::kWaitingForReset,
+     S::kWaitingForReset, S::kRunning},
+}};
+
+constexpr std::array<StopEvent, kStopResponses> kEventOf{StopEvent::kFree, StopEvent::kSlow,
+                                                         StopEvent::kProtect, StopEvent::kEmergency};
+
+}  // namespace
+
+StopState nextState(StopState state, StopEvent event) {
+  return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
+}
+
+StopMachine::StopMachine(const StopOptions& options) : options_(options) { options.validate(); }
+
+void StopMachine::go(StopState to, double t) noexcept {
+  if (to == state_) return;
+  log_.add({t, state_, to, cause_, t - since_});
+  state_ = to;
+  since_ = t;
+}
+
+StopState StopMachine::update(double t, std::span<const StopCause> causes, double fastest,
+                              bool reset) noexcept {
+  if (!started_) since_ = asked_ = t;
+  started_ = true;
+
+  StopResponse response = StopResponse::kNone;
+  const StopCause* first = nullptr;
+  for (const StopCause& cause : causes) {
+    const StopResponse r = options_.policy.of(cause.reason);
+    if (r > response) response = r, first = &cause;
+  }
+  const bool asks_stop = response >= StopResponse::kProtective;
+  if (asks_stop) asked_ = t;
+
+  const StopState next = nextState(state_, kEventOf[static_cast<std::size_t>(response)]);
+  // The cause of what is to come, and of what holds as long as it lasts.
+  if (next != state_ && first) cause_ = *first;
+  go(next, t);
+
+  const bool stands = fastest <= options_.standstill;
+  if (state_ == S::kProtectiveStop && stands && options_.resume_after < kInfinity) {
+    if (!asks_stop && t - asked_ >= options_.resume_after) go(nextState(state_, StopEvent::kResume), t);
+  } else if (stands && (state_ == S::kProtectiveStop ||
+                        (state_ == S::kEmergencyStop && response < StopResponse::kEmergency))) {
+    // An emergency lasts as long as its cause, even at rest.
+    go(nextState(state_, StopEvent::kStandstill), t);
+  }
+  if (reset && state_ == S::kWaitingForReset && !asks_stop)
+    go(nextState(state_, StopEvent::kReset), t);
+  else if (reset)
+    ++refused_resets_;
+  return state_;
+}
+
+}  // namespace abstand

@@ -1,0 +1,10 @@
+#include "core/safety/swept_distance.hpp"
+
+namespace abstand {
+
+void SweptOptions::validate() const {
+  requireNumbers(*this);
+  requireNumber(kName, "most_samples", most_samples, {2, kMostSweptSamples});
+}
+
+}  // namespace abstand

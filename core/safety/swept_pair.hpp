@@ -1,0 +1,25 @@
+// The smallest distance of two moving bodies over a stretch of time, certified like that of one posture.
+#pragma once
+
+#include "core/haptic/pair_query.hpp"
+#include "core/safety/body_motion.hpp"
+#include "core/safety/swept_distance.hpp"
+
+namespace abstand {
+
+/// Work space of one swept query; one per pair or thread. What is remembered speeds up the next query of the
+/// same two structures.
+struct SweptScratch {
+  PairMemory memory;
+  PairScratch scratch;
+  PairResult result;
+};
+
+/// Asks queryPair() at chosen times of [0, duration]. `lower` is never above the smallest distance that any
+/// motion within the bounds of `a` and `b` can bring; `upper` is the smallest that was seen with the poses of
+/// both (slack taken off). Distances are between bare surfaces, without margins. No allocation, no throw.
+SweptResult sweptPair(const HapticStructure& a, BodyMotion& motion_a, const HapticStructure& b,
+                      BodyMotion& motion_b, double duration, const SweptOptions& options,
+                      SweptScratch& scratch) noexcept;
+
+}  // namespace abstand

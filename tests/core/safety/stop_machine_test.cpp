@@ -1,0 +1,192 @@
+// Stops: every transition, its reasons, times and log lines.
+#include "core/safety/stop_machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/base/error.hpp"
+#include "tests/support/no_alloc.hpp"
+
+namespace abstand {
+namespace {
+
+using S = StopState;
+using E = StopEvent;
+
+constexpr double kMoving = 1.0;  // rad/s
+constexpr std::span<const StopCause> kNone{};
+
+StopState with(StopMachine& m, double t, std::initializer_list<StopReason> reasons, double fastest = kMoving,
+               bool reset = false) {
+  std::vector<StopCause> causes;
+  for (const StopReason r : reasons) causes.push_back({r});
+  return m.update(t, causes, fastest, reset);
+}
+
+TEST(StopTable, IsWhatIsWrittenDown) {
+  // What changes a state; everything else leaves it.
+  const std::map<std::pair<S, E>, S> changes{
+      {{S::kRunning, E::kSlow}, S::kSlowing},
+      {{S::kRunning, E::kProtect}, S::kProtectiveStop},
+      {{S::kRunning, E::kEmergency}, S::kEmergencyStop},
+      {{S::kSlowing, E::kFree}, S::kRunning},
+      {{S::kSlowing, E::kProtect}, S::kProtectiveStop},
+      {{S::kSlowing, E::kEmergency}, S::kEmergencyStop},
+      {{S::kProtectiveStop, E::kEmergency}, S::kEmergencyStop},
+      {{S::kProtectiveStop, E::kStandstill}, S::kWaitingForReset},
+      {{S::kProtectiveStop, E::kResume}, S::kRunning},
+      {{S::kEmergencyStop, E::kStandstill}, S::kWaitingForReset},
+      {{S::kWaitingForReset, E::kEmergency}, S::kEmergencyStop},
+      {{S::kWaitingForReset, E::kReset}, S::kRunning},
+  };
+  for (std::size_t s = 0; s < kStopStates; ++s)
+    for (std::size_t e = 0; e < kStopEvents; ++e) {
+      const auto state = static_cast<S>(s);
+      const auto event = static_cast<E>(e);
+      const auto found = changes.find({state, event});
+      EXPECT_EQ(nextState(state, event), found == changes.end() ? state : found->second)
+          << stateName(state) << ", event " << e;
+    }
+}
+
+TEST(StopTable, OnlyAPersonEndsAnEmergency) {
+  // All states that can be reached from an emergency without a reset.
+  std::set<S> reached{S::kEmergencyStop};
+  for (int round = 0; round < 5; ++round)
+    for (const S s : std::set<S>(reached))
+      for (const E e : {E::kFree, E::kSlow, E::kProtect, E::kEmergency, E::kStandstill, E::kResume})
+        reached.insert(nextState(s, e));
+  EXPECT_EQ(reached, (std::set<S>{S::kEmergencyStop, S::kWaitingForReset}));
+}
+
+TEST(StopMachine, SlowsAndRunsAgain) {
+  StopMachine m;
+  EXPECT_EQ(m.update(0.0, kNone, kMoving, false), S::kRunning);
+  EXPECT_EQ(with(m, 0.1, {StopReason::kSeparation}), S::kSlowing);
+  EXPECT_TRUE(m.moving());
+  EXPECT_EQ(m.since(), 0.1);
+  EXPECT_EQ(m.cause().reason, StopReason::kSeparation);
+  EXPECT_EQ(m.update(0.3, kNone, kMoving, false), S::kRunning);
+  EXPECT_EQ(m.log().count(), 2u);
+}
+
+TEST(StopMachine, AProtectiveStopWaitsForItsReset) {
+  StopMachine m;
+  EXPECT_EQ(with(m, 0.0, {StopReason::kDistance}), S::kProtectiveStop);
+  EXPECT_FALSE(m.moving());
+  EXPECT_EQ(m.update(0.1, kNone, kMoving, true), S::kProtectiveStop) << "it has not stopped yet";
+  EXPECT_EQ(m.refusedResets(), 1);
+  EXPECT_EQ(with(m, 0.2, {StopReason::kDistance}, 0.0), S::kWaitingForReset);
+  EXPECT_EQ(with(m, 0.3, {StopReason::kDistance}, 0.0, true), S::kWaitingForReset) << "the cause is there";
+  EXPECT_EQ(m.refusedResets(), 2);
+  EXPECT_EQ(m.update(0.4, kNone, 0.0, false), S::kWaitingForReset);
+  EXPECT_EQ(m.update(0.5, kNone, 0.0, true), S::kRunning);
+}
+
+TEST(StopMachine, AProtectiveStopMayEndByItself) {
+  StopOptions o;
+  o.resume_after = 0.5;
+  StopMachine m(o);
+  EXPECT_EQ(with(m, 0.0, {StopReason::kStaleInput}), S::kProtectiveStop);
+  EXPECT_EQ(with(m, 1.0, {StopReason::kStaleInput}, 0.0), S::kProtectiveStop);
+  EXPECT_EQ(m.update(1.4, kNone, 0.0, false), S::kProtectiveStop) << "0.4 s are not enough";
+  EXPECT_EQ(with(m, 1.45, {StopReason::kStaleInput}, 0.0), S::kProtectiveStop);
+  EXPECT_EQ(m.update(1.94, kNone, 0.0, false), S::kProtectiveStop) << "it counts from the last time";
+  EXPECT_EQ(m.update(1.96, kNone, 0.0, false), S::kRunning);
+}
+
+TEST(StopMachine, AnEmergencyLastsAndIsNeverLeftByItself) {
+  StopOptions o;
+  o.resume_after = 0.1;
+  StopMachine m(o);
+  EXPECT_EQ(with(m, 0.0, {StopReason::kSeparation, StopReason::kUser, StopReason::kDistance}),
+            S::kEmergencyStop);
+  EXPECT_EQ(m.cause().reason, StopReason::kUser) << "the highest response is named";
+  EXPECT_EQ(with(m, 0.1, {StopReason::kUser}, 0.0), S::kEmergencyStop) << "the button is still down";
+  EXPECT_EQ(m.log().count(), 1u) << "and says so once";
+  EXPECT_EQ(m.update(0.2, kNone, 0.0, false), S::kWaitingForReset);
+  EXPECT_EQ(m.update(99.0, kNone, 0.0, false), S::kWaitingForReset);
+  EXPECT_EQ(with(m, 99.1, {StopReason::kUser}, 0.0), S::kEmergencyStop);
+  EXPECT_EQ(m.update(99.2, kNone, 0.0, true), S::kRunning) << "stopped, reset, in one cycle";
+}
+
+TEST(StopMachine, FollowsThePolicy) {
+  StopOptions o;
+  o.policy.response[static_cast<std::size_t>(StopReason::kLostPerson)] = StopResponse::kSlow;
+  o.policy.response[static_cast<std::size_t>(StopReason::kDistance)] = StopResponse::kNone;
+  StopMachine m(o);
+  EXPECT_EQ(with(m, 0.0, {StopReason::kDistance}), S::kRunning);
+  EXPECT_EQ(with(m, 0.1, {StopReason::kDistance, StopReason::kLostPerson}), S::kSlowing);
+}
+
+TEST(StopMachine, ANumberThatIsNoneIsNoStandstill) {
+  StopMachine m;
+  with(m, 0.0, {StopReason::kUser});
+  EXPECT_EQ(m.update(0.1, kNone, kNaN, false), S::kEmergencyStop);
+}
+
+TEST(StopMachine, OptionsAreChecked) {
+  StopOptions o;
+  o.standstill = kNaN;
+  EXPECT_THROW(StopMachine{o}, UsageError);
+}
+
+TEST(StopLog, SaysItInALine) {
+  StopMachine m;
+  m.update(10.0, kNone, kMoving, false);
+  const StopCause cause{StopReason::kDistance, 0.0434, 0.05, 3, -1};
+  m.update(13.25, {&cause, 1}, kMoving, false);
+  ASSERT_EQ(m.log().kept(), 1u);
+  EXPECT_EQ(describe(m.log().entry(0)),
+            "13.25 s: running -> protective stop, distance 0.0434 m, limit 0.05 m, pair 3, after 3.25 s");
+  const StopNames names{[](int pair) { return pair == 3 ? "arm/link5 - operator/hand_left" : "?"; }, {}};
+  EXPECT_EQ(describe(m.log().entry(0), names),
+            "13.25 s: running -> protective stop, distance 0.0434 m, limit 0.05 m, pair arm/link5 - "
+            "operator/hand_left, after 3.25 s");
+  const StopEntry joint{1.0, S::kRunning, S::kSlowing, {StopReason::kTorque, kNaN, 40.0, -1, 2}, 1.0};
+  EXPECT_EQ(describe(joint), "1 s: running -> slowing, torque, limit 40, joint 2, after 1 s");
+}
+
+TEST(StopLog, KeepsTheLastAndCountsAll) {
+  StopMachine m;
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 2)
+      m.update(i, kNone, kMoving, false);
+    else
+      with(m, i, {StopReason::kSeparation});
+  }
+  EXPECT_EQ(m.log().count(), 1000u);
+  ASSERT_EQ(m.log().kept(), StopLog::kKept);
+  EXPECT_EQ(m.log().entry(0).t, 1000.0 - StopLog::kKept);
+  EXPECT_EQ(m.log().entry(StopLog::kKept - 1).t, 999.0);
+}
+
+TEST(StopMachine, AllocatesNothing) {
+  StopMachine m;
+  const StopCause slow{StopReason::kSeparation}, user{StopReason::kUser};
+  const testing::NoAlloc guard;
+  for (int i = 0; i < 1000; ++i) {
+    m.update(i, i % 3 ? std::span<const StopCause>(&slow, 1) : kNone, kMoving, false);
+    if (i % 100 == 0) m.update(i, {&user, 1}, 0.0, true);
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+TEST(StopReason, NamesAreDistinct) {
+  std::set<std::string_view> names, keys;
+  for (std::size_t i = 0; i < kStopReasons; ++i) {
+    names.insert(reasonName(static_cast<StopReason>(i)));
+    keys.insert(reasonKey(static_cast<StopReason>(i)));
+  }
+  EXPECT_EQ(names.size(), kStopReasons);
+  EXPECT_EQ(keys.size(), kStopReasons);
+  for (const StopResponse r :
+       {StopResponse::kNone, StopResponse::kSlow, StopResponse::kProtective, StopResponse::kEmergency})
+    EXPECT_EQ(parseResponse(responseName(r)), r);
+  EXPECT_EQ(parseResponse("halt"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace abstand
