@@ -23,7 +23,7 @@ struct PredictionOptions {
 
 /// Each body part is predicted by itself, so limbs may go different ways; averaging keeps the noise of single
 /// poses out [Balan and Bone 2006, Real-time 3D collision avoidance method for safe human and robot
-/// coexistence; thesis 2.1, its [2]]. Their weights are not given there; ours fall geometrically with age:
+/// coexistence; thesis 2.1, its [2]]. The weights are ours and fall geometrically with age:
 /// v = sum of fade^k way_k / sum of fade^k dt_k over the last kSteps steps, k = 0 the newest. It is a guess,
 /// nothing is certified: that is what reach_set.hpp is for. One thread, no allocation.
 class MotionPrediction {

@@ -22,8 +22,9 @@ struct Skipping {
   double budget{kInfinity};
 
   /// Pairs start from what they remember of the step before (PairMemory). Several times as fast, and farther
-  /// away than 0.1 m up to 1 % more than the smallest distance; and a step's numbers depend, within these
-  /// limits, on the steps before it. They never depend on the number of threads.
+  /// away than 0.1 m up to 1 % more than the smallest distance of the points (which `bound` covers); and a
+  /// step's numbers depend, within these limits, on the steps before it. They never depend on the number of
+  /// threads.
   bool remember{false};
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }
