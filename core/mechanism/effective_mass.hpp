@@ -1,0 +1,16 @@
+// How heavy a mechanism is to who pushes it.
+#pragma once
+
+#include "core/mechanism/mass_matrix.hpp"
+
+namespace abstand {
+
+/// Mass (kg) that the mechanism puts against a force at the point `p_B` of frame `frame` (index) along the
+/// unit vector `n_B`, joints free: 1 / (n^T J M^-1 J^T n) [Khatib 1995, Inertial properties in robotic
+/// manipulation]. What ISO/TS 15066 estimates by half the moving mass plus the load. Infinity where no joint
+/// can give way (then the robot is a wall). For the q of `state`, whose `mass` is factored. `work`: size dof.
+/// No allocation.
+double effectiveMass(const RigidTree& tree, const TreeState& state, const MassMatrix& mass, int frame,
+                     const Vector3d& p_B, const Vector3d& n_B, std::span<double> work);
+
+}  // namespace abstand

@@ -1,0 +1,30 @@
+// Accelerations that joint efforts cause.
+#pragma once
+
+#include "core/mechanism/inverse_dynamics.hpp"
+#include "core/mechanism/mass_matrix.hpp"
+
+namespace abstand {
+
+/// Scratch of forward dynamics, one per thread.
+struct ForwardState {
+  TreeState tree;
+  MassMatrix mass;
+};
+
+/// qdd = M^-1 (efforts - C qd - g + sum of J^T w), arguments as in inverseDynamics(); `efforts` empty for
+/// none. Gives -1, or the dof that moves no mass; then `qdd` is not to be used. No allocation after the first
+/// call with the same state. Leaves M factored in `state.mass`.
+int forwardDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
+                    std::span<const double> efforts, const Vector3d& gravity_B,
+                    std::span<const Wrench> external, ForwardState& state, std::span<double> qdd);
+
+/// J, kinetic (of `qd`) and potential (0 at the base's origin) energy, for constant gravity.
+struct MechanicalEnergy {
+  double kinetic{0.0}, potential{0.0};
+  double total() const { return kinetic + potential; }
+};
+MechanicalEnergy mechanicalEnergy(const RigidTree& tree, std::span<const double> q,
+                                  std::span<const double> qd, const Vector3d& gravity_B, TreeState& state);
+
+}  // namespace abstand

@@ -1,0 +1,26 @@
+// The mass matrix of a mechanism, factored, and what follows from it.
+#pragma once
+
+#include "core/mechanism/rigid_tree.hpp"
+
+namespace abstand {
+
+/// M(q) of kinetic energy = qd^T M qd / 2. Scratch, one per thread.
+struct MassMatrix {
+  Eigen::MatrixXd M;  ///< dof x dof, symmetric; kg m^2, kg or kg m by the units of the two dofs
+  Eigen::MatrixXd L;  ///< lower triangle: M = L L^T, of factor()
+};
+
+/// Composite rigid bodies [Walker, Orin 1982; Featherstone 2008, 6.2], for the q of the last placeBodies() or
+/// inverseDynamics() with this state. Mimic joints are projected onto their dof. No allocation after the
+/// first call with the same mass matrix.
+void massMatrix(const RigidTree& tree, TreeState& state, MassMatrix& mass);
+
+/// Cholesky's L. Gives -1, or the first dof that moves no mass (nothing of it is left once the dofs before it
+/// are free to move); then L must not be used.
+int factor(MassMatrix& mass);
+
+/// Turns b into M^-1 b. After factor().
+void solveMass(const MassMatrix& mass, std::span<double> b);
+
+}  // namespace abstand
