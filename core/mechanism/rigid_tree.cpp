@@ -56,6 +56,13 @@ RigidTree makeRigidTree(const Mechanism& mechanism) {
   return tree;
 }
 
+void moveBase(RigidTree& tree, const Transform& X_NB) {
+  for (TreeBody& b : tree.bodies)
+    if (b.parent < 0) b.X_PJ = X_NB * b.X_PJ;
+  for (auto& place : tree.frames)
+    if (place.body < 0) place.X_TF = X_NB * place.X_TF;
+}
+
 void placeBodies(const RigidTree& tree, std::span<const double> q, TreeState& state) {
   ABSTAND_CHECK(q.size() == static_cast<std::size_t>(tree.dof));
   if (state.bodies.size() != tree.bodies.size()) state.bodies.resize(tree.bodies.size());

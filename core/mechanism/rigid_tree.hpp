@@ -41,6 +41,9 @@ struct RigidTree {
 /// their parent's body, with their mass. What is fixed to the base has no dynamics. `mechanism` is prepared.
 RigidTree makeRigidTree(const Mechanism& mechanism);
 
+/// The same tree in a frame N in which its base stands at X_NB: what the functions below call the base is N.
+void moveBase(RigidTree& tree, const Transform& X_NB);
+
 /// One body while the mechanism moves. All in base axes.
 struct TreeBodyState {
   Matrix3d R_B;             ///< the body's axes

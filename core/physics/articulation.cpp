@@ -1,0 +1,162 @@
+// What both solvers share.
+#include "core/physics/articulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/mechanism/link_inertia.hpp"
+
+namespace abstand {
+namespace {
+
+// Rounds of drive(), and the change of a rate, as a share of the largest, after which they end.
+constexpr int kMostRounds = 10;
+constexpr double kConverged = 1e-13;
+
+void judge(const Mechanism& mechanism, const MechanismOptions& options) {
+  for (const auto& f : mechanism.frames) {
+    const std::string fault = inertiaFault(f.inertia);
+    if (!fault.empty()) throw ParseError({mechanism.name}, "frame '" + f.name + "': " + fault);
+  }
+  if (!options.damping.empty() && options.damping.size() != static_cast<std::size_t>(mechanism.dof))
+    throw UsageError("damping: found " + std::to_string(options.damping.size()) + " values, expected " +
+                     std::to_string(mechanism.dof));
+  for (const double d : options.damping)
+    if (!(d >= 0.0) || !std::isfinite(d))
+      throw UsageError("damping: found " + std::to_string(d) + ", expected a finite number, 0 or more");
+}
+
+}  // namespace
+
+Articulation::Articulation(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
+                           const Vector3d& gravity_W)
+    : gravity_W_(gravity_W), compensated_(options.gravity_compensation) {
+  judge(mechanism, options);
+  tree_ = makeRigidTree(mechanism);
+  moveBase(tree_, X_WB);
+  const auto dof = static_cast<std::size_t>(tree_.dof);
+  most_.assign(dof, kInfinity);
+  std::vector<double> sizes(dof, 0.0), squares(dof, 0.0);
+  for (const TreeBody& b : tree_.bodies) {
+    const auto k = static_cast<std::size_t>(b.dof);
+    const double effort = mechanism.frames[static_cast<std::size_t>(b.frame)].limits.effort;
+    // The effort of a dof is its joint's times the scale; of mimic joints the first has the motor.
+    if (sizes[k] == 0.0 && effort < kInfinity) most_[k] = std::abs(b.scale) * effort;
+    sizes[k] += std::abs(b.scale);
+    squares[k] += b.scale * b.scale;
+  }
+  for (const TreeBody& b : tree_.bodies) {
+    const auto k = static_cast<std::size_t>(b.dof);
+    const JointLimits& limits = mechanism.frames[static_cast<std::size_t>(b.frame)].limits;
+    JointSide side{-kInfinity, kInfinity, 0.0, 0.0};
+    if (options.limits) {
+      side.lower = limits.lower;
+      side.upper = limits.upper;
+    }
+    if (sizes[k] > 0.0) {
+      side.share = 1.0 / sizes[k];
+      side.damping = options.damping.empty() ? 0.0 : options.damping[k] / squares[k];
+    }
+    joints_.push_back(side);
+  }
+  q_.assign(dof, 0.0);
+  qd_.assign(dof, 0.0);
+  efforts_.assign(dof, 0.0);
+  motors_.assign(dof, {});
+  drive_.assign(dof, 0.0);
+  middle_.assign(dof, 0.0);
+  work_.assign(dof, 0.0);
+  external_.assign(tree_.bodies.size(), {});
+  settle();
+}
+
+void Articulation::setState(std::span<const double> q, std::span<const double> qd) {
+  ABSTAND_CHECK(q.size() == q_.size() && qd.size() == qd_.size());
+  std::copy(q.begin(), q.end(), q_.begin());
+  std::copy(qd.begin(), qd.end(), qd_.begin());
+  settle();
+}
+
+void Articulation::setMotor(int dof, double velocity, double most_effort) {
+  motors_[static_cast<std::size_t>(dof)] = {velocity, most_effort};
+}
+
+void Articulation::addWrench(int frame, const Wrench& w_W, const Vector3d& p_W) {
+  ABSTAND_CHECK(hasFrame(frame));
+  const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
+  if (body >= 0) external_[static_cast<std::size_t>(body)] += aboutOrigin(w_W, p_W);
+}
+
+Twist Articulation::velocityAt(int frame, const Vector3d& p_W) const {
+  ABSTAND_CHECK(hasFrame(frame));
+  const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
+  if (body < 0) return {};
+  const TreeBodyState& s = state_.bodies[static_cast<std::size_t>(body)];
+  return {s.velocity + s.omega.cross(p_W - s.p_B), s.omega};
+}
+
+double Articulation::mobilityOf(int frame, const Vector3d& p_W, const Wrench& w_W) {
+  ABSTAND_CHECK(hasFrame(frame));
+  const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
+  if (body < 0) return 0.0;
+  if (!factorMass()) return 0.0;
+  return mobility(tree_, state_, mass_, body, p_W, w_W, work_);
+}
+
+MechanicalEnergy Articulation::energy() { return mechanicalEnergy(tree_, q_, qd_, gravity_W_, spare_); }
+
+bool Articulation::factorMass() {
+  if (factored_) return true;
+  massMatrix(tree_, state_, mass_);
+  factored_ = factor(mass_) < 0;
+  return factored_;
+}
+
+void Articulation::drive(double h) {
+  if (compensated_)
+    gravityEfforts(tree_, q_, gravity_W_, spare_, drive_);
+  else
+    std::fill(drive_.begin(), drive_.end(), 0.0);
+  for (std::size_t k = 0; k < drive_.size(); ++k)
+    drive_[k] = std::clamp(drive_[k] + efforts_[k], -most_[k], most_[k]);
+
+  // Each round's error is the one before times a step's turn, so a few are enough.
+  middle_ = qd_;
+  if (!factorMass()) return;
+  for (int round = 0; round < kMostRounds; ++round) {
+    inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
+    for (std::size_t k = 0; k < work_.size(); ++k) work_[k] = 0.5 * h * (drive_[k] - work_[k]);
+    solveMass(mass_, work_);
+    double change = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < work_.size(); ++k) {
+      const double next = std::clamp(qd_[k] + work_[k], -kMostRate, kMostRate);
+      change = std::max(change, std::abs(next - middle_[k]));
+      size = std::max(size, std::abs(next));
+      middle_[k] = next;
+    }
+    if (change <= kConverged * size) return;
+  }
+}
+
+void Articulation::advance(double h) {
+  for (std::size_t k = 0; k < q_.size(); ++k) {
+    qd_[k] = std::clamp(qd_[k], -kMostRate, kMostRate);
+    q_[k] += h * qd_[k];
+  }
+  std::fill(external_.begin(), external_.end(), Wrench{});
+  settle();
+}
+
+void Articulation::settle() {
+  placeBodies(tree_, q_, state_);
+  moveBodies(tree_, qd_, state_);
+  factored_ = false;
+}
+
+double Articulation::value(std::size_t body) const {
+  const TreeBody& b = tree_.bodies[body];
+  return b.offset + b.scale * q_[static_cast<std::size_t>(b.dof)];
+}
+
+}  // namespace abstand
