@@ -27,10 +27,21 @@ Matrix3d matrix(const dReal* R) {
   return result;
 }
 
-dxWorld* makeWorld(const Vector3d& gravity_W) {
+void startOde() {
   static std::once_flag once;
   std::call_once(once, [] { ABSTAND_CHECK(dInitODE2(0) && dCheckConfiguration("ODE_double_precision")); });
+}
+
+/// Runs the parts of a step one after the other on the thread that steps. ODE's default one is shared by all
+/// worlds, which must then not step at the same time.
+dxThreadingImplementation* makeThreading() {
+  startOde();
+  return dThreadingAllocateSelfThreadedImplementation();
+}
+
+dxWorld* makeWorld(const Vector3d& gravity_W, dxThreadingImplementation* threading) {
   dxWorld* world = dWorldCreate();
+  dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
   dWorldSetGravity(world, gravity_W.x(), gravity_W.y(), gravity_W.z());
   // Joints have no error to take back and are never redundant: see jointed.cpp.
   dWorldSetERP(world, 0.0);
@@ -51,7 +62,9 @@ struct PhysicsWorld::FreeBody {
 };
 
 PhysicsWorld::PhysicsWorld(const PhysicsOptions& options)
-    : gravity_W_(options.gravity_W), world_(makeWorld(options.gravity_W), dWorldDestroy) {}
+    : gravity_W_(options.gravity_W),
+      threading_(makeThreading(), dThreadingFreeImplementation),
+      world_(makeWorld(options.gravity_W, threading_.get()), dWorldDestroy) {}
 
 PhysicsWorld::~PhysicsWorld() = default;
 

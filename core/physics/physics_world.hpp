@@ -6,6 +6,8 @@
 #include "core/physics/articulation.hpp"
 #include "core/physics/contact_damping.hpp"
 
+struct dxThreadingImplementation;  // ODE's
+
 namespace abstand {
 
 /// What can be pushed. A default one is the world itself: pushes on it do nothing.
@@ -77,6 +79,7 @@ class PhysicsWorld {
   Vector3d gravity_W_;
   double time_{0.0};
   long dropped_{0};
+  std::unique_ptr<dxThreadingImplementation, void (*)(dxThreadingImplementation*)> threading_;
   std::unique_ptr<dxWorld, void (*)(dxWorld*)> world_;
   std::vector<std::unique_ptr<Articulation>> mechanisms_;  // die before the world
   std::vector<Transform> bases_;

@@ -3,6 +3,7 @@
 
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
+#include "core/physics/physics_world.hpp"
 #include "tests/core/mechanism/robots.hpp"
 
 namespace abstand::testing {
@@ -77,6 +78,22 @@ void effectiveMassCall(benchmark::State& state) {
         effectiveMass(p.tree, p.state.tree, p.state.mass, frame, p_B, Vector3d::UnitX(), p.out));
 }
 BENCHMARK(effectiveMassCall)->Arg(7)->Arg(47);
+
+/// One step of a world with `range(0)` dofs (14: two arms), solver `range(1)` (0: ODE's joints, 1: reduced).
+void physicsStep(benchmark::State& state) {
+  PhysicsWorld world;
+  MechanismOptions options;
+  options.solver = state.range(1) == 0 ? MechanismSolver::kJointed : MechanismSolver::kReduced;
+  options.gravity_compensation = true;
+  for (int i = 0; i < (state.range(0) == 14 ? 2 : 1); ++i) {
+    const Mechanism m = state.range(0) == 47 ? humanoid() : sevenAxisArm();
+    options.damping.assign(static_cast<std::size_t>(m.dof), 1.0);
+    const int robot = world.addMechanism(m, Transform::Identity(), options);
+    world.mechanism(robot).setState(randomValues(m.dof, 1, 0, 0.3), std::vector(static_cast<std::size_t>(m.dof), 0.0));
+  }
+  for (auto _ : state) world.step(0.001);
+}
+BENCHMARK(physicsStep)->ArgsProduct({{7, 14, 47}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace abstand::testing

@@ -62,18 +62,28 @@ TEST(FreeBody, TumblesWithoutGainingEnergy) {
 
 /// A box and a table with haptic structures.
 struct Dropped {
-  std::shared_ptr<const HapticStructure> box =
-      buildHapticStructure("box", makeSurface(Cuboid{{0.12, 0.1, 0.08}}), {});
-  std::shared_ptr<const HapticStructure> table =
-      buildHapticStructure("table", makeSurface(Cuboid{{0.6, 0.6, 0.1}}), {});
+  std::shared_ptr<const HapticStructure> box, table;
   PairScratch scratch;
   PairResult pair;
 
+  Dropped() {
+    static const auto small = buildHapticStructure("box", makeSurface(Cuboid{{0.12, 0.1, 0.08}}), kCoarse);
+    static const auto large = buildHapticStructure("table", makeSurface(Cuboid{{0.6, 0.6, 0.1}}), kCoarse);
+    box = small;
+    table = large;
+  }
   Contact contact(const Transform& X_WBox, const Transform& X_WTable, double stiffness) {
     queryPair(*box, X_WBox, *table, X_WTable, {.margin = 0.0, .stiffness = stiffness}, scratch, pair);
     return {pair.force_a, pair.torque_a, X_WBox * box->mass_properties.com,
             0.5 * (pair.witness_a + pair.witness_b)};
   }
+
+ private:
+  static inline const HapticOptions kCoarse = [] {
+    HapticOptions options;
+    options.voxel_size = options.point_spacing = 0.01;
+    return options;
+  }();
 };
 
 struct DropCase {
@@ -103,7 +113,7 @@ TEST_P(Drop, ComesToRestOnATableByOurForces) {
   const Transform X_WTable = at(0, 0, -0.05);
   world.addFreeBody(mass, fromXyzRpy({0, 0, GetParam().height}, GetParam().rpy));
   const PhysicsObject box{-1, 0};
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 2500; ++i) {
     world.applyContact(box, {}, bodies.contact(world.pose(box), X_WTable, GetParam().stiffness), {}, kStep);
     world.step(kStep);
   }
@@ -125,7 +135,7 @@ TEST(Drop, WithoutDissipationNeverRisesAboveWhereItStarted) {
   const PhysicsObject box{-1, 0};
   double highest = 0.0;
   bool touched = false;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Contact contact = bodies.contact(world.pose(box), X_WTable, 1e6);
     touched = touched || bodies.pair.contacts > 0;
     world.applyWrench(box, {contact.force_a, contact.torque_a}, contact.p_a);
