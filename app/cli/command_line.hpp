@@ -45,6 +45,7 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
 void addCacheFlag(CLI::App* command, CommandLine& line);
 
 void addFk(CLI::App& root, CommandLine& line);
+void addDynamics(CLI::App& root, CommandLine& line);
 void addBuild(CLI::App& root, CommandLine& line);
 void addHuman(CLI::App& root, CommandLine& line);
 void addSkeleton(CLI::App& root, CommandLine& line);

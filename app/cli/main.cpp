@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("abstand ") + cli::kVersion);
   app.require_subcommand(1);
   cli::addFk(app, line);
+  cli::addDynamics(app, line);
   cli::addBuild(app, line);
   cli::addHuman(app, line);
   cli::addSkeleton(app, line);

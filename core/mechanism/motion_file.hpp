@@ -18,6 +18,9 @@ class MotionTable {
   std::size_t rows() const { return t_.size(); }
   double start() const { return t_.front(); }
   double end() const { return t_.back(); }
+  /// The moments of the rows, and the joint values, row by row.
+  std::span<const double> times() const { return t_; }
+  std::span<const double> values() const { return q_; }
 
   /// Joint values at time t (s): linear between rows, the first or last row outside. `q` has dof() places.
   /// No allocation, no throw.

@@ -89,7 +89,8 @@ void physicsStep(benchmark::State& state) {
     const Mechanism m = state.range(0) == 47 ? humanoid() : sevenAxisArm();
     options.damping.assign(static_cast<std::size_t>(m.dof), 1.0);
     const int robot = world.addMechanism(m, Transform::Identity(), options);
-    world.mechanism(robot).setState(randomValues(m.dof, 1, 0, 0.3), std::vector(static_cast<std::size_t>(m.dof), 0.0));
+    world.mechanism(robot).setState(randomValues(m.dof, 1, 0, 0.3),
+                                    std::vector(static_cast<std::size_t>(m.dof), 0.0));
   }
   for (auto _ : state) world.step(0.001);
 }
