@@ -94,6 +94,7 @@ nlohmann::ordered_json massJson(const Eigen::MatrixXd& M) {
 
 nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) {
   auto links = nlohmann::ordered_json::array();
+  double sum = 0.0;
   for (const auto& f : mechanism.frames) {
     if (f.inertia.mass == 0.0) continue;
     links.push_back({{"frame", f.name},
@@ -101,7 +102,9 @@ nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) 
                      {"com", toJson(f.inertia.com_F)},
                      {"inertia", toJson(f.inertia.inertia_F)}});
     text += format("link %s: %.4g kg\n", f.name.c_str(), f.inertia.mass);
+    sum += f.inertia.mass;
   }
+  text += format("together %.4g kg\n", sum);
   return links;
 }
 
@@ -218,8 +221,8 @@ int run(const CommandLine& line, const Arguments& args) {
       const auto& name = mechanism.frames[static_cast<std::size_t>(frame)].name;
       rows.push_back({{"frame", name}, {"direction", toJson(n_B)}});
       rows.back()["mass"] = std::isfinite(mass) ? nlohmann::ordered_json(mass) : nullptr;
-      text +=
-          format("frame %s along %.3f %.3f %.3f: %.6g kg\n", name.c_str(), n_B.x(), n_B.y(), n_B.z(), mass);
+      text += format("frame %s along %.3f %.3f %.3f: ", name.c_str(), n_B.x(), n_B.y(), n_B.z()) +
+              (std::isfinite(mass) ? format("%.6g kg\n", mass) : "no joint gives way\n");
     }
     document["effective_masses"] = rows;
   }

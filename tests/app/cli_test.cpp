@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -320,6 +321,54 @@ TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
   EXPECT_EQ(run("verify --only nothing").code, 2);
   EXPECT_EQ(run("verify --poses 0").code, 2);
   EXPECT_EQ(run("verify --only 'third law' --poses 100 --report /nowhere/v.html").code, 2);
+}
+
+const char* kDynamics =
+    "dynamics data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 "
+    "--solid 2:data/robots/lwr/link2.stl:1500 --solid 7:data/robots/lwr/link7.stl:1500 ";
+
+TEST_F(Cli, DynamicsGivesEffortsMassMatrixAndEffectiveMasses) {
+  const json still = runJson(kDynamics + std::string("--effective 7:0,0,2 --effective 1:0,0,1"));
+  EXPECT_EQ(still["dof"], 7);
+  ASSERT_EQ(still["links"].size(), 2u);
+  EXPECT_EQ(still["efforts"], still["gravity_efforts"]);
+  EXPECT_EQ(still["kinetic_energy"], 0.0);
+  EXPECT_GT(still["effective_masses"].at(0)["mass"], 0.0);
+  EXPECT_TRUE(still["effective_masses"].at(1)["mass"].is_null());
+  // tau = M qdd + bias.
+  const json moving = runJson(kDynamics + std::string("--qd 1,0,0,-1,0,0,0 --qdd 0,2,0,0,0,0,0"));
+  for (std::size_t k = 0; k < 7; ++k)
+    EXPECT_NEAR(
+        moving["efforts"].at(k).get<double>(),
+        moving["bias_efforts"].at(k).get<double>() + 2.0 * moving["mass_matrix"].at(k).at(1).get<double>(),
+        1e-9);
+  EXPECT_GT(moving["kinetic_energy"], 0.0);
+}
+
+TEST_F(Cli, DynamicsFollowsAMotion) {
+  const std::string motion = write("m.csv", "t,q0,q1,q2,q3,q4,q5,q6\n0,0,0,0,0,0,0,0\n1,1,0,0,-1,0,0,0\n");
+  const std::string out = (folder_.path() / "e.csv").string();
+  const json j = runJson(kDynamics + ("--motion " + motion + " --rate 100 --out " + out));
+  ASSERT_EQ(j["peaks"].size(), 7u);
+  EXPECT_TRUE(j["peaks"].at(1)["within_limit"]);
+  EXPECT_GT(j["peaks"].at(1)["effort"], 0.0);
+  const std::string csv = readFile(out, 1 << 20, true);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
+  EXPECT_TRUE(csv.starts_with("t,q0,"));
+}
+
+TEST_F(Cli, DynamicsSaysWhatIsWrong) {
+  const std::string arm = "dynamics data/robots/lwr/lwr4.mech ", all = kDynamics;
+  const Answer massless = run(arm);
+  EXPECT_EQ(massless.code, 3);
+  EXPECT_NE(massless.err.find("found no frame with a mass"), std::string::npos);
+  EXPECT_EQ(run(arm + "--solid 2").code, 2);
+  EXPECT_EQ(run(arm + "--solid 99:data/robots/lwr/link2.stl:1500").code, 2);
+  EXPECT_EQ(run(arm + "--solid 2:data/robots/lwr/link2.stl:-1").code, 2);
+  EXPECT_EQ(run(arm + "--solid 2:none.stl:1500").code, 3);
+  EXPECT_EQ(run(all + "--qd 1,2").code, 2);
+  EXPECT_EQ(run(all + "--effective 7:0,0,0").code, 2);
+  EXPECT_EQ(run(all + "--gravity 1,2").code, 2);
 }
 
 }  // namespace
