@@ -19,6 +19,14 @@ GENTLE = ((0.08, 7.0), (0.10, 6.0), (0.10, 9.0), (0.12, 5.0), (0.15, 4.0), (0.10
 SPHERE_CORNER = 0.25                          # m, half the side of the square that the centres stay in
 SPHERE_TIME = 8.0                             # s
 
+# Two robots on a table. The large one swings its hand from side to side; the small one goes from place to place and
+# lowers its quill at each.
+TABLE_TIME = 32.0                             # s, longer than the recordings
+LWR_REST = (0.35, -0.8, 0.0, 1.2, 0.0, -1.1, 0.0)
+LWR_SWING = ((0.5, 4.0), (0.15, 5.0), (0.1, 7.0), (0.2, 6.0), (0.2, 3.0), (0.2, 3.5), (0.5, 4.5))  # rad, s
+SCARA_PLACES = ((0.6, 1.2), (1.6, 0.7), (2.4, -0.9), (1.2, -0.4))  # rad
+SCARA_MOVE, SCARA_DOWN, SCARA_STROKE = 0.8, 0.35, 0.07        # s, s, m
+
 ROD_TURN, ROD_TIME = math.pi / 2, 2.0         # rad and s from lying side by side to touching
 
 
@@ -84,6 +92,25 @@ def rod():
     return rows
 
 
+def lwr_at_table():
+    return [(t, tuple(q + size * math.sin(2 * math.pi * t / period) for q, (size, period) in zip(LWR_REST, LWR_SWING)))
+            for t in times(TABLE_TIME, 0.05)]
+
+
+def scara_at_table():
+    """Move, lower, raise, and on to the next place."""
+    cycle = SCARA_MOVE + 2 * SCARA_DOWN
+    rows = []
+    for t in times(TABLE_TIME, 0.05):
+        n, phase = int(t / cycle), t % cycle
+        here, there = (SCARA_PLACES[k % len(SCARA_PLACES)] for k in (n, n + 1))
+        s = minimum_jerk(phase / SCARA_MOVE)
+        down = minimum_jerk(1 - abs(phase - SCARA_MOVE - SCARA_DOWN) / SCARA_DOWN)
+        q0, q1 = (a + s * (b - a) for a, b in zip(here, there))
+        rows.append((t, (q0, q1, 0.03 + SCARA_STROKE * down, 2.0 * math.sin(0.8 * t))))
+    return rows
+
+
 def main():
     os.makedirs(FOLDER, exist_ok=True)
     for name, rows in (("hug_alone", hug_alone()), ("hug_gentle", hug_gentle())):
@@ -95,6 +122,8 @@ def main():
     write("sphere_fast.csv", bouncing(-1.0, 1, half / 0.5))
     write("sphere_slow.csv", bouncing(0.5, 1, half / 1.0))
     write("rod.csv", rod())
+    write("two_people_lwr.csv", lwr_at_table())
+    write("two_people_scara.csv", scara_at_table())
 
 
 if __name__ == "__main__":

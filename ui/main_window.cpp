@@ -214,6 +214,10 @@ void MainWindow::showProblem(const QString& title, const QString& text) {
   box->open();
 }
 
+void MainWindow::showOpening(const Opening& opening) { status_->showOpening(opening); }
+
+void MainWindow::hideOpening() { status_->hideOpening(); }
+
 void MainWindow::restore() {
   QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

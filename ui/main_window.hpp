@@ -25,6 +25,7 @@ class Selection;
 class StatusPanel;
 class TimelinePanel;
 class Viewport;
+struct Opening;
 
 /// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and
 /// plots at most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication, and the
@@ -42,6 +43,9 @@ class MainWindow : public QMainWindow {
   void pull();
   /// Says what went wrong (an error's text) without blocking.
   void showProblem(const QString& title, const QString& text);
+  /// In the status bar, until hideOpening().
+  void showOpening(const Opening& opening);
+  void hideOpening();
 
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }

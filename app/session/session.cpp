@@ -31,6 +31,7 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   skipping.budget = options.budget.value_or(skipping.budget);
   skipping.remember = options.remember.value_or(skipping.remember);
   scene_.setSkipping(skipping);
+  if (options.planned) options.planned(library_.size());
   library_.build(0, options.monitor);
 
   for (auto& body : plan)

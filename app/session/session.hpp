@@ -18,7 +18,9 @@ struct SessionOptions {
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
-  BuildMonitor monitor;             ///< of the structures
+  BuildMonitor monitor;             ///< of the structures; its word is the name of one
+  /// Hears how many structures there will be, before the first is looked for or built.
+  std::function<void(std::size_t structures)> planned;
   std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in Skipping
   std::optional<bool> remember;                 ///< likewise
 };
@@ -52,6 +54,7 @@ class Session {
   const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }
   const std::vector<double>& jointEfforts() const { return joint_efforts_; }
   double buildMs() const { return library_.buildMs(); }
+  std::size_t structures() const { return library_.size(); }
   /// How many of the structures came from the cache.
   std::size_t cachedStructures() const { return library_.cached(); }
   /// What a user should know: remarks about meshes, guesses and gaps of recordings.

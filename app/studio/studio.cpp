@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QMetaObject>
 
+#include "app/studio/opening_progress.hpp"
 #include "core/base/error.hpp"
+#include "ui/panels/status_panel.hpp"
 
 namespace abstand {
 
@@ -23,13 +25,20 @@ Studio::Studio(ui::MainWindow& window) : window_(window) {
 
 Studio::~Studio() {
   window_.setSession(nullptr);
+  stopLoading();
+}
+
+void Studio::stopLoading() {
+  cancelled_ = true;
   if (loading_.valid()) loading_.wait();
+  cancelled_ = false;
 }
 
 void Studio::openScene(const QString& scene, const QString& recording, double t) {
-  if (loading_.valid()) loading_.wait();
+  stopLoading();
   QApplication::setOverrideCursor(Qt::BusyCursor);
   const int request = ++request_;
+  window_.showOpening({});
   loading_ = std::async(std::launch::async, [this, scene, recording, t, request] {
     auto loaded = std::make_shared<Loaded>();
     loaded->request = request;
@@ -38,6 +47,19 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
     try {
       SessionOptions options;
       options.recording = recording.toStdString();
+      OpeningProgress progress([this, request](const ui::Opening& opening) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, request, opening] {
+              if (request == request_) window_.showOpening(opening);
+            },
+            Qt::QueuedConnection);
+      });
+      options.planned = [&progress](std::size_t structures) { progress.plan(structures); };
+      options.monitor.progress = [&progress](double fraction, std::string_view name) {
+        progress.hear(fraction, name);
+      };
+      options.monitor.cancelled = [this] { return cancelled_.load(); };
       loaded->session = std::make_unique<Session>(loadScene(scene.toStdString()), options);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
@@ -58,6 +80,7 @@ void Studio::openRecording(const QString& recording) {
 void Studio::take(std::shared_ptr<Loaded> loaded) {
   QApplication::restoreOverrideCursor();
   if (loaded->request != request_) return;
+  window_.hideOpening();
   if (!loaded->session) {
     window_.showProblem(tr("Cannot open"), loaded->problem);
     Q_EMIT failed(loaded->problem);

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <atomic>
 #include <functional>
 #include <future>
 #include <memory>
@@ -13,7 +14,8 @@
 namespace abstand {
 
 /// Owns the session that the window shows. Loading runs on a thread of its own, so that the window stays
-/// alive; a file that cannot be read leaves what was there before.
+/// alive and shows how far it is; a file that cannot be read leaves what was there before. A newer request,
+/// and the end of the program, end the building of structures for an older one.
 class Studio : public QObject {
   Q_OBJECT
 
@@ -32,12 +34,14 @@ class Studio : public QObject {
 
  private:
   struct Loaded;
+  void stopLoading();
   void take(std::shared_ptr<Loaded> loaded);
 
   ui::MainWindow& window_;
   std::unique_ptr<LivePort> port_;
   QString scene_;
   std::future<void> loading_;
+  std::atomic<bool> cancelled_{false};
   int request_{0};  ///< number of the newest request; answers to older ones are dropped
 };
 

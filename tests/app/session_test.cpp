@@ -59,6 +59,29 @@ TEST(Session, TheCycleAllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
+TEST(Session, SaysHowManyStructuresThereWillBeAndNamesEach) {
+  SessionOptions options;
+  options.threads = 1;
+  std::size_t planned = 0;
+  std::vector<std::string> order;
+  options.planned = [&](std::size_t structures) {
+    EXPECT_TRUE(order.empty());
+    planned = structures;
+  };
+  double before = 0.0;
+  options.monitor.progress = [&](double fraction, std::string_view name) {
+    EXPECT_GE(fraction, before);
+    before = fraction;
+    if (std::find(order.begin(), order.end(), name) == order.end()) order.emplace_back(name);
+  };
+  const Session session(loadScene(projectFile("data/scenes/rods.yaml")), options);
+  EXPECT_EQ(planned, 1u);  // two rods of the same shape
+  EXPECT_EQ(session.structures(), planned);
+  EXPECT_EQ(order.size(), planned);
+  EXPECT_EQ(before, 1.0);
+  EXPECT_EQ(session.cachedStructures(), 0u);
+}
+
 TEST(Session, ForcesOfAllObjectsCancel) {
   auto session = openReach();
   for (std::uint32_t i = 0; i < session->scene().objectCount(); ++i)

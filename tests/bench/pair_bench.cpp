@@ -1,6 +1,8 @@
 // Pair queries and kinematics, a call at a time. Compare figures of one run with each other only.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
+
 #include "core/haptic/pair_query.hpp"
 #include "core/mechanism/mech_file.hpp"
 #include "tests/core/haptic/structures.hpp"
@@ -29,6 +31,30 @@ void queryAt(benchmark::State& state) {
   }
 }
 BENCHMARK(queryAt)->Arg(120)->Arg(200)->Arg(500)->Arg(2000);
+
+/// A box of 100 mm deep inside one of 400 mm: every shell point is a contact. `range`: spacing of points in
+/// um.
+void denseContact(benchmark::State& state) {
+  const double spacing = 1e-6 * static_cast<double>(state.range(0));
+  const auto inner = buildHapticStructure("inner", makeSurface(Cuboid{{0.1, 0.1, 0.1}}),
+                                          {.voxel_size = 0.005, .point_spacing = spacing});
+  const auto& outer = structureOf(Cuboid{{0.4, 0.4, 0.4}}, FieldKind::kMixed);
+  std::vector<Transform> poses;
+  for (std::uint64_t seed = 0; seed < 16; ++seed) poses.push_back(randomPose(seed, 0.05));
+  PairScratch scratch;
+  PairResult result;
+  std::size_t i = 0;
+  long points = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  for (auto _ : state) {
+    queryPair(*inner, poses[i++ % poses.size()], outer, Transform::Identity(), {}, scratch, result);
+    points += result.contacts;
+  }
+  const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
+  state.counters["points"] = static_cast<double>(points) / static_cast<double>(i);
+  state.counters["ns_per_point"] = spent.count() / static_cast<double>(points);
+}
+BENCHMARK(denseContact)->Arg(4000)->Arg(2000)->Unit(benchmark::kMicrosecond);
 
 void forwardOfThreeLinks(benchmark::State& state) {
   const Mechanism chain = parseMechanism(

@@ -1,7 +1,12 @@
-// Whole steps of a scene of 1,000 objects. Compare figures of one run with each other only.
+// Whole steps of scenes in lock step: 1,000 objects; two arms, a person and a table. Compare figures of one
+// run with each other only.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
+
+#include "core/scene/cycle_statistics.hpp"
 #include "core/scene/scene.hpp"
+#include "tests/bench/bench_scene.hpp"
 #include "tests/core/haptic/structures.hpp"
 #include "tests/support/random_pose.hpp"
 
@@ -67,6 +72,68 @@ ABSTAND_STEP(ten_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 1);
 ABSTAND_STEP(ten_move_half_a_millisecond, Skipping{.budget = 0.0005}, 10, 1);
 ABSTAND_STEP(ten_move_both_two_threads, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 2);
 ABSTAND_STEP(hundred_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 100, 1);
+
+/// Structures of the arms, the person and the things, built once.
+Scene armsPersonTable() {
+  static const auto structures = [] {
+    std::vector<std::shared_ptr<const HapticStructure>> built;
+    const bench::BenchScene& from = bench::armsPersonTable();
+    for (const auto& body : from.bodies) {
+      const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
+      built.push_back(buildHapticStructure(body.name, surface, from.options));
+    }
+    return built;
+  }();
+  const bench::BenchScene& from = bench::armsPersonTable();
+  Scene scene;
+  for (std::size_t i = 0; i < from.bodies.size(); ++i)
+    scene.addObject({from.bodies[i].name, "bodies", structures[i], 0.0});
+  for (const auto& [a, b] : from.pairs)
+    scene.addPair(ObjectId(static_cast<std::uint32_t>(a)), ObjectId(static_cast<std::uint32_t>(b)));
+  return scene;
+}
+
+/// A step a frame of the capture, which lasts 10 ms.
+void stepOfArmsPersonTable(benchmark::State& state, const Skipping& skipping) {
+  constexpr double kFrame = 0.01;  // s
+  const bench::BenchScene* from = nullptr;
+  try {
+    from = &bench::armsPersonTable();
+  } catch (const std::exception& e) {
+    state.SkipWithError(e.what());
+    return;
+  }
+  Scene scene = armsPersonTable();
+  scene.setSkipping(skipping);
+  CycleStatistics times(kInfinity);
+  StepCounts sum;
+  while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(from->frames()))) {
+    for (std::size_t f = 0; f < from->frames(); ++f) {
+      const auto begin = std::chrono::steady_clock::now();
+      for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
+        scene.setPose(ObjectId(i), from->frame(f)[i], kFrame * static_cast<double>(f));
+      scene.step();
+      times.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      sum.checked += scene.counts().checked;
+      sum.rested += scene.counts().rested;
+      sum.beyond += scene.counts().beyond;
+    }
+  }
+  const auto steps = static_cast<double>(times.count());
+  state.counters["median_us"] = 1e6 * times.median();
+  state.counters["p99_us"] = 1e6 * times.p99();
+  state.counters["checked"] = static_cast<double>(sum.checked) / steps;
+  state.counters["rested"] = static_cast<double>(sum.rested) / steps;
+  state.counters["beyond"] = static_cast<double>(sum.beyond) / steps;
+}
+
+#define ABSTAND_ARMS(name, skipping) \
+  BENCHMARK_CAPTURE(stepOfArmsPersonTable, name, skipping)->Iterations(1)->Unit(benchmark::kMicrosecond)
+
+ABSTAND_ARMS(all_queried, Skipping{});
+ABSTAND_ARMS(rest, Skipping{.rest = 0.01});
+ABSTAND_ARMS(rest_longest, Skipping{.rest = 1.0});
+ABSTAND_ARMS(contacts_only, (Skipping{.horizon = 0.0}));
 
 }  // namespace
 }  // namespace abstand::testing

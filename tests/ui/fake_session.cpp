@@ -248,6 +248,11 @@ void FakeSession::setPoseState(int object, PoseState state) {
   fresh_ = true;
 }
 
+void FakeSession::setWork(const StepCounts& work) {
+  snapshot_.work = work;
+  fresh_ = true;
+}
+
 int FakeSession::indexOf(const std::string& name) const {
   for (std::size_t i = 0; i < outline_.objects.size(); ++i)
     if (outline_.objects[i].name == name) return static_cast<int>(i);

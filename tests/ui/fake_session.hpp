@@ -30,6 +30,7 @@ class FakeSession : public SessionPort {
   bool playing() const { return snapshot_.playing; }
   int indexOf(const std::string& name) const;
   void setPoseState(int object, PoseState state);
+  void setWork(const StepCounts& work);
 
   double speed{1.0};
   bool loop{false};

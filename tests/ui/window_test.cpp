@@ -7,8 +7,10 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
@@ -21,6 +23,7 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 
@@ -157,6 +160,48 @@ TEST_F(WindowTest, LayoutAndViewOutliveTheWindow) {
   EXPECT_FALSE(next.actions()[ActionId::kFloor]->isChecked());
   next.actions()[ActionId::kResetLayout]->trigger();
   EXPECT_TRUE(next.findChild<QDockWidget*>("plots")->isVisible());
+}
+
+TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
+  const auto* label = window.findChild<QLabel*>("left_out");
+  ASSERT_TRUE(label);
+  const QString pairs = QString::number(session.outline().pairs.size());
+  const auto shows = [&](const QString& text) {
+    window.pull();
+    return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
+  };
+  session.setWork({.checked = 12, .rested = 34, .beyond = 5, .put_off = 6, .longest_wait = 7});
+  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6")) << label->text().toStdString();
+  EXPECT_TRUE(label->isVisible());
+  for (const char* part : {"checked: 12\n", "rested, ", ": 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
+    EXPECT_TRUE(label->toolTip().contains(part)) << part << " in " << label->toolTip().toStdString();
+  const int still = static_cast<int>(session.outline().pairs.size()) - 12 - 34 - 5 - 6;
+  EXPECT_TRUE(label->toolTip().contains(": " + QString::number(still) + "\n"));
+  // Nothing left out, nothing said of it.
+  session.setWork({.checked = 3});
+  EXPECT_TRUE(shows("Checked 3 of " + pairs)) << label->text().toStdString();
+  window.setSession(nullptr);
+  EXPECT_TRUE(label->text().isEmpty());
+}
+
+TEST_F(WindowTest, OpeningASceneIsShown) {
+  const auto* text = window.findChild<QLabel*>("opening");
+  const auto* bar = window.findChild<QProgressBar*>();
+  ASSERT_TRUE(text && bar);
+  EXPECT_FALSE(bar->isVisible());
+  window.showOpening({});
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_EQ(bar->maximum(), 0);  // busy, no share known
+  EXPECT_EQ(text->text(), "Reading files");
+  window.showOpening({.begun = 3, .all = 16, .name = "link3", .building = false, .fraction = 0.25});
+  EXPECT_EQ(text->text(), "Structure 3 of 16: link3");
+  EXPECT_EQ(4 * bar->value(), bar->maximum());
+  window.showOpening({.begun = 4, .all = 16, .name = "link4", .building = true, .fraction = 0.5});
+  EXPECT_EQ(text->text(), "Building structure 4 of 16: link4");
+  EXPECT_EQ(2 * bar->value(), bar->maximum());
+  window.hideOpening();
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_FALSE(text->isVisible());
 }
 
 TEST_F(WindowTest, ASessionMayComeAndGo) {

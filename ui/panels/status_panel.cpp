@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPalette>
+#include <QProgressBar>
 #include <QStatusBar>
 #include <algorithm>
 
@@ -21,6 +22,8 @@ void colourText(QLabel* label, bool alarm) {
 }
 
 constexpr int kAround = 12;  // px left and right of a text
+constexpr int kBarWidth = 160;
+constexpr int kBarSteps = 1000;
 
 void setText(QLabel* label, const QString& text) {
   label->setText(text);
@@ -29,11 +32,41 @@ void setText(QLabel* label, const QString& text) {
       std::max(label->minimumWidth(), label->fontMetrics().horizontalAdvance(text) + 2 * kAround));
 }
 
+/// "Checked 120 of 639, rested 480, beyond 30, late 9"; what is 0 is not named.
+QString leftOut(const StepCounts& work, std::size_t pairs) {
+  QString text = StatusPanel::tr("Checked %1 of %2").arg(work.checked).arg(pairs);
+  if (work.rested > 0) text += StatusPanel::tr(", rested %1").arg(work.rested);
+  if (work.beyond > 0) text += StatusPanel::tr(", beyond %1").arg(work.beyond);
+  if (work.put_off > 0) text += StatusPanel::tr(", late %1").arg(work.put_off);
+  return text;
+}
+
+QString leftOutInWords(const StepCounts& work, std::size_t pairs) {
+  const long looked_at = work.checked + work.rested + work.beyond + work.put_off;
+  return StatusPanel::tr(
+             "Pairs in the last cycle\n"
+             "checked: %1\n"
+             "rested, as they have moved by little of their clearance: %2\n"
+             "beyond the horizon: %3\n"
+             "late, as the time budget was used up: %4 (longest: %5 cycles)\n"
+             "not moved since they were checked: %6\n"
+             "Whatever is left out, the true distance is never below distance − bound.")
+      .arg(work.checked)
+      .arg(work.rested)
+      .arg(work.beyond)
+      .arg(work.put_off)
+      .arg(work.longest_wait)
+      .arg(static_cast<long>(pairs) - looked_at);
+}
+
 }  // namespace
 
 StatusPanel::StatusPanel(QStatusBar* bar)
     : QObject(bar),
       nearest_{new QLabel(bar)},
+      opening_{new QLabel(bar)},
+      opening_bar_{new QProgressBar(bar)},
+      left_out_{new QLabel(bar)},
       cycle_{new QLabel(bar)},
       overruns_{new QLabel(bar)},
       real_time_{new QLabel(bar)} {
@@ -47,8 +80,18 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   overruns_->setToolTip(tr("Cycles that took longer than their period"));
   real_time_->setToolTip(tr("Simulation time by wall time"));
   nearest_->setContentsMargins(8, 0, 8, 0);
+  opening_->setContentsMargins(8, 0, 8, 0);
+  opening_->setObjectName(QStringLiteral("opening"));
+  opening_bar_->setAccessibleName(tr("Progress of opening"));
+  opening_bar_->setMaximumWidth(kBarWidth);
+  opening_bar_->setTextVisible(false);
+  left_out_->setObjectName(QStringLiteral("left_out"));
+  left_out_->setAccessibleName(tr("Pairs that were checked"));
+  bar->addWidget(opening_bar_);
+  bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
-  for (QLabel* label : {cycle_, overruns_, real_time_}) {
+  hideOpening();
+  for (QLabel* label : {left_out_, cycle_, overruns_, real_time_}) {
     label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
@@ -71,6 +114,8 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
   } else {
     nearest_->clear();
   }
+  setText(left_out_, leftOut(snapshot.work, snapshot.pairs.size()));
+  left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
   setText(cycle_,
           tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
   setText(overruns_, tr("Overruns %1").arg(snapshot.overruns));
@@ -78,7 +123,27 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
 }
 
 void StatusPanel::clear() {
-  for (QLabel* label : {nearest_, cycle_, overruns_, real_time_}) label->clear();
+  for (QLabel* label : {nearest_, left_out_, cycle_, overruns_, real_time_}) label->clear();
+  left_out_->setToolTip({});
+}
+
+void StatusPanel::showOpening(const Opening& opening) {
+  const QString count = tr("%1 of %2").arg(opening.begun).arg(opening.all);
+  opening_->setText(opening.begun == 0  ? tr("Reading files")
+                    : opening.building ? tr("Building structure %1: %2").arg(count, opening.name)
+                                       : tr("Structure %1: %2").arg(count, opening.name));
+  // Without steps the bar only says that something is going on.
+  opening_bar_->setMaximum(opening.begun == 0 ? 0 : kBarSteps);
+  opening_bar_->setValue(static_cast<int>(kBarSteps * opening.fraction));
+  nearest_->hide();
+  opening_->show();
+  opening_bar_->show();
+}
+
+void StatusPanel::hideOpening() {
+  opening_->hide();
+  opening_bar_->hide();
+  nearest_->show();
 }
 
 }  // namespace abstand::ui

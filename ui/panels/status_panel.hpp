@@ -1,4 +1,4 @@
-// The status bar: what this is not, nearest pair, speed of the computation.
+// The status bar: what this is not, nearest pair, what was left out, speed; and how far the opening of a scene is.
 #pragma once
 
 #include <QObject>
@@ -6,9 +6,19 @@
 #include "core/scene/snapshot.hpp"
 
 class QLabel;
+class QProgressBar;
 class QStatusBar;
 
 namespace abstand::ui {
+
+/// How far the opening of a scene is.
+struct Opening {
+  int begun{0};          ///< structures that are done or under way; 0: files are being read
+  int all{0};            ///< structures in all
+  QString name;          ///< of the structure that was heard of last
+  bool building{false};  ///< it is being built; else it came from the cache, or it is not known yet
+  double fraction{0.0};  ///< 0 to 1, of the work
+};
 
 /// Fills a window's status bar. GUI thread only.
 class StatusPanel : public QObject {
@@ -16,9 +26,15 @@ class StatusPanel : public QObject {
   explicit StatusPanel(QStatusBar* bar);
   void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
   void clear();
+  /// Takes the place of the nearest pair, until hideOpening().
+  void showOpening(const Opening& opening);
+  void hideOpening();
 
  private:
   QLabel* nearest_;
+  QLabel* opening_;
+  QProgressBar* opening_bar_;
+  QLabel* left_out_;
   QLabel* cycle_;
   QLabel* overruns_;
   QLabel* real_time_;

@@ -1,0 +1,32 @@
+// From the reports of a build to what the window shows of it.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "ui/panels/status_panel.hpp"
+
+namespace abstand {
+
+/// Counts structures by name, and passes on what is new to see, at most some 20 times a second. A structure of
+/// the cache is reported once; one that is reported again is being built. One thread at a time, as the reports
+/// of a BuildMonitor come.
+class OpeningProgress {
+ public:
+  using Show = std::function<void(const ui::Opening&)>;
+  explicit OpeningProgress(Show show) : show_(std::move(show)) {}
+
+  void plan(std::size_t structures);
+  void hear(double fraction, std::string_view name);
+
+ private:
+  Show show_;
+  ui::Opening opening_;
+  std::set<std::string, std::less<>> names_;
+  std::chrono::steady_clock::time_point shown_{};
+};
+
+}  // namespace abstand
