@@ -237,8 +237,9 @@ TEST(SweptPair, AllocatesNothing) {
                   rod().bounding_sphere);
   UnknownMotion hand(at({1.0, 0.0, 0.5}), Vector3d::UnitX(), {2.0, 20.0}, 0.5);
   SweptScratch scratch;
+  const HapticStructure &of_arm = rod(), &of_hand = ball();  // built when they are asked for first
   const testing::NoAlloc guard;
-  const SweptResult r = sweptPair(rod(), link, ball(), hand, 0.5, {}, scratch);
+  const SweptResult r = sweptPair(of_arm, link, of_hand, hand, 0.5, {}, scratch);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_GT(r.samples, 1);
 }
