@@ -11,9 +11,9 @@
 
 namespace abstand {
 
-/// Counts structures by name, and passes on what is new to see, at most some 20 times a second. A structure of
-/// the cache is reported once; one that is reported again is being built. One thread at a time, as the reports
-/// of a BuildMonitor come.
+/// Counts structures by name, and passes on what is new to see, at most some 20 times a second. A structure
+/// of the cache is reported once; one that is reported again is being built. One thread at a time, as the
+/// reports of a BuildMonitor come.
 class OpeningProgress {
  public:
   using Show = std::function<void(const ui::Opening&)>;

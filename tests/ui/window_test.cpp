@@ -171,7 +171,8 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
   session.setWork({.checked = 12, .rested = 34, .beyond = 5, .put_off = 6, .longest_wait = 7});
-  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6")) << label->text().toStdString();
+  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6"))
+      << label->text().toStdString();
   EXPECT_TRUE(label->isVisible());
   for (const char* part : {"checked: 12\n", "rested, ", ": 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
     EXPECT_TRUE(label->toolTip().contains(part)) << part << " in " << label->toolTip().toStdString();

@@ -129,7 +129,7 @@ void StatusPanel::clear() {
 
 void StatusPanel::showOpening(const Opening& opening) {
   const QString count = tr("%1 of %2").arg(opening.begun).arg(opening.all);
-  opening_->setText(opening.begun == 0  ? tr("Reading files")
+  opening_->setText(opening.begun == 0 ? tr("Reading files")
                     : opening.building ? tr("Building structure %1: %2").arg(count, opening.name)
                                        : tr("Structure %1: %2").arg(count, opening.name));
   // Without steps the bar only says that something is going on.

@@ -1,4 +1,5 @@
-// The status bar: what this is not, nearest pair, what was left out, speed; and how far the opening of a scene is.
+// The status bar: what this is not, nearest pair, what was left out, speed; and how far the opening of a
+// scene is.
 #pragma once
 
 #include <QObject>
