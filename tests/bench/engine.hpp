@@ -1,6 +1,7 @@
 // What every engine of the benchmarks can be asked.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>

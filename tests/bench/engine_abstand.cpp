@@ -1,7 +1,7 @@
 // Our own engine in the benchmarks: only its public functions.
 #include <algorithm>
 
-#include "core/haptic/pair_query.hpp"
+#include "core/haptic/pair_set.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace abstand::bench {
@@ -10,58 +10,53 @@ namespace {
 class Abstand final : public Engine {
  public:
   explicit Abstand(const BenchScene& scene)
-      : pairs_(scene.pairs),
-        memories_(pairs_.size()),
-        centres_(scene.bodies.size()),
-        smallest_(pairs_.size()) {
-    for (const auto& body : scene.bodies) {
-      const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
-      structures_.push_back(buildHapticStructure(body.name, surface, scene.options));
-    }
-  }
+      : structures_(build(scene)), pairs_(pairsOf(scene, structures_)), results_(scene.pairs.size()) {}
 
   void frame(const Transform* X_WB, Work work, std::span<Answer> answers) override {
-    X_WB_ = X_WB;
-    if (work != Work::kDistance)
-      for (std::size_t i = 0; i < centres_.size(); ++i)
-        centres_[i] = X_WB[i] * structures_[i]->bounding_sphere.centre;
-    if (work == Work::kSmallest) {
-      answers[0] =
-          smallest_.find([&](std::size_t i) { return gap(i); }, [&](std::size_t i) { return ask(i); });
-      return;
-    }
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (work == Work::kDistance) {
-        answers[i] = ask(i);
-        continue;
+    const std::span poses(X_WB, structures_.size());
+    switch (work) {
+      case Work::kDistance:
+        // Force and torques come with it.
+        pairs_.distances(poses, {}, results_);
+        for (std::size_t i = 0; i < answers.size(); ++i)
+          answers[i] = {results_[i].distance, results_[i].bound};
+        break;
+      case Work::kContact:
+      case Work::kCollide:
+        std::ranges::fill(answers, Answer{0.0, kNaN});
+        for (const PairSet::Touch& touch : pairs_.contacts(poses, {}))
+          answers[touch.pair].value = work == Work::kContact ? touch.penalty.depth : 1.0;
+        break;
+      case Work::kSmallest: {
+        const PairResult& nearest = pairs_.nearest(poses, {}).result;
+        answers[0] = {nearest.distance, nearest.bound};
       }
-      // Bodies whose spheres are apart do not touch, and need no query.
-      const double depth = gap(i) > 0.0 ? 0.0 : std::max(0.0, -ask(i).value);
-      answers[i].value = work == Work::kContact ? depth : static_cast<double>(depth > 0.0);
     }
   }
 
  private:
-  double gap(std::size_t i) const {
-    const auto [a, b] = pairs_[i];
-    return (centres_[a] - centres_[b]).norm() - structures_[a]->bounding_sphere.radius -
-           structures_[b]->bounding_sphere.radius;
+  using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
+
+  static Structures build(const BenchScene& scene) {
+    Structures structures;
+    for (const auto& body : scene.bodies) {
+      const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
+      structures.push_back(buildHapticStructure(body.name, surface, scene.options));
+    }
+    return structures;
   }
-  /// One call gives the distance, its bound, the nearest points, force and torques.
-  Answer ask(std::size_t i) {
-    const auto [a, b] = pairs_[i];
-    queryPair(*structures_[a], X_WB_[a], *structures_[b], X_WB_[b], {}, memories_[i], scratch_, result_);
-    return {result_.distance, result_.bound};
+  static PairSet pairsOf(const BenchScene& scene, const Structures& structures) {
+    std::vector<const HapticStructure*> bodies;
+    for (const auto& s : structures) bodies.push_back(s.get());
+    std::vector<PairSet::Bodies> pairs;
+    for (const auto& [a, b] : scene.pairs)
+      pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+    return {std::move(bodies), std::move(pairs)};
   }
 
-  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
-  std::vector<std::shared_ptr<const HapticStructure>> structures_;
-  std::vector<PairMemory> memories_;
-  std::vector<Vector3d> centres_;
-  SmallestSearch smallest_;
-  const Transform* X_WB_{nullptr};
-  PairScratch scratch_;
-  PairResult result_;
+  Structures structures_;
+  PairSet pairs_;
+  std::vector<PairResult> results_;
 };
 
 }  // namespace

@@ -131,8 +131,9 @@ void stepOfArmsPersonTable(benchmark::State& state, const Skipping& skipping) {
   BENCHMARK_CAPTURE(stepOfArmsPersonTable, name, skipping)->Iterations(1)->Unit(benchmark::kMicrosecond)
 
 ABSTAND_ARMS(all_queried, Skipping{});
-ABSTAND_ARMS(rest, Skipping{.rest = 0.01});
-ABSTAND_ARMS(rest_longest, Skipping{.rest = 1.0});
+ABSTAND_ARMS(remember, Skipping{.remember = true});
+ABSTAND_ARMS(remember_rest, (Skipping{.rest = 0.01, .remember = true}));
+ABSTAND_ARMS(remember_rest_longest, (Skipping{.rest = 1.0, .remember = true}));
 ABSTAND_ARMS(contacts_only, (Skipping{.horizon = 0.0}));
 
 }  // namespace
