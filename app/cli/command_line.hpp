@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/haptic/build_progress.hpp"
+#include "core/mechanism/mesh_reference.hpp"
 
 namespace abstand::cli {
 
@@ -40,6 +41,9 @@ struct CommandLine {
 /// A subcommand with --json, --quiet and an example in its help.
 CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
                      const std::string& example);
+
+/// --package-path, for commands that read robot files.
+void addPackagePath(CLI::App* command, PackagePaths& packages);
 
 /// --no-cache, for commands that need haptic structures.
 void addCacheFlag(CLI::App* command, CommandLine& line);

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/mechanism/robot.hpp"
 
 namespace abstand {
 
 MechanismDriver::MechanismDriver(const MechanismDescription& description)
-    : mechanism_(loadMechanism(description.file)), X_WB_(description.X_WB), q_(description.q) {
+    : mechanism_(loadRobot(description.file).mechanism), X_WB_(description.X_WB), q_(description.q) {
   const auto dof = static_cast<std::size_t>(mechanism_.dof);
   if (q_.empty()) q_.assign(dof, 0.0);
   if (q_.size() != dof)
@@ -17,9 +17,9 @@ MechanismDriver::MechanismDriver(const MechanismDescription& description)
                                           ", one a degree of freedom");
   if (!description.motion.empty()) motion_ = loadMotion(description.motion, mechanism_.dof);
   for (const auto& link : description.links) {
-    const int frame = link.frame == 0 ? -1 : mechanism_.indexOf(link.frame);
-    if (link.frame != 0 && frame < 0)
-      throw ParseError(link.pos, "found frame " + std::to_string(link.frame) + " of link '" + link.name +
+    const int frame = mechanism_.indexOf(link.frame);
+    if (frame < 0 && link.frame != "0")
+      throw ParseError(link.pos, "found frame '" + link.frame + "' of link '" + link.name +
                                      "', expected a frame of " + description.file.string());
     links_.push_back({frame, link.X_FL, std::nullopt});
   }

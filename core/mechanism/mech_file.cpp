@@ -14,7 +14,6 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 16u << 20;
 // Larger values are mistakes, and sums and products of smaller ones stay finite.
 constexpr double kLargest = 1e6;
 // A rotation typed with four digits is meant as one; what is left of it is made orthonormal.
@@ -380,14 +379,18 @@ class MechParser {
 
 }  // namespace
 
+Robot parseMech(const std::string& text, const std::string& name) {
+  Robot robot{name, MechParser(text, name).parse(), {}, {}};
+  robot.mechanism.name = std::filesystem::path(name).stem().string();
+  return robot;
+}
+
 Mechanism parseMechanism(const std::string& text, const std::string& name) {
-  Mechanism m = MechParser(text, name).parse();
-  m.name = std::filesystem::path(name).stem().string();
-  return m;
+  return parseMech(text, name).mechanism;
 }
 
 Mechanism loadMechanism(const std::filesystem::path& file) {
-  return parseMechanism(readFile(file, kMostBytes), file.string());
+  return parseMechanism(readFile(file, kMostRobotBytes), file.string());
 }
 
 }  // namespace abstand

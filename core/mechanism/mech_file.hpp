@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/mechanism/mechanism.hpp"
+#include "core/mechanism/robot.hpp"
 
 namespace abstand {
 
@@ -30,5 +30,8 @@ Mechanism loadMechanism(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages, and its stem becomes the mechanism's name.
 Mechanism parseMechanism(const std::string& text, const std::string& name);
+
+/// With the geometry that the file may have.
+Robot parseMech(const std::string& text, const std::string& name);
 
 }  // namespace abstand

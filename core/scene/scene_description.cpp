@@ -113,7 +113,15 @@ Skipping skippingRules(const YamlNode& node, const std::string& file) {
 
 }  // namespace
 
-SceneDescription parseScene(const std::string& text, const fs::path& path) {
+void BodySettings::fillFrom(const BodySettings& other) {
+  if (!voxel) voxel = other.voxel;
+  if (!point) point = other.point;
+  if (!margin) margin = other.margin;
+  if (!max_speed) max_speed = other.max_speed;
+  if (!outer_layers) outer_layers = other.outer_layers;
+}
+
+SceneDescription parseScene(const std::string& text, const fs::path& path, const PackagePaths& packages) {
   const std::string file = path.string();
   const YamlNode root = parseYaml(text, file);
   const YamlFields fields(
@@ -130,17 +138,20 @@ SceneDescription parseScene(const std::string& text, const fs::path& path) {
   SceneDescription scene;
   std::error_code ec;
   scene.file = fs::absolute(path, ec).lexically_normal();
-  SceneBodyReader bodies(file, scene.file.parent_path());
+  SceneBodyReader bodies(file, scene.file.parent_path(), packages);
   if (const auto* node = fields.find("defaults")) scene.defaults = defaults(*node, file);
   for (const auto& node : fields.list("mechanisms")) scene.mechanisms.push_back(bodies.mechanism(node));
   for (const auto& node : fields.list("humans")) scene.humans.push_back(bodies.human(node));
   for (const auto& node : fields.list("objects")) scene.objects.push_back(bodies.object(node));
   if (const auto* node = fields.find("pairs")) scene.pairs = pairRules(*node, file, bodies.bodies());
+  scene.remarks = bodies.remarks();
   if (const auto* node = fields.find("threads")) scene.threads = threadGroups(*node, file, bodies.bodies());
   if (const auto* node = fields.find("skipping")) scene.skipping = skippingRules(*node, file);
   return scene;
 }
 
-SceneDescription loadScene(const fs::path& file) { return parseScene(readFile(file, kMostYamlBytes), file); }
+SceneDescription loadScene(const fs::path& file, const PackagePaths& packages) {
+  return parseScene(readFile(file, kMostYamlBytes), file, packages);
+}
 
 }  // namespace abstand

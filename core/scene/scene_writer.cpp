@@ -116,10 +116,14 @@ std::string settings(const BodySettings& s, const char* before = ", ", const cha
   return t;
 }
 
+std::string scaleText(const Vector3d& scale) {
+  return scale.x() > 0.0 && scale == Vector3d::Constant(scale.x()) ? formatDouble(scale.x()) : vector(scale);
+}
+
 template <class Body>
 std::string meshOrShape(const Body& body) {
   if (body.shape) return ", shape: " + std::visit(ShapeText{}, *body.shape);
-  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + formatDouble(body.scale);
+  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + scaleText(body.scale);
 }
 
 std::string mechanismText(const MechanismDescription& m) {
@@ -131,11 +135,11 @@ std::string mechanismText(const MechanismDescription& m) {
     s += "]\n";
   }
   if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
-  if (m.max_speed) s += "    max_speed: " + formatDouble(*m.max_speed) + "\n";
-  if (!m.links.empty()) s += "    links:\n";
+  s += settings(m.settings, "    ", "\n");
+  s += m.links.empty() ? "    links: []\n" : "    links:\n";
   for (const auto& l : m.links)
-    s += "      - {name: " + scalar(l.name) + ", frame: " + std::to_string(l.frame) + meshOrShape(l) +
-         ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
+    s += "      - {name: " + scalar(l.name) + ", frame: " + (parseInt(l.frame) ? l.frame : scalar(l.frame)) +
+         meshOrShape(l) + ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
   return s;
 }
 
