@@ -50,9 +50,11 @@ void addCacheFlag(CLI::App* command, CommandLine& line);
 
 void addFk(CLI::App& root, CommandLine& line);
 void addDynamics(CLI::App& root, CommandLine& line);
+void addConvert(CLI::App& root, CommandLine& line);
 void addBuild(CLI::App& root, CommandLine& line);
 void addHuman(CLI::App& root, CommandLine& line);
 void addSkeleton(CLI::App& root, CommandLine& line);
+void addPairs(CLI::App& root, CommandLine& line);
 void addRun(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);

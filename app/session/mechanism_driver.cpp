@@ -26,6 +26,13 @@ MechanismDriver::MechanismDriver(const MechanismDescription& description)
   forward(mechanism_, q_, state_);
 }
 
+/// The frame whose joint moves `frame`, -1: none does.
+int MechanismDriver::rigidBody(int frame) const {
+  while (frame >= 0 && mechanism_.frames[static_cast<std::size_t>(frame)].dof < 0)
+    frame = mechanism_.frames[static_cast<std::size_t>(frame)].parent;
+  return frame;
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks() const {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto carriesLink = [&](int frame) {
@@ -40,8 +47,8 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
     }
     for (std::size_t j = 0; j < links_.size(); ++j) {
       if (i == j) continue;
-      const bool same_frame = links_[i].frame == links_[j].frame && i < j;
-      if (same_frame || (links_[i].frame >= 0 && links_[j].frame == up && links_[j].frame != links_[i].frame))
+      const bool same_body = i < j && rigidBody(links_[i].frame) == rigidBody(links_[j].frame);
+      if (same_body || (links_[i].frame >= 0 && links_[j].frame == up && links_[j].frame != links_[i].frame))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
   }

@@ -3,6 +3,7 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <cmath>
 #include <mutex>
 
 #include "core/base/error.hpp"
@@ -101,11 +102,12 @@ UrdfJoint jointOf(const urdf::Joint& joint) {
   if (out.type != UrdfJointType::kFixed && out.type != UrdfJointType::kFloating)
     out.axis = vectorOf(joint.axis).normalized();
   if (joint.limits) {
-    out.limits.velocity = joint.limits->velocity;
-    out.limits.effort = joint.limits->effort;
+    const auto known = [](double v) { return std::abs(v) < kUrdfNoLimit ? v : std::copysign(kInfinity, v); };
+    out.limits.velocity = known(joint.limits->velocity);
+    out.limits.effort = known(joint.limits->effort);
     if (out.type != UrdfJointType::kContinuous && joint.limits->lower <= joint.limits->upper) {
-      out.limits.lower = joint.limits->lower;
-      out.limits.upper = joint.limits->upper;
+      out.limits.lower = known(joint.limits->lower);
+      out.limits.upper = known(joint.limits->upper);
     }
   }
   if (joint.mimic) {

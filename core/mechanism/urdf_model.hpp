@@ -39,6 +39,9 @@ struct UrdfModel {
   std::vector<UrdfJoint> joints;
 };
 
+/// A limit of this size means none: URDF has no other word for it.
+inline constexpr double kUrdfNoLimit = 1e6;
+
 /// Reads the document with urdfdom, whose log goes nowhere but into the error. Throws ParseError at `file`.
 /// Safe from several threads.
 UrdfModel readUrdf(const UrdfText& text, const std::string& file);

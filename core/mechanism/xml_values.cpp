@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/number.hpp"
+#include "core/base/utf8.hpp"
 #include "core/geometry/mesh_file_words.hpp"
 
 namespace abstand {
@@ -14,25 +15,6 @@ using mesh_file::quoted;
 
 constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
     {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
-
-/// Length of the UTF-8 sequence at the beginning of `s`, or 0. Overlong forms and surrogates are none.
-std::size_t sequence(std::string_view s) {
-  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
-  const unsigned lead = at(0);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  if (length > s.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((at(i) & 0xc0) != 0x80) return 0;
-  if ((lead == 0xe0 && at(1) < 0xa0) || (lead == 0xed && at(1) > 0x9f) || (lead == 0xf0 && at(1) < 0x90) ||
-      (lead == 0xf4 && at(1) > 0x8f))
-    return 0;
-  return length;
-}
 
 std::string tag(const XmlElement& e) { return "<" + std::string(e.name.substr(0, 40)) + ">"; }
 
@@ -56,8 +38,8 @@ std::optional<std::string> XmlValues::text(const XmlElement& e, std::string_view
         rest.remove_prefix(1);
         continue;
       }
-      const std::size_t length = sequence(rest);
-      if (length == 0 || static_cast<unsigned char>(rest[0]) < 0x20 || rest[0] == 0x7f)
+      const std::size_t length = characterLength(rest);
+      if (length == 0)
         fail(e, "found a character in " + std::string(key) + " of " + tag(e) +
                     " that is none of UTF-8, expected text");
       if (rest[0] != '&') {

@@ -1,9 +1,11 @@
 #include "core/scene/scene_body_reader.hpp"
 
 #include <algorithm>
+#include <map>
 #include <system_error>
 
 #include "core/base/number.hpp"
+#include "core/mechanism/srdf_file.hpp"
 #include "core/scene/robot_links.hpp"
 
 namespace abstand {
@@ -205,8 +207,8 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
 
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   const YamlFields fields(node, file_, "a mechanism",
-                          {"name", "file", "base", "q", "motion", "links", "geometry", "voxel", "point",
-                           "outer_layers", "margin", "max_speed"});
+                          {"name", "file", "base", "q", "motion", "links", "geometry", "srdf", "voxel",
+                           "point", "outer_layers", "margin", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
@@ -216,6 +218,7 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   if (const auto* motion = fields.find("motion"))
     m.motion = existingFile(*motion, "`motion`", "a CSV of joint values");
   m.settings = settings(fields);
+  if (const auto* srdf = fields.find("srdf")) m.srdf = existingFile(*srdf, "`srdf`", "an SRDF");
   const Robot robot = loadRobot(m.file);
   remarks_.insert(remarks_.end(), robot.warnings.begin(), robot.warnings.end());
   for (const auto& l : fields.list("links")) m.links.push_back(link(l, robot.mechanism));
@@ -225,6 +228,7 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
       throw ParseError(
           fields.keyPos("geometry"),
           "found `geometry` beside `links`, expected one of them: `links` say what each link is");
+    takeDisabled(m);
     return m;
   }
   RobotLinks links = robotLinks(
@@ -232,7 +236,19 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   for (auto& l : links.links) takeBody(l.name, l.pos);
   m.links = std::move(links.links);
   remarks_.insert(remarks_.end(), links.remarks.begin(), links.remarks.end());
+  takeDisabled(m);
   return m;
+}
+
+/// Pairs of links become pairs of all bodies that hang on them.
+void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
+  if (mechanism.srdf.empty()) return;
+  const Srdf srdf = loadSrdf(mechanism.srdf);
+  std::map<std::string, std::vector<std::string>> bodies_on;
+  for (const auto& link : mechanism.links) bodies_on[link.frame].push_back(link.name);
+  for (const auto& pair : srdf.disabled)
+    for (const auto& a : bodies_on[pair.link1])
+      for (const auto& b : bodies_on[pair.link2]) dropped_.push_back({a, b, pair.reason});
 }
 
 RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
