@@ -1,5 +1,6 @@
 #include "core/mechanism/joint_range.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -12,7 +13,7 @@ constexpr double kUnlimitedSlide = 1.0;  // m either way
 JointRange rangeOf(const MechanismFrame& f) {
   JointRange range;
   const auto [a, b] =
-      std::minmax((f.limits.lower - f.offset) / f.scale, (f.limits.upper - f.offset) / f.scale);
+      std::minmax({(f.limits.lower - f.offset) / f.scale, (f.limits.upper - f.offset) / f.scale});
   range.unlimited = !std::isfinite(a) || !std::isfinite(b);
   const double free = f.type == JointType::kPrismatic ? kUnlimitedSlide : kPi;
   // With one end stop, the range goes on from there.
