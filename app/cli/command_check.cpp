@@ -15,6 +15,7 @@ struct Arguments {
   std::vector<std::string> recordings;
   std::string poses;
   bool dry_run{false}, strict{false};
+  PackagePaths packages;
 };
 
 int dryRun(const CommandLine& line, const SceneDescription& scene) {
@@ -32,7 +33,7 @@ nlohmann::ordered_json violationJson(const Violation& v) {
 }
 
 int run(const CommandLine& line, const Arguments& args) {
-  const SceneDescription scene = loadScene(args.scene);
+  const SceneDescription scene = loadScene(args.scene, args.packages);
   if (args.dry_run) return dryRun(line, scene);
   if (args.min_distance.empty()) throw UsageError("--min-distance is required (or --dry-run)");
   const double limit = number(args.min_distance, "--min-distance");
@@ -102,6 +103,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
   command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
   command->add_flag("--strict", args->strict,
                     "fail also where distance minus its error bound is below the limit");
+  addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

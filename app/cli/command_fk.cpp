@@ -4,7 +4,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/mechanism/robot.hpp"
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand::cli {
@@ -47,12 +47,15 @@ nlohmann::ordered_json timings(const Mechanism& mechanism, const std::vector<dou
     for (int k = 0; k < kBatch; ++k) forward(mechanism, q, state);
     statistics.add(std::chrono::duration<double>(Clock::now() - begin).count() / kBatch);
   }
-  return {
-      {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.max()}};
+  return {{"median", 1e6 * statistics.median()},
+          {"p99", 1e6 * statistics.p99()},
+          {"max", 1e6 * statistics.max()}};
 }
 
 int run(const CommandLine& line, const Arguments& args) {
-  const Mechanism mechanism = loadMechanism(args.mechanism);
+  const Robot robot = loadRobot(args.mechanism);
+  for (const auto& warning : robot.warnings) line.warn(warning);
+  const Mechanism& mechanism = robot.mechanism;
   std::vector<double> q(static_cast<std::size_t>(mechanism.dof), 0.0);
   if (!args.q.empty()) q = numberList(args.q, "--q");
   if (q.size() != static_cast<std::size_t>(mechanism.dof))
@@ -91,7 +94,7 @@ void addFk(CLI::App& root, CommandLine& line) {
       addCommand(root, line, "fk", "forward kinematics of a mechanism file",
                  "abstand fk data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 --wrench 7:0,0,10,0,0,0");
   auto args = std::make_shared<Arguments>();
-  command->add_option("MECHANISM", args->mechanism, "mechanism file (.mech)")->required();
+  command->add_option("MECHANISM", args->mechanism, "robot file (.mech or .urdf)")->required();
   command->add_option("--q", args->q,
                       "joint values a,b,... in SI, in the order of the mapping (default: zeros)");
   command->add_option("--wrench", args->wrenches,

@@ -44,6 +44,13 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
   return command;
 }
 
+void addPackagePath(CLI::App* command, PackagePaths& packages) {
+  command->add_option(
+      "--package-path", packages.folders,
+      "folders that hold ROS packages, before those of ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and "
+      "CMAKE_PREFIX_PATH");
+}
+
 void addCacheFlag(CLI::App* command, CommandLine& line) {
   command->add_flag("--no-cache{false}", line.cache,
                     "build all structures anew (they are kept in ~/.cache/abstand, or $ABSTAND_CACHE)");

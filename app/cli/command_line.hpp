@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/haptic/build_progress.hpp"
+#include "core/mechanism/mesh_reference.hpp"
 
 namespace abstand::cli {
 
@@ -41,14 +42,19 @@ struct CommandLine {
 CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
                      const std::string& example);
 
+/// --package-path, for commands that read robot files.
+void addPackagePath(CLI::App* command, PackagePaths& packages);
+
 /// --no-cache, for commands that need haptic structures.
 void addCacheFlag(CLI::App* command, CommandLine& line);
 
 void addFk(CLI::App& root, CommandLine& line);
 void addDynamics(CLI::App& root, CommandLine& line);
+void addConvert(CLI::App& root, CommandLine& line);
 void addBuild(CLI::App& root, CommandLine& line);
 void addHuman(CLI::App& root, CommandLine& line);
 void addSkeleton(CLI::App& root, CommandLine& line);
+void addPairs(CLI::App& root, CommandLine& line);
 void addRun(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);

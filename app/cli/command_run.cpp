@@ -10,6 +10,7 @@ struct Arguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"};
   SessionOptions session;
   RunOptions run;
+  PackagePaths packages;
 };
 
 nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& e) {
@@ -96,7 +97,7 @@ int run(const CommandLine& line, Arguments& args) {
   args.run.interrupted = interrupted;
   args.session.cache = line.cache;
   args.session.monitor = buildMonitor(line);
-  Session session(loadScene(args.scene), args.session);
+  Session session(loadScene(args.scene, args.packages), args.session);
   const RunSummary summary = runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
   return summary.interrupted ? kInterrupted : kDone;
@@ -137,6 +138,7 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option("--session", args->run.session_log, "HDF5 log of the run");
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));
+  addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

@@ -43,9 +43,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   cli::addFk(app, line);
   cli::addDynamics(app, line);
+  cli::addConvert(app, line);
   cli::addBuild(app, line);
   cli::addHuman(app, line);
   cli::addSkeleton(app, line);
+  cli::addPairs(app, line);
   cli::addRun(app, line);
   cli::addCheck(app, line);
   cli::addBench(app, line);

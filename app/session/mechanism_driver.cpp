@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/mechanism/robot.hpp"
 
 namespace abstand {
 
 MechanismDriver::MechanismDriver(const MechanismDescription& description)
-    : mechanism_(loadMechanism(description.file)), X_WB_(description.X_WB), q_(description.q) {
+    : mechanism_(loadRobot(description.file).mechanism), X_WB_(description.X_WB), q_(description.q) {
   const auto dof = static_cast<std::size_t>(mechanism_.dof);
   if (q_.empty()) q_.assign(dof, 0.0);
   if (q_.size() != dof)
@@ -17,13 +17,20 @@ MechanismDriver::MechanismDriver(const MechanismDescription& description)
                                           ", one a degree of freedom");
   if (!description.motion.empty()) motion_ = loadMotion(description.motion, mechanism_.dof);
   for (const auto& link : description.links) {
-    const int frame = link.frame == 0 ? -1 : mechanism_.indexOf(link.frame);
-    if (link.frame != 0 && frame < 0)
-      throw ParseError(link.pos, "found frame " + std::to_string(link.frame) + " of link '" + link.name +
+    const int frame = mechanism_.indexOf(link.frame);
+    if (frame < 0 && link.frame != "0")
+      throw ParseError(link.pos, "found frame '" + link.frame + "' of link '" + link.name +
                                      "', expected a frame of " + description.file.string());
     links_.push_back({frame, link.X_FL, std::nullopt});
   }
   forward(mechanism_, q_, state_);
+}
+
+/// The frame whose joint moves `frame`, -1: none does.
+int MechanismDriver::rigidBody(int frame) const {
+  while (frame >= 0 && mechanism_.frames[static_cast<std::size_t>(frame)].dof < 0)
+    frame = mechanism_.frames[static_cast<std::size_t>(frame)].parent;
+  return frame;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks() const {
@@ -40,8 +47,8 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
     }
     for (std::size_t j = 0; j < links_.size(); ++j) {
       if (i == j) continue;
-      const bool same_frame = links_[i].frame == links_[j].frame && i < j;
-      if (same_frame || (links_[i].frame >= 0 && links_[j].frame == up && links_[j].frame != links_[i].frame))
+      const bool same_body = i < j && rigidBody(links_[i].frame) == rigidBody(links_[j].frame);
+      if (same_body || (links_[i].frame >= 0 && links_[j].frame == up && links_[j].frame != links_[i].frame))
         pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
   }

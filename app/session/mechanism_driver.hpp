@@ -19,7 +19,8 @@ class MechanismDriver {
 
   /// Says which object is the description's link number `link`.
   void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
-  /// Pairs of links (numbers) that share a joint: no other link stands between them in the tree of frames.
+  /// Pairs of links (numbers) that share a joint: no other link stands between them in the tree of frames;
+  /// and those that no joint moves against each other.
   std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
 
   /// Joint values at time t, forward kinematics, poses of all links. No allocation, no throw.
@@ -27,17 +28,21 @@ class MechanismDriver {
   /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
   void efforts(const Scene& scene, std::span<double> out) const;
 
+  struct Link {
+    int frame;  ///< index into the mechanism's frames, -1: the base
+    Transform X_FL;
+    std::optional<ObjectId> object;
+  };
+  const std::vector<Link>& links() const { return links_; }
+  const Transform& X_WB() const { return X_WB_; }
   int dof() const { return mechanism_.dof; }
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
   const std::optional<MotionTable>& motion() const { return motion_; }
 
  private:
-  struct Link {
-    int frame;  ///< index into the mechanism's frames, -1: the base
-    Transform X_FL;
-    std::optional<ObjectId> object;
-  };
+  int rigidBody(int frame) const;
+
   Mechanism mechanism_;
   MechanismState state_;
   Transform X_WB_;

@@ -15,7 +15,8 @@ std::string fileName(const std::filesystem::path& p) { return p.filename().strin
 
 Session::Session(SceneDescription description, const SessionOptions& options)
     : description_(std::move(description)),
-      library_(options.cache ? userCacheFolder() : std::filesystem::path()) {
+      library_(options.cache ? userCacheFolder() : std::filesystem::path()),
+      remarks_(description_.remarks) {
   if (!options.recording.empty())
     for (auto& human : description_.humans) human.recording.file = options.recording;
 
@@ -64,12 +65,14 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
     const int first = static_cast<int>(plan.size());
     for (std::size_t i = 0; i < d.links.size(); ++i) {
       const auto& link = d.links[i];
-      const HapticOptions options = hapticOptions(link.settings);
+      BodySettings settings = link.settings;
+      settings.fillFrom(d.settings);
+      const HapticOptions options = hapticOptions(settings);
       const auto key = link.shape ? library_.request(*link.shape, options)
                                   : library_.request(link.mesh, link.scale, options);
-      plan.push_back({link.name, d.name, key, link.settings.margin.value_or(description_.defaults.margin),
-                      link.settings.max_speed ? link.settings.max_speed : d.max_speed,
-                      driver->motion() ? kInfinity : 0.0, [driver, i](ObjectId id) { driver->bind(i, id); }});
+      plan.push_back({link.name, d.name, key, settings.margin.value_or(description_.defaults.margin),
+                      settings.max_speed, driver->motion() ? kInfinity : 0.0,
+                      [driver, i](ObjectId id) { driver->bind(i, id); }});
     }
     for (const auto& [a, b] : driver->adjacentLinks())
       adjacent_.emplace_back(first + static_cast<int>(a), first + static_cast<int>(b));

@@ -52,6 +52,9 @@ class Session {
   const SceneDescription& description() const { return description_; }
   const std::vector<std::unique_ptr<MechanismDriver>>& mechanisms() const { return mechanisms_; }
   const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }
+  /// Numbers of objects, a < b, that their mechanism or person says are adjacent, whatever the scene makes of
+  /// it.
+  const std::vector<std::pair<int, int>>& adjacentPairs() const { return adjacent_; }
   const std::vector<double>& jointEfforts() const { return joint_efforts_; }
   double buildMs() const { return library_.buildMs(); }
   std::size_t structures() const { return library_.size(); }

@@ -36,6 +36,13 @@ std::string optionsText(const HapticOptions& o) {
          std::to_string(o.outer_layers) + "|" + std::string(fieldName(o.field));
 }
 
+LoadedMesh loadScaled(const std::filesystem::path& mesh, const Vector3d& scale) {
+  if (scale.x() > 0.0 && scale == Vector3d::Constant(scale.x())) return loadMesh(mesh, scale.x());
+  LoadedMesh loaded = loadMesh(mesh);
+  stretch(loaded.mesh, scale);
+  return loaded;
+}
+
 /// One bar for structures that are built side by side.
 class SharedProgress {
  public:
@@ -86,12 +93,13 @@ StructureLibrary::Key StructureLibrary::request(const Shape& shape, const Haptic
   return add(identity, identity, body, options);
 }
 
-StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mesh, double scale,
+StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mesh, const Vector3d& scale,
                                                 const HapticOptions& options) {
-  const std::string identity = mesh.string() + "*" + formatDouble(scale);
+  const std::string identity = mesh.string() + "*" + formatDouble(scale.x()) + "*" + formatDouble(scale.y()) +
+                               "*" + formatDouble(scale.z());
   auto& body = bodies_[identity];
   if (!body) {
-    LoadedMesh loaded = loadMesh(mesh, scale);
+    LoadedMesh loaded = loadScaled(mesh, scale);
     for (const auto& remark : loaded.report.remarks) remarks_.push_back(mesh.string() + ": " + remark);
     body = std::make_shared<Body>(Body{std::move(loaded.mesh), nullptr});
   }

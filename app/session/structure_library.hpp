@@ -21,8 +21,9 @@ class StructureLibrary {
   explicit StructureLibrary(std::filesystem::path cache_folder) : cache_(std::move(cache_folder)) {}
 
   Key request(const Shape& shape, const HapticOptions& options);
-  /// Reads the mesh at once. Throws ParseError for a file that is no mesh.
-  Key request(const std::filesystem::path& mesh, double scale, const HapticOptions& options);
+  /// Reads the mesh at once; `scale`: metres per unit along its axes. Throws ParseError for a file that is no
+  /// mesh.
+  Key request(const std::filesystem::path& mesh, const Vector3d& scale, const HapticOptions& options);
 
   /// On `threads` threads (0: all cores); the result does not depend on the number. Throws UsageError for a
   /// mesh without area and for options that do not fit a body, and BuildCancelled.

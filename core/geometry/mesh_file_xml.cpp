@@ -78,10 +78,13 @@ class Parser {
   XmlElement element(int depth) {
     if (depth > kDeepest) fail("found elements nested more than " + std::to_string(kDeepest) + " deep");
     XmlElement e;
-    lines_ += static_cast<int>(std::count(document_.begin() + static_cast<std::ptrdiff_t>(counted_),
-                                          document_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
-    counted_ = at_;
+    for (; counted_ < at_; ++counted_) {
+      if (document_[counted_] != '\n') continue;
+      ++lines_;
+      line_begin_ = counted_ + 1;
+    }
     e.line = lines_;
+    e.column = static_cast<int>(at_ - line_begin_) + 1;
     expect('<');
     e.name = word();
     for (;;) {
@@ -121,7 +124,7 @@ class Parser {
   std::string_view document_;
   SourcePos pos_;
   std::size_t at_{0};
-  std::size_t counted_{0};
+  std::size_t counted_{0}, line_begin_{0};
   int lines_{1};
 };
 

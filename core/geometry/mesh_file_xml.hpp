@@ -1,4 +1,4 @@
-// As much of XML as COLLADA files use; internal to its reader.
+// As much of XML as COLLADA, URDF and SRDF files use; internal to their readers.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct XmlElement {
   std::string_view name;
   std::vector<std::pair<std::string_view, std::string_view>> attributes;
   std::vector<XmlElement> children;
-  std::string text;  ///< its own text, the children's left out
-  int line{0};
+  std::string text;        ///< its own text, the children's left out
+  int line{0}, column{0};  ///< of its '<', from 1; the column in bytes
 
   /// Empty when there is none of that name.
   std::string_view attribute(std::string_view key) const;

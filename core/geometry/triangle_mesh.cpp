@@ -74,6 +74,12 @@ Bounds bounds(const TriangleMesh& mesh) {
   return b;
 }
 
+void stretch(TriangleMesh& mesh, const Vector3d& scale) {
+  for (auto& v : mesh.vertices) v = v.cwiseProduct(scale);
+  if (scale.prod() > 0.0) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
 double surfaceArea(const TriangleMesh& mesh) {
   double twice = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

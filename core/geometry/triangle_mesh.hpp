@@ -32,6 +32,10 @@ struct Bounds {
 
 Bounds bounds(const TriangleMesh& mesh);
 
+/// Multiplies the coordinates by `scale`, one factor an axis, none 0. Where that mirrors the mesh, its
+/// triangles are turned, so that outside stays outside.
+void stretch(TriangleMesh& mesh, const Vector3d& scale);
+
 /// m^2.
 double surfaceArea(const TriangleMesh& mesh);
 

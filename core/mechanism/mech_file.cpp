@@ -1,7 +1,6 @@
 #include "core/mechanism/mech_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -9,47 +8,41 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
-#include "core/mechanism/mech_words.hpp"
+#include "core/mechanism/mech_extras.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 16u << 20;
 // Larger values are mistakes, and sums and products of smaller ones stay finite.
 constexpr double kLargest = 1e6;
 // A rotation typed with four digits is meant as one; what is left of it is made orthonormal.
 constexpr double kCenterTolerance = 1e-3;
 
-/// A number as it stands in the file, in the file's units.
-struct Number {
-  double value{0.0};
-  int line{0}, column{0};
-};
-
 struct RawFrame {
-  Number id, a, alpha, d, theta;
+  MechNumber id, a, alpha, d, theta;
   int parent{-1};
   JointType type{JointType::kFixed};
 };
 
 struct RawDof {
-  Number frame_id, offset, scale{1.0};
+  MechNumber frame_id, offset, scale{1.0};
+  int dof{0};
+  bool mimic{false};
 };
 
 struct RawLink {
-  std::optional<Number> id;
-  std::vector<Number> center;
+  std::optional<MechNumber> id;
+  std::vector<MechNumber> center;
 };
 
 /// Reads the words into raw values, which units then turn into SI: the environments may stand in any order.
-class MechParser {
+class MechParser : private MechReader {
  public:
-  MechParser(std::string_view text, std::string name)
-      : lines_(splitMechWords(text)), name_(std::move(name)) {}
+  MechParser(std::string_view text, std::string name) : MechReader(text, std::move(name)) {}
 
-  Mechanism parse() {
-    while (next_ < lines_.size()) {
-      const MechLine& begin = lines_[next_++];
+  Robot parse() {
+    while (const MechLine* line = nextLine()) {
+      const MechLine& begin = *line;
       const auto word = begin.words.front().text;
       if (word == "units") {
         expectAlone(begin);
@@ -63,96 +56,18 @@ class MechParser {
       } else if (word == "link") {
         expectAlone(begin);
         link(begin);
-      } else {
-        unknown(begin, 0, "an environment: units, mapping, chain or link",
-                {"units", "mapping", "chain", "link"});
+      } else if (!extras_.read(begin)) {
+        unknown(begin, 0, "an environment: units, mapping, chain, link, names, limits, inertia or geometry",
+                {"units", "mapping", "chain", "link", "names", "limits", "inertia", "geometry"});
       }
     }
-    if (frames_.empty()) throw ParseError({name_}, "found no frame, expected at least one chain");
-    return build();
+    if (frames_.empty()) throw ParseError({fileName()}, "found no frame, expected at least one chain");
+    Robot robot{fileName(), build(), {}, {}};
+    extras_.apply({length_, angle_}, robot);
+    return robot;
   }
 
  private:
-  [[noreturn]] void fail(int line, int column, const std::string& message,
-                         const std::string& hint = {}) const {
-    throw ParseError({name_, line, column}, message, hint);
-  }
-  [[noreturn]] void fail(const Number& at, const std::string& message) const {
-    fail(at.line, at.column, message);
-  }
-
-  [[noreturn]] void unknown(const MechLine& line, std::size_t i, const std::string& expected,
-                            const std::vector<std::string>& known) const {
-    const auto& word = line.words[i];
-    std::string lower(word.text.substr(0, 64));
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const std::string near = nearestName(lower, known);
-    std::string hint;
-    if (near == lower && !near.empty())
-      hint = "words are written in lowercase: " + near;
-    else if (!near.empty())
-      hint = "did you mean " + near + "?";
-    fail(line.line, word.column, "found " + quoted(word.text) + ", expected " + expected, hint);
-  }
-
-  /// Exactly `count` values behind the command of the line; `what` names them.
-  void expectValues(const MechLine& line, std::size_t count, const std::string& what) const {
-    const std::size_t found = line.words.size() - 1;
-    if (found == count) return;
-    const int column = found > count ? line.words[count + 1].column : line.end_column;
-    fail(line.line, column,
-         "found " + std::to_string(found) + (found == 1 ? " value" : " values") + " behind " +
-             quoted(line.words[0].text) + ", expected " + std::to_string(count) + ": " + what);
-  }
-  void expectAlone(const MechLine& line) const {
-    if (line.words.size() > 1)
-      fail(line.line, line.words[1].column,
-           "found " + quoted(line.words[1].text) + ", expected the end of the line behind " +
-               quoted(line.words[0].text));
-  }
-
-  /// The next line of an environment, or null at its end tag. `known` are the commands that may stand in it.
-  const MechLine* command(const MechLine& begin, const std::vector<std::string>& known) {
-    const std::string end_tag = "end_" + std::string(begin.words[0].text);
-    if (next_ == lines_.size())
-      fail(begin.line, begin.words[0].column,
-           "found the end of the file inside this environment, expected " + end_tag);
-    const MechLine& line = lines_[next_++];
-    const auto word = line.words[0].text;
-    if (word == end_tag) {
-      expectAlone(line);
-      return nullptr;
-    }
-    if (std::find(known.begin(), known.end(), word) == known.end()) {
-      std::string expected;
-      for (const auto& k : known) expected += k + ", ";
-      expected.resize(expected.size() - 2);
-      auto all = known;
-      all.push_back(end_tag);
-      unknown(line, 0, expected + " or " + end_tag, all);
-    }
-    return &line;
-  }
-
-  Number number(const MechLine& line, std::size_t i, const std::string& what) const {
-    const auto& word = line.words[i];
-    const auto value = parseDouble(word.text);
-    if (!value)
-      fail(line.line, word.column, "found " + quoted(word.text) + ", expected " + what + ": a finite number");
-    return {*value, line.line, word.column};
-  }
-
-  /// A whole number from `least` on.
-  Number integer(const MechLine& line, std::size_t i, int least, const std::string& what) const {
-    const auto& word = line.words[i];
-    const auto value = parseInt(word.text);
-    if (!value || *value < least)
-      fail(line.line, word.column,
-           "found " + quoted(word.text) + ", expected " + what + ": a whole number from " +
-               std::to_string(least) + " on");
-    return {static_cast<double>(*value), line.line, word.column};
-  }
-
   void units(const MechLine& begin) {
     if (has_units_) fail(begin.line, begin.words[0].column, "found a second units environment, expected one");
     has_units_ = true;
@@ -189,17 +104,24 @@ class MechParser {
     if (has_mapping_)
       fail(begin.line, begin.words[0].column, "found a second mapping environment, expected one");
     has_mapping_ = true;
-    while (const MechLine* line = command(begin, {"dof"})) {
+    while (const MechLine* line = command(begin, {"dof", "mimic"})) {
+      const bool mimic = line->words[0].text == "mimic";
       const std::size_t count = line->words.size() - 1;
       if (count != 2 && count != 4)
         fail(line->line, count > 4 ? line->words[5].column : line->end_column,
-             "found " + std::to_string(count) + (count == 1 ? " value" : " values") +
-                 " behind 'dof', expected 2 or 4: id, frame and, if wanted, offset and scale");
-      const Number id = integer(*line, 1, 0, "the id of a degree of freedom");
-      if (id.value != static_cast<double>(dofs_.size()))
-        fail(id, "found dof " + quoted(line->words[1].text) + ", expected " + std::to_string(dofs_.size()) +
+             "found " + std::to_string(count) + (count == 1 ? " value" : " values") + " behind " +
+                 quoted(line->words[0].text) +
+                 ", expected 2 or 4: id, frame and, if wanted, offset and scale");
+      const MechNumber id = integer(*line, 1, 0, "the id of a degree of freedom");
+      if (mimic && id.value >= static_cast<double>(dof_count_))
+        fail(id, "found a mimic of dof " + quoted(line->words[1].text) + ", expected one that stands before");
+      if (!mimic && id.value != static_cast<double>(dof_count_))
+        fail(id, "found dof " + quoted(line->words[1].text) + ", expected " + std::to_string(dof_count_) +
                      ": ids count 0, 1, 2, ...");
       RawDof dof;
+      dof.dof = static_cast<int>(id.value);
+      dof.mimic = mimic;
+      if (!mimic) ++dof_count_;
       dof.frame_id = integer(*line, 2, 1, "the id of a frame");
       if (count == 4) {
         dof.offset = number(*line, 3, "an offset");
@@ -220,7 +142,7 @@ class MechParser {
           fail(line->line, line->words[0].column,
                "found 'reference', expected it once, before the frames of the chain");
         expectValues(*line, 1, "the id of the reference frame");
-        const Number id = integer(*line, 1, 0, "the id of the reference frame");
+        const MechNumber id = integer(*line, 1, 0, "the id of the reference frame");
         if (id.value != 0.0) {
           const auto at = index_.find(static_cast<int>(id.value));
           if (at == index_.end())
@@ -260,7 +182,7 @@ class MechParser {
     return index;
   }
 
-  Number variableOr(const MechLine& line, std::size_t i, const std::string& name, bool varies) const {
+  MechNumber variableOr(const MechLine& line, std::size_t i, const std::string& name, bool varies) const {
     const auto& word = line.words[i];
     if (varies) return {0.0, line.line, word.column};
     if (!parseDouble(word.text))
@@ -289,7 +211,7 @@ class MechParser {
     links_.push_back(std::move(link));
   }
 
-  double toSi(const Number& n, double unit) const {
+  double toSi(const MechNumber& n, double unit) const {
     const double si = n.value * unit;
     if (std::abs(si) > kLargest)
       fail(n, "found " + formatDouble(n.value) + ", expected at most " + formatDouble(kLargest / unit) +
@@ -298,7 +220,7 @@ class MechParser {
   }
 
   /// Index of the frame that `id` names.
-  std::size_t known(const Number& id) const {
+  std::size_t known(const MechNumber& id) const {
     const auto at = index_.find(static_cast<int>(id.value));
     if (at == index_.end())
       fail(id, "found the frame " + formatDouble(id.value) + ", expected a frame that a chain defines");
@@ -339,7 +261,9 @@ class MechParser {
              "found frame " + f.name + ", which is constant, expected one with d or theta as its variable");
       if (f.dof >= 0)
         fail(raw.frame_id, "found frame " + f.name + " a second time, expected one dof a frame");
-      f.dof = m.dof++;
+      f.dof = raw.dof;
+      f.mimic = raw.mimic;
+      m.dof = dof_count_;
       f.offset = toSi(raw.offset, f.type == JointType::kPrismatic ? length_ : angle_);
       f.scale = toSi(raw.scale, 1.0);
     }
@@ -367,27 +291,30 @@ class MechParser {
     f.has_center = true;
   }
 
-  std::vector<MechLine> lines_;
-  std::string name_;
-  std::size_t next_{0};
   bool has_units_{false}, has_mapping_{false};
   double length_{1.0}, angle_{1.0};
   std::vector<RawFrame> frames_;
   std::unordered_map<int, int> index_;
   std::vector<RawDof> dofs_;
+  int dof_count_{0};
   std::vector<RawLink> links_;
+  MechExtras extras_{*this};
 };
 
 }  // namespace
 
+Robot parseMech(const std::string& text, const std::string& name) {
+  Robot robot = MechParser(text, name).parse();
+  robot.mechanism.name = std::filesystem::path(name).stem().string();
+  return robot;
+}
+
 Mechanism parseMechanism(const std::string& text, const std::string& name) {
-  Mechanism m = MechParser(text, name).parse();
-  m.name = std::filesystem::path(name).stem().string();
-  return m;
+  return parseMech(text, name).mechanism;
 }
 
 Mechanism loadMechanism(const std::filesystem::path& file) {
-  return parseMechanism(readFile(file, kMostBytes), file.string());
+  return parseMechanism(readFile(file, kMostRobotBytes), file.string());
 }
 
 }  // namespace abstand

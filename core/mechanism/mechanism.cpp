@@ -13,6 +13,12 @@ int Mechanism::indexOf(int id) const {
   return -1;
 }
 
+int Mechanism::indexOf(const std::string& frame_name) const {
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (frames[i].name == frame_name) return static_cast<int>(i);
+  return -1;
+}
+
 void Mechanism::prepare() {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     auto& f = frames[i];

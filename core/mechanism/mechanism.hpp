@@ -30,13 +30,15 @@ struct LinkInertia {
 /// X_PJ, then the joint about or along `axis`. SI. A variable joint's value is offset + scale * q[dof];
 /// several frames may share a dof (mimic joints).
 struct MechanismFrame {
-  int id{0};         ///< unique, positive; 0 is the base
-  std::string name;  ///< the id as text for .mech files
-  int parent{-1};    ///< index into Mechanism::frames, -1 for the base
+  int id{0};          ///< unique, positive; 0 is the base
+  std::string name;   ///< the id as text for .mech files, the link's name for URDF
+  std::string joint;  ///< name of the joint that moves it, where the file has one
+  int parent{-1};     ///< index into Mechanism::frames, -1 for the base
   JointType type{JointType::kFixed};
   double a{0.0}, alpha{0.0}, d{0.0}, theta{0.0};  ///< the variable one holds 0
   int dof{-1};  ///< index into q, -1 when fixed (or a variable that no `dof` maps: it stays 0)
   double offset{0.0}, scale{1.0};
+  bool mimic{false};  ///< follows a dof that another frame leads
   bool has_center{false};
   Transform X_FC{Transform::Identity()};  ///< `link` environment: centre of the link in its frame
   bool has_dh{true};
@@ -56,6 +58,8 @@ struct Mechanism {
 
   /// Index of the frame with this id, or -1.
   int indexOf(int id) const;
+  /// Index of the frame with this name, or -1.
+  int indexOf(const std::string& frame_name) const;
 
   /// Computes what does not depend on q, once. The readers of files call it; who builds or changes a
   /// mechanism by hand calls it afterwards.

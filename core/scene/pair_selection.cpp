@@ -62,6 +62,7 @@ std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& 
       at(p) = false;
     }
   }
+  for (const auto& p : rules.dropped) at(names.find({p.a, p.b}, {})) = false;
   for (std::size_t i = 0; i < rules.exclude.size(); ++i)
     at(names.find(rules.exclude[i], posOf(rules.exclude_pos, i))) = false;
   for (std::size_t i = 0; i < rules.include.size(); ++i)

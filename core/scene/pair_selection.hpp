@@ -16,10 +16,10 @@ struct SelectableBody {
 };
 
 /// Indices (a < b) into `bodies`, in order, by the rules of the scene file. Later rules win: the default;
-/// minus `adjacent` (given by the mechanisms and the human), when the rules say so; minus exclude; plus
-/// include. Under `all`, pairs of things that never move against each other are checked too: an explicit
-/// exclude takes them out. Throws ParseError for a name that is not there, with the nearest one, and for a
-/// body paired with itself.
+/// minus `adjacent` (given by the mechanisms and the human), when the rules say so; minus what SRDFs and the
+/// file of pairs drop; minus exclude; plus include. Under `all`, pairs of things that never move against each
+/// other are checked too: an explicit exclude takes them out. Throws ParseError for a name that is not there,
+/// with the nearest one, and for a body paired with itself.
 std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& bodies,
                                              const PairsDescription& rules,
                                              const std::vector<std::pair<int, int>>& adjacent);

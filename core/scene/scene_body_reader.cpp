@@ -1,9 +1,12 @@
 #include "core/scene/scene_body_reader.hpp"
 
 #include <algorithm>
+#include <map>
 #include <system_error>
 
 #include "core/base/number.hpp"
+#include "core/mechanism/srdf_file.hpp"
+#include "core/scene/robot_links.hpp"
 
 namespace abstand {
 namespace {
@@ -14,13 +17,13 @@ constexpr YamlRange kPositionRange{-1e4, 1e4, "m"};
 constexpr YamlRange kAngleRange{-1e3, 1e3, "rad"};
 constexpr YamlRange kJointRange{-1e6, 1e6};
 constexpr YamlRange kScaleRange{0.0, 1e6, "", true};
+constexpr YamlRange kStretchRange{-1e6, 1e6};
 constexpr YamlRange kSizeRange{0.0, 1e3, "m", true};
 constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
 constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
 constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr YamlRange kSpeedRange{0.0, 1e4, "m/s"};
-constexpr int kMostFrameId = 1000000;
 
 double needNumber(const YamlFields& fields, std::string_view key, const YamlRange& range) {
   fields.need(key);
@@ -38,6 +41,17 @@ Transform pose(const YamlFields& parent, std::string_view key) {
   const YamlFields fields(*node, parent.file(), "`" + std::string(key) + "`", {"xyz", "rpy"});
   return fromXyzRpy(fields.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
                     fields.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
+}
+
+/// One number, or one for each axis of the mesh.
+Vector3d scale(const YamlFields& fields) {
+  const auto* node = fields.find("scale");
+  if (!node || node->kind != YamlNode::Kind::kList)
+    return Vector3d::Constant(fields.number("scale", kScaleRange).value_or(1.0));
+  const Vector3d s = *fields.vector("scale", kStretchRange);
+  if ((s.array() == 0.0).any())
+    throw ParseError(fields.pos(*node), "found 0 in `scale`, expected numbers other than 0");
+  return s;
 }
 
 BodySettings settings(const YamlFields& fields) {
@@ -155,18 +169,36 @@ void SceneBodyReader::meshOrShape(const YamlFields& fields, Body& body) const {
   if (shape_node && fields.find("scale"))
     throw ParseError(fields.keyPos("scale"), "found `scale` beside `shape`, expected it beside a mesh only",
                      "the sizes of a shape are in metres");
-  body.scale = fields.number("scale", kScaleRange).value_or(1.0);
+  body.scale = scale(fields);
 }
 
-LinkDescription SceneBodyReader::link(const YamlNode& node) {
+/// A name that the scene does not write itself.
+void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
+  if (name.find_first_of(",\"") != std::string::npos)
+    throw ParseError(pos, "found the link name `" + name + "`, expected no comma and no quotation mark",
+                     "names stand in the headers of CSV files");
+  if (!body_names_.insert(name).second)
+    throw ParseError(pos, "found the body name `" + name + "` that is taken already, expected a new one");
+  addBody(name, pos);
+}
+
+LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mechanism) {
   const YamlFields fields(node, file_, "a link",
                           {"name", "frame", "mesh", "scale", "shape", "pose", "voxel", "point",
                            "outer_layers", "margin", "max_speed"});
   LinkDescription l;
   l.pos = fields.pos();
   l.name = newBody(fields);
-  fields.need("frame");
-  l.frame = *fields.integer("frame", 0, kMostFrameId);
+  const YamlNode& frame = fields.need("frame");
+  l.frame = yamlText(frame, file_, "`frame`");
+  if (mechanism.indexOf(l.frame) < 0 && l.frame != "0") {
+    std::vector<std::string> names;
+    for (const auto& f : mechanism.frames) names.push_back(f.name);
+    throw ParseError(
+        fields.pos(frame),
+        "found " + yamlFound(frame) + " for `frame`, expected 0 or a frame of the mechanism's file",
+        nearestHint(l.frame, names));
+  }
   meshOrShape(fields, l);
   l.X_FL = pose(fields, "pose");
   l.settings = settings(fields);
@@ -175,7 +207,8 @@ LinkDescription SceneBodyReader::link(const YamlNode& node) {
 
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   const YamlFields fields(node, file_, "a mechanism",
-                          {"name", "file", "base", "q", "motion", "links", "max_speed"});
+                          {"name", "file", "base", "q", "motion", "links", "geometry", "srdf", "voxel",
+                           "point", "outer_layers", "margin", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
@@ -184,9 +217,38 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   for (const auto& q : fields.list("q")) m.q.push_back(yamlNumber(q, file_, "`q`", kJointRange));
   if (const auto* motion = fields.find("motion"))
     m.motion = existingFile(*motion, "`motion`", "a CSV of joint values");
-  m.max_speed = fields.number("max_speed", kSpeedRange);
-  for (const auto& l : fields.list("links")) m.links.push_back(link(l));
+  m.settings = settings(fields);
+  if (const auto* srdf = fields.find("srdf")) m.srdf = existingFile(*srdf, "`srdf`", "an SRDF");
+  const Robot robot = loadRobot(m.file);
+  remarks_.insert(remarks_.end(), robot.warnings.begin(), robot.warnings.end());
+  for (const auto& l : fields.list("links")) m.links.push_back(link(l, robot.mechanism));
+  const auto geometry = fields.choice("geometry", {"collision", "visual"});
+  if (fields.find("links")) {
+    if (geometry)
+      throw ParseError(
+          fields.keyPos("geometry"),
+          "found `geometry` beside `links`, expected one of them: `links` say what each link is");
+    takeDisabled(m);
+    return m;
+  }
+  RobotLinks links = robotLinks(
+      robot, m.name, geometry == "visual" ? GeometryUse::kVisual : GeometryUse::kCollision, packages_);
+  for (auto& l : links.links) takeBody(l.name, l.pos);
+  m.links = std::move(links.links);
+  remarks_.insert(remarks_.end(), links.remarks.begin(), links.remarks.end());
+  takeDisabled(m);
   return m;
+}
+
+/// Pairs of links become pairs of all bodies that hang on them.
+void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
+  if (mechanism.srdf.empty()) return;
+  const Srdf srdf = loadSrdf(mechanism.srdf);
+  std::map<std::string, std::vector<std::string>> bodies_on;
+  for (const auto& link : mechanism.links) bodies_on[link.frame].push_back(link.name);
+  for (const auto& pair : srdf.disabled)
+    for (const auto& a : bodies_on[pair.link1])
+      for (const auto& b : bodies_on[pair.link2]) dropped_.push_back({a, b, pair.reason});
 }
 
 RecordingDescription SceneBodyReader::recording(const YamlNode& node) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/text_file.hpp"
+#include "core/scene/pairs_file.hpp"
 #include "core/scene/scene_body_reader.hpp"
 #include "core/scene/yaml_reader.hpp"
 
@@ -56,10 +57,30 @@ NamePair namePair(const YamlNode& node, const std::string& file, const std::stri
   return {names[0].text, names[1].text};
 }
 
-PairsDescription pairRules(const YamlNode& node, const std::string& file,
-                           const std::vector<std::string>& bodies) {
-  const YamlFields fields(node, file, "`pairs`", {"default", "adjacent", "exclude", "include"});
+/// Names that the scene does not have are passed over: a file may be made for more than is in the scene.
+void dropByFile(PairsDescription& p, const std::vector<std::string>& bodies) {
+  const std::set<std::string> known(bodies.begin(), bodies.end());
+  bool any = false;
+  for (const auto& row : loadPairs(p.file)) {
+    const bool both = known.contains(row.a) && known.contains(row.b);
+    any = any || both;
+    if (both && row.verdict != PairVerdict::kSometimes)
+      p.dropped.push_back(
+          {row.a, row.b, verdictName(row.verdict) + (row.evidence.empty() ? "" : ": " + row.evidence)});
+  }
+  if (!any)
+    throw ParseError({p.file.string()}, "found no pair of bodies of this scene, expected their names",
+                     "`abstand pairs SCENE` names them like the scene");
+}
+
+PairsDescription pairRules(const YamlNode& node, const std::string& file, const SceneBodyReader& reader) {
+  const YamlFields fields(node, file, "`pairs`", {"default", "adjacent", "file", "exclude", "include"});
+  const auto& bodies = reader.bodies();
   PairsDescription p;
+  if (const auto* pairs_file = fields.find("file")) {
+    p.file = reader.existingFile(*pairs_file, "`file`", "a file of `abstand pairs`");
+    dropByFile(p, bodies);
+  }
   const auto standard = fields.choice("default", {"all", "between_groups", "none"}).value_or("all");
   p.standard = standard == "all"    ? PairDefault::kAll
                : standard == "none" ? PairDefault::kNone
@@ -113,7 +134,15 @@ Skipping skippingRules(const YamlNode& node, const std::string& file) {
 
 }  // namespace
 
-SceneDescription parseScene(const std::string& text, const fs::path& path) {
+void BodySettings::fillFrom(const BodySettings& other) {
+  if (!voxel) voxel = other.voxel;
+  if (!point) point = other.point;
+  if (!margin) margin = other.margin;
+  if (!max_speed) max_speed = other.max_speed;
+  if (!outer_layers) outer_layers = other.outer_layers;
+}
+
+SceneDescription parseScene(const std::string& text, const fs::path& path, const PackagePaths& packages) {
   const std::string file = path.string();
   const YamlNode root = parseYaml(text, file);
   const YamlFields fields(
@@ -130,17 +159,21 @@ SceneDescription parseScene(const std::string& text, const fs::path& path) {
   SceneDescription scene;
   std::error_code ec;
   scene.file = fs::absolute(path, ec).lexically_normal();
-  SceneBodyReader bodies(file, scene.file.parent_path());
+  SceneBodyReader bodies(file, scene.file.parent_path(), packages);
   if (const auto* node = fields.find("defaults")) scene.defaults = defaults(*node, file);
   for (const auto& node : fields.list("mechanisms")) scene.mechanisms.push_back(bodies.mechanism(node));
   for (const auto& node : fields.list("humans")) scene.humans.push_back(bodies.human(node));
   for (const auto& node : fields.list("objects")) scene.objects.push_back(bodies.object(node));
-  if (const auto* node = fields.find("pairs")) scene.pairs = pairRules(*node, file, bodies.bodies());
+  if (const auto* node = fields.find("pairs")) scene.pairs = pairRules(*node, file, bodies);
+  scene.pairs.dropped.insert(scene.pairs.dropped.begin(), bodies.dropped().begin(), bodies.dropped().end());
+  scene.remarks = bodies.remarks();
   if (const auto* node = fields.find("threads")) scene.threads = threadGroups(*node, file, bodies.bodies());
   if (const auto* node = fields.find("skipping")) scene.skipping = skippingRules(*node, file);
   return scene;
 }
 
-SceneDescription loadScene(const fs::path& file) { return parseScene(readFile(file, kMostYamlBytes), file); }
+SceneDescription loadScene(const fs::path& file, const PackagePaths& packages) {
+  return parseScene(readFile(file, kMostYamlBytes), file, packages);
+}
 
 }  // namespace abstand

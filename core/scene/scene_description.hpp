@@ -1,4 +1,4 @@
-// A scene file as plain values, before anything is loaded.
+// A scene file as plain values, before meshes and recordings are loaded.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include "core/base/error.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/haptic/haptic_options.hpp"
+#include "core/mechanism/mesh_reference.hpp"
 #include "core/scene/skipping.hpp"
 
 namespace abstand {
@@ -21,13 +22,16 @@ struct BodySettings {
   std::optional<double> voxel, point, margin;
   std::optional<double> max_speed;  ///< m/s
   std::optional<int> outer_layers;
+
+  /// Takes what is not set from `other`.
+  void fillFrom(const BodySettings& other);
 };
 
 struct LinkDescription {
   std::string name;
-  int frame{0};                ///< id of the frame it moves with; 0: the base
+  std::string frame{"0"};      ///< name of the frame it moves with (in a .mech file its id); 0: the base
   std::filesystem::path mesh;  ///< absolute; empty when a shape is given
-  double scale{1.0};
+  Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
   std::optional<Shape> shape;
   Transform X_FL{Transform::Identity()};  ///< link in its frame (`pose`)
   BodySettings settings;
@@ -36,12 +40,13 @@ struct LinkDescription {
 
 struct MechanismDescription {
   std::string name;
-  std::filesystem::path file;
+  std::filesystem::path file;             ///< .mech or URDF
   Transform X_WB{Transform::Identity()};  ///< `base`
   std::vector<double> q;                  ///< empty: all zero
   std::filesystem::path motion;           ///< empty: none
-  std::optional<double> max_speed;        ///< m/s, of its links, where they have none of their own
-  std::vector<LinkDescription> links;
+  BodySettings settings;                  ///< of its links, where they have none of their own
+  std::filesystem::path srdf;             ///< empty: none
+  std::vector<LinkDescription> links;     ///< as the scene lists them, else those of the robot file
   SourcePos pos;
 };
 
@@ -76,7 +81,7 @@ struct HumanDescription {
 struct ObjectDescription {
   std::string name;
   std::filesystem::path mesh;
-  double scale{1.0};
+  Vector3d scale{Vector3d::Ones()};
   std::optional<Shape> shape;
   Transform X_WB{Transform::Identity()};
   BodySettings settings;
@@ -85,9 +90,16 @@ struct ObjectDescription {
 
 enum class PairDefault { kAll, kBetweenGroups, kNone };
 
+/// A pair that an SRDF or a file of pairs takes out, and why.
+struct DroppedPair {
+  std::string a, b, reason;
+};
+
 struct PairsDescription {
   PairDefault standard{PairDefault::kAll};
   bool exclude_adjacent{true};
+  std::filesystem::path file;        ///< of `abstand pairs`; empty: none
+  std::vector<DroppedPair> dropped;  ///< by that file and by the mechanisms' SRDFs; names of bodies
   std::vector<std::pair<std::string, std::string>> exclude, include;
   std::vector<SourcePos> exclude_pos, include_pos;
 };
@@ -111,13 +123,16 @@ struct SceneDescription {
   PairsDescription pairs;
   ThreadGroups threads;
   Skipping skipping;
+  std::vector<std::string> remarks;  ///< what a user should know of the files that were read
 };
 
 /// Reads a scene file (cli contract, YAML). Relative paths are resolved against the scene file's folder.
 /// Throws ParseError with file, line and column; unknown keys come with the nearest known one, missing files
-/// at their line.
-SceneDescription loadScene(const std::filesystem::path& file);
-SceneDescription parseScene(const std::string& text, const std::filesystem::path& file);
+/// at their line. Robot files are read for their frames and links, SRDFs and files of pairs for their pairs;
+/// meshes only have to be there: `packages` says where those of packages are looked for.
+SceneDescription loadScene(const std::filesystem::path& file, const PackagePaths& packages = {});
+SceneDescription parseScene(const std::string& text, const std::filesystem::path& file,
+                            const PackagePaths& packages = {});
 
 /// The scene as it was understood, as YAML that reads back the same.
 std::string describeScene(const SceneDescription& scene);

@@ -1,9 +1,8 @@
 // Writes a scene description as YAML.
-#include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "core/base/number.hpp"
+#include "core/math/roll_pitch_yaw.hpp"
 #include "core/scene/scene_description.hpp"
 
 namespace abstand {
@@ -33,60 +32,12 @@ std::string scalar(const std::string& text) {
   return plain && text != "null" && text != "Null" && text != "NULL" ? text : quoted(text);
 }
 
-/// Fixed-axis angles of R, also near a pitch of 90 degrees, where roll and yaw are one: yaw is taken from
-/// what roll leaves of R.
-Vector3d rpyOf(const Matrix3d& R) {
-  const double roll = std::atan2(R(2, 1), R(2, 2));
-  const double pitch = std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2)));
-  const double s = std::sin(roll), c = std::cos(roll);
-  const double yaw = std::atan2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2));
-  return {roll, pitch, yaw};
-}
-
-double rounded(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-  for (char& c : text)
-    if (c == ',') c = '.';  // another locale's decimal point
-  return parseDouble(text).value_or(value);
-}
-
-/// The decimal with the fewest digits within `tolerance` of the angle.
-double neatAngle(double angle, double tolerance) {
-  if (std::abs(angle) <= tolerance) return 0.0;
-  for (int digits = 1; digits < 17; ++digits)
-    if (const double neat = rounded(angle, digits); std::abs(neat - angle) <= tolerance) return neat;
-  return angle;
-}
-
-/// Short angles that give the same matrix to the bit: what a person wrote, as a rule. Where there are none,
-/// the angles as computed.
-Vector3d neatRpy(const Matrix3d& R) {
-  const Vector3d rpy = rpyOf(R);
-  // The other triple of angles of the same rotation, for a pitch beyond 90 degrees.
-  const auto turned = [](double angle) { return angle > 0.0 ? angle - kPi : angle + kPi; };
-  const Vector3d other(turned(rpy.x()), std::copysign(kPi, rpy.y()) - rpy.y(), turned(rpy.z()));
-  constexpr std::array kTolerances{1e-9, 1e-12, 2e-15, 0.0};
-  for (const Vector3d& angles : {rpy, other}) {
-    Eigen::Matrix<double, 3, kTolerances.size()> neat;
-    for (int i = 0; i < neat.size(); ++i)
-      neat(i % 3, i / 3) = neatAngle(angles[i % 3], kTolerances[static_cast<std::size_t>(i / 3)]);
-    for (int x = 0; x < neat.cols(); ++x)
-      for (int y = 0; y < neat.cols(); ++y)
-        for (int z = 0; z < neat.cols(); ++z)
-          if (const Vector3d tried(neat(0, x), neat(1, y), neat(2, z));
-              fromXyzRpy(Vector3d::Zero(), tried).linear() == R)
-            return tried;
-  }
-  return rpy;
-}
-
 std::string vector(const Vector3d& v) {
   return "[" + formatDouble(v.x()) + ", " + formatDouble(v.y()) + ", " + formatDouble(v.z()) + "]";
 }
 
 std::string pose(const Transform& X) {
-  return "{xyz: " + vector(X.translation()) + ", rpy: " + vector(neatRpy(X.linear())) + "}";
+  return "{xyz: " + vector(X.translation()) + ", rpy: " + vector(neatRollPitchYaw(X.linear())) + "}";
 }
 
 struct ShapeText {
@@ -116,10 +67,14 @@ std::string settings(const BodySettings& s, const char* before = ", ", const cha
   return t;
 }
 
+std::string scaleText(const Vector3d& scale) {
+  return scale.x() > 0.0 && scale == Vector3d::Constant(scale.x()) ? formatDouble(scale.x()) : vector(scale);
+}
+
 template <class Body>
 std::string meshOrShape(const Body& body) {
   if (body.shape) return ", shape: " + std::visit(ShapeText{}, *body.shape);
-  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + formatDouble(body.scale);
+  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + scaleText(body.scale);
 }
 
 std::string mechanismText(const MechanismDescription& m) {
@@ -131,11 +86,12 @@ std::string mechanismText(const MechanismDescription& m) {
     s += "]\n";
   }
   if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
-  if (m.max_speed) s += "    max_speed: " + formatDouble(*m.max_speed) + "\n";
-  if (!m.links.empty()) s += "    links:\n";
+  s += settings(m.settings, "    ", "\n");
+  if (!m.srdf.empty()) s += "    srdf: " + scalar(m.srdf.string()) + "\n";
+  s += m.links.empty() ? "    links: []\n" : "    links:\n";
   for (const auto& l : m.links)
-    s += "      - {name: " + scalar(l.name) + ", frame: " + std::to_string(l.frame) + meshOrShape(l) +
-         ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
+    s += "      - {name: " + scalar(l.name) + ", frame: " + (parseInt(l.frame) ? l.frame : scalar(l.frame)) +
+         meshOrShape(l) + ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
   return s;
 }
 
@@ -203,6 +159,7 @@ std::string describeScene(const SceneDescription& scene) {
        (p.standard == PairDefault::kAll    ? "all"
         : p.standard == PairDefault::kNone ? "none"
                                            : "between_groups") +
+       (p.file.empty() ? "" : "\n  file: " + scalar(p.file.string())) +
        "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
        "\n  exclude: " + pairList(p.exclude) + "\n  include: " + pairList(p.include) + "\n";
   s += skippingText(scene.skipping);

@@ -15,7 +15,7 @@ namespace {
 std::filesystem::path sceneFile() {
   const auto folder = std::filesystem::temp_directory_path() / "abstand-scene-fuzz";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "f") << "x";
+  std::ofstream(folder / "f") << "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n";
   return folder / "scene.yaml";
 }
 

@@ -17,8 +17,8 @@ constexpr double kPoseTolerance = 1e-14;
 class SceneFile : public ::testing::Test {
  protected:
   SceneFile() {
-    for (const char* name : {"lwr4.mech", "sweep.csv", "link1.stl", "boxing.bvh", "table.obj"})
-      folder_.write(name, "x");
+    folder_.write("lwr4.mech", "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n");
+    for (const char* name : {"sweep.csv", "link1.stl", "boxing.bvh", "table.obj"}) folder_.write(name, "x");
   }
   SceneDescription parse(const std::string& text) const {
     return parseScene(text, folder_.path() / "scene.yaml");
@@ -97,9 +97,9 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(arm.q, (std::vector<double>{0, 0.5, 0, -1.2, 0, 0.8, 0}));
   EXPECT_EQ(arm.motion, path("sweep.csv"));
   ASSERT_EQ(arm.links.size(), 2u);
-  EXPECT_EQ(arm.links[0].frame, 1);
+  EXPECT_EQ(arm.links[0].frame, "1");
   EXPECT_EQ(arm.links[0].mesh, path("link1.stl"));
-  EXPECT_EQ(arm.links[0].scale, 0.001);
+  EXPECT_EQ(arm.links[0].scale, Vector3d::Constant(0.001));
   EXPECT_EQ(arm.links[0].settings.margin, 0.02);
   EXPECT_FALSE(arm.links[0].settings.voxel);
   ASSERT_TRUE(arm.links[1].shape);
@@ -149,7 +149,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   ASSERT_EQ(s.threads.size(), 2u);
   EXPECT_EQ(s.threads[1].size(), 2u);
   EXPECT_EQ(arm.links[1].settings.max_speed, 1.25);
-  EXPECT_EQ(s.mechanisms[1].max_speed, 0.5);
+  EXPECT_EQ(s.mechanisms[1].settings.max_speed, 0.5);
   EXPECT_EQ(h.parts.at("torso").numbers.at("max_speed"), 1.6);
   EXPECT_EQ(s.skipping.rest, 0.01);
   EXPECT_EQ(s.skipping.horizon, 2.5);

@@ -20,7 +20,7 @@ const char* const kMechanism = "abstand: 1\nmechanisms:\n";
 
 std::string errorOf(const std::string& text, SourcePos& pos) {
   const testing::ScratchFolder folder;
-  folder.write("arm.mech", "x");
+  folder.write("arm.mech", "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n");
   folder.write("a.stl", "x");
   try {
     parseScene(text, folder.path() / "scene.yaml");
@@ -162,7 +162,7 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: arm.mech, links: [{name: l, mesh: a.stl}]}\n", 3, 41, "`frame`"},
           {"  - {name: arm, file: arm.mech, links: [{name: l, frame: -1, mesh: a.stl}]}\n", 3, 58, "`-1`"},
           {"  - {name: arm, file: arm.mech, links: [{name: l, frame: wrist, mesh: a.stl}]}\n", 3, 58,
-           "whole number"},
+           "`wrist` for `frame`, expected 0 or a frame"},
           {"  - {name: arm, file: arm.mech, links: [{name: l, frame: 1, mesh: b.stl}]}\n", 3, 67, "b.stl"},
           {"  - name: arm\n    file: arm.mech\n    links:\n      - {name: l, frame: 1, mesh: a.stl}\n"
            "      - {name: l, frame: 2, mesh: a.stl}\n",

@@ -1,0 +1,129 @@
+// abstand convert: robot files from one format to the other, and how far apart they then are.
+#include <algorithm>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "core/mechanism/dh_mechanism.hpp"
+#include "core/mechanism/mech_file.hpp"
+#include "core/mechanism/robot_writer.hpp"
+#include "core/mechanism/urdf_file.hpp"
+
+namespace abstand::cli {
+namespace {
+
+// m and rad. What a table may leave of a posture.
+constexpr double kExact = 1e-9;
+
+struct Arguments {
+  std::filesystem::path in, out;
+  int postures{1000};
+  PackagePaths packages;
+};
+
+/// The names of meshes as they must be in a file in another folder.
+void rebase(Robot& robot, const Arguments& args, std::vector<std::string>& warnings) {
+  MeshFinder finder(args.in, args.packages);
+  std::error_code ec;
+  const auto folder =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(args.out, ec), ec).parent_path();
+  for (auto& g : robot.geometry) {
+    if (g.shape) continue;
+    if (const auto file = finder.find(g.mesh)) {
+      const auto relative = std::filesystem::weakly_canonical(*file, ec).lexically_relative(folder);
+      g.mesh = (relative.empty() ? *file : relative).string();
+    } else {
+      warnings.push_back(g.pos.file + ":" + std::to_string(g.pos.line) + ": found no file " + g.mesh +
+                         ": named as it was");
+    }
+  }
+  warnings.insert(warnings.end(), finder.remarks().begin(), finder.remarks().end());
+}
+
+struct Written {
+  std::string text;
+  Robot robot;                ///< as the text reads back
+  std::vector<double> scale;  ///< of its joint values; empty: all 1
+  std::size_t extra_frames{0};
+  PostureResidual residual;
+};
+
+Written writeMech(const Robot& robot, const Arguments& args, const DhTolerance& tolerance) {
+  Written w;
+  const Robot table = toDh(robot, tolerance);
+  w.extra_frames = table.mechanism.frames.size() - robot.mechanism.frames.size();
+  w.text = mechText(table);
+  w.robot = parseMech(w.text, args.out.string());
+  w.residual = postureResidual(robot.mechanism, w.robot.mechanism, args.postures);
+  return w;
+}
+
+Written write(const Robot& robot, const Arguments& args) {
+  const std::string extension = args.out.extension().string();
+  if (extension == ".mech") {
+    Written w = writeMech(robot, args, {});
+    // Roundings of the file that add up over many joints: rather more frames than an inexact table.
+    if (w.residual.position > kExact || w.residual.angle > kExact) w = writeMech(robot, args, {1e-14, 1e-15});
+    return w;
+  }
+  if (extension != ".urdf")
+    throw UsageError("found the file " + args.out.string() + ", expected the extension .mech or .urdf");
+  Written w;
+  UrdfWritten urdf = urdfText(robot);
+  w.text = std::move(urdf.text);
+  w.scale = std::move(urdf.scale);
+  w.robot = parseUrdf(w.text, args.out.string());
+  w.residual = postureResidual(robot.mechanism, w.robot.mechanism, args.postures, w.scale);
+  return w;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  Robot robot = loadRobot(args.in);
+  std::vector<std::string> warnings = robot.warnings;
+  rebase(robot, args, warnings);
+  const Written w = write(robot, args);
+  OutputFile file(args.out);
+  file.stream() << w.text;
+  file.commit();
+
+  for (std::size_t i = 0; i < w.scale.size(); ++i)
+    if (w.scale[i] != 1.0)
+      warnings.push_back(
+          format("the value of dof %zu is %g times that of the source: a URDF has no scale", i, w.scale[i]));
+  for (const auto& warning : warnings) line.warn(warning);
+  const bool exact = w.residual.position <= kExact && w.residual.angle <= kExact;
+  nlohmann::ordered_json document{{"file", args.out.string()},
+                                  {"dof", robot.mechanism.dof},
+                                  {"frames", robot.mechanism.frames.size()},
+                                  {"extra_frames", w.extra_frames},
+                                  {"geometry", robot.geometry.size()},
+                                  {"residual",
+                                   {{"postures", w.residual.postures},
+                                    {"position", w.residual.position},
+                                    {"angle", w.residual.angle},
+                                    {"frame", w.residual.frame}}},
+                                  {"exact", exact},
+                                  {"warnings", warnings}};
+  line.print(document,
+             format("%s: %d degrees of freedom, %zu frames and %zu more for the table, %zu geometries\n"
+                    "residual over %d postures: %.3g m, %.3g rad\n",
+                    args.out.c_str(), robot.mechanism.dof, robot.mechanism.frames.size(), w.extra_frames,
+                    robot.geometry.size(), w.residual.postures, w.residual.position, w.residual.angle));
+  return exact ? kDone : kPartly;
+}
+
+}  // namespace
+
+void addConvert(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "convert", "a robot file in the other format, with the residual",
+                             "abstand convert robot.urdf robot.mech");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("IN", args->in, "robot file (.mech or .urdf)")->required();
+  command->add_option("OUT", args->out, "robot file to write, .mech or .urdf by its extension")->required();
+  command->add_option("--postures", args->postures, "random postures that are compared")
+      ->check(CLI::Range(1, 10000000));
+  addPackagePath(command, args->packages);
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

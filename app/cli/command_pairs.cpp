@@ -1,0 +1,141 @@
+// abstand pairs: which pairs of bodies can collide at all.
+#include <chrono>
+#include <map>
+
+#include "app/cli/command_line.hpp"
+#include "app/run/collision_pairs.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path file, out, srdf;
+  std::string voxel{"0.005"}, clearance;
+  StudyOptions study;
+  PackagePaths packages;
+};
+
+/// A scene with nothing but the robot in it, under the name that the robot has.
+SceneDescription sceneOf(const std::filesystem::path& robot_file, const std::string& voxel,
+                         const PackagePaths& packages) {
+  const std::string name = loadRobot(robot_file).mechanism.name;
+  const auto text = [](const std::string& s) { return nlohmann::json(s).dump(); };
+  std::error_code ec;
+  const auto file = std::filesystem::absolute(robot_file, ec);
+  const std::string scene = "abstand: 1\ndefaults: {voxel: " + voxel + ", point: " + voxel +
+                            "}\nmechanisms:\n  - {name: " + text(name) + ", file: " + text(file.string()) +
+                            "}\n";
+  return parseScene(scene, file.parent_path() / "scene.yaml", packages);
+}
+
+SceneDescription load(const Arguments& args) {
+  const std::string extension = args.file.extension().string();
+  if (extension == ".yaml" || extension == ".yml") return loadScene(args.file, args.packages);
+  return sceneOf(args.file, args.voxel, args.packages);
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  if (path.empty()) return;
+  OutputFile file(path);
+  file.stream() << text;
+  file.commit();
+}
+
+int run(const CommandLine& line, Arguments& args) {
+  number(args.voxel, "--voxel");
+  if (!args.clearance.empty()) args.study.clearance = number(args.clearance, "--clearance");
+  args.study.validate();
+  args.study.progress = progressBar(line, "pairs");
+  args.study.interrupted = interrupted;
+  SessionOptions options;
+  options.cache = line.cache;
+  options.monitor = buildMonitor(line);
+  Session session(load(args), options);
+  if (session.mechanisms().empty())
+    throw UsageError("found a scene without a mechanism, expected at least one");
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto pairs = collisionPairs(session, args.study);
+  const double study_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  if (interrupted()) return kInterrupted;
+  write(args.out, pairsText(session, pairs, args.study));
+  if (!args.srdf.empty()) write(args.srdf, srdfText(srdfOf(session, pairs)));
+
+  const auto& objects = session.scene().objects();
+  std::map<std::string, int> counts{
+      {"adjacent", 0}, {"never", 0}, {"always", 0}, {"user", 0}, {"sometimes", 0}};
+  auto rows = nlohmann::ordered_json::array();
+  std::string text;
+  int found_by_search = 0;
+  for (const auto& p : pairs) {
+    const StudiedPair& s = p.study;
+    const std::string verdict = verdictName(s.verdict);
+    const std::string &a = objects[static_cast<std::size_t>(s.a)].spec.name,
+                      &b = objects[static_cast<std::size_t>(s.b)].spec.name;
+    ++counts[verdict];
+    found_by_search += s.by_search ? 1 : 0;
+    nlohmann::ordered_json row{{"verdict", verdict}, {"a", a}, {"b", b}};
+    if (s.samples > 0) {
+      row.update({{"distance", s.distance},
+                  {"bound", s.bound},
+                  {"samples", s.samples},
+                  {"hits", s.hits},
+                  {"by_search", s.by_search},
+                  {"posture", p.posture}});
+      if (s.verdict != PairVerdict::kSometimes)
+        text +=
+            format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
+    }
+    rows.push_back(std::move(row));
+  }
+  nlohmann::ordered_json document{{"bodies", objects.size()}, {"pairs", pairs.size()}};
+  for (const auto& [verdict, n] : counts) document[verdict] = n;
+  document.update({{"found_by_search", found_by_search},
+                   {"samples", args.study.samples},
+                   {"seed", args.study.seed},
+                   {"searches", args.study.searches},
+                   {"clearance", args.study.clearance},
+                   {"build_ms", session.buildMs()},
+                   {"study_ms", study_ms},
+                   {"list", rows},
+                   {"remarks", session.remarks()}});
+  text += format(
+      "%zu bodies, %zu pairs: %d adjacent, %d never, %d always, %d user, %d sometimes (%d of them found by "
+      "search)\n"
+      "%ld samples, seed %llu; %.1f s\n",
+      objects.size(), pairs.size(), counts["adjacent"], counts["never"], counts["always"], counts["user"],
+      counts["sometimes"], found_by_search, args.study.samples,
+      static_cast<unsigned long long>(args.study.seed), 1e-3 * study_ms);
+  line.print(document, text);
+  return kDone;
+}
+
+}  // namespace
+
+void addPairs(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "pairs", "which pairs of bodies can collide at all, by sampling the joint space",
+                 "abstand pairs robot.urdf --out robot.pairs --srdf robot.srdf");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("FILE", args->file, "scene (.yaml) or robot file (.mech or .urdf)")->required();
+  command->add_option("--samples", args->study.samples, "random postures");
+  command->add_option("--seed", args->study.seed, "of the postures");
+  command->add_option("--searches", args->study.searches,
+                      "searches for a counter-example, a pair that no posture hit");
+  command->add_option("--clearance", args->clearance,
+                      "m; nearer than this counts as a collision (default: 0)");
+  command->add_option("--voxel", args->voxel, "m, of the structures, for a robot file (default: 0.005)");
+  command->add_option("--threads", args->study.threads, "0: all cores; same result for any")
+      ->check(CLI::Range(0, 256));
+  command->add_option("--out", args->out,
+                      "file of pairs, for people and for `pairs: {file: ...}` of a scene");
+  command->add_option("--srdf", args->srdf, "SRDF with the pairs of links that need no check");
+  addPackagePath(command, args->packages);
+  addCacheFlag(command, line);
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli
