@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   cli::addHuman(app, line);
   cli::addSkeleton(app, line);
   cli::addRun(app, line);
+  cli::addServe(app, line);
   cli::addCheck(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);

@@ -24,6 +24,10 @@ class MechanismDriver {
 
   /// Joint values at time t, forward kinematics, poses of all links. No allocation, no throw.
   void apply(double t, Scene& scene);
+  /// The same for joint values from outside (rad, m; size dof()).
+  void moveTo(std::span<const double> q, double t, Scene& scene);
+  /// Says of all links that where they are is no longer known.
+  void lose(double t, Scene& scene) const;
   /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
   void efforts(const Scene& scene, std::span<double> out) const;
 
@@ -31,13 +35,19 @@ class MechanismDriver {
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
   const std::optional<MotionTable>& motion() const { return motion_; }
+  const MechanismState& state() const { return state_; }  ///< at q()
+  const Transform& X_WB() const { return X_WB_; }         ///< base in world
 
- private:
   struct Link {
     int frame;  ///< index into the mechanism's frames, -1: the base
     Transform X_FL;
     std::optional<ObjectId> object;
   };
+  const std::vector<Link>& links() const { return links_; }
+
+ private:
+  void place(double t, Scene& scene);
+
   Mechanism mechanism_;
   MechanismState state_;
   Transform X_WB_;
