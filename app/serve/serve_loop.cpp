@@ -53,7 +53,6 @@ bool ServeLoop::goesOn() {
 }
 
 void ServeLoop::run() {
-  start_ = steady();
   if (options_.rate)
     freeRun();
   else

@@ -37,30 +37,39 @@ PLACE = (1.5, 0.0, 0.0)
 
 
 class Serve(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name)
+        (path / "slide.mech").write_text(SLIDE)
+        (path / "scene.yaml").write_text(SCENE)
+        cls.scene = str(path / "scene.yaml")
+        # Structures are built once for all tests.
+        cls.environment = dict(os.environ, ABSTAND_CACHE=str(path / "cache"))
+
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(self.folder.name)
-        (folder / "slide.mech").write_text(SLIDE)
-        (folder / "scene.yaml").write_text(SCENE)
-        self.scene = str(folder / "scene.yaml")
         self.program = None
 
     def tearDown(self):
         if self.program and self.program.poll() is None:
             self.program.kill()
             self.program.communicate()
-        self.folder.cleanup()
 
     def start(self, *options):
-        environment = dict(os.environ, ABSTAND_CACHE="off")
         self.program = subprocess.Popen(
             [PROGRAM, "serve", self.scene, "--bind", "127.0.0.1:0", "--json", "--duration", "60", "--stale", str(STALE),
              *options],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment)
         listening = self.program.stderr.readline()
         match = re.fullmatch(r"serve: listening on 127\.0\.0\.1:(\d+)\n", listening)
         self.assertTrue(match, listening)
-        return client.Client("127.0.0.1", int(match.group(1)))
+        return self.client(int(match.group(1)))
+
+    def client(self, port):
+        c = client.Client("127.0.0.1", port)
+        self.addCleanup(c.socket.close)
+        return c
 
     def finish(self):
         self.program.send_signal(signal.SIGINT)
@@ -120,7 +129,7 @@ class Serve(unittest.TestCase):
 
     def test_random_bytes_do_no_harm(self):
         c = self.start()
-        noise = client.Client("127.0.0.1", c.socket.getpeername()[1])
+        noise = self.client(c.socket.getpeername()[1])
         dice = random.Random(1)
         begin = b"ABST\x01\x00\x01\x00"
         sent = 0
@@ -178,7 +187,7 @@ class Serve(unittest.TestCase):
 
     def test_layout_is_a_table(self):
         out = subprocess.run([PROGRAM, "serve", self.scene, "--layout"], capture_output=True, text=True, check=True,
-                             env=dict(os.environ, ABSTAND_CACHE="off")).stdout
+                             env=self.environment).stdout
         self.assertIn("joints of slide: 40 bytes", out)
         self.assertIn("skeleton of a person: 584 bytes", out)
         self.assertIn("state, the answer: 880 bytes", out)
@@ -186,7 +195,8 @@ class Serve(unittest.TestCase):
     def test_wrong_usage(self):
         for bad in (["--bind", "localhost"], ["--stale", "0"], ["--rate", "none"], ["--bind", "203.0.113.1:5"],
                     ["--nearest", "-1"]):
-            run = subprocess.run([PROGRAM, "serve", self.scene, *bad], capture_output=True, text=True)
+            run = subprocess.run([PROGRAM, "serve", self.scene, *bad], capture_output=True, text=True,
+                                 env=self.environment)
             self.assertEqual(run.returncode, 2, bad)
             self.assertEqual(run.stderr.count("error:"), 1, bad)
 
