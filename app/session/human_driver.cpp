@@ -1,5 +1,7 @@
 #include "app/session/human_driver.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 #include "humanmodel/recording_lengths.hpp"
 
@@ -82,6 +84,28 @@ void HumanDriver::apply(double t, Scene& scene) {
   if (t < last_t_) poser_.reset();
   last_t_ = t;
   poser_.pose(recording_ ? recording_->at(t) : model_.rest, pose_);
+  place(t, scene);
+}
+
+void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {
+  if (!followed_) poser_.reset();
+  followed_ = true;
+  last_t_ = frame.t;
+  poser_.pose(frame, pose_);
+  place(frame.t, scene);
+}
+
+void HumanDriver::lose(double t, Scene& scene) const {
+  for (const auto& object : objects_)
+    if (object) scene.setPose(*object, scene.object(*object).X_WB, t, PoseState::kStale);
+}
+
+double HumanDriver::unseen(double t) const {
+  if (!followed_) return kInfinity;
+  return *std::max_element(pose_.age.begin(), pose_.age.end()) + t - last_t_;
+}
+
+void HumanDriver::place(double t, Scene& scene) const {
   for (std::size_t i = 0; i < kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
 }

@@ -21,14 +21,23 @@ class HumanDriver {
   /// Poses all parts for time t: the recorded frame at or just before t. A part that the recording does not
   /// show is marked stale. No allocation, no throw.
   void apply(double t, Scene& scene);
+  /// Poses all parts after a skeleton from outside, in the frame of the recording; the frame's t is `t`. What
+  /// the recording showed is forgotten at the first. No allocation, no throw.
+  void follow(const SkeletonFrame& frame, Scene& scene);
+  /// Says of all parts that where they are is no longer known.
+  void lose(double t, Scene& scene) const;
+  /// s, at time t, since the part that was not seen for longest was seen by follow(); infinite before that.
+  double unseen(double t) const;
 
   const HumanModel& model() const { return model_; }
   /// Null for a person who stands still.
   const Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  std::optional<ObjectId> object(BodyPart part) const { return objects_[static_cast<std::size_t>(part)]; }
 
  private:
   /// Of a part, in the recording's frame; one that was never seen hangs on the torso as when standing.
   Transform poseOf(std::size_t part) const;
+  void place(double t, Scene& scene) const;
 
   std::optional<Recording> recording_;
   HumanModel model_;
@@ -37,6 +46,7 @@ class HumanDriver {
   HumanPose standing_;
   Transform X_WR_;  ///< recording in world
   double last_t_{-kInfinity};
+  bool followed_{false};
   std::array<std::optional<ObjectId>, kBodyPartCount> objects_;
 };
 

@@ -59,6 +59,21 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
 
 void MechanismDriver::apply(double t, Scene& scene) {
   if (motion_) motion_->at(t, q_);
+  place(t, scene);
+}
+
+void MechanismDriver::moveTo(std::span<const double> q, double t, Scene& scene) {
+  ABSTAND_CHECK(q.size() == q_.size());
+  std::copy(q.begin(), q.end(), q_.begin());
+  place(t, scene);
+}
+
+void MechanismDriver::lose(double t, Scene& scene) const {
+  for (const Link& link : links_)
+    if (link.object) scene.setPose(*link.object, scene.object(*link.object).X_WB, t, PoseState::kStale);
+}
+
+void MechanismDriver::place(double t, Scene& scene) {
   forward(mechanism_, q_, state_);
   for (const Link& link : links_) {
     if (!link.object) continue;

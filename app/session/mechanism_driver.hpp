@@ -25,6 +25,10 @@ class MechanismDriver {
 
   /// Joint values at time t, forward kinematics, poses of all links. No allocation, no throw.
   void apply(double t, Scene& scene);
+  /// The same for joint values from outside (rad, m; size dof()).
+  void moveTo(std::span<const double> q, double t, Scene& scene);
+  /// Says of all links that where they are is no longer known.
+  void lose(double t, Scene& scene) const;
   /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
   void efforts(const Scene& scene, std::span<double> out) const;
 
@@ -34,14 +38,16 @@ class MechanismDriver {
     std::optional<ObjectId> object;
   };
   const std::vector<Link>& links() const { return links_; }
-  const Transform& X_WB() const { return X_WB_; }
+  const Transform& X_WB() const { return X_WB_; }  ///< base in world
   int dof() const { return mechanism_.dof; }
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
   const std::optional<MotionTable>& motion() const { return motion_; }
+  const MechanismState& state() const { return state_; }  ///< at q()
 
  private:
   int rigidBody(int frame) const;
+  void place(double t, Scene& scene);
 
   Mechanism mechanism_;
   MechanismState state_;

@@ -75,7 +75,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
 }
 
 TEST_F(Cli, HelpShowsAnExample) {
-  for (const char* command : {"fk", "build", "human", "skeleton", "run", "check", "bench"}) {
+  for (const char* command : {"fk", "build", "human", "skeleton", "run", "serve", "check", "bench"}) {
     const Answer a = run(std::string(command) + " --help");
     EXPECT_EQ(a.code, 0);
     EXPECT_NE(a.out.find("Example:"), std::string::npos) << command;

@@ -1,0 +1,161 @@
+// abstand serve: the live loop over the network.
+#include <iostream>
+
+#include "app/cli/command_line.hpp"
+#include "app/serve/serve_loop.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text_file.hpp"
+#include "core/control/reaction_reader.hpp"
+#include "core/scene/yaml_document.hpp"
+
+namespace abstand::cli {
+namespace {
+
+using namespace abstand::serve;
+
+struct Arguments {
+  std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
+  std::size_t nearest{8};
+  int threads{1};
+  bool layout{false};
+};
+
+double numberWithin(const std::string& text, const std::string& option, double least, double most,
+                    const std::string& unit) {
+  const double v = number(text, option);
+  if (v < least || v > most)
+    throw UsageError(option + ": found " + text + ", expected " + format("%g to %g ", least, most) + unit);
+  return v;
+}
+
+ReactionDescription reactionOf(const Arguments& args) {
+  ReactionDescription reaction = usualReaction();
+  if (!args.reaction.empty()) {
+    constexpr std::size_t kMostBytes = 1u << 20;
+    const YamlNode document = parseYaml(readFile(args.reaction, kMostBytes), args.reaction);
+    reaction = readReaction(document, args.reaction);
+  }
+  if (args.reaction.empty() || !args.stale.empty()) {
+    const double stale = args.stale.empty() ? 0.1 : numberWithin(args.stale, "--stale", 0.001, 3600.0, "s");
+    reaction.watch.input_age = reaction.watch.person_age = stale;
+  }
+  if (!args.resume.empty())
+    reaction.stop.resume_after = numberWithin(args.resume, "--resume", 0.0, 3600.0, "s");
+  return reaction;
+}
+
+nlohmann::ordered_json stopsJson(const ServedScene& scene) {
+  auto list = nlohmann::ordered_json::array();
+  for (std::size_t m = 0; m < scene.robots().size(); ++m) {
+    const StopLog& log = scene.robots()[m]->stops();
+    for (std::size_t i = 0; i < log.kept(); ++i) {
+      const StopEntry& e = log.entry(i);
+      list.push_back({{"mechanism", scene.format().mechanisms[m].name},
+                      {"t", e.t},
+                      {"from", stateName(e.from)},
+                      {"to", stateName(e.to)},
+                      {"reason", reasonName(e.cause.reason)}});
+    }
+  }
+  return list;
+}
+
+nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& scene) {
+  nlohmann::ordered_json faults;
+  for (std::size_t i = 1; i < kPacketFaults; ++i)
+    faults[std::string(faultName(static_cast<PacketFault>(i)))] = s.faults[i];
+  faults["foreign"] = s.streams.foreign;
+  return {
+      {"seconds", s.seconds},
+      {"packets", s.packets},
+      {"joints", s.joints},
+      {"skeletons", s.skeletons},
+      {"answered", s.answered},
+      {"unasked", s.unasked},
+      {"unsent", s.unsent},
+      {"bad", s.bad},
+      {"bad_by_reason", faults},
+      {"late", s.streams.late},
+      {"lost", s.streams.lost},
+      {"duplicates", s.streams.duplicates},
+      {"cycle_us",
+       {{"median", 1e6 * s.cycles.median()}, {"p99", 1e6 * s.cycles.p99()}, {"max", 1e6 * s.cycles.max()}}},
+      {"stops", stopsJson(scene)},
+      {"interrupted", s.interrupted}};
+}
+
+std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
+  std::string text = format("%.1f s: %ld packets, %ld of joints, %ld skeletons; %ld answered, %ld unasked\n",
+                            s.seconds, s.packets, s.joints, s.skeletons, s.answered, s.unasked);
+  text += format("dropped: %ld bad, %ld late, %ld duplicates; %ld lost\n", s.bad, s.streams.late,
+                 s.streams.duplicates, s.streams.lost);
+  text += format("cycle: median %.0f us, p99 %.0f, max %.0f\n", 1e6 * s.cycles.median(), 1e6 * s.cycles.p99(),
+                 1e6 * s.cycles.max());
+  for (std::size_t m = 0; m < scene.robots().size(); ++m) {
+    const StopLog& log = scene.robots()[m]->stops();
+    for (std::size_t i = 0; i < log.kept(); ++i)
+      text += scene.format().mechanisms[m].name + ": " + describe(log.entry(i)) + "\n";
+  }
+  return text;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  // Everything that can be wrong on the command line is seen before anything costly is built.
+  const Address bind = parseAddress(args.bind, "--bind");
+  ServedOptions served{reactionOf(args), args.nearest};
+  ServeOptions options;
+  options.stale = served.reaction.watch.input_age;
+  options.interrupted = interrupted;
+  if (!args.rate.empty()) options.rate = numberWithin(args.rate, "--rate", 0.1, 1e5, "Hz");
+  if (!args.duration.empty()) options.duration = numberWithin(args.duration, "--duration", 0.0, 1e9, "s");
+  SessionOptions session;
+  session.threads = args.threads;
+  session.cache = line.cache;
+  session.monitor = buildMonitor(line);
+  session.remember = true;
+  // Resting pairs rest on what the scene file says of speeds, and that speaks of its own motion.
+  session.rest = 0.0;
+  ServedScene scene(std::make_unique<Session>(loadScene(args.scene), session), served);
+  if (args.layout) {
+    std::cout << describeLayout(scene.format(), scene.names(), scene.report()) << std::flush;
+    return kDone;
+  }
+  UdpSocket socket(bind);
+  ServeLoop loop(scene, socket, options);
+  if (!line.quiet) std::cerr << "serve: listening on " << describe(socket.address()) << std::endl;
+  loop.run();
+  line.print(summaryJson(loop.summary(), scene), summaryText(loop.summary(), scene));
+  return loop.summary().interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void addServe(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(
+      root, line, "serve",
+      "the live loop over UDP: joint values and skeletons in; distances, forces, torques, stops out",
+      "abstand serve data/scenes/hug_boxing.yaml --bind 127.0.0.1:4780");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("SCENE", args->scene, "scene file")->required();
+  command->add_option("--bind", args->bind,
+                      "address and port; port 0: the system chooses (default 127.0.0.1:4780)");
+  command->add_option("--stale", args->stale,
+                      "s after which input is stale and robots stop (default 0.1, or what --reaction says)");
+  command->add_option(
+      "--resume", args->resume,
+      "s without a cause after which a protective stop ends by itself (default: it waits for a reset)");
+  command->add_option("--reaction", args->reaction,
+                      "YAML of a reaction (docs/control.md), of all mechanisms");
+  command->add_option("--rate", args->rate,
+                      "Hz: cycles and answers at this rate instead of one for each packet");
+  command->add_option("--duration", args->duration, "s after which it ends (default: Ctrl-C ends it)");
+  command->add_option("--nearest", args->nearest, "nearest pairs that an answer lists (default 8)")
+      ->check(CLI::Range(0, 256));
+  command->add_option("--threads", args->threads, "threads of a cycle (0: all cores; default 1)")
+      ->check(CLI::Range(0, 256));
+  command->add_flag("--layout", args->layout, "print the offsets of all packets of the scene, and end");
+  addCacheFlag(command, line);
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,155 @@
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "app/serve/json_scanner.hpp"
+#include "app/serve/packet.hpp"
+
+namespace abstand::serve {
+namespace {
+
+/// What stands behind the keys, in whatever order they come.
+struct Fields {
+  std::optional<std::string_view> type, mechanism, person;
+  std::optional<double> sequence, time_us;
+  bool q{false}, joints{false}, reset{false};
+};
+
+bool whole(const std::optional<double>& v, double most) {
+  return v && *v >= 0.0 && *v <= most && *v == std::floor(*v);
+}
+
+bool readValues(JsonScanner& in, Packet& out) {
+  out.values = 0;
+  if (!in.mark('[')) return false;
+  if (in.mark(']')) return true;
+  do {
+    if (out.values == out.q.size() || !in.number(out.q[out.values])) return false;
+    ++out.values;
+  } while (in.mark(','));
+  return in.mark(']');
+}
+
+/// [x, y, z], [x, y, z, "inferred"] or null.
+bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
+  if (in.word("null")) return true;
+  Vector3d p;
+  if (!in.mark('[') || !in.number(p.x()) || !in.mark(',') || !in.number(p.y()) || !in.mark(',') ||
+      !in.number(p.z()))
+    return false;
+  JointState state = JointState::kTracked;
+  if (in.mark(',')) {
+    std::string_view how;
+    if (!in.string(how)) return false;
+    if (how == "inferred")
+      state = JointState::kInferred;
+    else if (how != "tracked")
+      return false;
+  }
+  out.set(joint, p, state);
+  return in.mark(']');
+}
+
+bool readJoints(JsonScanner& in, SkeletonFrame& out) {
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    out.set(static_cast<Joint>(j), Vector3d::Constant(kNaN), JointState::kMissing);
+  if (!in.mark('{')) return false;
+  if (in.mark('}')) return true;
+  std::array<bool, kJointCount> seen{};
+  do {
+    std::string_view name;
+    if (!in.string(name) || !in.mark(':')) return false;
+    const auto joint = parseJoint(name);
+    if (!joint || seen[static_cast<std::size_t>(*joint)]) return false;
+    seen[static_cast<std::size_t>(*joint)] = true;
+    if (!readJoint(in, *joint, out)) return false;
+  } while (in.mark(','));
+  return in.mark('}');
+}
+
+bool once(std::optional<std::string_view>& into, JsonScanner& in) {
+  std::string_view text;
+  if (into || !in.string(text)) return false;
+  into = text;
+  return true;
+}
+
+bool once(std::optional<double>& into, JsonScanner& in) {
+  double v = 0.0;
+  if (into || !in.number(v)) return false;
+  into = v;
+  return true;
+}
+
+bool readField(std::string_view key, JsonScanner& in, Fields& fields, Packet& out) {
+  if (key == "type") return once(fields.type, in);
+  if (key == "seq") return once(fields.sequence, in);
+  if (key == "time_us") return once(fields.time_us, in);
+  if (key == "mechanism") return once(fields.mechanism, in);
+  if (key == "person") return once(fields.person, in);
+  if (key == "q") return !std::exchange(fields.q, true) && readValues(in, out);
+  if (key == "joints") return !std::exchange(fields.joints, true) && readJoints(in, out.skeleton);
+  if (key == "reset") {
+    if (std::exchange(fields.reset, true)) return false;
+    out.reset = in.word("true");
+    return out.reset || in.word("false");
+  }
+  return false;
+}
+
+bool usable(double v) { return std::abs(v) <= kMostCoordinate; }
+
+PacketFault finishJoints(const Fields& fields, const PacketFormat& format, Packet& out) {
+  if (!fields.q || fields.joints || fields.person) return PacketFault::kJson;
+  out.type = PacketType::kJoints;
+  out.index = kAllMechanisms;
+  if (fields.mechanism) {
+    out.index = 0;
+    while (out.index < format.mechanisms.size() && format.mechanisms[out.index].name != *fields.mechanism)
+      ++out.index;
+  }
+  if (!format.hasMechanism(out.index)) return PacketFault::kIndex;
+  if (out.values != format.dof(out.index)) return PacketFault::kSize;
+  for (std::size_t i = 0; i < out.values; ++i)
+    if (!usable(out.q[i])) return PacketFault::kNumber;
+  return PacketFault::kNone;
+}
+
+PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Packet& out) {
+  if (!fields.joints || !fields.person || fields.q || fields.mechanism || fields.reset)
+    return PacketFault::kJson;
+  out.type = PacketType::kSkeleton;
+  out.index = 0;
+  while (out.index < format.people.size() && format.people[out.index] != *fields.person) ++out.index;
+  if (out.index == format.people.size()) return PacketFault::kIndex;
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    if (out.skeleton.has(static_cast<Joint>(j)))
+      for (const double v : out.skeleton.p[j])
+        if (!usable(v)) return PacketFault::kNumber;
+  return PacketFault::kNone;
+}
+
+}  // namespace
+
+PacketFault parseJsonPacket(std::string_view text, const PacketFormat& format, Packet& out) noexcept {
+  constexpr double kMostSequence = 4294967295.0;
+  constexpr double kMostTime = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
+  JsonScanner in(text);
+  Fields fields;
+  out.json = true;
+  out.reset = false;
+  if (!in.mark('{')) return PacketFault::kJson;
+  do {
+    std::string_view key;
+    if (!in.string(key) || !in.mark(':') || !readField(key, in, fields, out)) return PacketFault::kJson;
+  } while (in.mark(','));
+  if (!in.mark('}') || !in.atEnd()) return PacketFault::kJson;
+  if (!whole(fields.sequence, kMostSequence) || !whole(fields.time_us, kMostTime)) return PacketFault::kJson;
+  out.sequence = static_cast<std::uint32_t>(*fields.sequence);
+  out.time_us = static_cast<std::uint64_t>(*fields.time_us);
+  if (fields.type == "joints") return finishJoints(fields, format, out);
+  if (fields.type == "skeleton") return finishSkeleton(fields, format, out);
+  return fields.type ? PacketFault::kType : PacketFault::kJson;
+}
+
+}  // namespace abstand::serve

@@ -1,0 +1,162 @@
+#include "app/serve/serve_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/error.hpp"
+#include "core/base/pacer.hpp"
+
+namespace abstand::serve {
+namespace {
+
+// s: the longest wait, so that Ctrl-C and the end are seen.
+constexpr double kLongestWait = 0.05;
+// s beyond the moment at which an input becomes stale, so that it is stale by then.
+constexpr double kPast = 2e-5;
+// Datagrams between two looks at whether to go on, however many come.
+constexpr int kMostAtOnce = 256;
+
+double steady() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::uint32_t clipped(long n) { return static_cast<std::uint32_t>(std::clamp(n, 0L, 0xffffffffL)); }
+
+}  // namespace
+
+ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& options)
+    : scene_(scene),
+      socket_(socket),
+      options_(options),
+      quoted_format_(quoted(scene.format())),
+      quoted_names_(quoted(scene.names())),
+      joints_(scene.format().mechanisms.size() + 1, PacketStream(options.stale)),
+      skeletons_(scene.format().people.size(), PacketStream(options.stale)),
+      packet_(makePacket(scene.format())),
+      in_(kMostPacketBytes),
+      out_(kMostPacketBytes),
+      states_(scene.robots().size(), StopState::kProtectiveStop),
+      start_(steady()) {
+  const std::size_t bytes = stateBytes(scene.report());
+  if (bytes > kMostPacketBytes)
+    throw UsageError("the answer of this scene has " + std::to_string(bytes) + " bytes, expected at most " +
+                     std::to_string(kMostPacketBytes) + ", what fits into a datagram");
+  scene_.cycle(now());
+}
+
+double ServeLoop::now() const { return steady() - start_; }
+
+bool ServeLoop::goesOn() {
+  summary_.seconds = now();
+  if (options_.interrupted && options_.interrupted()) summary_.interrupted = true;
+  return !summary_.interrupted && !(options_.duration && summary_.seconds >= *options_.duration);
+}
+
+void ServeLoop::run() {
+  if (options_.rate)
+    freeRun();
+  else
+    onRequest();
+}
+
+void ServeLoop::onRequest() {
+  while (goesOn()) {
+    const double t = now();
+    double until = std::min(scene_.nextStale() + kPast, t + kLongestWait);
+    if (options_.duration) until = std::min(until, *options_.duration);
+    socket_.wait(until - t);
+    drain(true);
+    if (now() < scene_.nextStale()) continue;
+    cycle(now());
+    const auto& robots = scene_.report().robots;
+    for (std::size_t m = 0; m < robots.size(); ++m) {
+      if (robots[m].state == states_[m]) continue;
+      send(true);
+      break;
+    }
+  }
+}
+
+void ServeLoop::freeRun() {
+  Pacer pacer{std::chrono::nanoseconds(static_cast<long>(1e9 / *options_.rate))};
+  while (goesOn()) {
+    drain(false);
+    const double begin = steady();
+    cycle(now());
+    send(true);
+    summary_.cycles.add(steady() - begin);
+    pacer.wait();
+  }
+}
+
+void ServeLoop::drain(bool answer) {
+  Address from;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const auto bytes = socket_.receive(in_, from);
+    if (!bytes) return;
+    const double begin = steady();
+    ++summary_.packets;
+    const double t = now();
+    if (!take(*bytes, from, t) || packet_.type != PacketType::kJoints) continue;
+    if (!answer) continue;
+    cycle(t);
+    send(false);
+    const double took = steady() - begin;
+    summary_.cycles.add(took);
+    scene_.report().cycle_us = 1e6 * took;
+  }
+}
+
+/// True when packet_ was accepted and its values are in the scene.
+bool ServeLoop::take(std::size_t bytes, const Address& from, double t) {
+  PacketFault fault = PacketFault::kSize;
+  if (bytes <= in_.size()) fault = parsePacket(std::span(in_).first(bytes), scene_.format(), packet_);
+  if (fault != PacketFault::kNone) {
+    ++summary_.faults[static_cast<std::size_t>(fault)];
+    ++summary_.bad;
+    return false;
+  }
+  const bool is_joints = packet_.type == PacketType::kJoints;
+  const std::size_t index = std::min<std::size_t>(packet_.index, joints_.size() - 1);
+  PacketStream& stream = is_joints ? joints_[index] : skeletons_[packet_.index];
+  const long foreign = summary_.streams.foreign;
+  const bool taken = stream.take(packet_.sequence, t, from, summary_.streams);
+  summary_.bad += summary_.streams.foreign - foreign;
+  if (!taken) return false;
+  scene_.take(packet_, t);
+  if (is_joints) {
+    ++summary_.joints;
+    last_ = {from, {packet_.sequence, packet_.index, packet_.time_us, false}, packet_.json};
+  } else {
+    ++summary_.skeletons;
+  }
+  return true;
+}
+
+void ServeLoop::cycle(double t) {
+  scene_.cycle(t);
+  countInReport();
+}
+
+void ServeLoop::countInReport() {
+  StateReport& r = scene_.report();
+  r.bad = clipped(summary_.bad);
+  r.late = clipped(summary_.streams.late);
+  r.lost = clipped(summary_.streams.lost);
+  r.duplicates = clipped(summary_.streams.duplicates);
+}
+
+void ServeLoop::send(bool unasked) {
+  const StateReport& r = scene_.report();
+  for (std::size_t m = 0; m < states_.size(); ++m) states_[m] = r.robots[m].state;
+  if (!last_.from.known()) return;
+  last_.to.unasked = unasked;
+  const std::size_t bytes = last_.json ? writeStateJson(r, last_.to, quoted_format_, quoted_names_, out_)
+                                       : writeState(r, last_.to, out_);
+  if (bytes == 0 || !socket_.send(std::span(out_).first(bytes), last_.from))
+    ++summary_.unsent;
+  else
+    ++(unasked ? summary_.unasked : summary_.answered);
+}
+
+}  // namespace abstand::serve

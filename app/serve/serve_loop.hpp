@@ -1,0 +1,79 @@
+// The live loop: packets in, a cycle, answers out.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/serve/packet_stream.hpp"
+#include "app/serve/served_scene.hpp"
+#include "app/serve/udp_socket.hpp"
+#include "core/scene/cycle_statistics.hpp"
+
+namespace abstand::serve {
+
+struct ServeOptions {
+  double stale{0.1};           ///< s, after which a silent stream may begin anew
+  std::optional<double> rate;  ///< Hz: cycles and answers at this rate; none: one for each packet of joints
+  std::optional<double> duration;  ///< s, after which it ends; none: it runs until it is interrupted
+  std::function<bool()> interrupted;
+};
+
+struct ServeSummary {
+  long packets{0};  ///< datagrams that came
+  long joints{0};   ///< accepted packets of joints
+  long skeletons{0};
+  long answered{0};  ///< accepted packets of joints with an answer of their own
+  long unasked{0};   ///< answers to no packet
+  long unsent{0};    ///< answers that the system did not take
+  std::array<long, kPacketFaults> faults{};
+  long bad{0};  ///< the sum of the faults and of what came from foreign senders
+  StreamCounts streams;
+  CycleStatistics cycles{kInfinity};  ///< of answered packets: from the datagram to the answer
+  double seconds{0.0};
+  bool interrupted{false};
+};
+
+/// One thread does everything: it waits for datagrams, never longer than until the next input becomes stale,
+/// so that a stop comes in time where nothing comes in. A change of a state of stop that no packet brought
+/// about is told to the last sender of joints unasked.
+///
+/// After the first cycle it allocates nothing and locks nothing.
+class ServeLoop {
+ public:
+  ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& options);
+  /// Until it is interrupted or the duration is over.
+  void run();
+  const ServeSummary& summary() const { return summary_; }
+
+ private:
+  void freeRun();
+  void onRequest();
+  bool goesOn();
+  double now() const;
+  void drain(bool answer);
+  bool take(std::size_t bytes, const Address& from, double t);
+  void cycle(double t);
+  void send(bool unasked);
+  void countInReport();
+
+  ServedScene& scene_;
+  UdpSocket& socket_;
+  ServeOptions options_;
+  ServeSummary summary_;
+  PacketFormat quoted_format_;
+  StateNames quoted_names_;
+  std::vector<PacketStream> joints_;     ///< of each mechanism, the last of all together
+  std::vector<PacketStream> skeletons_;  ///< of each person
+  Packet packet_;
+  std::vector<std::byte> in_, out_;
+  /// The last accepted packet of joints: who is to be answered.
+  struct Last {
+    Address from;
+    ReplyTo to;
+    bool json{false};
+  } last_;
+  std::vector<StopState> states_;  ///< as the last answer told them
+  double start_;                   ///< s on the steady clock
+};
+
+}  // namespace abstand::serve

@@ -1,0 +1,60 @@
+// One mechanism that is moved from outside, and its reaction to what is near.
+#pragma once
+
+#include "app/serve/state_report.hpp"
+#include "app/session/mechanism_driver.hpp"
+#include "core/control/reaction.hpp"
+
+namespace abstand::serve {
+
+/// Joint values in, torques, speed and stops out. Before the first joint values its reaction has not begun:
+/// it counts as stopped for stale input. Velocities of the joints are differences of their values over the
+/// time stamps of the sender; the first values come from rest. One thread; nothing allocates or throws but
+/// the constructor.
+class ServedRobot {
+ public:
+  /// `people`: of each object of the scene, whether it is a person's part. Throws UsageError for a reaction
+  /// that does not fit the mechanism. Driver and scene must outlive it.
+  ServedRobot(MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
+              const ReactionDescription& reaction);
+
+  /// New joint values that came at `t` (s), measured at `stamp` (s on the sender's clock).
+  void moveTo(std::span<const double> q, double t, double stamp, Scene& scene);
+  /// A person lets it go on, in the next react().
+  void reset() { reset_ = true; }
+  /// Marks the links as stale when the joint values are older than `stale` s.
+  void grow(double t, double stale, Scene& scene);
+  /// After the scene's step. `person_age`: s, of the person least known. `torque`: of its own joints.
+  void react(double t, double person_age, const Scene& scene, RobotReport& report, std::span<double> torque);
+
+  double age(double t) const { return t - last_t_; }  ///< s, infinite before the first joint values
+  bool stale() const { return stale_; }
+  std::size_t dof() const { return qd_.size(); }
+  const StopLog& stops() const { return reaction_.stops().log(); }
+
+ private:
+  /// A pair of the scene with one or two of its links.
+  struct OwnPair {
+    PairId id;
+    int link_a, link_b;  ///< -1: not one of its links
+    bool person;
+  };
+  void gather(const Scene& scene);
+  void moveLinks();
+  double otherRate(const Object& other, const Vector3d& p_W, const Vector3d& n_W, double sign) const;
+  double spread(const OwnPair& pair, const Scene& scene, const Vector3d& n_W) const;
+
+  MechanismDriver& driver_;
+  Reaction reaction_;
+  std::vector<OwnPair> own_;
+  std::vector<ReactionPair> pairs_;
+  std::vector<double> rows_;   ///< dof() numbers a pair
+  std::vector<Twist> twists_;  ///< of each link, at its frame's origin, world axes
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
+  Eigen::MatrixXd no_mass_;  ///< 0 x 0: not known
+  std::vector<double> qd_, efforts_;
+  double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};
+  bool stale_{true}, reset_{false}, started_{false};
+};
+
+}  // namespace abstand::serve

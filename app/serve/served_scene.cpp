@@ -1,0 +1,200 @@
+#include "app/serve/served_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::serve {
+
+ReactionDescription usualReaction() {
+  ReactionDescription reaction;
+  reaction.torque.emplace();
+  reaction.speed.emplace();
+  return reaction;
+}
+
+ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& options)
+    : session_(std::move(session)), watch_(options.reaction.watch) {
+  const SceneDescription& d = session_->description();
+  Scene& scene = session_->scene();
+  session_->step(0.0);
+  std::vector<int> robot_of(scene.objectCount(), -1), person_of(scene.objectCount(), -1);
+  for (std::size_t m = 0; m < d.mechanisms.size(); ++m) {
+    const MechanismDriver& driver = *session_->mechanisms()[m];
+    format_.mechanisms.push_back({d.mechanisms[m].name, static_cast<std::size_t>(driver.dof())});
+    for (const auto& link : driver.links()) {
+      links_.push_back(*link.object);
+      robot_of[link.object->index()] = static_cast<int>(m);
+    }
+    driver.lose(0.0, scene);
+  }
+  for (std::size_t p = 0; p < d.humans.size(); ++p) {
+    const HumanDriver& driver = *session_->humans()[p];
+    format_.people.push_back(d.humans[p].name);
+    for (std::size_t i = 0; i < kBodyPartCount; ++i)
+      if (const auto object = driver.object(static_cast<BodyPart>(i)))
+        person_of[object->index()] = static_cast<int>(p);
+    driver.lose(0.0, scene);
+  }
+  for (const ObjectId id : links_) names_.links.push_back(scene.object(id).spec.name);
+  for (const Object& o : scene.objects()) names_.objects.push_back(o.spec.name);
+
+  std::vector<bool> people(scene.objectCount());
+  for (std::size_t i = 0; i < people.size(); ++i) people[i] = person_of[i] >= 0;
+  for (const auto& driver : session_->mechanisms())
+    robots_.push_back(std::make_unique<ServedRobot>(*driver, scene, people, options.reaction));
+  people_.resize(d.humans.size());
+
+  for (const Pair& pair : scene.pairs()) {
+    const auto a = pair.a.index(), b = pair.b.index();
+    const int robot = std::max(robot_of[a], robot_of[b]), person = std::max(person_of[a], person_of[b]);
+    separation_of_.push_back(robot < 0 || person < 0 ? -1
+                                                     : person * static_cast<int>(robots_.size()) + robot);
+  }
+  const std::size_t separations = people_.size() * robots_.size();
+  separations_.resize(separations);
+  nearest_.assign(std::min(options.nearest, scene.pairs().size()), {kInfinity, PairId(0)});
+
+  report_.person_age.assign(people_.size(), kInfinity);
+  report_.robots.resize(robots_.size());
+  report_.torque.assign(format_.dof(), 0.0);
+  report_.links.resize(links_.size());
+  report_.separation.resize(separations);
+  report_.nearest.resize(options.nearest);
+}
+
+void ServedScene::take(const Packet& packet, double t) {
+  if (packet.type == PacketType::kSkeleton) {
+    Person& person = people_[packet.index];
+    SkeletonFrame frame = packet.skeleton;
+    frame.t = t;
+    session_->humans()[packet.index]->follow(frame, session_->scene());
+    person.last_t = t;
+    person.stale = false;
+    return;
+  }
+  const double stamp = 1e-6 * static_cast<double>(packet.time_us);
+  std::size_t first = 0;
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    if (packet.index != m && packet.index != kAllMechanisms) continue;
+    ServedRobot& robot = *robots_[m];
+    robot.moveTo(std::span(packet.q).subspan(first, robot.dof()), t, stamp, session_->scene());
+    if (packet.reset) robot.reset();
+    first += robot.dof();
+  }
+}
+
+void ServedScene::growPeople(double t) {
+  for (std::size_t p = 0; p < people_.size(); ++p) {
+    const HumanDriver& driver = *session_->humans()[p];
+    report_.person_age[p] = driver.unseen(t);
+    if (people_[p].stale || t - people_[p].last_t <= watch_.person_age) continue;
+    driver.lose(t, session_->scene());
+    people_[p].stale = true;
+  }
+}
+
+double ServedScene::nextStale() const {
+  double next = kInfinity;
+  for (const Person& p : people_)
+    if (!p.stale) next = std::min(next, p.last_t + watch_.person_age);
+  for (const auto& robot : robots_) {
+    // Ages at time 0 are the negative times of the last input; what is stale has no age ahead of it.
+    if (!robot->stale()) next = std::min(next, watch_.input_age - robot->age(0.0));
+  }
+  return next;
+}
+
+void ServedScene::cycle(double t) {
+  Scene& scene = session_->scene();
+  growPeople(t);
+  for (const auto& robot : robots_) robot->grow(t, watch_.input_age, scene);
+  scene.step();
+  double person_age = 0.0;
+  for (const double age : report_.person_age) person_age = std::max(person_age, age);
+  std::size_t first = 0;
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    const std::size_t n = robots_[m]->dof();
+    robots_[m]->react(t, person_age, scene, report_.robots[m], std::span(report_.torque).subspan(first, n));
+    first += n;
+  }
+  reportLinks();
+  reportPairs();
+  report_.time_us = static_cast<std::uint64_t>(1e6 * t);
+}
+
+void ServedScene::reportLinks() {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Object& o = session_->scene().object(links_[i]);
+    report_.links[i] = o.colliding ? o.contact : Wrench{};
+  }
+}
+
+Trust ServedScene::trustOf(ObjectId id) const {
+  switch (session_->scene().object(id).pose_state) {
+    case PoseState::kFresh:
+      return Trust::kFresh;
+    case PoseState::kInferred:
+      return Trust::kInferred;
+    case PoseState::kStale:
+    case PoseState::kRejected:
+      return Trust::kNone;
+  }
+  return Trust::kNone;
+}
+
+PairReport ServedScene::reportOf(PairId id) const {
+  const Pair& pair = session_->scene().pairs()[id.index()];
+  PairReport out;
+  out.a = static_cast<int>(pair.a.index());
+  out.b = static_cast<int>(pair.b.index());
+  out.trust = std::min(trustOf(pair.a), trustOf(pair.b));
+  out.witness_a = pair.result.witness_a;
+  out.witness_b = pair.result.witness_b;
+  if (out.trust == Trust::kNone || std::isnan(pair.result.distance)) return out;
+  out.distance = pair.result.distance;
+  out.bound = pair.result.bound;
+  return out;
+}
+
+/// Keeps nearest_ sorted; of equal ones the first in scene order comes first.
+void ServedScene::addNearest(PairId id, double distance) {
+  const std::pair<double, PairId> entry{distance, id};
+  if (nearest_.empty() || (nearest_count_ == nearest_.size() && !(entry < nearest_.back()))) return;
+  if (nearest_count_ < nearest_.size()) ++nearest_count_;
+  const auto end = nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_);
+  const auto place = std::upper_bound(nearest_.begin(), end - 1, entry);
+  std::move_backward(place, end - 1, end);
+  *place = entry;
+}
+
+void ServedScene::reportPairs() {
+  const Scene& scene = session_->scene();
+  std::fill(separations_.begin(), separations_.end(), Separation{});
+  nearest_count_ = 0;
+  for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) {
+    const double distance = scene.pairs()[i].result.distance;
+    const double rank = std::isnan(distance) ? -kInfinity : distance;
+    addNearest(PairId(i), rank);
+    const int s = separation_of_[i];
+    if (s < 0) continue;
+    // What is not proven is the nearest of all: a part that is not known may be anywhere.
+    const bool known =
+        trustOf(scene.pairs()[i].a) != Trust::kNone && trustOf(scene.pairs()[i].b) != Trust::kNone;
+    Separation& least = separations_[static_cast<std::size_t>(s)];
+    const double found = known ? rank : -kInfinity;
+    least.proven = std::min(least.proven, known ? rank - scene.pairs()[i].result.bound : -kInfinity);
+    if (!(found < least.found)) continue;
+    least.found = found;
+    least.pair = PairId(i);
+  }
+  for (std::size_t s = 0; s < separations_.size(); ++s) {
+    const Separation& least = separations_[s];
+    PairReport& out = report_.separation[s];
+    out = least.found < kInfinity ? reportOf(least.pair) : PairReport{};
+    if (out.trust != Trust::kNone) out.bound = out.distance - least.proven;
+  }
+  for (std::size_t i = 0; i < report_.nearest.size(); ++i)
+    report_.nearest[i] = i < nearest_count_ ? reportOf(nearest_[i].second) : PairReport{};
+}
+
+}  // namespace abstand::serve

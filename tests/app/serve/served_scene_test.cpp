@@ -1,0 +1,192 @@
+// A scene that packets move: closed-form distances and torques, stops of stale input, nothing stale is safe.
+#include "app/serve/served_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "humanmodel/rest_pose.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::serve {
+namespace {
+
+/// A ball on a vertical slide (q is its height) over a plate whose top lies at z = 0, and a person far away.
+const char* kScene = R"(abstand: 1
+defaults: {voxel: 0.01, point: 0.01}
+mechanisms:
+  - name: slide
+    file: slide.mech
+    q: [1]
+    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.1}}}]
+objects:
+  - {name: plate, shape: {cuboid: {size: [1, 1, 0.2]}}, pose: {xyz: [0, 0, -0.1]}}
+)";
+const char* kPerson = R"(humans:
+  - name: operator
+    margin: 0.05
+defaults: {voxel: 0.02, point: 0.02}
+)";
+const char* kSlide = "chain\n    frame   1   0      0          d    0\nend_chain\n";
+
+struct Served : ::testing::Test {
+  abstand::testing::ScratchFolder folder;
+  std::unique_ptr<ServedScene> scene;
+  Packet packet;
+
+  void open(bool person, const ReactionDescription& reaction = usualReaction()) {
+    folder.write("slide.mech", kSlide);
+    std::string text = kScene;
+    if (person) {
+      text.replace(text.find("defaults: {voxel: 0.01, point: 0.01}\n"), 37, "");
+      text += kPerson;
+    }
+    SessionOptions options;
+    options.threads = 1;
+    options.cache = false;
+    options.remember = true;
+    auto session = std::make_unique<Session>(parseScene(text, folder.path() / "scene.yaml"), options);
+    scene = std::make_unique<ServedScene>(std::move(session), ServedOptions{reaction, 4});
+    packet = makePacket(scene->format());
+  }
+
+  void joints(double height, double t, bool reset = false) {
+    packet.type = PacketType::kJoints;
+    packet.index = 0;
+    packet.values = 1;
+    packet.q[0] = height;
+    packet.time_us = static_cast<std::uint64_t>(1e6 * t);
+    packet.reset = reset;
+    scene->take(packet, t);
+  }
+  void person(double t, double x = 0.0) {
+    packet.type = PacketType::kSkeleton;
+    packet.index = 0;
+    packet.skeleton = scene->session().humans()[0]->model().rest;
+    for (auto& p : packet.skeleton.p) p.x() += 3.0 + x;
+    scene->take(packet, t);
+  }
+  const RobotReport& robot() const { return scene->report().robots[0]; }
+};
+
+TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
+  open(false);
+  joints(0.5, 0.01);
+  scene->cycle(0.01);
+  const PairReport& near = scene->report().nearest[0];
+  EXPECT_EQ(near.trust, Trust::kFresh);
+  EXPECT_NEAR(near.distance, 0.4, 1e-6);
+  EXPECT_LE(near.distance - near.bound, 0.4);
+  EXPECT_EQ(scene->report().nearest[1].a, -1);
+  EXPECT_EQ(scene->report().torque[0], 0.0);
+  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_FALSE(robot().has_reason);
+  EXPECT_EQ(robot().speed_scale, 1.0);
+  joints(0.09, 0.02);  // 10 mm deep
+  scene->cycle(0.02);
+  const Wrench& w = scene->report().links[0];
+  EXPECT_GT(w.force.z(), 0.0);
+  // The slide is prismatic along z: its torque is the force along z.
+  EXPECT_NEAR(scene->report().torque[0], w.force.z(), 1e-9 * w.force.norm());
+}
+
+TEST_F(Served, NothingIsKnownBeforeTheFirstPacket) {
+  open(true);
+  scene->cycle(0.01);
+  EXPECT_EQ(robot().state, StopState::kProtectiveStop);
+  EXPECT_EQ(robot().reason, StopReason::kStaleInput);
+  EXPECT_EQ(robot().speed_scale, 0.0);
+  EXPECT_EQ(scene->report().person_age[0], kInfinity);
+  EXPECT_EQ(scene->report().separation[0].distance, -kInfinity);
+  for (const PairReport& p : scene->report().nearest) EXPECT_EQ(p.distance, -kInfinity);
+  EXPECT_EQ(scene->nextStale(), kInfinity);
+}
+
+TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
+  open(true);
+  person(0.01);
+  for (int i = 1; i <= 100; ++i) {
+    const double t = 0.01 * i;
+    if (i <= 50) person(t);
+    joints(1.0, t);
+    scene->cycle(t);
+    const PairReport& s = scene->report().separation[0];
+    // The last skeleton came at 0.5 s, and the usual age is 0.2 s.
+    if (t < 0.7 - 1e-6) {
+      EXPECT_EQ(robot().state, StopState::kRunning) << t;
+      EXPECT_GT(s.distance - s.bound, 1.0);
+    } else if (t > 0.7 + 1e-6) {
+      EXPECT_NE(robot().state, StopState::kRunning) << t;
+      EXPECT_EQ(robot().reason, StopReason::kLostPerson);
+      EXPECT_EQ(robot().speed_scale, 0.0);
+      EXPECT_EQ(s.distance, -kInfinity);
+      EXPECT_EQ(s.trust, Trust::kNone);
+    }
+  }
+  // It stays until a person lets it go on, and then only when the skeleton is there again.
+  joints(1.0, 1.01, true);
+  scene->cycle(1.01);
+  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  person(1.02);
+  joints(1.0, 1.02);
+  scene->cycle(1.02);
+  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  joints(1.0, 1.03, true);
+  scene->cycle(1.03);
+  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_GT(scene->report().separation[0].distance, 1.0);
+}
+
+TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
+  open(false);
+  joints(0.5, 0.01);
+  scene->cycle(0.01);
+  EXPECT_NEAR(scene->nextStale(), 0.11, 1e-12);
+  scene->cycle(0.109);
+  EXPECT_EQ(robot().state, StopState::kRunning);
+  scene->cycle(0.1101);
+  EXPECT_EQ(robot().state, StopState::kProtectiveStop);
+  EXPECT_EQ(robot().reason, StopReason::kStaleInput);
+  EXPECT_EQ(scene->report().nearest[0].distance, -kInfinity);
+  EXPECT_EQ(scene->report().torque[0], 0.0);
+  EXPECT_EQ(scene->robots()[0]->stops().count(), 1u);
+}
+
+TEST_F(Served, APersonWhoComesNearerSlowsTheRobot) {
+  open(true);
+  // The ball stands; a person at its side leaves no room to move: the scale is 0 while it goes towards them.
+  double least = 1.0;
+  for (int i = 1; i <= 50; ++i) {
+    const double t = 0.01 * i;
+    person(t, -2.7);
+    joints(2.5 - 0.02 * i, t);  // down at 2 m/s, towards the head
+    scene->cycle(t);
+    least = std::min(least, robot().speed_scale);
+  }
+  EXPECT_EQ(least, 0.0);
+  const PairReport& s = scene->report().separation[0];
+  EXPECT_LT(s.distance, 1.0);
+  EXPECT_EQ(s.trust, Trust::kFresh);
+}
+
+TEST_F(Served, TheCycleAllocatesNothing) {
+  open(true);
+  std::vector<std::byte> bytes(stateBytes(scene->report()));
+  for (int i = 1; i <= 3; ++i) {
+    person(0.01 * i);
+    joints(1.0, 0.01 * i);
+    scene->cycle(0.01 * i);
+  }
+  const abstand::testing::NoAlloc guard;
+  for (int i = 4; i <= 60; ++i) {
+    person(0.01 * i, -0.05 * i);
+    joints(1.0 - 0.015 * i, 0.01 * i);
+    scene->cycle(0.01 * i);
+    writeState(scene->report(), {}, bytes);
+  }
+  scene->cycle(2.0);  // everything becomes stale
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_NE(robot().state, StopState::kRunning);
+}
+
+}  // namespace
+}  // namespace abstand::serve
