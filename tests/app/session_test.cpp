@@ -157,7 +157,7 @@ TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
   options.rest = 0.5;
   SceneDescription said = scene;
   said.humans.at(0).parts["hand_left"].numbers["max_speed"] = 3.5;
-  said.mechanisms.at(0).max_speed = 1.25;
+  said.mechanisms.at(0).settings.max_speed = 1.25;
   Session resting(said, options);
   const std::string person = said.humans[0].name;
   EXPECT_EQ(resting.scene().find(person + "/hand_left")->max_speed, 3.5);
