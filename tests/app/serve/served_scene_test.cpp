@@ -74,7 +74,9 @@ TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
   scene->cycle(0.01);
   const PairReport& near = scene->report().nearest[0];
   EXPECT_EQ(near.trust, Trust::kFresh);
-  EXPECT_NEAR(near.distance, 0.4, 1e-6);
+  // Beyond 0.1 m, what is remembered may be 1 % too far.
+  EXPECT_GE(near.distance, 0.4 - 1e-6);
+  EXPECT_LE(near.distance, 1.01 * 0.4);
   EXPECT_LE(near.distance - near.bound, 0.4);
   EXPECT_EQ(scene->report().nearest[1].a, -1);
   EXPECT_EQ(scene->report().torque[0], 0.0);
@@ -89,9 +91,10 @@ TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
   EXPECT_NEAR(scene->report().torque[0], w.force.z(), 1e-9 * w.force.norm());
 }
 
-TEST_F(Served, NothingIsKnownBeforeTheFirstPacket) {
+TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
   open(true);
-  scene->cycle(0.01);
+  // Nothing is known before the first packet.
+  scene->cycle(0.005);
   EXPECT_EQ(robot().state, StopState::kProtectiveStop);
   EXPECT_EQ(robot().reason, StopReason::kStaleInput);
   EXPECT_EQ(robot().speed_scale, 0.0);
@@ -99,10 +102,7 @@ TEST_F(Served, NothingIsKnownBeforeTheFirstPacket) {
   EXPECT_EQ(scene->report().separation[0].distance, -kInfinity);
   for (const PairReport& p : scene->report().nearest) EXPECT_EQ(p.distance, -kInfinity);
   EXPECT_EQ(scene->nextStale(), kInfinity);
-}
 
-TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
-  open(true);
   person(0.01);
   for (int i = 1; i <= 100; ++i) {
     const double t = 0.01 * i;
@@ -166,24 +166,17 @@ TEST_F(Served, APersonWhoComesNearerSlowsTheRobot) {
   const PairReport& s = scene->report().separation[0];
   EXPECT_LT(s.distance, 1.0);
   EXPECT_EQ(s.trust, Trust::kFresh);
-}
 
-TEST_F(Served, TheCycleAllocatesNothing) {
-  open(true);
+  // A cycle and its answer allocate nothing.
   std::vector<std::byte> bytes(stateBytes(scene->report()));
-  for (int i = 1; i <= 3; ++i) {
-    person(0.01 * i);
-    joints(1.0, 0.01 * i);
-    scene->cycle(0.01 * i);
-  }
   const abstand::testing::NoAlloc guard;
-  for (int i = 4; i <= 60; ++i) {
-    person(0.01 * i, -0.05 * i);
-    joints(1.0 - 0.015 * i, 0.01 * i);
+  for (int i = 51; i <= 110; ++i) {
+    person(0.01 * i, -0.03 * i);
+    joints(1.5 - 0.015 * (i - 50), 0.01 * i);
     scene->cycle(0.01 * i);
     writeState(scene->report(), {}, bytes);
   }
-  scene->cycle(2.0);  // everything becomes stale
+  scene->cycle(3.0);  // everything becomes stale
   EXPECT_EQ(guard.count(), 0);
   EXPECT_NE(robot().state, StopState::kRunning);
 }
