@@ -13,6 +13,8 @@ namespace {
 constexpr double kParallel = 1e-24;
 // Spheres are made larger by this part, so that rounding never skips a triangle.
 constexpr double kLarger = 1.0 + 1e-12;
+// Of the largest coordinate: some roundings of corners that were moved, and of their differences.
+constexpr double kCoordinatePart = 4e-15;
 
 /// Six times the volume of the tetrahedron: its sign says on which side of the triangle a, b, c the point d
 /// lies.
@@ -20,8 +22,18 @@ double side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vecto
   return (b - a).cross(c - a).dot(d - a);
 }
 
+/// The same, but 0 where rounding could decide it: of an edge in the triangle's plane, and of a triangle
+/// without an area. There the distances of corners and edges say all that is to be said.
+double certainSide(const Triangle& t, const Vector3d& p) {
+  const double u = (t[1] - t[0]).norm(), v = (t[2] - t[0]).norm(), w = (p - t[0]).norm();
+  const double largest = std::max({t[0].cwiseAbs().maxCoeff(), t[1].cwiseAbs().maxCoeff(),
+                                   t[2].cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
+  const double volume = side(t[0], t[1], t[2], p);
+  return std::abs(volume) > kCoordinatePart * largest * (u * v + v * w + w * u) ? volume : 0.0;
+}
+
 bool cuts(const Vector3d& p, const Vector3d& q, const Triangle& t) {
-  const double over = side(t[0], t[1], t[2], p), under = side(t[0], t[1], t[2], q);
+  const double over = certainSide(t, p), under = certainSide(t, q);
   if (!((over > 0.0 && under < 0.0) || (over < 0.0 && under > 0.0))) return false;
   const double u = side(p, q, t[0], t[1]), v = side(p, q, t[1], t[2]), w = side(p, q, t[2], t[0]);
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);

@@ -52,6 +52,21 @@ TEST(BruteForce, TrianglesAreAsFarApartAsTheirNearestPoints) {
   EXPECT_GT(cutting, 10);
 }
 
+// Of edges in the other triangle's plane rounding says that they cross it, and where.
+TEST(BruteForce, TrianglesOfOnePlaneDoNotCutWhereTheyAreApart) {
+  constexpr double kGap = 0.002, kRounding = 1e-14;
+  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(9, seed);
+    const Matrix3d R = random.rotation();
+    const Vector3d away = random.inCube(3.0);
+    Triangle s, t;
+    for (Vector3d& corner : s) corner = away + R * Vector3d(-random.unit(), random.between(-2.0, 2.0), 0.0);
+    for (Vector3d& corner : t) corner = away + R * Vector3d(kGap + 0.1 * random.unit(), random.unit(), 0.0);
+    ASSERT_GE(distanceTriangles(s, t), kGap - kRounding);
+  }
+}
+
 TEST(BruteForce, PointsAndTriangles) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
