@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/math/random.hpp"
 #include "core/mechanism/dh_mechanism.hpp"
 #include "core/mechanism/mech_file.hpp"
 #include "core/mechanism/robot_writer.hpp"

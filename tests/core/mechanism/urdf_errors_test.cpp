@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                 1, 17, "own descendants"},
         BadCase{"itself",
                 LINKS "<joint name='j' type='fixed'><parent link='b'/><child link='b'/></joint></robot>", 1,
-                32, "own descendants"}));
+                33, "own descendants"}));
 
 #define JOINT(type, inside) \
   LINKS "<joint name='j' type='" type "'><parent link='a'/><child link='b'/>\n" inside "</joint></robot>"

@@ -91,7 +91,7 @@ TEST_F(RobotScene, FramesHaveNames) {
       "{radius: 1}}}]");
   EXPECT_EQ(s.mechanisms[0].links[0].frame, "b");
   EXPECT_NE(refused(", links: [{name: x, frame: bb, shape: {sphere: {radius: 1}}}]")
-                .find("scene.yaml:3:58: error: found `bb` for `frame`"),
+                .find("scene.yaml:3:54: error: found `bb` for `frame`"),
             std::string::npos)
       << refused(", links: [{name: x, frame: bb, shape: {sphere: {radius: 1}}}]");
   EXPECT_NE(refused(", geometry: visual, links: []").find("beside `links`"), std::string::npos);
