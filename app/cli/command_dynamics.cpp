@@ -10,7 +10,7 @@
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
 #include "core/mechanism/link_inertia.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/mechanism/robot.hpp"
 #include "core/mechanism/smooth_motion.hpp"
 
 namespace abstand::cli {
@@ -71,7 +71,7 @@ std::vector<double> jointNumbers(const std::string& text, const std::string& opt
 }
 
 Mechanism robotWithMasses(const Arguments& args) {
-  Mechanism mechanism = loadMechanism(args.mechanism);
+  Mechanism mechanism = loadRobot(args.mechanism).mechanism;
   for (const auto& text : args.solids) addSolid(mechanism, text);
   double mass = 0.0;
   for (const auto& f : mechanism.frames) {

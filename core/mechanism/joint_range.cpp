@@ -30,9 +30,9 @@ std::vector<JointRange> jointRanges(const Mechanism& mechanism) {
   for (const auto& f : mechanism.frames) {
     if (f.dof < 0) continue;
     const auto dof = static_cast<std::size_t>(f.dof);
-    if (led[dof] && f.mimic) continue;
+    if (led[dof]) continue;
     ranges[dof] = rangeOf(f);
-    led[dof] = true;
+    led[dof] = !f.mimic;
   }
   return ranges;
 }

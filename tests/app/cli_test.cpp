@@ -371,5 +371,57 @@ TEST_F(Cli, DynamicsSaysWhatIsWrong) {
   EXPECT_EQ(run(all + "--gravity 1,2").code, 2);
 }
 
+TEST_F(Cli, FkReadsAUrdf) {
+  const json j = runJson("fk data/robots/humanoid/humanoid.urdf --repeat 1");
+  EXPECT_EQ(j["dof"], 47);
+  EXPECT_EQ(j["frames"].at(0)["name"], "floor");
+  EXPECT_EQ(j["frames"].at(0)["parent"], 0);
+  // Microseconds: a call of 68 frames takes more than a nanosecond on any machine.
+  EXPECT_GT(j["cycle_us"]["median"], 1e-3);
+  const Answer xacro = run("fk " + write("r.urdf", "<robot name='r'>\n <link name='${x}'/></robot>"));
+  EXPECT_EQ(xacro.code, 3);
+  EXPECT_NE(xacro.err.find("r.urdf:2:2: error: found"), std::string::npos) << xacro.err;
+  EXPECT_NE(xacro.err.find("hint: expand it first"), std::string::npos) << xacro.err;
+  EXPECT_NE(run("fk " + write("w.urdf", "<robot name='r'><link name='a'><visual/></link></robot>"))
+                .err.find("warning: "),
+            std::string::npos);
+}
+
+TEST_F(Cli, ConvertGoesThereAndBack) {
+  const std::string mech = (folder_.path() / "a.mech").string(), urdf = (folder_.path() / "b.urdf").string();
+  const json there = runJson("convert data/robots/rail7/rail7.urdf " + mech + " --postures 100");
+  EXPECT_EQ(there["dof"], 8);
+  EXPECT_EQ(there["residual"]["postures"], 100);
+  EXPECT_LT(there["residual"]["position"], 1e-9);
+  EXPECT_TRUE(there["exact"]);
+  const json back = runJson("convert " + mech + " " + urdf);
+  EXPECT_TRUE(back["exact"]);
+  EXPECT_EQ(back["geometry"], there["geometry"]);
+  EXPECT_TRUE(back["warnings"].empty()) << back["warnings"];  // all meshes are found again from there
+  EXPECT_EQ(run("convert " + mech + " " + (folder_.path() / "c.txt").string()).code, 2);
+  EXPECT_EQ(run("convert none.urdf " + mech).code, 3);
+}
+
+TEST_F(Cli, PairsOfARobotAreTakenByAScene) {
+  const std::string pairs = (folder_.path() / "arm6.pairs").string(),
+                    srdf = (folder_.path() / "arm6.srdf").string();
+  const json j = runJson("pairs data/robots/arm6/arm6.urdf --voxel 0.02 --samples 200 --out " + pairs +
+                         " --srdf " + srdf);
+  EXPECT_EQ(j["pairs"], 21);
+  EXPECT_EQ(j["adjacent"], 6);
+  EXPECT_EQ(
+      j["adjacent"].get<int>() + j["never"].get<int>() + j["always"].get<int>() + j["sometimes"].get<int>(),
+      21);
+  const std::string scene =
+      "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nmechanisms:\n  - {name: arm6, file: '" +
+      projectFile("data/robots/arm6/arm6.urdf").string() + "'";
+  const json by_file = runJson("run " + write("s.yaml", scene + "}\npairs: {file: arm6.pairs}\n"));
+  const json by_srdf = runJson("run " + write("t.yaml", scene + ", srdf: arm6.srdf}\n"));
+  EXPECT_EQ(by_file["pairs"], j["sometimes"]);
+  EXPECT_EQ(by_srdf["pairs"], j["sometimes"]);
+  EXPECT_EQ(run("pairs data/robots/arm6/arm6.urdf --samples 0").code, 2);
+  EXPECT_EQ(run("pairs data/scenes/spheres_none.yaml").code, 3);
+}
+
 }  // namespace
 }  // namespace abstand::testing

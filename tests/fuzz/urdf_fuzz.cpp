@@ -1,0 +1,33 @@
+// Feeds the fuzzer's bytes to the readers of URDF and SRDF: they read or refuse them, and what is read can
+// move and be written.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/mechanism/dh_mechanism.hpp"
+#include "core/mechanism/robot_writer.hpp"
+#include "core/mechanism/srdf_file.hpp"
+#include "core/mechanism/urdf_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace abstand;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  try {
+    parseSrdf(srdfText(parseSrdf(text, "fuzz.srdf")), "again.srdf");
+  } catch (const ParseError&) {
+  }
+  try {
+    const Robot robot = parseUrdf(text, "fuzz.urdf");
+    MechanismState state;
+    forward(robot.mechanism, std::vector<double>(static_cast<std::size_t>(robot.mechanism.dof), 0.5), state);
+    for (const auto& X_BF : state.X_BF)
+      if (!X_BF.matrix().allFinite()) std::abort();
+    // Sums of large numbers may be too large for a file; anything else reads back.
+    if (mechText(toDh(robot)).empty()) std::abort();
+    parseUrdf(urdfText(robot).text, "again.urdf");
+  } catch (const ParseError&) {
+  }
+  return 0;
+}
