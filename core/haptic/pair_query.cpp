@@ -38,6 +38,8 @@ constexpr double kStayPart = 0.002;
 // m; bodies that move by no more from one search to the next are worth to look at a second time, for points
 // that are farther away than the nearest by this.
 constexpr double kSlow = 0.001, kRivalry = 0.004;
+// Spacings: by so much at most the walk from a point finds a deeper one.
+constexpr double kDeeper = 0.1;
 // Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
 constexpr double kHome = 6.0;
 // A line found anew gains little after that.
@@ -54,6 +56,8 @@ class Query {
 
   /// Where the nearest points were may be where they are: proven when no points can be much nearer.
   bool remember(const PairMemory& memory, bool from_a) {
+    hint_points_ = from_a ? memory.hint_a : memory.hint_b;
+    hint_field_ = from_a ? memory.hint_b : memory.hint_a;
     if (!memory.apart) return false;
     motion_ = mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_);
     searched(memory.searched - motion_);
@@ -108,7 +112,9 @@ class Query {
   /// of it inside of P.
   void searchOtherWay(PairScratch& scratch) {
     Query other(F_, X_WF_, P_, X_WP_);
-    const double lower_bound = other.searchPoints(false, scratch) - kFloatRounding - F_.shell.covering_radius;
+    other.hint_field_ = hint_points_;
+    other.witness_.distance = witness_.distance;
+    const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
     // Each search bounds the depth of its own points.
     certified_ = std::min(certified_, lower_bound);
     const Witness& found = other.witness_;
@@ -142,6 +148,8 @@ class Query {
   double certified() const { return certified_; }
 
  private:
+  const NearField* nearField() const { return F_.near_field ? &*F_.near_field : nullptr; }
+
   /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
   /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
   /// the axes of each.
@@ -169,6 +177,23 @@ class Query {
     witness_ = {on_points, on_field, distance, kNoHint, kNoHint};
   }
 
+  /// The deepest shell point, when its depth may be more than the witness's. Returns as searchPoints does.
+  double searchDeeper(PairScratch& scratch) {
+    const NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
+                               static_cast<float>(kSearchPart)};
+    const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+    const double spacing = P_.shell.spacing;
+    if (nearest.point != NearestPoint::kNone &&
+        static_cast<double>(nearest.estimate) < witness_.distance + kDeeper * spacing)
+      witness_ = refineWitness(*P_.surface, *F_.surface, nearField(), X_FP_, startAt(nearest.point), spacing,
+                               hint_field_);
+    return static_cast<double>(nearest.lower_bound);
+  }
+
+  Vector3d startAt(std::uint32_t point) const {
+    return X_FP_ * Vector3d(P_.tree.x[point], P_.tree.y[point], P_.tree.z[point]);
+  }
+
   /// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
   /// (m) of any shell point that is proven.
   double searchPoints(bool apart, PairScratch& scratch) {
@@ -178,8 +203,7 @@ class Query {
     const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
     const auto lower_bound = static_cast<double>(nearest.lower_bound);
     if (nearest.point == NearestPoint::kNone) return lower_bound;
-    const std::uint32_t i = nearest.point;
-    const Vector3d start = X_FP_ * Vector3d(P_.tree.x[i], P_.tree.y[i], P_.tree.z[i]);
+    const Vector3d start = startAt(nearest.point);
     const double spacing = P_.shell.spacing;
     // What leads to the witness again, or cannot lead to anything nearer.
     const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
@@ -190,8 +214,9 @@ class Query {
       found_ = lower_bound;
       return lower_bound;
     }
-    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-                              : refineWitness(*P_.surface, *F_.surface, X_FP_, start, spacing);
+    const Witness found =
+        far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+            : refineWitness(*P_.surface, *F_.surface, nearField(), X_FP_, start, spacing, hint_field_);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
   }
@@ -260,6 +285,7 @@ class Query {
   double certified_{-kInfinity};
   double motion_{kInfinity};  ///< m, since the last search
   double of_points_{-kInfinity};
+  std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
   double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
   bool separated_{false};     ///< a plane parts the hulls
   bool hulls_{false};         ///< the witness is about as near as the hulls

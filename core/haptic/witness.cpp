@@ -7,8 +7,10 @@ namespace {
 
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
+constexpr double kLeastStep = 0.4;    // of the first
 constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
 constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
+constexpr double kDepthPart = 0.005;  // of the depth, where the field leads
 
 /// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
 class Surfaces {
@@ -90,18 +92,49 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
   }
 }
 
+/// To a deeper point of P's surface near p, as deep as the samples of the near field tell.
+Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, double step) {
+  float s, gradient[3];
+  const auto at = [&](const Vector3d& q) {
+    const Vector3f f = q.cast<float>();
+    return near.sampleGradient(f.x(), f.y(), f.z(), s, gradient) && s < 0.0f;
+  };
+  if (!at(p)) return p;
+  float deepest = s;
+  Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
+  const double least = kLeastStep * step;
+  while (step > least) {
+    const double slope = down.norm();
+    if (!(slope > 0.0)) return p;
+    const Vector3d next = surfaces.toPoints(p + (step / slope) * down);
+    if (at(next) && s < deepest) {
+      const double gain = deepest - s;
+      p = next;
+      deepest = s;
+      down = -Vector3d(gradient[0], gradient[1], gradient[2]);
+      if (gain < kDepthPart * -deepest) return p;
+    } else {
+      step *= 0.5;
+    }
+  }
+  return p;
+}
+
 }  // namespace
 
-Witness refineWitness(const Surface& points, const Surface& field, const Transform& X_FP,
-                      const Vector3d& start, double step) noexcept {
+Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
+                      const Transform& X_FP, const Vector3d& start, double step,
+                      std::uint32_t hint) noexcept {
   Witness w;
+  w.hint_field = hint;
   Surfaces surfaces(points, field, X_FP, w);
   bool inside;
-  const Vector3d q = surfaces.toField(start, inside);
-  set(w, start, q, (start - q).norm());
+  const Vector3d p = near ? sunk(surfaces, *near, start, step) : start;
+  const Vector3d q = surfaces.toField(p, inside);
+  set(w, p, q, (p - q).norm());
   if (inside) {
     w.distance = -w.distance;
-    deepen(surfaces, w, step);
+    if (!near) deepen(surfaces, w, step);
   } else {
     approach(surfaces, w);
   }

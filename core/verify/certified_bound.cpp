@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "core/base/parallel.hpp"
+#include "core/verify/bound_judge.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/exact_pair.hpp"
 #include "core/verify/nasty_poses.hpp"
 #include "core/verify/statistics.hpp"
 
@@ -17,51 +17,23 @@ namespace abstand::verify {
 namespace {
 
 constexpr std::size_t kChunk = 50;
-// Of all lengths of a pose: rounding of the brute force itself, in double.
-constexpr double kOraclePart = 1e-12;
-// Of a voxel: how closely depths are enclosed.
-constexpr double kDepthTolerance = 0.05;
 // Shell points are kept and moved in float, 6e-8 of their coordinates a step, and a witness starts at one.
 constexpr double kFloatPart = 1e-6;
-
-/// What one kind of field said of one pose.
-struct Answer {
-  double used{kNaN};   ///< (distance - true) / bound
-  double below{kNaN};  ///< (true - distance) / size
-  double error{kNaN};  ///< |distance - true| in voxels; NaN where the truth is not enclosed
-  bool breach{false};
-};
 
 struct Outcome {
   PoseFamily family{PoseFamily::kRandom};
   bool done{false};
   bool overlapping{false};
   bool swallowed{false};
-  std::array<Answer, kFields.size()> answers;
+  std::array<BoundAnswer, kFields.size()> answers;
 };
 
 Outcome askAll(const std::vector<NastyBody>& bodies, const NastyPose& pose) {
   const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
-  const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
-  const NastyBody &P = from_a ? a : b, &F = from_a ? b : a;
-  const Transform X_FP =
-      from_a ? Transform(pose.X_WB.inverse() * pose.X_WA) : Transform(pose.X_WA.inverse() * pose.X_WB);
-  const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
-  const ExactDistance exact = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
-  const double way = X_FP.translation().norm(), size = P.radius + F.radius + way;
-  const double rounding = kOraclePart * (size + pose.X_WA.translation().norm());
-
-  Outcome o{pose.family, true, exact.overlapping, exact.swallowed, {}};
-  for (std::size_t f = 0; f < kFields.size(); ++f) {
-    const PairResult r = query(*a.structures[f], pose.X_WA, *b.structures[f], pose.X_WB);
-    Answer& answer = o.answers[f];
-    // Written so that NaN is a breach.
-    answer.breach = !(r.distance - r.bound <= exact.most + rounding);
-    answer.used = r.bound > 0.0 ? (r.distance - exact.most) / r.bound : (answer.breach ? kInfinity : 0.0);
-    answer.below = std::max(0.0, exact.least - r.distance - rounding) / size;
-    if (std::isfinite(exact.least))
-      answer.error = std::max({0.0, r.distance - exact.most, exact.least - r.distance}) / voxel;
-  }
+  const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
+  Outcome o{pose.family, true, judge.exact().overlapping, judge.exact().swallowed, {}};
+  for (std::size_t f = 0; f < kFields.size(); ++f)
+    o.answers[f] = judge(query(*a.structures[f], pose.X_WA, *b.structures[f], pose.X_WB));
   return o;
 }
 
@@ -80,8 +52,8 @@ Series distribution(std::string name, std::vector<double> values) {
   return s;
 }
 
-std::vector<double> collect(const std::vector<Outcome>& outcomes, std::size_t field, double Answer::*member,
-                            int family = -1) {
+std::vector<double> collect(const std::vector<Outcome>& outcomes, std::size_t field,
+                            double BoundAnswer::*member, int family = -1) {
   std::vector<double> values;
   for (const Outcome& o : outcomes) {
     const double value = o.answers[field].*member;
@@ -110,8 +82,8 @@ Table familyTable(const std::vector<Outcome>& outcomes, std::size_t field) {
       swallowed += o.swallowed;
       breaches += o.answers[field].breach;
     }
-    const auto errors = collect(outcomes, field, &Answer::error, family);
-    const auto used = collect(outcomes, field, &Answer::used, family);
+    const auto errors = collect(outcomes, field, &BoundAnswer::error, family);
+    const auto used = collect(outcomes, field, &BoundAnswer::used, family);
     table.rows.push_back({familyName(static_cast<PoseFamily>(family)), std::to_string(number),
                           std::to_string(overlapping), std::to_string(swallowed), std::to_string(breaches),
                           shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
@@ -130,7 +102,7 @@ CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std
       std::string(fieldName(kFields[field])) + " fields.";
   result.quantity = "(distance - true distance) / bound";
   result.reason = "The contract: the true distance is never below distance - bound.";
-  judge(result, collect(outcomes, field, &Answer::used), 1.0);
+  judge(result, collect(outcomes, field, &BoundAnswer::used), 1.0);
   // Rounding of the brute force is allowed for here, and NaN is a breach.
   result.breaches = 0;
   for (const Outcome& o : outcomes) result.breaches += o.answers[field].breach;
@@ -142,8 +114,8 @@ CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std
             true,
             {}};
   for (int f = 0; f < kPoseFamilies; ++f)
-    plot.series.push_back(
-        distribution(familyName(static_cast<PoseFamily>(f)), collect(outcomes, field, &Answer::error, f)));
+    plot.series.push_back(distribution(familyName(static_cast<PoseFamily>(f)),
+                                       collect(outcomes, field, &BoundAnswer::error, f)));
   result.plots.push_back(std::move(plot));
   return result;
 }
@@ -157,7 +129,7 @@ CheckResult attainedOf(const std::vector<Outcome>& outcomes, std::size_t field) 
       "deeper than the deepest point). Same poses.";
   result.quantity = "(true distance - distance) / size of the pair";
   result.reason = "Witnesses start at shell points, which are kept and moved in float (6e-8 a step).";
-  judge(result, collect(outcomes, field, &Answer::below), kFloatPart);
+  judge(result, collect(outcomes, field, &BoundAnswer::below), kFloatPart);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "core/verify/continuity.hpp"
 #include "core/verify/convergence.hpp"
 #include "core/verify/haptic_benchmark.hpp"
+#include "core/verify/moving_bound.hpp"
 #include "core/verify/same_bits.hpp"
 #include "core/verify/third_law.hpp"
 
@@ -14,6 +15,7 @@ namespace abstand::verify {
 const std::vector<CheckFamily>& checkFamilies() {
   static const std::vector<CheckFamily> families{
       {"certified bound", checkCertifiedBound},
+      {"moving bodies", checkMovingBound},
       {"closed forms", checkClosedForms},
       {"third law", checkThirdLaw},
       {"same bits", checkSameBits},

@@ -1,0 +1,39 @@
+// One answer of the engine against the true distance.
+#include "core/verify/bound_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::verify {
+namespace {
+
+// Of all lengths of a pose: rounding of the brute force itself, in double.
+constexpr double kOraclePart = 1e-12;
+// Of a voxel: how closely depths are enclosed.
+constexpr double kDepthTolerance = 0.05;
+
+}  // namespace
+
+BoundJudge::BoundJudge(const NastyBody& a, const Transform& X_WA, const NastyBody& b, const Transform& X_WB) {
+  const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
+  const NastyBody &P = from_a ? a : b, &F = from_a ? b : a;
+  const Transform X_FP = from_a ? Transform(X_WB.inverse() * X_WA) : Transform(X_WA.inverse() * X_WB);
+  const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
+  voxel_ = voxel;
+  size_ = P.radius + F.radius + X_FP.translation().norm();
+  rounding_ = kOraclePart * (size_ + X_WA.translation().norm());
+  exact_ = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
+}
+
+BoundAnswer BoundJudge::operator()(const PairResult& r) const {
+  BoundAnswer answer;
+  // Written so that NaN is a breach.
+  answer.breach = !(r.distance - r.bound <= exact_.most + rounding_);
+  answer.used = r.bound > 0.0 ? (r.distance - exact_.most) / r.bound : (answer.breach ? kInfinity : 0.0);
+  answer.below = std::max(0.0, exact_.least - r.distance - rounding_) / size_;
+  if (std::isfinite(exact_.least))
+    answer.error = std::max({0.0, r.distance - exact_.most, exact_.least - r.distance}) / voxel_;
+  return answer;
+}
+
+}  // namespace abstand::verify

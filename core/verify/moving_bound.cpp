@@ -1,0 +1,130 @@
+// Distances of bodies that move, by an engine that remembers, against exact distances of meshes.
+#include "core/verify/moving_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "core/base/parallel.hpp"
+#include "core/verify/bound_judge.hpp"
+#include "core/verify/check_tools.hpp"
+#include "core/verify/nasty_poses.hpp"
+#include "core/verify/statistics.hpp"
+
+namespace abstand::verify {
+namespace {
+
+constexpr std::size_t kSteps = 40;         // of one path
+constexpr std::size_t kPosesAStep = 5;     // of the poses at rest, for one step here
+constexpr std::uint64_t kOtherPoses = 77;  // not those of the bodies at rest
+// m a step, of the point that moves most, about.
+constexpr std::array kStepSizes{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+
+struct Path {
+  bool done{false};
+  std::size_t size{0};  ///< index in kStepSizes
+  std::array<BoundAnswer, kSteps> answers;
+  std::array<bool, kSteps> overlapping{};
+};
+
+/// Bodies go on in about the same direction, as limbs and links do, and turn about a point of their own.
+Path walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t index) {
+  NastyPose pose = nastyPose(bodies, seed + kOtherPoses, index);
+  // Kilometres apart nothing is remembered that a step would change.
+  for (std::uint64_t other = 1; pose.family == PoseFamily::kFar; ++other)
+    pose = nastyPose(bodies, seed + kOtherPoses + other, index);
+  const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
+  const std::size_t field = index % kFields.size();
+  const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
+  Random random(seed + kOtherPoses, index);
+  Path path;
+  path.size = random.below(kStepSizes.size());
+  const double step = kStepSizes[path.size];
+  const Vector3d way = random.direction() * (random.chance(0.3) ? 0.0 : step);
+  const Vector3d axis = random.direction(), about = b.centre + random.inCube(b.radius);
+  const double angle = random.chance(0.3) ? 0.0 : step / std::max(b.radius, 1e-3);
+  Transform turn = Transform::Identity();
+  turn.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  turn.translation() = about - turn.linear() * about;
+
+  PairMemory memory;
+  PairScratch scratch;
+  PairResult result;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    queryPair(A, pose.X_WA, B, pose.X_WB, {}, memory, scratch, result);
+    const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
+    path.answers[i] = judge(result);
+    path.overlapping[i] = judge.exact().overlapping;
+    pose.X_WB = pose.X_WB * turn;
+    pose.X_WB.translation() += way + 0.1 * step * random.direction();
+  }
+  path.done = true;
+  return path;
+}
+
+Table tableOf(const std::vector<Path>& paths) {
+  Table table;
+  table.header = {"metres a step",      "poses",     "overlapping",   "breaches",
+                  "error p50 [voxels]", "error p99", "largest error", "largest part of the bound used"};
+  for (std::size_t s = 0; s < kStepSizes.size(); ++s) {
+    std::size_t overlapping = 0, breaches = 0;
+    std::vector<double> errors, used;
+    for (const Path& path : paths) {
+      if (path.size != s) continue;
+      for (std::size_t i = 0; i < kSteps; ++i) {
+        const BoundAnswer& answer = path.answers[i];
+        overlapping += path.overlapping[i];
+        breaches += answer.breach;
+        used.push_back(answer.used);
+        if (!std::isnan(answer.error)) errors.push_back(answer.error);
+      }
+    }
+    table.rows.push_back({shortNumber(kStepSizes[s]), std::to_string(used.size()),
+                          std::to_string(overlapping), std::to_string(breaches),
+                          shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
+                          shortNumber(quantile(errors, 1.0)), shortNumber(quantile(used, 1.0))});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
+  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  std::vector<Path> paths(std::max<std::size_t>(1, options.poses / (kPosesAStep * kSteps)));
+  std::atomic<std::size_t> done{0};
+  const auto caller = std::this_thread::get_id();
+  parallelFor(options.threads, paths.size(), [&](std::size_t i) {
+    if (options.stop()) return;
+    paths[i] = walk(bodies, options.seed, i);
+    ++done;
+    if (options.progress && std::this_thread::get_id() == caller) options.progress(done, paths.size());
+  });
+  const auto all = paths.size();
+  std::erase_if(paths, [](const Path& path) { return !path.done; });
+
+  CheckResult result;
+  result.name = "bound.moving";
+  result.what =
+      "Bodies move on from nasty poses, and the engine remembers the step before: the true distance of their "
+      "meshes is never below distance - bound. All kinds of fields.";
+  result.quantity = "(distance - true distance) / bound";
+  result.reason = "What is remembered may make an answer quicker, and never weaken its bound.";
+  std::vector<double> used;
+  std::size_t breaches = 0;
+  for (const Path& path : paths)
+    for (const BoundAnswer& answer : path.answers) {
+      used.push_back(answer.used);
+      breaches += answer.breach;
+    }
+  judge(result, used, 1.0);
+  // Rounding of the brute force is allowed for here, and NaN is a breach.
+  result.breaches = breaches;
+  result.passed = paths.size() == all && breaches == 0;
+  result.table = tableOf(paths);
+  return {result};
+}
+
+}  // namespace abstand::verify
