@@ -54,6 +54,11 @@ struct HapticStructure {
   }
 };
 
+/// Null for a layered field.
+inline const NearField* nearField(const HapticStructure& structure) {
+  return structure.near_field ? &*structure.near_field : nullptr;
+}
+
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
 /// Throws UsageError for options that do not fit the body, and BuildCancelled when the monitor says so.
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,

@@ -148,8 +148,6 @@ class Query {
   double certified() const { return certified_; }
 
  private:
-  const NearField* nearField() const { return F_.near_field ? &*F_.near_field : nullptr; }
-
   /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
   /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
   /// the axes of each.
@@ -177,21 +175,18 @@ class Query {
     witness_ = {on_points, on_field, distance, kNoHint, kNoHint};
   }
 
-  /// The deepest shell point, when its depth may be more than the witness's. Returns as searchPoints does.
+  /// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
+  /// searchPoints does.
   double searchDeeper(PairScratch& scratch) {
     const NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
                                static_cast<float>(kSearchPart)};
     const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
     const double spacing = P_.shell.spacing;
-    if (nearest.point != NearestPoint::kNone &&
+    if (nearest.point != kNoPoint &&
         static_cast<double>(nearest.estimate) < witness_.distance + kDeeper * spacing)
-      witness_ = refineWitness(*P_.surface, *F_.surface, nearField(), X_FP_, startAt(nearest.point), spacing,
-                               hint_field_);
+      witness_ = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_,
+                               X_FP_ * P_.tree.at(nearest.point), spacing, hint_field_);
     return static_cast<double>(nearest.lower_bound);
-  }
-
-  Vector3d startAt(std::uint32_t point) const {
-    return X_FP_ * Vector3d(P_.tree.x[point], P_.tree.y[point], P_.tree.z[point]);
   }
 
   /// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
@@ -202,8 +197,8 @@ class Query {
         static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
     const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
     const auto lower_bound = static_cast<double>(nearest.lower_bound);
-    if (nearest.point == NearestPoint::kNone) return lower_bound;
-    const Vector3d start = startAt(nearest.point);
+    if (nearest.point == kNoPoint) return lower_bound;
+    const Vector3d start = X_FP_ * P_.tree.at(nearest.point);
     const double spacing = P_.shell.spacing;
     // What leads to the witness again, or cannot lead to anything nearer.
     const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
@@ -216,7 +211,7 @@ class Query {
     }
     const Witness found =
         far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-            : refineWitness(*P_.surface, *F_.surface, nearField(), X_FP_, start, spacing, hint_field_);
+            : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, spacing, hint_field_);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
   }

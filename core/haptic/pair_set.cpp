@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "core/haptic/between_points.hpp"
 #include "core/haptic/separation.hpp"
 
 namespace abstand {
@@ -45,22 +46,16 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
                                                   const PairOptions& options) {
   place(X_WB);
   touches_.clear();
-  PairResult result;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Bodies& pair = pairs_[i];
     if (ballsApart(pair, options.margin) || knownApart(i, X_WB, options.margin)) continue;
     if (seekLine(i, X_WB, options.margin)) continue;
     const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
     const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
-    PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB_b, options, scratch_);
-    if (penalty.contacts == 0) {
-      // They may touch between the points.
-      PairOptions wider = options;
-      wider.margin += kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
-      if (penaltyForce(a, X_WA, b, X_WB_b, wider, scratch_).contacts == 0) continue;
-      queryPair(a, X_WA, b, X_WB_b, options, memories_[i], scratch_, result);
-      penalty.depth = result.depth;
-    }
+    const double between = kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
+    PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB_b, options, scratch_, between);
+    if (penalty.contacts == 0)
+      penalty.depth = depthBetweenPoints(a, X_WA, penalty.near_a, b, X_WB_b, penalty.near_b, options.margin);
     if (penalty.depth > 0.0) touches_.push_back({static_cast<std::uint32_t>(i), penalty});
   }
   return touches_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/haptic/pair_query.hpp"
+#include "core/haptic/search_kernels.hpp"
 
 namespace abstand {
 
@@ -12,13 +13,17 @@ struct PenaltyForce {
   Vector3d torque_b{Vector3d::Zero()};  ///< N m, on B about B's centre of mass
   int contacts{0};                      ///< shell points within the margin
   double depth{0.0};                    ///< m, deepest penetration of the margins, >= 0
+  /// Without contacts: the shell points, in leaf order, that seem the nearest to the other body, when they
+  /// are within `watch`; else kNoPoint.
+  std::uint32_t near_a{kNoPoint}, near_b{kNoPoint};
 };
 
 /// Sums over the shell points of the body that gives them (pointsFromA) which are within the margin of the
 /// other: f = k a depth n [volume law], or k depth n [thesis eq. 2.2]. When there are none, over those of the
-/// other body, a tip of which may have come in between. Both structures must outlive the call.
-/// No allocation, no lock, no throw; depends on the arguments' values only.
+/// other body, a tip of which may have come in between. `watch`: m, beyond the margin. Both structures must
+/// outlive the call. No allocation, no lock, no throw; depends on the arguments' values only.
 PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch) noexcept;
+                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                          double watch = 0.0) noexcept;
 
 }  // namespace abstand

@@ -37,6 +37,9 @@ struct PointSphereTree {
       families;  ///< of the inner nodes in their order; families[0]: the root's, or the root alone
   int levels{0};
 
+  /// A point in leaf order.
+  Vector3d at(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+
   template <class Archive>
   void archive(Archive& ar) {
     ar(nodes, x, y, z, nx, ny, nz, area, shell_index, families, levels);

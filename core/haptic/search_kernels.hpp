@@ -6,6 +6,8 @@
 
 namespace abstand {
 
+inline constexpr std::uint32_t kNoPoint = 0xffffffffu;
+
 /// A search ends where nothing can be nearer than the best; when that is farther than `far_from`, where
 /// nothing can be nearer by more than `far_part` of it.
 struct NearestLimits {
@@ -15,10 +17,9 @@ struct NearestLimits {
 };
 
 struct NearestPoint {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   float lower_bound;    ///< no shell point's true distance is below it; m
   float estimate;       ///< m, of the point
-  std::uint32_t point;  ///< leaf order; kNone when none was looked at
+  std::uint32_t point;  ///< leaf order; kNoPoint when none was looked at
 };
 
 /// A ball in the field body's frame; m.
@@ -29,6 +30,7 @@ struct Ball {
 
 struct ContactLimits {
   float margin;  ///< m
+  float watch;   ///< m, at least the margin: while no point is within that, which is the nearest within this
   bool by_area;  ///< weigh points by their areas, else by 1
 };
 
@@ -39,6 +41,7 @@ struct ContactSum {
   double moment[3];
   int contacts;
   float depth;
+  std::uint32_t nearest;  ///< leaf order, by its estimate, when none is within the margin; or kNoPoint
 };
 
 struct SearchKernels {

@@ -25,6 +25,11 @@ inline Point8 centresOf(const TreeView& tree, const Family& family) {
   return moved(tree.X_FP, load(family.cx), load(family.cy), load(family.cz));
 }
 
+/// The first lane that is at most `least`, which one of them is.
+inline std::uint32_t laneOf(Float8 lanes, float least) {
+  return static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(bits(lanes <= splat(least)) | 0x80)));
+}
+
 inline Mask8 farther(const Point8& p, const Ball& ball, Float8 by) {
   const Float8 x = p.x - splat(ball.centre[0]), y = p.y - splat(ball.centre[1]),
                z = p.z - splat(ball.centre[2]);
@@ -135,8 +140,7 @@ class NearestSearch {
     }
     if (s < estimate_) {
       estimate_ = s;
-      point_ = first + static_cast<std::uint32_t>(
-                           __builtin_ctz(static_cast<unsigned>(bits(d.s <= splat(s)) | 0x80)));
+      point_ = first + laneOf(d.s, s);
     }
   }
 
@@ -147,7 +151,7 @@ class NearestSearch {
   std::size_t top_{0};
   float best_, enough_{0.0f};
   float visited_{kNever}, dropped_{kNever}, estimate_{kNever};
-  std::uint32_t point_{NearestPoint::kNone};
+  std::uint32_t point_{kNoPoint};
 };
 
 template <class Lanes>
@@ -156,7 +160,9 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   const Lanes lanes(field);
   const Float8 margin = splat(limits.margin), zero = splat(0.0f);
   ContactSum sum{};
+  sum.nearest = kNoPoint;
   Float8 deepest = zero;
+  float reach = limits.watch;
   const auto leaf = [&](std::uint32_t first) {
     const Point8 p = pointsAt(tree, first);
     const Float8 s = lanes.points(p, tree, first).s;
@@ -164,7 +170,15 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
     // Copies that fill up a leaf have no area.
     const Mask8 touches = (s <= margin) & (zero < area);
     const int touching = bits(touches);
-    if (touching == 0) return;
+    if (touching == 0) {
+      if (sum.contacts > 0) return;
+      const float least = leastOf(s);
+      if (!(least < reach)) return;
+      reach = least;
+      sum.nearest = first + laneOf(s, least);
+      return;
+    }
+    reach = limits.margin;
     const Float8 depth = margin - s;
     const Float8 push = select(touches, limits.by_area ? depth * area : depth, zero);
     const float* m = tree.X_FP;
@@ -188,8 +202,8 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   stack[top++] = {0.0f, 0};
   while (top > 0) {
     const Family& family = tree.families[stack[--top].node];
-    const Float8 bound = lanes.contacts(centresOf(tree, family), load(family.radius), limits.margin);
-    for (int left = bits(bound <= margin); left != 0; left &= left - 1) {
+    const Float8 bound = lanes.contacts(centresOf(tree, family), load(family.radius), reach);
+    for (int left = bits(bound <= splat(reach)); left != 0; left &= left - 1) {
       const std::uint32_t child = family.child[__builtin_ctz(static_cast<unsigned>(left))];
       if (child & PointSphereTree::kLeafChild)
         leaf((child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane);
@@ -198,6 +212,7 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
     }
   }
   sum.depth = -leastOf(zero - deepest);
+  if (sum.contacts > 0) sum.nearest = kNoPoint;
   return sum;
 }
 

@@ -19,7 +19,7 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
     const auto& F = structureOf(Cuboid{{0.1, 0.12, 0.3}}, kind);
     const FieldView field = F.fieldView();
     PairScratch scratch;
-    int touching = 0;
+    int touching = 0, watched = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
       const Transform X_FP = randomPose(seed, seed % 3 == 0 ? 0.1 : 0.6);
       const TreeView tree = P.treeView(X_FP);
@@ -30,8 +30,8 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
       // Where two voxels of a layered map meet, rounding decides which one a point lies in.
       if (kind == FieldKind::kLayered) continue;
       ASSERT_NEAR(a.estimate, b.estimate, kRounding) << seed;
-      const ContactSum s = fast.contacts(tree, field, {0.02f, true}, scratch),
-                       t = plain.contacts(tree, field, {0.02f, true}, scratch);
+      const ContactSum s = fast.contacts(tree, field, {0.02f, 0.02f, true}, scratch),
+                       t = plain.contacts(tree, field, {0.02f, 0.02f, true}, scratch);
       ASSERT_NEAR(s.depth, t.depth, kRounding);
       for (int k = 0; k < 3; ++k) {
         // Relative to some cm^2 pressed by some cm.
@@ -39,9 +39,27 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
         ASSERT_NEAR(s.moment[k], t.moment[k], 1e-8);
       }
       touching += s.contacts > 0;
+      // Without contacts, the point that is the nearest by its sample is told, when that is watched.
+      constexpr float kWatch = 0.03f;
+      const ContactSum w = fast.contacts(tree, field, {0.0f, kWatch, true}, scratch);
+      const auto sampleAt = [&](std::uint32_t point) {
+        const Vector3f p = (X_FP * P.tree.at(point)).cast<float>();
+        float sample;
+        return F.near_field->sample(p.x(), p.y(), p.z(), sample) ? sample
+                                                                 : std::numeric_limits<float>::infinity();
+      };
+      float least = std::numeric_limits<float>::infinity();
+      for (std::uint32_t k = 0; k < P.tree.x.size(); ++k) least = std::min(least, sampleAt(k));
+      if (least < -kRounding || least > kWatch + kRounding) {
+        EXPECT_EQ(w.nearest, kNoPoint) << seed;
+      } else if (least > kRounding && least < kWatch - kRounding) {
+        ASSERT_NE(w.nearest, kNoPoint) << seed;
+        EXPECT_NEAR(sampleAt(w.nearest), least, kRounding) << seed;
+        ++watched;
+      }
       // Points about the nearest one left out.
       const std::uint32_t i = a.point;
-      const Vector3d home = X_FP * Vector3d(P.tree.x[i], P.tree.y[i], P.tree.z[i]);
+      const Vector3d home = X_FP * P.tree.at(i);
       const Ball ball{{float(home.x()), float(home.y()), float(home.z())}, 0.03f};
       const float rival = fast.nearestOutside(tree, field, ball, 1.0f, scratch);
       ASSERT_NEAR(rival, plain.nearestOutside(tree, field, ball, 1.0f, scratch), kRounding) << seed;
@@ -49,6 +67,7 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
     }
     if (kind != FieldKind::kLayered) {
       EXPECT_GT(touching, 50);
+      EXPECT_GT(watched, 5);
     }
   }
 }

@@ -1,0 +1,31 @@
+// Contacts that the shell's points miss.
+#include "core/haptic/between_points.hpp"
+
+#include <algorithm>
+
+#include "core/haptic/search_kernels.hpp"
+#include "core/haptic/witness.hpp"
+
+namespace abstand {
+namespace {
+
+double distanceFrom(const HapticStructure& P, const Transform& X_WP, std::uint32_t near,
+                    const HapticStructure& F, const Transform& X_WF) {
+  if (near == kNoPoint) return kInfinity;
+  const Transform X_FP = X_WF.inverse() * X_WP;
+  return refineWitness(*P.surface, *F.surface, nearField(F), X_FP, X_FP * P.tree.at(near), P.shell.spacing,
+                       kNoHint)
+      .distance;
+}
+
+}  // namespace
+
+double depthBetweenPoints(const HapticStructure& a, const Transform& X_WA, std::uint32_t near_a,
+                          const HapticStructure& b, const Transform& X_WB, std::uint32_t near_b,
+                          double margin) noexcept {
+  const double least =
+      std::min(distanceFrom(a, X_WA, near_a, b, X_WB), distanceFrom(b, X_WB, near_b, a, X_WA));
+  return std::max(0.0, margin - least);
+}
+
+}  // namespace abstand
