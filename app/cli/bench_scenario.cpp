@@ -31,18 +31,21 @@ double highWaterMb() {
   return 0.0;
 }
 
+/// "hV" or "hVpP": V and P are the voxel size and the point spacing in mm.
 HapticOptions variantOptions(const std::string& variant) {
+  double voxel = 0.0, point = 0.0;
+  int read = 0;
+  const bool named = variant == "h1" || variant == "h2" || variant == "h4";
+  const bool both = std::sscanf(variant.c_str(), "h%lfp%lf%n", &voxel, &point, &read) == 2 &&
+                    read == static_cast<int>(variant.size());
+  // Written so that NaN fails.
+  if (!named && !(both && voxel >= 0.1 && voxel <= 1000.0 && point >= 0.1 && point <= 1000.0))
+    throw UsageError(
+        "--variant: found '" + variant +
+        "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm apart");
   HapticOptions o;
-  if (variant == "h4") {
-    o.voxel_size = o.point_spacing = 0.004;
-  } else if (variant == "h2") {
-    o.voxel_size = 0.002;
-    o.point_spacing = 0.003;
-  } else if (variant == "h1") {
-    o.voxel_size = o.point_spacing = 0.001;
-  } else {
-    throw UsageError("--variant: found '" + variant + "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm)");
-  }
+  o.voxel_size = 1e-3 * (named ? variant[1] - '0' : voxel);
+  o.point_spacing = variant == "h2" ? 0.003 : 1e-3 * (named ? variant[1] - '0' : point);
   return o;
 }
 

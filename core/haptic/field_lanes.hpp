@@ -94,17 +94,27 @@ class NearLanes {
     const Float8 f = lowerFromSample(s);
     return (found == 0xff ? f : select(there, f, farAt(far_, p).f)) - radius;
   }
+  /// The estimates s, or something greater where they are beyond `most`.
+  Float8 estimates(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
+    if (!(most < near_.band)) return points(p, tree, first).s;
+    Float8 s;
+    const Mask8 there = sample(p, s);
+    return select(there, s, splat(near_.band));
+  }
   /// Below every estimate s of points in the spheres that is at most `margin`: the true distance exceeds s by
   /// no more than the error; and from a sample s falls by no more than the steepest slope, as long as the way
   /// stays among the blocks or leaves them at a distance that cannot be lost again.
   Float8 contacts(const Point8& p, Float8 radius, float margin) const {
     Float8 s;
     const Mask8 there = sample(p, s);
-    const int found = bits(there);
-    const Float8 error = splat(near_.error_bound);
-    if (found == 0) return farAt(far_, p).f - radius - error;
+    const Float8 error = splat(near_.error_bound), band = splat(near_.band);
     Float8 f = lowerFromSample(s);
-    if (found != 0xff) f = select(there, f, farAt(far_, p).f);
+    if (bits(there) != 0xff) {
+      // Elsewhere the surface is farther than the band; what the far field knows is wanted where that is not
+      // enough.
+      const int doubtful = bits(band - radius - error <= splat(margin)) & ~bits(there);
+      f = select(there, f, doubtful == 0 ? band : max(band, farAt(far_, p).f));
+    }
     const Float8 fall = splat(near_.slope) * radius;
     const Mask8 steady = there & (fall < splat(near_.band - near_.error_bound - margin));
     return max(f - radius - error, select(steady, s - fall, splat(-__builtin_huge_valf())));
@@ -203,6 +213,9 @@ class LayeredLanes {
       if (voxelOf(at, voxel)) f[lane] = lower(layerAt(voxel), f[lane]);
     }
     return load(f) - radius;
+  }
+  Float8 estimates(const Point8& p, const TreeView& tree, std::uint32_t first, float) const {
+    return points(p, tree, first).s;
   }
   Float8 contacts(const Point8& p, Float8 radius, float) const {
     return spheres(p, radius) - splat(2.0f * kDiagonal * field_.voxel);

@@ -162,10 +162,9 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   ContactSum sum{};
   sum.nearest = kNoPoint;
   Float8 deepest = zero;
+  Float8 force[3], moment[3];  // of one family's leaves
   float reach = limits.watch;
-  const auto leaf = [&](std::uint32_t first) {
-    const Point8 p = pointsAt(tree, first);
-    const Float8 s = lanes.points(p, tree, first).s;
+  const auto leaf = [&](std::uint32_t first, Float8 s) {
     const Float8 area = load(tree.area + first);
     // Copies that fill up a leaf have no area.
     const Mask8 touches = (s <= margin) & (zero < area);
@@ -179,6 +178,7 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
       return;
     }
     reach = limits.margin;
+    const Point8 p = pointsAt(tree, first);
     const Float8 depth = margin - s;
     const Float8 push = select(touches, limits.by_area ? depth * area : depth, zero);
     const float* m = tree.X_FP;
@@ -189,12 +189,12 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
              push;
     };
     const Float8 fx = along(0), fy = along(1), fz = along(2);
-    sum.force[0] += sumOf(fx);
-    sum.force[1] += sumOf(fy);
-    sum.force[2] += sumOf(fz);
-    sum.moment[0] += sumOf(p.y * fz - p.z * fy);
-    sum.moment[1] += sumOf(p.z * fx - p.x * fz);
-    sum.moment[2] += sumOf(p.x * fy - p.y * fx);
+    force[0] = force[0] + fx;
+    force[1] = force[1] + fy;
+    force[2] = force[2] + fz;
+    moment[0] = moment[0] + (p.y * fz - p.z * fy);
+    moment[1] = moment[1] + (p.z * fx - p.x * fz);
+    moment[2] = moment[2] + (p.x * fy - p.y * fx);
     deepest = max(deepest, select(touches, depth, zero));
     sum.contacts += __builtin_popcount(static_cast<unsigned>(touching));
   };
@@ -203,12 +203,26 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   while (top > 0) {
     const Family& family = tree.families[stack[--top].node];
     const Float8 bound = lanes.contacts(centresOf(tree, family), load(family.radius), reach);
+    // First all look-ups, which wait for memory, then what depends on them.
+    std::uint32_t first[8];
+    Float8 estimate[8];
+    int leaves = 0;
     for (int left = bits(bound <= splat(reach)); left != 0; left &= left - 1) {
       const std::uint32_t child = family.child[__builtin_ctz(static_cast<unsigned>(left))];
       if (child & PointSphereTree::kLeafChild)
-        leaf((child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane);
+        first[leaves++] = (child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane;
       else
         stack[top++] = {0.0f, child};
+    }
+    for (int i = 0; i < leaves; ++i)
+      estimate[i] = lanes.estimates(pointsAt(tree, first[i]), tree, first[i], reach);
+    const int before = sum.contacts;
+    for (int k = 0; k < 3; ++k) force[k] = moment[k] = zero;
+    for (int i = 0; i < leaves; ++i) leaf(first[i], estimate[i]);
+    if (sum.contacts == before) continue;
+    for (int k = 0; k < 3; ++k) {
+      sum.force[k] += sumOf(force[k]);
+      sum.moment[k] += sumOf(moment[k]);
     }
   }
   sum.depth = -leastOf(zero - deepest);
