@@ -10,6 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "core/haptic/pair_set.hpp"
+#include "core/scene/scene.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -40,13 +41,28 @@ HapticOptions variantOptions(const std::string& variant) {
                     read == static_cast<int>(variant.size());
   // Written so that NaN fails.
   if (!named && !(both && voxel >= 0.1 && voxel <= 1000.0 && point >= 0.1 && point <= 1000.0))
-    throw UsageError(
-        "--variant: found '" + variant +
-        "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm apart");
+    throw UsageError("--variant: found '" + variant +
+                     "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm "
+                     "apart; -rest and a share behind it: pairs may rest");
   HapticOptions o;
   o.voxel_size = 1e-3 * (named ? variant[1] - '0' : voxel);
   o.point_spacing = variant == "h2" ? 0.003 : 1e-3 * (named ? variant[1] - '0' : point);
   return o;
+}
+
+/// Cuts "-restS" off the name: the share (0 to 1) of Skipping::rest; 0 when it is not there.
+double takeRest(std::string& variant) {
+  const auto at = variant.find("-rest");
+  if (at == std::string::npos) return 0.0;
+  double share = 0.0;
+  int read = 0;
+  const std::string number = variant.substr(at + 5);
+  const bool whole =
+      std::sscanf(number.c_str(), "%lf%n", &share, &read) == 1 && read == static_cast<int>(number.size());
+  if (!whole || !(share > 0.0 && share <= 1.0))
+    throw UsageError("--variant: found '" + variant + "', expected a share above 0, at most 1 after '-rest'");
+  variant.resize(at);
+  return share;
 }
 
 using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
@@ -95,6 +111,30 @@ Ask asker(const std::string& mode, PairSet& pairs, std::vector<float>& answers) 
   };
 }
 
+/// A scene whose pairs remember and rest, as those of a user's scene do.
+Scene makeScene(const Scenario& scenario, const Structures& structures, double rest) {
+  Scene scene;
+  std::vector<ObjectId> ids;
+  for (std::size_t i = 0; i < structures.size(); ++i)
+    ids.push_back(scene.addObject({scenario.bodies[i].name, "objects", structures[i]}));
+  for (const auto& [a, b] : scenario.pairs)
+    scene.addPair(ids[static_cast<std::size_t>(a)], ids[static_cast<std::size_t>(b)]);
+  scene.setThreads(1);
+  scene.setSkipping({.rest = rest, .remember = true});
+  return scene;
+}
+
+Ask resting(Scene& scene, double dt, std::vector<float>& answers) {
+  return [&scene, &answers, dt, t = 0.0](auto X_WB) mutable {
+    for (std::size_t i = 0; i < X_WB.size(); ++i)
+      scene.setPose(ObjectId(static_cast<std::uint32_t>(i)), X_WB[i], t);
+    t += dt;
+    scene.step();
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      answers[i] = static_cast<float>(scene.pairs()[i].result.distance);
+  };
+}
+
 auto isTouching(const std::string& mode) {
   const bool distance = mode == "distance" || mode == "both" || mode == "dmin";
   return [distance](float value) { return distance ? value <= 0.0f : value > 0.0f; };
@@ -131,12 +171,17 @@ int benchScenario(const BenchScenario& args) {
   const Scenario scenario = loadScenario(args.scenario);
   const double before = highWaterMb();
   const auto build_begin = Clock::now();
-  const Structures structures = build(scenario, variantOptions(args.variant));
+  std::string variant = args.variant;
+  const double rest = takeRest(variant);
+  if (rest > 0.0 && args.mode != "distance" && args.mode != "both")
+    throw UsageError("--variant: found '" + args.variant + "', expected -rest with --mode distance or both");
+  const Structures structures = build(scenario, variantOptions(variant));
   const double build_s = secondsSince(build_begin);
 
   PairSet pairs = makePairs(scenario, structures);
+  Scene scene = makeScene(scenario, structures, rest);
   std::vector<float> answers(scenario.pairs.size());
-  const auto ask = asker(args.mode, pairs, answers);
+  const Ask ask = rest > 0.0 ? resting(scene, scenario.dt, answers) : asker(args.mode, pairs, answers);
   const auto frame = [&](std::size_t f) { ask({scenario.frame(f), scenario.bodies.size()}); };
   std::vector<double> times;
   std::vector<std::int32_t> frames;

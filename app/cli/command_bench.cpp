@@ -107,7 +107,9 @@ void addBench(CLI::App& root, CommandLine& line) {
   command->add_option("--scenario", scenario->scenario, "folder of a peer benchmark's scene");
   command->add_option("--mode", scenario->mode, "distance, collide, contact, both, dmin")
       ->check(CLI::IsMember({"distance", "collide", "contact", "both", "dmin"}));
-  command->add_option("--variant", scenario->variant, "h1, h2, h4: voxels of 1, 2, 4 mm");
+  command->add_option(
+      "--variant", scenario->variant,
+      "h1, h2, h4: voxels of 1, 2, 4 mm; h1p1.5: points 1.5 mm apart; h4-rest0.05: pairs rest");
   command->add_option("--block", scenario->block, "frames in a row")->check(CLI::Range(1, 1000000));
   command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));
   command->add_option("--start", scenario->start, "first frame")->check(CLI::Range(0, 100000000));
