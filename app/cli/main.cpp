@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   cli::addHuman(app, line);
   cli::addSkeleton(app, line);
   cli::addPairs(app, line);
+  cli::addRenderDepth(app, line);
   cli::addRun(app, line);
   cli::addServe(app, line);
   cli::addCheck(app, line);

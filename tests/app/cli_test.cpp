@@ -423,5 +423,28 @@ TEST_F(Cli, PairsOfARobotAreTakenByAScene) {
   EXPECT_EQ(run("pairs data/scenes/spheres_none.yaml").code, 3);
 }
 
+TEST_F(Cli, RenderDepthWritesAClip) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string scene =
+      write("ball.yaml",
+            "abstand: 1\nobjects:\n  - {name: a, shape: {sphere: {radius: 0.2}}, voxel: "
+            "0.02, point: 0.02}\n  - {name: b, shape: {sphere: {radius: 0.2}}, voxel: 0.02, "
+            "point: 0.02, pose: {xyz: [0, 1, 0]}}\npairs: {default: all}\n");
+  const json j = runJson("render-depth " + scene + " --out " + clip +
+                         " --noise none --width 320 --eye 2,0,0.5 --look 0,0,0");
+  EXPECT_EQ(j["frames"], 1);
+  EXPECT_EQ(j["width"], 320);
+  EXPECT_GT(j["measured"], 0.01);
+  for (const char* file : {"camera.yaml", "depth.txt", "depth_000000.png"})
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(clip) / file)) << file;
+  // What it wrote is a camera file.
+  EXPECT_EQ(
+      runJson("render-depth " + scene + " --out " + clip + " --camera " + clip + "/camera.yaml")["width"],
+      320);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 1,2").code, 2);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 0,0,1 --look 0,0,0").code, 2);
+  EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
+}
+
 }  // namespace
 }  // namespace abstand::testing

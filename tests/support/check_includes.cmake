@@ -24,7 +24,7 @@ foreach(from core humanmodel tracking ui app)
         if(NOT from STREQUAL "ui" AND NOT file MATCHES "/app/studio/")
           message(SEND_ERROR "${file}: Qt, VTK and Qwt stay in ui and app/studio")
         endif()
-      elseif(line MATCHES "<(assimp|yaml-cpp|CLI|nlohmann|ode)/" AND file MATCHES "\\.hpp$"
+      elseif(line MATCHES "<(assimp|yaml-cpp|CLI|nlohmann|ode|opencv2)/" AND file MATCHES "\\.hpp$"
              AND NOT file MATCHES "/(app/cli|core/scene/yaml)")
         message(SEND_ERROR "${file}: ${CMAKE_MATCH_1} stays in .cpp files")
       endif()

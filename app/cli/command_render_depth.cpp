@@ -1,0 +1,114 @@
+// abstand render-depth: what a depth camera would see of a scene.
+#include <chrono>
+
+#include "app/cli/command_line.hpp"
+#include "app/depth/depth_clip.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path scene, recording, camera, out;
+  std::string eye, look, noise{"kinect"}, rate{"30"}, start, end;
+  std::uint64_t seed{1};
+  int width{640};
+  PackagePaths packages;
+};
+
+/// x,y,z
+Vector3d point(const std::string& text, const std::string& option) {
+  Vector3d p;
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (k == 2))
+      throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
+    p[k] = number(text.substr(begin, comma - begin), option);
+    begin = comma + 1;
+  }
+  return p;
+}
+
+DepthCamera cameraOf(const Arguments& args, Session& session) {
+  DepthCamera camera;
+  if (!args.camera.empty()) {
+    if (args.width != 640) throw UsageError("--width: found beside --camera, expected one of them");
+    camera = loadDepthCamera(args.camera);
+  } else {
+    const double part = args.width / 640.0;
+    camera.width = args.width;
+    camera.height = args.width * 3 / 4;
+    camera.fx = camera.fy = 580.0 * part;
+    camera.cx = 0.5 * (camera.width - 1);
+    camera.cy = 0.5 * (camera.height - 1);
+  }
+  if (!args.eye.empty())
+    camera.X_WC = lookingAt(point(args.eye, "--eye"), point(args.look, "--look"));
+  else if (args.camera.empty())
+    camera.X_WC = usualView(session);
+  return camera;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  if (args.eye.empty() != args.look.empty())
+    throw UsageError("found one of --eye and --look, expected both or none");
+  DepthClipOptions options;
+  options.rate = number(args.rate, "--rate");
+  if (!(options.rate > 0.0 && options.rate <= 1000.0))
+    throw UsageError("--rate: found " + args.rate + ", expected above 0, at most 1000 frames a second");
+  if (!args.start.empty()) options.start = number(args.start, "--start");
+  if (!args.end.empty()) options.end = number(args.end, "--end");
+  if (args.noise == "kinect") options.noise = KinectNoise{};
+  options.seed = args.seed;
+  options.progress = progressBar(line, "frames");
+  options.interrupted = interrupted;
+
+  SessionOptions session_options;
+  session_options.recording = args.recording;
+  session_options.cache = line.cache;
+  session_options.monitor = buildMonitor(line);
+  Session session(loadScene(args.scene, args.packages), session_options);
+  options.camera = cameraOf(args, session);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const DepthClipSummary summary = writeDepthClip(session, options, args.out);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const nlohmann::ordered_json document{
+      {"frames", summary.frames},        {"width", options.camera.width},
+      {"height", options.camera.height}, {"noise", args.noise},
+      {"measured", summary.measured},    {"fps", static_cast<double>(summary.frames) / seconds},
+      {"out", args.out.string()},        {"remarks", session.remarks()}};
+  line.print(document, format("%zu frames of %d x %d in %s, %.1f %% of the pixels measured\n", summary.frames,
+                              options.camera.width, options.camera.height, args.out.string().c_str(),
+                              100.0 * summary.measured));
+  return summary.interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void addRenderDepth(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "render-depth", "what a depth camera would see of a scene, as a clip",
+                 "abstand render-depth data/scenes/hug_boxing.yaml --out clip --end 2");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("SCENE", args->scene, "scene file (.yaml)")->required();
+  command->add_option("--out", args->out, "folder of the clip")->required();
+  command->add_option("--recording", args->recording, "moves every person, instead of the scene's");
+  command->add_option("--camera", args->camera, "camera file; default: a Kinect before the first person");
+  command->add_option("--eye", args->eye, "X,Y,Z, m: where the camera is, with --look");
+  command->add_option("--look", args->look, "X,Y,Z, m: what it looks at");
+  command->add_option("--width", args->width, "pixels, without --camera")->check(CLI::IsMember({320, 640}));
+  command->add_option("--rate", args->rate, "frames a second (30)");
+  command->add_option("--start", args->start, "s");
+  command->add_option("--end", args->end, "s");
+  command->add_option("--noise", args->noise, "kinect: of a Kinect of 2010; none: an ideal camera")
+      ->check(CLI::IsMember({"kinect", "none"}));
+  command->add_option("--seed", args->seed, "of the noise");
+  addPackagePath(command, args->packages);
+  addCacheFlag(command, line);
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

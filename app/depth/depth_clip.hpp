@@ -1,0 +1,40 @@
+// What a depth camera would see of a scene, as a clip on disk.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "app/session/session.hpp"
+#include "tracking/depth/depth_camera.hpp"
+#include "tracking/depth/kinect_noise.hpp"
+
+namespace abstand {
+
+struct DepthClipOptions {
+  DepthCamera camera;
+  std::optional<KinectNoise> noise;  ///< none: an ideal camera
+  std::uint64_t seed{1};
+  double rate{30.0};                 ///< frames a second
+  std::optional<double> start, end;  ///< s
+  /// Done and all frames; may be empty.
+  std::function<void(std::size_t, std::size_t)> progress;
+  std::function<bool()> interrupted;
+};
+
+struct DepthClipSummary {
+  std::size_t frames{0};
+  double measured{0.0};  ///< part of all pixels
+  bool interrupted{false};
+};
+
+/// Writes into `folder`, which it makes: `camera.yaml`, `depth_000000.png` and so on (16 bits, in the
+/// camera's units), and `depth.txt`, a line `TIME FILE` for each (s, of the scene). Throws UsageError.
+DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
+                                const std::filesystem::path& folder);
+
+/// A camera 2.8 m before the first person (of a scene without one: the middle of all objects), level with its
+/// middle, along world x; the bodies are where they are at the session's first frame.
+Transform usualView(Session& session);
+
+}  // namespace abstand

@@ -1,0 +1,112 @@
+// A pinhole depth camera and its file.
+#include "tracking/depth/depth_camera.hpp"
+
+#include <cstdio>
+
+#include "core/base/error.hpp"
+#include "core/base/text_file.hpp"
+#include "core/scene/yaml_reader.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr YamlRange kFocalRange{0.0, 1e5, "pixels", true};
+constexpr YamlRange kCentreRange{-1e5, 1e5, "pixels"};
+constexpr YamlRange kScaleRange{0.0, 1e7, "units per metre", true};
+constexpr YamlRange kPositionRange{-1e3, 1e3, "m"};
+constexpr YamlRange kAngleRange{-10.0, 10.0, "rad"};
+constexpr YamlRange kDistortionRange{-1e3, 1e3};
+constexpr double kSamePlace = 1e-6;  // m
+
+double need(const YamlFields& fields, const char* key, const YamlRange& range) {
+  fields.need(key);
+  return *fields.number(key, range);
+}
+
+int needPixels(const YamlFields& fields, const char* key) {
+  fields.need(key);
+  return *fields.integer(key, 1, DepthCamera::kMostPixels);
+}
+
+std::string exactly(double v) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", v);
+  return text;
+}
+
+std::string listed(const Vector3d& v) {
+  return "[" + exactly(v.x()) + ", " + exactly(v.y()) + ", " + exactly(v.z()) + "]";
+}
+
+/// Fixed-axis roll, pitch, yaw: the inverse of fromXyzRpy.
+Vector3d rpyOf(const Matrix3d& R) {
+  const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+  if (std::hypot(R(0, 0), R(1, 0)) < 1e-12) return {std::atan2(-R(1, 2), R(1, 1)), pitch, 0.0};
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+}  // namespace
+
+DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
+  const YamlNode root = parseYaml(text, file);
+  const YamlFields fields(root, file, "a camera file",
+                          {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "distortion", "T_WC"});
+  DepthCamera camera;
+  camera.width = needPixels(fields, "width");
+  camera.height = needPixels(fields, "height");
+  camera.fx = need(fields, "fx", kFocalRange);
+  camera.fy = need(fields, "fy", kFocalRange);
+  camera.cx = need(fields, "cx", kCentreRange);
+  camera.cy = need(fields, "cy", kCentreRange);
+  camera.depth_scale = need(fields, "depth_scale", kScaleRange);
+  if (const auto* node = fields.find("distortion")) {
+    const auto& list = fields.list("distortion");
+    if (list.size() != 5)
+      throw ParseError(fields.pos(*node), "found " + std::to_string(list.size()) +
+                                              " numbers in `distortion`, expected 5: k1, k2, p1, p2, k3");
+    for (std::size_t i = 0; i < 5; ++i)
+      camera.distortion[static_cast<Eigen::Index>(i)] =
+          yamlNumber(list[i], file, "`distortion`", kDistortionRange);
+  }
+  if (const auto* node = fields.find("T_WC")) {
+    const YamlFields pose(*node, file, "`T_WC`", {"xyz", "rpy"});
+    camera.X_WC = fromXyzRpy(pose.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
+                             pose.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
+  }
+  return camera;
+}
+
+DepthCamera loadDepthCamera(const std::filesystem::path& file) {
+  return parseDepthCamera(readFile(file, kMostYamlBytes), file.string());
+}
+
+std::string describeDepthCamera(const DepthCamera& c) {
+  std::string text = "width: " + std::to_string(c.width) + "\nheight: " + std::to_string(c.height);
+  const auto add = [&](const char* key, double v) { text += std::string("\n") + key + ": " + exactly(v); };
+  add("fx", c.fx);
+  add("fy", c.fy);
+  add("cx", c.cx);
+  add("cy", c.cy);
+  add("depth_scale", c.depth_scale);
+  if (!c.distortion.isZero(0.0)) {
+    text += "\ndistortion: [";
+    for (Eigen::Index i = 0; i < 5; ++i) text += (i ? ", " : "") + exactly(c.distortion[i]);
+    text += "]";
+  }
+  return text + "\nT_WC: {xyz: " + listed(c.X_WC.translation()) + ", rpy: " + listed(rpyOf(c.X_WC.linear())) +
+         "}\n";
+}
+
+Transform lookingAt(const Vector3d& eye, const Vector3d& target) {
+  const Vector3d way = target - eye, across = way.cross(Vector3d::UnitZ());
+  if (!(across.norm() > kSamePlace * std::max(1.0, way.norm())))
+    throw UsageError("the camera looks straight up or down or at itself, expected a point beside it");
+  Transform X = Transform::Identity();
+  X.linear().col(2) = way.normalized();
+  X.linear().col(0) = across.normalized();
+  X.linear().col(1) = X.linear().col(2).cross(X.linear().col(0));
+  X.translation() = eye;
+  return X;
+}
+
+}  // namespace abstand

@@ -1,0 +1,37 @@
+// A pinhole depth camera and its file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// Optical axes: x right, y down, z forward. The centre of the pixel in column u and row v is at (u, v).
+struct DepthCamera {
+  static constexpr int kMostPixels = 4096;  ///< along a side
+
+  int width{640}, height{480};
+  double fx{580.0}, fy{580.0}, cx{319.5}, cy{239.5};  ///< pixels
+  double depth_scale{1000.0};                         ///< units of an image per metre
+  /// k1, k2, p1, p2, k3 of OpenCV's model.
+  Eigen::Matrix<double, 5, 1> distortion{Eigen::Matrix<double, 5, 1>::Zero()};
+  Transform X_WC{Transform::Identity()};  ///< camera in world
+
+  /// The point in the camera's frame that is seen at (u, v), z (m) along the optical axis. Undistorted.
+  Vector3d at(double u, double v, double z) const { return {(u - cx) / fx * z, (v - cy) / fy * z, z}; }
+};
+
+/// Reads a camera file: YAML with `width, height, fx, fy, cx, cy, depth_scale`, and optional `distortion:
+/// [k1, k2, p1, p2, k3]` and `T_WC: {xyz, rpy}`. Throws ParseError with line and column.
+DepthCamera loadDepthCamera(const std::filesystem::path& file);
+DepthCamera parseDepthCamera(const std::string& text, const std::string& file);
+/// What parseDepthCamera() reads, to the last bit of every number.
+std::string describeDepthCamera(const DepthCamera& camera);
+
+/// At `eye`, its optical axis towards `target`, rows level; world z is up. Throws UsageError where they are
+/// one point or one above the other.
+Transform lookingAt(const Vector3d& eye, const Vector3d& target);
+
+}  // namespace abstand
