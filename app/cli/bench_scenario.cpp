@@ -4,10 +4,12 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <numeric>
 
 #include "app/bench/scenario.hpp"
 #include "app/cli/bench_scenario.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parallel.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "core/haptic/pair_set.hpp"
 #include "core/scene/scene.hpp"
@@ -68,11 +70,20 @@ double takeRest(std::string& variant) {
 using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
 
 Structures build(const Scenario& scenario, const HapticOptions& options) {
-  Structures structures;
-  for (const auto& body : scenario.bodies) {
-    std::shared_ptr<const Surface> surface = makeSurface(loadMesh(body.mesh, body.scale).mesh);
-    structures.push_back(buildHapticStructure(body.name, surface, options));
-  }
+  std::vector<std::shared_ptr<const Surface>> surfaces(scenario.bodies.size());
+  parallelFor(0, surfaces.size(), [&](std::size_t i) {
+    surfaces[i] = makeSurface(loadMesh(scenario.bodies[i].mesh, scenario.bodies[i].scale).mesh);
+  });
+  // One thread a body; the largest first, so that none is left over at the end.
+  std::vector<std::size_t> order(surfaces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return surfaces[i]->area() > surfaces[k]->area(); });
+  Structures structures(surfaces.size());
+  parallelFor(0, order.size(), [&](std::size_t k) {
+    const std::size_t i = order[k];
+    structures[i] = buildHapticStructure(scenario.bodies[i].name, surfaces[i], options, 1);
+  });
   return structures;
 }
 

@@ -40,9 +40,12 @@ class ShellBalance {
   /// `points`: those given to the constructor, no farther from home than their reach.
   void adjust(std::vector<BalancePoint>& points, Freedom freedom) const;
 
+  /// Whether point i is in one of the half-spaces: others stay as they are.
+  bool presses(std::size_t i) const { return pressed_[i]; }
+
   static constexpr double kReach = 0.25;  ///< spacings
-  static constexpr double kLeastArea = 0.4;
-  static constexpr double kMostArea = 2.0;
+  static constexpr float kLeastArea = 0.4f;
+  static constexpr float kMostArea = 2.0f;
 
  private:
   struct Press {
@@ -50,12 +53,13 @@ class ShellBalance {
     double level;
     Vector3d force;              ///< what it should be, for stiffness 1
     double weight;               ///< how far it is mended at once: shallow ones less, as they cannot be right
-    std::uint32_t first, count;  ///< of its points, in points_
+    std::uint32_t first, count;  ///< of its points, in points_; padded to whole lanes with one beyond the last
   };
 
   double spacing_;
   std::vector<Press> presses_;  ///< in the order in which they are mended
   std::vector<std::uint32_t> points_;
+  std::vector<bool> pressed_;  ///< by point
 };
 
 }  // namespace abstand

@@ -6,6 +6,10 @@
 namespace abstand {
 namespace {
 
+constexpr float kRoundUp = std::numeric_limits<float>::infinity();
+/// Pieces with a bound within this part of the largest are asked first.
+constexpr float kLarge = 0.95f;
+
 struct Candidate {
   double bound;
   SubTriangle piece;
@@ -23,26 +27,30 @@ double cornerBound(const SubTriangle& piece, const Vector3f& q) {
 
 double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest) {
-  const NearestPoint finder(points);
-  std::vector<SubTriangle> loose = pool.degenerate();
-  double largest = 0.0;
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
-    largest = std::max(largest, cornerBound(piece, points[nearest[i]]));
+  const NearestOfPoints finder(points);
+  // A bound for each piece; the largest show how far the surface is at least.
+  std::vector<float> bounds(pool.size());
+  float largest = 0.0f;
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    bounds[i] = std::nextafter(static_cast<float>(cornerBound(piece.whole(), points[nearest[i]])), kRoundUp);
+    largest = std::max(largest, bounds[i]);
+  });
+  double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
+  std::uint32_t q = 0;
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    if (bounds[i] > kLarge * largest) reached = std::max(reached, finder.distance(piece.centroid(), q));
   });
   // Only pieces that may decide are looked at; the rest is covered within `floor` as it is.
   double floor = 0.0;
   std::vector<Candidate> heap;
-  for (const SubTriangle& piece : loose) heap.push_back({kInfinity, piece});
-  double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
-  std::uint32_t q = 0;
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
-    const double bound = cornerBound(piece, points[nearest[i]]);
-    if (bound <= 0.8 * largest || bound <= reached) {
+  for (const SubTriangle& piece : pool.degenerate()) heap.push_back({kInfinity, piece});
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    const double bound = double(bounds[i]);
+    if (bound <= reached) {
       floor = std::max(floor, bound);
-      return;
+    } else {
+      heap.push_back({bound, piece.whole()});
     }
-    reached = std::max(reached, finder.distance(piece.centroid(), q));
-    heap.push_back({bound, piece});
   });
   std::make_heap(heap.begin(), heap.end());
   while (!heap.empty()) {
