@@ -75,10 +75,10 @@ std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double
   return out;
 }
 
-/// Integral of depth times inward normal over the part of a triangle whose depth is positive, and of the
-/// depth alone.
-void addClipped(const Vector3d (&corner)[3], const double (&depth)[3], Vector3d& force, double& size) {
-  const Vector3d cross = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+/// Integral of the depth over the part of a triangle where it is positive, over the triangle's area and times
+/// 6. `depth`: at the corners; at least one is positive.
+double clippedDepth(const double (&depth)[3]) {
+  if (depth[0] >= 0.0 && depth[1] >= 0.0 && depth[2] >= 0.0) return depth[0] + depth[1] + depth[2];
   // Corners of the clipped polygon in barycentric coordinates of the second and third corner.
   struct {
     double b, c, d;
@@ -93,13 +93,12 @@ void addClipped(const Vector3d (&corner)[3], const double (&depth)[3], Vector3d&
       polygon[n++] = {kB[i] + t * (kB[j] - kB[i]), kC[i] + t * (kC[j] - kC[i]), 0.0};
     }
   }
-  double integral = 0.0;  // over the unit triangle, times 6
+  double integral = 0.0;
   for (int k = 1; k + 1 < n; ++k) {
     const auto &p = polygon[0], &q = polygon[k], &r = polygon[k + 1];
     integral += ((q.b - p.b) * (r.c - p.c) - (q.c - p.c) * (r.b - p.b)) * (p.d + q.d + r.d);
   }
-  force -= integral / 6.0 * cross;
-  size += integral / 6.0 * cross.norm();
+  return integral;
 }
 
 /// A step coprime to n, so that i * step mod n visits all, neighbours far apart in time.
@@ -179,12 +178,15 @@ ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& 
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     double size[kDepths] = {};
     for (const std::uint32_t t : triangles) {
-      const Vector3d corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-      const double height[3] = {u.dot(corner[0]), u.dot(corner[1]), u.dot(corner[2])};
-      for (int d = 0; d < depths; ++d) {
+      const Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+      const Vector3d cross = (b - a).cross(c - a) / 6.0;
+      const double height[3] = {u.dot(a), u.dot(b), u.dot(c)}, lowest_corner = std::min({height[0], height[1], height[2]});
+      const double length = cross.norm();
+      for (int d = depths - 1; d >= 0 && presses.level[d] > lowest_corner; --d) {
         const double level = presses.level[d];
-        addClipped(corner, {level - height[0], level - height[1], level - height[2]}, presses.force[d],
-                   size[d]);
+        const double pressed = clippedDepth({level - height[0], level - height[1], level - height[2]});
+        presses.force[d] -= pressed * cross;
+        size[d] += pressed * length;
       }
     }
     for (int d = 0; d < depths; ++d) {
