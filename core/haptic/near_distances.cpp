@@ -59,7 +59,7 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
   const double size = surface.bounds().extent().norm();
   tolerance_ = static_cast<float>(kPlane * spacing + kPlaneOfBody * size);
   features_.reserve(3 * tree.size());
-  half_spaces_.reserve(13 * tree.size());
+  half_spaces_.reserve(4 * tree.size());
 
   for (std::uint32_t s = 0; s < tree.size(); ++s) {
     const std::uint32_t t = tree.triangle(s);
@@ -86,19 +86,17 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
       leaving.push_back({v, sides.list[i].slot, along});
       leaving.push_back({sides.list[i].high, sides.list[i].slot, -along});
       const auto first = static_cast<std::uint32_t>(half_spaces_.size());
-      addHalfSpace(along, a);
-      addHalfSpace(-along, b);
+      addHalfSpace(0, along, a);
+      addHalfSpace(1, -along, b);
       for (std::uint32_t k = i; k < end && k - i < kMostHalfSpaces; ++k) {
         const Side& side = sides.list[k];
         const auto& t = mesh.triangles[tree.triangle(side.slot)];
         // Into the face, across the edge.
         const bool rising = t[side.side] == v;
         const Vector3d into = tree.normal(side.slot).cross(rising ? along : Vector3d(-along));
-        addHalfSpace(-into, a);
+        addHalfSpace(2 + k - i, -into, a);
       }
-      const Vector3f centre = (0.5 * (a + b) - middle_).cast<float>();
-      features_.push_back({Four(centre.x(), centre.y(), centre.z(), float(0.5 * (b - a).norm())), first,
-                           static_cast<std::uint32_t>(half_spaces_.size()) - first, sides.list[i].slot, Kind::kEdge});
+      addFeature(Kind::kEdge, sides.list[i].slot, 0.5 * (a + b), 0.5 * (b - a).norm(), first);
     }
   }
   std::stable_sort(leaving.begin(), leaving.end(),
@@ -107,25 +105,40 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
     while (end < leaving.size() && leaving[end].vertex == leaving[i].vertex) ++end;
     const Vector3d& v = mesh.vertices[leaving[i].vertex];
     const auto first = static_cast<std::uint32_t>(half_spaces_.size());
-    for (std::size_t k = i; k < std::min(end, i + kMostHalfSpaces); ++k) addHalfSpace(-leaving[k].direction, v);
-    const Vector3f centre = (v - middle_).cast<float>();
-    features_.push_back({Four(centre.x(), centre.y(), centre.z(), 0.0f), first,
-                         static_cast<std::uint32_t>(half_spaces_.size()) - first, leaving[i].slot, Kind::kVertex});
+    for (std::size_t k = i; k < std::min(end, i + kMostHalfSpaces); ++k)
+      addHalfSpace(k - i, -leaving[k].direction, v);
+    addFeature(Kind::kVertex, leaving[i].slot, v, 0.0, first);
   }
 }
 
-void NearDistances::addHalfSpace(const Vector3d& normal, const Vector3d& through) {
-  const Vector3f n = normal.cast<float>();
-  half_spaces_.emplace_back(n.x(), n.y(), n.z(), static_cast<float>(-normal.dot(through - middle_)));
+void NearDistances::addHalfSpace(std::size_t n, const Vector3d& normal, const Vector3d& through) {
+  const auto lane = static_cast<Eigen::Index>(n % 4);
+  if (lane == 0) half_spaces_.push_back({Four::Zero(), Four::Zero(), Four::Zero(), Four::Zero()});
+  HalfSpaces& four = half_spaces_.back();
+  four.x[lane] = static_cast<float>(normal.x());
+  four.y[lane] = static_cast<float>(normal.y());
+  four.z[lane] = static_cast<float>(normal.z());
+  four.offset[lane] = static_cast<float>(-normal.dot(through - middle_));
+}
+
+void NearDistances::addFeature(Kind kind, std::uint32_t slot, const Vector3d& centre, double radius,
+                               std::uint32_t first) {
+  const Vector3f at = (centre - middle_).cast<float>();
+  features_.push_back({{at.x(), at.y(), at.z()},
+                       static_cast<float>(radius),
+                       first,
+                       static_cast<std::uint32_t>(half_spaces_.size()) - first,
+                       slot,
+                       kind});
 }
 
 void NearDistances::addFace(std::uint32_t slot, const Vector3d (&corner)[3]) {
   const Vector3d& normal = surface_.tree().normal(slot);
   const auto first = static_cast<std::uint32_t>(half_spaces_.size());
   Vector3d centre = (corner[0] + corner[1] + corner[2]) / 3.0;
-  for (int i = 0; i < 3; ++i)
-    addHalfSpace(normal.cross(corner[(i + 1) % 3] - corner[i]).normalized(), corner[i]);
-  addHalfSpace(normal, corner[0]);
+  for (std::size_t i = 0; i < 3; ++i)
+    addHalfSpace(i, normal.cross(corner[(i + 1) % 3] - corner[i]).normalized(), corner[i]);
+  addHalfSpace(3, normal, corner[0]);
   // Where an angle is wide, the middle of the side across is nearer to all corners.
   for (int i = 0; i < 3; ++i) {
     const Vector3d p = corner[(i + 1) % 3] - corner[i], q = corner[(i + 2) % 3] - corner[i];
@@ -133,8 +146,7 @@ void NearDistances::addFace(std::uint32_t slot, const Vector3d (&corner)[3]) {
   }
   double radius = 0.0;
   for (const Vector3d& c : corner) radius = std::max(radius, (c - centre).norm());
-  const Vector3f at = (centre - middle_).cast<float>();
-  features_.push_back({Four(at.x(), at.y(), at.z(), static_cast<float>(radius)), first, 3, slot, Kind::kFace});
+  addFeature(Kind::kFace, slot, centre, radius, first);
 }
 
 NearDistances::List NearDistances::all() const {
@@ -148,30 +160,31 @@ NearDistances::List NearDistances::near(const Block& block, const List& list, st
   const Vector3d at = place(block.first.cast<double>() + half);
   const SurfacePoint nearest = surface_.closest(at, hint);
   hint = nearest.hint;
-  const auto four = [](const Vector3d& v) { return Four(float(v.x()), float(v.y()), float(v.z()), 0.0f); };
-  const Four c = four(at - middle_), r = four(spacing_ * half), w = four(nearest.point - middle_);
-  const float reach = std::sqrt(r.square().sum()), distance = static_cast<float>(nearest.distance);
+  const Vector3f c = (at - middle_).cast<float>(), r = (spacing_ * half).cast<float>(),
+                 w = (nearest.point - middle_).cast<float>();
+  const float reach = r.norm(), distance = static_cast<float>(nearest.distance);
   const float limit = distance * distance * (1.0f + kCompared);
   const float plane_limit = (distance + reach) * (1.0f + kCompared) + tolerance_;
+  const Four lowest_face(-tolerance_, -tolerance_, -tolerance_, -plane_limit), lowest = Four::Constant(-tolerance_);
 
   List kept;
   for (const std::uint32_t id : list) {
     const Feature& f = features_[id];
-    Four way = f.ball - c, from_w = (f.ball - w).abs();
-    way[3] = from_w[3] = 0.0f;
-    const float radius = f.ball[3], way2 = way.square().sum();
-    const float apart = std::max(0.0f, std::sqrt(way2) * (1.0f - kCompared) - radius - tolerance_);
-    const float gain = 2.0f * ((r * from_w).sum() + reach * (radius + tolerance_));
+    const float x = f.centre[0] - c.x(), y = f.centre[1] - c.y(), z = f.centre[2] - c.z();
+    const float apart =
+        std::max(0.0f, std::sqrt(x * x + y * y + z * z) * (1.0f - kCompared) - f.radius - tolerance_);
+    const float gain = 2.0f * (r.x() * std::abs(f.centre[0] - w.x()) + r.y() * std::abs(f.centre[1] - w.y()) +
+                               r.z() * std::abs(f.centre[2] - w.z()) + reach * (f.radius + tolerance_));
     if (apart * apart * (1.0f - kCompared) > limit + gain * (1.0f + kCompared)) continue;
-    // The fourth component makes the offset count once and the width of the block not at all.
-    const auto lowest = [&](const Four& n) { return (n * c).sum() + n[3]; };
-    const auto width = [&](const Four& n) { return (n.abs() * r).sum(); };
+    // The highest that a corner of the block comes.
     bool misses = false;
-    for (std::uint32_t k = f.first; k < f.first + f.count && !misses; ++k)
-      misses = lowest(half_spaces_[k]) + width(half_spaces_[k]) < -tolerance_;
-    if (!misses && f.kind == Kind::kFace) {
-      const Four& plane = half_spaces_[f.first + f.count];
-      misses = std::abs(lowest(plane)) - width(plane) > plane_limit;
+    const bool face = f.kind == Kind::kFace;
+    for (std::uint32_t k = f.first; k < f.first + f.fours && !misses; ++k) {
+      const HalfSpaces& four = half_spaces_[k];
+      const Four at_middle = four.x * c.x() + four.y * c.y() + four.z * c.z() + four.offset;
+      const Four width = four.x.abs() * r.x() + four.y.abs() * r.y() + four.z.abs() * r.z();
+      misses = (at_middle + width < (face ? lowest_face : lowest)).any() ||
+               (face && at_middle[3] - width[3] > plane_limit);
     }
     if (!misses) kept.push_back(id);
   }
@@ -200,30 +213,30 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
   for (const std::uint32_t id : list) {
     const Feature& f = features_[id];
     const Lanes slot = Lanes::Constant(std::bit_cast<float>(f.slot));
-    const Vector3f from = p0 - Vector3f(f.ball[0], f.ball[1], f.ball[2]);
+    const Vector3f from = p0 - Vector3f(f.centre[0], f.centre[1], f.centre[2]);
+    const HalfSpaces& m = half_spaces_[f.first];
     if (f.kind == Kind::kFace) {
-      const Four *n = &half_spaces_[f.first], &plane = n[3];
-      const auto start = [&](const Four& m, int i) -> Lanes {
-        return (m[0] * p0.x() + m[1] * p0.y() + m[2] * p0.z() + m[3] + 4.0f * h * static_cast<float>(i) * m[0]) +
-               m[0] * steps;
+      const Four first = m.x * p0.x() + m.y * p0.y() + m.z * p0.z() + m.offset;
+      const auto start = [&](int n, int i) -> Lanes {
+        return (first[n] + 4.0f * h * static_cast<float>(i) * m.x[n]) + m.x[n] * steps;
       };
+      const Four along_y = h * m.y, along_z = h * m.z;
       for (int i = 0; i < nx; ++i) {
-        Lanes e0 = start(n[0], i), e1 = start(n[1], i), e2 = start(n[2], i), s = start(plane, i);
+        Lanes e0 = start(0, i), e1 = start(1, i), e2 = start(2, i), s = start(3, i);
         for (int k = 0; k < nz; ++k) {
           Lanes r0 = e0, r1 = e1, r2 = e2, rs = s;
           for (int j = 0; j < ny; ++j) {
             const Lanes over = r0.min(r1).min(r2);
             offer(best[k][j][i], (over >= -tolerance_).select(rs.square(), Lanes::Constant(kFar)), slot);
-            r0 += h * n[0][1], r1 += h * n[1][1], r2 += h * n[2][1], rs += h * plane[1];
+            r0 += along_y[0], r1 += along_y[1], r2 += along_y[2], rs += along_y[3];
           }
-          e0 += h * n[0][2], e1 += h * n[1][2], e2 += h * n[2][2], s += h * plane[2];
+          e0 += along_z[0], e1 += along_z[1], e2 += along_z[2], s += along_z[3];
         }
       }
       continue;
     }
     const bool edge = f.kind == Kind::kEdge;
-    const Four& along = half_spaces_[f.first];
-    const float half = f.ball[3];
+    const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = f.radius;
     for (int i = 0; i < nx; ++i) {
       const Lanes x = from.x() + 4.0f * h * static_cast<float>(i) + steps;
       for (int k = 0; k < nz; ++k) {

@@ -42,15 +42,23 @@ class NearDistances {
  private:
   enum class Kind : std::uint8_t { kFace, kEdge, kVertex };
   using Four = Eigen::Array4f;
+  /// Four half-spaces side by side, n . p + offset >= 0 about middle_; unused ones hold everything. A face's
+  /// fourth is its plane, the first of an edge leads along it.
+  struct HalfSpaces {
+    Four x, y, z, offset;
+  };
   struct Feature {
-    Four ball;            ///< centre about middle_, on the feature, and radius of a ball about it
-    std::uint32_t first;  ///< of its half-spaces; a face has its plane behind them
-    std::uint32_t count;
+    float centre[3];      ///< about middle_, on the feature
+    float radius;         ///< of a ball about it
+    std::uint32_t first;  ///< of its half-spaces, and how many fours
+    std::uint32_t fours;
     std::uint32_t slot;
     Kind kind;
   };
   void addFace(std::uint32_t slot, const Vector3d (&corner)[3]);
-  void addHalfSpace(const Vector3d& normal, const Vector3d& through);
+  /// Half-spaces of the feature that is added next: its n-th one.
+  void addHalfSpace(std::size_t n, const Vector3d& normal, const Vector3d& through);
+  void addFeature(Kind kind, std::uint32_t slot, const Vector3d& centre, double radius, std::uint32_t first);
   Vector3d place(const Vector3d& vertex) const { return origin_ + spacing_ * vertex; }
 
   const MeshSurface& surface_;
@@ -58,7 +66,7 @@ class NearDistances {
   double spacing_;
   float tolerance_;  ///< m, for half-spaces
   std::vector<Feature> features_;
-  std::vector<Four> half_spaces_;  ///< n and offset: n . p + offset >= 0 about middle_
+  std::vector<HalfSpaces> half_spaces_;
 };
 
 }  // namespace abstand

@@ -59,13 +59,12 @@ struct Neighbours {
 
 // Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
 // so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
-// together exceed the way between the vertices, no surface lies between and the sign stays; but across the
-// holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`: the nearest point of the
+// together exceed the way between the vertices by more than their `rounding`, no surface lies between and the
+// sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`: the nearest point of the
 // surface to vertex (i, j, k), which lies at p.
 template <class NearestAt>
 void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
-               NearestAt&& nearest_at, float* values) {
-  constexpr double kSure = 1.0 + 1e-9;
+               double rounding, NearestAt&& nearest_at, float* values) {
   const bool closed = surface.watertight();
   const std::uint32_t self = neighbours.block[0][0][0];
   SurfacePoint nearest{origin, -1.0, kNoHint};
@@ -80,7 +79,7 @@ void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vecto
           const Vector3d p = origin + h * Vector3d(i, j, k);
           const double distance_before = nearest.distance;
           nearest = nearest_at(p, i, j, k, nearest.hint);
-          const bool same_side = closed && nearest.distance + distance_before > kSure * (p - before).norm();
+          const bool same_side = closed && nearest.distance + distance_before > (p - before).norm() + rounding;
           if (!same_side || distance_before < 0.0) inside = surface.inside(p, nearest);
           before = p;
           values[(k * kVertices + j) * kVertices + i] =
@@ -201,6 +200,11 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     return origin + kCells * step * place;
   };
 
+  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise; those
+  // of a mesh were measured in float about its middle.
+  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
+  const double rounding =
+      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
   const Bounds body = surface.bounds();
   std::vector<char> needed(all, 1);
   if (std::isfinite(band)) {
@@ -240,7 +244,7 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   if (mesh == nullptr) {
     parallelFor(threads, kept.size(), [&](std::size_t n) {
       fillBlock(
-          surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step,
+          surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, rounding,
           [&](const Vector3d& p, int, int, int, std::uint32_t hint) { return surface.closest(p, hint); },
           &values[n * kBlockValues]);
     });
@@ -262,7 +266,7 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
         const Neighbours neighbours = neighboursOf(b);
         measureBlock(distances, block, neighbours, hint, nearest.get());
         fillBlock(
-            surface, neighbours, blockOrigin(b), step,
+            surface, neighbours, blockOrigin(b), step, rounding,
             [&](const Vector3d&, int i, int j, int k, std::uint32_t) { return nearest[k][j][i]; },
             &values[block_index_[b] * kBlockValues]);
       });
@@ -282,10 +286,6 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     values_[i] = static_cast<std::int16_t>(std::lround(values[i] / quantum_));
   slope_ = steepest(threads);
 
-  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
-  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
-  const double rounding =
-      16.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + (end - origin).norm());
   error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
   const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
   band_ = std::max(0.0, std::min(band, margin) - rounding);

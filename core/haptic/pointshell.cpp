@@ -21,13 +21,13 @@ constexpr double kFineSagitta = 0.001;
 /// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
 /// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
 /// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
-constexpr double kStop = 0.82;
-constexpr double kFill = 0.765;
+constexpr double kStop = 0.83;
+constexpr double kFill = 0.775;
 /// A difference of 1 between two unit normals counts as this distance.
 constexpr double kNormalLength = 1.0;
-constexpr double kPiecesPerPoint = 9.0;
+constexpr double kPiecesPerPoint = 10.0;
 constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
-constexpr double kMaxEdge = 0.72;
+constexpr double kMaxEdge = 0.6;
 /// Cells of the grid in which samples are kept.
 constexpr double kCell = 1.0;
 /// A shell gets at most this many times as many points because of its tips and edges.

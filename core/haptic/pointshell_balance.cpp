@@ -14,10 +14,10 @@ namespace abstand {
 namespace {
 
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kDirections = 800;  ///< all around: one every 7 degrees
+constexpr int kDirections = 1000;  ///< all around: one every 6 degrees
 /// Spacings, in steps of equal ratio between them; shifted from direction to direction.
-constexpr double kShallowest = 0.55, kDeepest = 2.2;
-constexpr int kDepths = 6;
+constexpr double kShallowest = 0.75, kDeepest = 2.2;
+constexpr int kDepths = 5;
 /// The steps of the directions about a crease: between its two normals, and along it. Two directions closer
 /// than kSameDirection count as one.
 constexpr double kBetween[] = {0.05, 0.25, 0.5, 0.75, 0.95};

@@ -27,7 +27,7 @@ struct BalancePoint {
 /// and a few percent of area do.
 class ShellBalance {
  public:
-  /// Directions all around, and those in which edges and their neighbourhood come first; depths from half a
+  /// Directions all around, and those in which edges and their neighbourhood come first; depths from three quarters of a
   /// spacing to two and a half. Only the places that a flat wall can reach are adjusted. The result does not
   /// depend on the number of threads.
   ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
