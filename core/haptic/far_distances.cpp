@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace abstand {
@@ -29,16 +30,56 @@ double reach2(const std::array<Vector3d, 3>& t) {
 
 }  // namespace
 
-/// Some of the sites, padded to whole lanes with ones that are far away.
+/// Some of the sites, padded to whole lanes with ones that are far away. The arrays may be longer.
 struct FarSites::List {
   std::vector<float> x, y, z, power;  ///< power: |v|^2
-  void clear() { x.clear(), y.clear(), z.clear(), power.clear(); }
-  void add(float px, float py, float pz, float w) {
-    x.push_back(px), y.push_back(py), z.push_back(pz), power.push_back(w);
+  std::size_t size{0};
+  void makeRoom(std::size_t most) {
+    for (auto* v : {&x, &y, &z, &power})
+      if (v->size() < most + kLanes) v->resize(most + kLanes);
+  }
+  /// Stays only where `keep` is set: a choice without a branch.
+  void add(float px, float py, float pz, float w, bool keep) {
+    x[size] = px, y[size] = py, z[size] = pz, power[size] = w;
+    size += keep;
   }
   void pad() {
-    while (x.size() % kLanes != 0) add(0.0f, 0.0f, 0.0f, kFar);
+    while (size % kLanes != 0) add(0.0f, 0.0f, 0.0f, kFar, true);
   }
+};
+
+/// Exact copies of a point are taken once.
+class Distinct {
+ public:
+  explicit Distinct(std::vector<Vector3d>& points) : points_(points) {}
+  void add(const Vector3d& p) {
+    if (2 * (points_.size() + 1) > table_.size()) {
+      table_.assign(std::bit_ceil(4 * (points_.size() + 1)), 0);
+      for (std::size_t i = 0; i < points_.size(); ++i) place(points_[i]) = static_cast<std::uint32_t>(i) + 1;
+    }
+    std::uint32_t& at = place(p);
+    if (at != 0) return;
+    points_.push_back(p);
+    at = static_cast<std::uint32_t>(points_.size());
+  }
+
+ private:
+  /// That of p, or where it belongs; 0: none yet.
+  std::uint32_t& place(const Vector3d& p) {
+    std::uint64_t h = 0;
+    for (int k = 0; k < 3; ++k) {
+      // + 0.0 turns -0.0 into 0.0, which is equal.
+      h = (h ^ std::bit_cast<std::uint64_t>(p[k] + 0.0)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
+    }
+    std::size_t i = static_cast<std::size_t>(h);
+    for (;; ++i) {
+      std::uint32_t& at = table_[i & (table_.size() - 1)];
+      if (at == 0 || points_[at - 1] == p) return at;
+    }
+  }
+  std::vector<Vector3d>& points_;
+  std::vector<std::uint32_t> table_;  ///< open addressing, a power of two; index + 1
 };
 
 /// What one thread needs.
@@ -52,9 +93,15 @@ struct FarSites::Search {
 
 FarSites::FarSites(const TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t most_sites) {
   std::vector<Vector3d> sites;
+  std::vector<bool> used(mesh.vertices.size(), false);
   for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t v : triangle) sites.push_back(mesh.vertices[v] - origin);
+    for (const std::uint32_t v : triangle) {
+      if (!used[v]) sites.push_back(mesh.vertices[v] - origin);
+      used[v] = true;
+    }
   }
+  if (sites.size() > most_sites) return;
+  Distinct distinct(sites);
   // Halved at the longest side, so that both triangles at a side halve it at the same point.
   std::vector<std::array<Vector3d, 3>> stack;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -74,18 +121,13 @@ FarSites::FarSites(const TriangleMesh& mesh, const Vector3d& origin, double most
         if (length2 > longest2) longest2 = length2, e = i;
       }
       const Vector3d &a = part[e], &b = part[(e + 1) % 3], &c = part[(e + 2) % 3], middle = 0.5 * (a + b);
-      sites.push_back(middle);
-      if (sites.size() > 4 * most_sites + 3 * mesh.triangles.size()) return;
+      distinct.add(middle);
+      if (sites.size() > most_sites) return;
       const std::array<Vector3d, 3> first{a, middle, c}, second{middle, b, c};
       stack.push_back(first);
       stack.push_back(second);
     }
   }
-  std::sort(sites.begin(), sites.end(), [](const Vector3d& l, const Vector3d& r) {
-    return std::lexicographical_compare(l.begin(), l.end(), r.begin(), r.end());
-  });
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-  if (sites.size() > most_sites) return;
   for (const Vector3d& v : sites) {
     x_.push_back(static_cast<float>(v.x()));
     y_.push_back(static_cast<float>(v.y()));
@@ -98,8 +140,9 @@ void FarSites::distances(const Block& block, double spacing, std::size_t row, st
                          float* values) const {
   Search search{spacing, row, slice, {}, {}, 0};
   List all;
+  all.makeRoom(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i)
-    all.add(x_[i], y_[i], z_[i], x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
+    all.add(x_[i], y_[i], z_[i], x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i], true);
   all.pad();
   find(search, block, all, values);
 }
@@ -113,7 +156,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
 
   // |p - v|^2 - |p|^2 at the middle, and the nearest site there.
   const Vector3f c = -2.0f * middle.cast<float>(), r = half.cast<float>();
-  const std::size_t n = list.x.size();
+  const std::size_t n = list.size;
   search.at_middle.resize(n);
   const auto at = [](const std::vector<float>& v, std::size_t i) { return Eigen::Map<const Lanes>(v.data() + i); };
   Lanes least = Lanes::Constant(kFar);
@@ -128,20 +171,20 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
 
   // Those that may be nearest somewhere in the block.
   List& kept = search.lists[search.depth];
-  kept.clear();
+  kept.size = 0;
+  kept.makeRoom(n);
   const float wx = list.x[w], wy = list.y[w], wz = list.z[w], limit = nearest + 2.0f * static_cast<float>(slack);
   for (std::size_t i = 0; i < n; i += kLanes) {
     const Lanes gain = 2.0f * (r.x() * (at(list.x, i) - wx).abs() + r.y() * (at(list.y, i) - wy).abs() +
                                r.z() * (at(list.z, i) - wz).abs());
     const Lanes best = at(search.at_middle, i) - gain;
     if (!((best <= limit).any())) continue;
-    for (std::size_t k = i; k < i + kLanes; ++k) {
-      if (best[static_cast<Eigen::Index>(k - i)] <= limit) kept.add(list.x[k], list.y[k], list.z[k], list.power[k]);
-    }
+    for (std::size_t k = i; k < i + kLanes; ++k)
+      kept.add(list.x[k], list.y[k], list.z[k], list.power[k], best[static_cast<Eigen::Index>(k - i)] <= limit);
   }
   kept.pad();
 
-  const bool small = (block.size.array() <= (kept.x.size() <= kFewSites ? kLargest : kSmallest).array()).all();
+  const bool small = (block.size.array() <= (kept.size <= kFewSites ? kLargest : kSmallest).array()).all();
   if (!small && search.depth + 1 < search.lists.size()) {
     int axis = 0;
     (block.size.cast<double>().array() / kSmallest.cast<double>().array()).maxCoeff(&axis);
@@ -170,7 +213,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
         const float y0 = first.y() + static_cast<float>(j0) * step, z0 = first.z() + static_cast<float>(k0) * step;
         std::array<Lanes, kLanes * kLanes> nearest_of;
         nearest_of.fill(Lanes::Constant(kFar));
-        for (std::size_t s = 0; s < kept.x.size(); ++s) {
+        for (std::size_t s = 0; s < kept.size; ++s) {
           const float x = kept.x[s], y = kept.y[s], z = kept.z[s];
           Lanes slice = kept.power[s] + (x0 * x + y0 * y + z0 * z) + x * along;
           for (int k = 0; k < nk; ++k, slice += step * z) {

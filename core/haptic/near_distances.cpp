@@ -155,7 +155,7 @@ NearDistances::List NearDistances::all() const {
   return list;
 }
 
-NearDistances::List NearDistances::near(const Block& block, const List& list, std::uint32_t& hint) const {
+void NearDistances::near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const {
   const Vector3d half = 0.5 * (block.size - Vector3i::Ones()).cast<double>();
   const Vector3d at = place(block.first.cast<double>() + half);
   const SurfacePoint nearest = surface_.closest(at, hint);
@@ -167,28 +167,42 @@ NearDistances::List NearDistances::near(const Block& block, const List& list, st
   const float plane_limit = (distance + reach) * (1.0f + kCompared) + tolerance_;
   const Four lowest_face(-tolerance_, -tolerance_, -tolerance_, -plane_limit), lowest = Four::Constant(-tolerance_);
 
-  List kept;
-  for (const std::uint32_t id : list) {
-    const Feature& f = features_[id];
-    const float x = f.centre[0] - c.x(), y = f.centre[1] - c.y(), z = f.centre[2] - c.z();
-    const float apart =
-        std::max(0.0f, std::sqrt(x * x + y * y + z * z) * (1.0f - kCompared) - f.radius - tolerance_);
-    const float gain = 2.0f * (r.x() * std::abs(f.centre[0] - w.x()) + r.y() * std::abs(f.centre[1] - w.y()) +
-                               r.z() * std::abs(f.centre[2] - w.z()) + reach * (f.radius + tolerance_));
-    if (apart * apart * (1.0f - kCompared) > limit + gain * (1.0f + kCompared)) continue;
-    // The highest that a corner of the block comes.
-    bool misses = false;
-    const bool face = f.kind == Kind::kFace;
-    for (std::uint32_t k = f.first; k < f.first + f.fours && !misses; ++k) {
-      const HalfSpaces& four = half_spaces_[k];
-      const Four at_middle = four.x * c.x() + four.y * c.y() + four.z * c.z() + four.offset;
-      const Four width = four.x.abs() * r.x() + four.y.abs() * r.y() + four.z.abs() * r.z();
-      misses = (at_middle + width < (face ? lowest_face : lowest)).any() ||
-               (face && at_middle[3] - width[3] > plane_limit);
+  // Four at once: whether their balls may be near enough.
+  constexpr std::size_t kLanes = 4;
+  const std::size_t n = list.size();
+  kept.resize(n);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; i += kLanes) {
+    const Feature* four[kLanes];
+    for (std::size_t k = 0; k < kLanes; ++k) four[k] = &features_[list[std::min(i + k, n - 1)]];
+    const auto centre = [&](int axis) {
+      return Four(four[0]->centre[axis], four[1]->centre[axis], four[2]->centre[axis], four[3]->centre[axis]);
+    };
+    const Four x = centre(0), y = centre(1), z = centre(2);
+    const Four radius(four[0]->radius, four[1]->radius, four[2]->radius, four[3]->radius);
+    const Four way2 = (x - c.x()).square() + (y - c.y()).square() + (z - c.z()).square();
+    const Four apart = (way2.sqrt() * (1.0f - kCompared) - (radius + tolerance_)).max(0.0f);
+    const Four gain = 2.0f * (r.x() * (x - w.x()).abs() + r.y() * (y - w.y()).abs() +
+                              r.z() * (z - w.z()).abs() + reach * (radius + tolerance_));
+    const Eigen::Array<bool, 4, 1> far = apart.square() * (1.0f - kCompared) > limit + gain * (1.0f + kCompared);
+    for (std::size_t k = 0; k < std::min(kLanes, n - i); ++k) {
+      if (far[static_cast<Eigen::Index>(k)]) continue;
+      const Feature& f = *four[k];
+      // The highest that a corner of the block comes.
+      bool misses = false;
+      const bool face = f.kind == Kind::kFace;
+      for (std::uint32_t s = f.first; s < f.first + f.fours && !misses; ++s) {
+        const HalfSpaces& m = half_spaces_[s];
+        const Four at_middle = m.x * c.x() + m.y * c.y() + m.z * c.z() + m.offset;
+        const Four width = m.x.abs() * r.x() + m.y.abs() * r.y() + m.z.abs() * r.z();
+        misses = (at_middle + width < (face ? lowest_face : lowest)).any() ||
+                 (face && at_middle[3] - width[3] > plane_limit);
+      }
+      kept[count] = list[i + k];
+      count += !misses;
     }
-    if (!misses) kept.push_back(id);
   }
-  return kept;
+  kept.resize(count);
 }
 
 void NearDistances::distances(const Block& block, const List& list, Nearest& nearest) const {

@@ -29,8 +29,9 @@ class NearDistances {
 
   /// All features.
   List all() const;
-  /// Those of a list that may be nearest to a vertex of a block. `hint` is that of a place nearby.
-  List near(const Block& block, const List& list, std::uint32_t& hint) const;
+  /// Sets `kept` to those of a list that may be nearest to a vertex of a block. `hint` is that of a place
+  /// nearby.
+  void near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const;
 
   struct Nearest {
     float distance[kMostSize][kMostSize][kMostSize];     ///< m, unsigned; [k][j][i]

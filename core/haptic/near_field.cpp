@@ -129,7 +129,7 @@ void forRegions(const NearDistances& distances, const Region& region, int most, 
     return;
   }
   for (Region& half : region.halves()) {
-    half.list = distances.near(half.vertices(), region.list, hint);
+    distances.near(half.vertices(), region.list, hint, half.list);
     forRegions(distances, half, most, kept, hint, fn);
   }
 }
@@ -146,11 +146,13 @@ void measureBlock(const NearDistances& distances, const Region& block, const Nei
     rim = rim.cwiseMax(Vector3i(c & 1, c >> 1 & 1, c >> 2));
   }
   NearDistances::Nearest part;
+  NearDistances::List list;
   for (int c = 0; c < 8; ++c) {
     const Vector3i far(c & 1, c >> 1 & 1, c >> 2), first = kPart * far;
     const NearDistances::Block vertices{kCells * block.first + first,
                                         Vector3i::Constant(kPart) + far.cwiseProduct(rim)};
-    distances.distances(vertices, distances.near(vertices, block.list, hint), part);
+    distances.near(vertices, block.list, hint, list);
+    distances.distances(vertices, list, part);
     for (int k = 0; k < vertices.size.z(); ++k) {
       for (int j = 0; j < vertices.size.y(); ++j) {
         for (int i = 0; i < vertices.size.x(); ++i) {
@@ -282,8 +284,10 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   for (const float value : values) largest = std::max(largest, std::abs(value));
   quantum_ = std::max(largest, std::numeric_limits<float>::min()) / kMostQuanta;
   values_.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values_[i] = static_cast<std::int16_t>(std::lround(values[i] / quantum_));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float quanta = values[i] / quantum_;
+    values_[i] = static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
+  }
   slope_ = steepest(threads);
 
   error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;

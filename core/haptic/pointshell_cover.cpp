@@ -9,6 +9,8 @@ namespace {
 constexpr float kRoundUp = std::numeric_limits<float>::infinity();
 /// Pieces with a bound within this part of the largest are asked first.
 constexpr float kLarge = 0.95f;
+/// Pieces before and after one whose points are looked at; neighbours in a mesh often are neighbours in space.
+constexpr std::uint32_t kNeighbours = 16;
 
 struct Candidate {
   double bound;
@@ -45,12 +47,16 @@ double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& poin
   std::vector<Candidate> heap;
   for (const SubTriangle& piece : pool.degenerate()) heap.push_back({kInfinity, piece});
   pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
-    const double bound = double(bounds[i]);
-    if (bound <= reached) {
-      floor = std::max(floor, bound);
-    } else {
-      heap.push_back({bound, piece.whole()});
+    double bound = double(bounds[i]);
+    if (bound > reached) {
+      // A neighbour's point may be nearer.
+      const SubTriangle whole = piece.whole();
+      const std::uint32_t first = i > kNeighbours ? i - kNeighbours : 0;
+      for (std::uint32_t n = first; n < std::min(i + kNeighbours, pool.size()) && bound > reached; ++n)
+        if (nearest[n] != nearest[i]) bound = std::min(bound, cornerBound(whole, points[nearest[n]]));
+      if (bound > reached) heap.push_back({bound, whole});
     }
+    if (bound <= reached) floor = std::max(floor, bound);
   });
   std::make_heap(heap.begin(), heap.end());
   while (!heap.empty()) {
