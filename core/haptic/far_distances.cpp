@@ -178,7 +178,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
     const Lanes gain = 2.0f * (r.x() * (at(list.x, i) - wx).abs() + r.y() * (at(list.y, i) - wy).abs() +
                                r.z() * (at(list.z, i) - wz).abs());
     const Lanes best = at(search.at_middle, i) - gain;
-    if (!((best <= limit).any())) continue;
+    if (!(best.minCoeff() <= limit)) continue;
     for (std::size_t k = i; k < i + kLanes; ++k)
       kept.add(list.x[k], list.y[k], list.z[k], list.power[k], best[static_cast<Eigen::Index>(k - i)] <= limit);
   }

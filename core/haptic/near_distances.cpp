@@ -184,9 +184,9 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
     const Four apart = (way2.sqrt() * (1.0f - kCompared) - (radius + tolerance_)).max(0.0f);
     const Four gain = 2.0f * (r.x() * (x - w.x()).abs() + r.y() * (y - w.y()).abs() +
                               r.z() * (z - w.z()).abs() + reach * (radius + tolerance_));
-    const Eigen::Array<bool, 4, 1> far = apart.square() * (1.0f - kCompared) > limit + gain * (1.0f + kCompared);
+    const Four beyond = apart.square() * (1.0f - kCompared) - (limit + gain * (1.0f + kCompared));
     for (std::size_t k = 0; k < std::min(kLanes, n - i); ++k) {
-      if (far[static_cast<Eigen::Index>(k)]) continue;
+      if (beyond[static_cast<Eigen::Index>(k)] > 0.0f) continue;
       const Feature& f = *four[k];
       // The highest that a corner of the block comes.
       bool misses = false;
@@ -195,7 +195,7 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
         const HalfSpaces& m = half_spaces_[s];
         const Four at_middle = m.x * c.x() + m.y * c.y() + m.z * c.z() + m.offset;
         const Four width = m.x.abs() * r.x() + m.y.abs() * r.y() + m.z.abs() * r.z();
-        misses = (at_middle + width < (face ? lowest_face : lowest)).any() ||
+        misses = (at_middle + width - (face ? lowest_face : lowest)).minCoeff() < 0.0f ||
                  (face && at_middle[3] - width[3] > plane_limit);
       }
       kept[count] = list[i + k];

@@ -99,6 +99,10 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
                      " million surface pieces, at most " + std::to_string(kMaxPieces / 1e6) +
                      " million are allowed");
   }
+  // Room that is not used takes no memory.
+  const auto room = static_cast<std::size_t>(pieces);
+  pieces_.reserve(room);
+  for (auto* v : {&area_, &spread_, &pitch_}) v->reserve(room);
   std::vector<Part> stack;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!normals_[t].isZero()) cut(t, max_area, field, stack);
