@@ -83,8 +83,8 @@ Structures build(const Scenario& scenario, const HapticOptions& options) {
   });
   std::vector<std::size_t> first(n), order;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto equal = std::find_if(order.begin(), order.end(),
-                                    [&](std::size_t k) { return same(meshes[i], meshes[k]); });
+    const auto equal =
+        std::find_if(order.begin(), order.end(), [&](std::size_t k) { return same(meshes[i], meshes[k]); });
     first[i] = equal != order.end() ? *equal : i;
     if (first[i] == i) order.push_back(i);
   }

@@ -46,9 +46,7 @@ void MeshSides::link(const TriangleMesh& mesh, const TriangleTree& tree) {
   });
   watertight_ = volume6 > 0.0;
   for (std::size_t k = 0; watertight_ && k < edges.size(); k += 2) {
-    const auto same = [&](std::size_t m) {
-      return m < edges.size() && edges[m].ends == edges[k].ends;
-    };
+    const auto same = [&](std::size_t m) { return m < edges.size() && edges[m].ends == edges[k].ends; };
     watertight_ = same(k + 1) && !same(k + 2) && edges[k].rising != edges[k + 1].rising;
     if (!watertight_) break;
     slots_[edges[k].slot].across[edges[k].i] = edges[k + 1].slot;

@@ -22,7 +22,8 @@ const Vector3i kSmallest{4, 2, 2}, kLargest{4, 4, 4};
 /// The largest squared distance of a point of the triangle to its nearest corner: that of the centre of its
 /// circle, or half of the longest side where that lies outside.
 double reach2(const std::array<Vector3d, 3>& t) {
-  const double a2 = (t[1] - t[0]).squaredNorm(), b2 = (t[2] - t[1]).squaredNorm(), c2 = (t[0] - t[2]).squaredNorm();
+  const double a2 = (t[1] - t[0]).squaredNorm(), b2 = (t[2] - t[1]).squaredNorm(),
+               c2 = (t[0] - t[2]).squaredNorm();
   const double longest2 = std::max({a2, b2, c2});
   if (a2 + b2 + c2 <= 2.0 * longest2) return 0.25 * longest2;
   return 0.25 * a2 * b2 * c2 / (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm();
@@ -158,7 +159,9 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   const Vector3f c = -2.0f * middle.cast<float>(), r = half.cast<float>();
   const std::size_t n = list.size;
   search.at_middle.resize(n);
-  const auto at = [](const std::vector<float>& v, std::size_t i) { return Eigen::Map<const Lanes>(v.data() + i); };
+  const auto at = [](const std::vector<float>& v, std::size_t i) {
+    return Eigen::Map<const Lanes>(v.data() + i);
+  };
   Lanes least = Lanes::Constant(kFar);
   for (std::size_t i = 0; i < n; i += kLanes) {
     const Lanes g = at(list.power, i) + c.x() * at(list.x, i) + c.y() * at(list.y, i) + c.z() * at(list.z, i);
@@ -173,14 +176,16 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   List& kept = search.lists[search.depth];
   kept.size = 0;
   kept.makeRoom(n);
-  const float wx = list.x[w], wy = list.y[w], wz = list.z[w], limit = nearest + 2.0f * static_cast<float>(slack);
+  const float wx = list.x[w], wy = list.y[w], wz = list.z[w],
+              limit = nearest + 2.0f * static_cast<float>(slack);
   for (std::size_t i = 0; i < n; i += kLanes) {
     const Lanes gain = 2.0f * (r.x() * (at(list.x, i) - wx).abs() + r.y() * (at(list.y, i) - wy).abs() +
                                r.z() * (at(list.z, i) - wz).abs());
     const Lanes best = at(search.at_middle, i) - gain;
     if (!(best.minCoeff() <= limit)) continue;
     for (std::size_t k = i; k < i + kLanes; ++k)
-      kept.add(list.x[k], list.y[k], list.z[k], list.power[k], best[static_cast<Eigen::Index>(k - i)] <= limit);
+      kept.add(list.x[k], list.y[k], list.z[k], list.power[k],
+               best[static_cast<Eigen::Index>(k - i)] <= limit);
   }
   kept.pad();
 
@@ -210,7 +215,8 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
     for (int k0 = 0; k0 < block.size.z(); k0 += kLanes) {
       for (int j0 = 0; j0 < block.size.y(); j0 += kLanes) {
         const int nj = std::min(kLanes, block.size.y() - j0), nk = std::min(kLanes, block.size.z() - k0);
-        const float y0 = first.y() + static_cast<float>(j0) * step, z0 = first.z() + static_cast<float>(k0) * step;
+        const float y0 = first.y() + static_cast<float>(j0) * step,
+                    z0 = first.z() + static_cast<float>(k0) * step;
         std::array<Lanes, kLanes * kLanes> nearest_of;
         nearest_of.fill(Lanes::Constant(kFar));
         for (std::size_t s = 0; s < kept.size; ++s) {
@@ -227,7 +233,8 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
         for (int k = 0; k < nk; ++k) {
           for (int j = 0; j < nj; ++j) {
             const Lanes& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
-            float* out = values + static_cast<std::size_t>(i) + search.row * static_cast<std::size_t>(j0 + j) +
+            float* out = values + static_cast<std::size_t>(i) +
+                         search.row * static_cast<std::size_t>(j0 + j) +
                          search.slice * static_cast<std::size_t>(k0 + k);
             for (int l = 0; l < std::min(kLanes, block.size.x() - i); ++l) {
               const Vector3d p = h * (block.first + Vector3i(i + l, j0 + j, k0 + k)).cast<double>();

@@ -8,9 +8,9 @@
 namespace abstand {
 
 /// Points of a mesh from which distances to it follow: corners of its triangles, and of parts of these where
-/// they are large. Let q be the nearest point of the surface to p. It is the foot of p on a part, an edge or a
-/// corner of it, so |p - v|^2 = |p - q|^2 + |q - v|^2 for the corners v of that; and one of them is within r of
-/// q, r being the largest distance in any part to its nearest corner. So
+/// they are large. Let q be the nearest point of the surface to p. It is the foot of p on a part, an edge or
+/// a corner of it, so |p - v|^2 = |p - q|^2 + |q - v|^2 for the corners v of that; and one of them is within
+/// r of q, r being the largest distance in any part to its nearest corner. So
 ///   distance(p)^2 >= min_v |p - v|^2 - r^2,
 /// and it is no less than that by more than r^2. Constant after construction.
 class FarSites {
@@ -25,8 +25,8 @@ class FarSites {
   };
   /// Sets values[i + row j + slice k] of a block to a distance that is never above the true one, and less by
   /// what was said above and by rounding in float. From one to the next vertex the difference of two squared
-  /// distances is linear, so a site that is farther than another one at the middle of a block by more than the
-  /// block is wide, times twice their distance, is the nearest for none of its vertices.
+  /// distances is linear, so a site that is farther than another one at the middle of a block by more than
+  /// the block is wide, times twice their distance, is the nearest for none of its vertices.
   void distances(const Block& block, double spacing, std::size_t row, std::size_t slice, float* values) const;
 
  private:

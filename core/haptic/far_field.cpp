@@ -73,8 +73,9 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   if (surface.shape() == nullptr) {
     const TriangleMesh mesh = surface.mesh(0.0);
     parallelFor(threads, sites.size(), [&](std::size_t level) {
-      sites[level] = std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
-                                                kFewSites + kSitesPerTriangle * mesh.triangles.size());
+      sites[level] =
+          std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
+                                     kFewSites + kSitesPerTriangle * mesh.triangles.size());
     });
   }
   // Neighbouring slices together, as many as a search parts its grid into at least.
@@ -84,7 +85,8 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
     const int level = static_cast<int>(task) / parts, first = static_cast<int>(task) % parts * kSlices;
     const int slices = std::min(kSlices, v.n[2] - first);
     float* values = &distance[(static_cast<std::size_t>(level * v.n[2] + first)) * slice_size];
-    if (const FarSites* near = sites[static_cast<std::size_t>(level)].get(); near != nullptr && near->size() > 0) {
+    if (const FarSites* near = sites[static_cast<std::size_t>(level)].get();
+        near != nullptr && near->size() > 0) {
       const FarSites::Block block{corner + Vector3i(0, 0, first), Vector3i(size.x(), size.y(), slices)};
       near->distances(block, spacingOf(level), row_size, slice_size, values);
       return;

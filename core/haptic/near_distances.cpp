@@ -165,7 +165,8 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   const float reach = r.norm(), distance = static_cast<float>(nearest.distance);
   const float limit = distance * distance * (1.0f + kCompared);
   const float plane_limit = (distance + reach) * (1.0f + kCompared) + tolerance_;
-  const Four lowest_face(-tolerance_, -tolerance_, -tolerance_, -plane_limit), lowest = Four::Constant(-tolerance_);
+  const Four lowest_face(-tolerance_, -tolerance_, -tolerance_, -plane_limit),
+      lowest = Four::Constant(-tolerance_);
 
   // Four at once: whether their balls may be near enough.
   constexpr std::size_t kLanes = 4;
@@ -260,7 +261,8 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
           if (edge) {
             const Lanes u = (x * along[0] + (y * along[1] + z * along[2])).max(-half).min(half);
             offer(best[k][j][i],
-                  (x - u * along[0]).square() + (y - u * along[1]).square() + (z - u * along[2]).square(), slot);
+                  (x - u * along[0]).square() + (y - u * along[1]).square() + (z - u * along[2]).square(),
+                  slot);
           } else {
             offer(best[k][j][i], x.square() + (y * y + z * z), slot);
           }
@@ -276,7 +278,8 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
           nearest.distance[k][j][i] = std::sqrt(b.distance2[i % 4]);
           nearest.slot[k][j][i] = std::bit_cast<std::uint32_t>(b.slot[i % 4]);
         } else {
-          const SurfacePoint found = surface_.closest(place((block.first + Vector3i(i, j, k)).cast<double>()));
+          const SurfacePoint found =
+              surface_.closest(place((block.first + Vector3i(i, j, k)).cast<double>()));
           nearest.distance[k][j][i] = static_cast<float>(found.distance);
           nearest.slot[k][j][i] = found.hint;
         }

@@ -10,11 +10,11 @@ namespace abstand {
 
 /// Features of a mesh (faces, edges and vertices), to find which of them are nearest to the vertices of a
 /// block of a grid. The nearest point q of the surface to p is the foot of p on a feature, and p lies where
-/// this can be: over a face in its prism, at an edge between the planes through its ends and on the far side of
-/// its faces' planes through it, at a vertex on the far side of its edges' (Mauch, A Fast Algorithm for
-/// Computing the Closest Point and Distance Transform, 2000). So a feature whose half-spaces miss a block is no
-/// vertex's nearest, and neither is one that is farther from its middle than another point w of the surface by
-/// more than the block is wide: |p - q|^2 - |p - w|^2 is linear in p. Constant after construction.
+/// this can be: over a face in its prism, at an edge between the planes through its ends and on the far side
+/// of its faces' planes through it, at a vertex on the far side of its edges' (Mauch, A Fast Algorithm for
+/// Computing the Closest Point and Distance Transform, 2000). So a feature whose half-spaces miss a block is
+/// no vertex's nearest, and neither is one that is farther from its middle than another point w of the
+/// surface by more than the block is wide: |p - q|^2 - |p - w|^2 is linear in p. Constant after construction.
 class NearDistances {
  public:
   using List = std::vector<std::uint32_t>;
@@ -34,7 +34,7 @@ class NearDistances {
   void near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const;
 
   struct Nearest {
-    float distance[kMostSize][kMostSize][kMostSize];     ///< m, unsigned; [k][j][i]
+    float distance[kMostSize][kMostSize][kMostSize];      ///< m, unsigned; [k][j][i]
     std::uint32_t slot[kMostSize][kMostSize][kMostSize];  ///< of the tree, as the hint of Surface::inside
   };
   /// Exact but for rounding in float. `list`: what near() gives for the block or one around it.

@@ -60,8 +60,8 @@ struct Neighbours {
 // Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
 // so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
 // together exceed the way between the vertices by more than their `rounding`, no surface lies between and the
-// sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`: the nearest point of the
-// surface to vertex (i, j, k), which lies at p.
+// sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`:
+// the nearest point of the surface to vertex (i, j, k), which lies at p.
 template <class NearestAt>
 void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
                double rounding, NearestAt&& nearest_at, float* values) {
@@ -79,7 +79,8 @@ void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vecto
           const Vector3d p = origin + h * Vector3d(i, j, k);
           const double distance_before = nearest.distance;
           nearest = nearest_at(p, i, j, k, nearest.hint);
-          const bool same_side = closed && nearest.distance + distance_before > (p - before).norm() + rounding;
+          const bool same_side =
+              closed && nearest.distance + distance_before > (p - before).norm() + rounding;
           if (!same_side || distance_before < 0.0) inside = surface.inside(p, nearest);
           before = p;
           values[(k * kVertices + j) * kVertices + i] =
@@ -115,8 +116,8 @@ struct Region {
 // Calls fn(block) for the kept blocks of a region, each as a region of its own, and parts it until `most`
 // blocks are left.
 template <class Kept, class Fn>
-void forRegions(const NearDistances& distances, const Region& region, int most, Kept&& kept, std::uint32_t& hint,
-                Fn&& fn) {
+void forRegions(const NearDistances& distances, const Region& region, int most, Kept&& kept,
+                std::uint32_t& hint, Fn&& fn) {
   bool any = false;
   for (int k = 0; k < region.size.z() && !any; ++k) {
     for (int j = 0; j < region.size.y() && !any; ++j) {
@@ -202,8 +203,8 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     return origin + kCells * step * place;
   };
 
-  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise; those
-  // of a mesh were measured in float about its middle.
+  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise;
+  // those of a mesh were measured in float about its middle.
   const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
   const double rounding =
       8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
@@ -259,7 +260,8 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     std::vector<Region> regions;
     std::uint32_t first_hint = kNoHint;
     const Region whole{Vector3i::Zero(), Vector3i(blocks_[0], blocks_[1], blocks_[2]), distances.all()};
-    forRegions(distances, whole, kTogether, isKept, first_hint, [&](const Region& r) { regions.push_back(r); });
+    forRegions(distances, whole, kTogether, isKept, first_hint,
+               [&](const Region& r) { regions.push_back(r); });
     parallelFor(threads, regions.size(), [&](std::size_t r) {
       std::uint32_t hint = kNoHint;
       const auto nearest = std::make_unique<SurfacePoint[][kVertices][kVertices]>(kVertices);

@@ -60,7 +60,8 @@ std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>&
     cell.second_moment += area * (centroid.squaredNorm() + double(pool.spread(i)));
     if (piece.sharp() == 0) return;
     for (int e = 0; e < 3; ++e) {
-      if ((piece.sharp() >> e & 1u) != 0) cell.rim += (piece.corner((e + 1) % 3) - piece.corner(e)).cross(normal);
+      if ((piece.sharp() >> e & 1u) != 0)
+        cell.rim += (piece.corner((e + 1) % 3) - piece.corner(e)).cross(normal);
     }
   });
   return cells;
@@ -201,7 +202,8 @@ std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double lengt
 }
 
 /// One a piece.
-std::vector<Sample> takeSamples(const SurfacePool& pool, const std::vector<float>& density, double normal_length) {
+std::vector<Sample> takeSamples(const SurfacePool& pool, const std::vector<float>& density,
+                                double normal_length) {
   std::vector<Sample> out;
   out.reserve(pool.size());
   pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
@@ -253,8 +255,8 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
     if (shape != nullptr) settle(surface, balanced.back());
   }
   if (!field.plain()) {
-    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh, field.creases(),
-                               balanced, spacing, threads);
+    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh,
+                               field.creases(), balanced, spacing, threads);
     std::vector<bool> pressed(points.size(), false);
     for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
     const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);

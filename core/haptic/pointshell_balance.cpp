@@ -55,7 +55,8 @@ std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double
   std::map<std::array<int, 6>, double> length;
   const auto key = [](const Crease& crease) {
     std::array<int, 6> k;
-    for (int i = 0; i < 6; ++i) k[i] = static_cast<int>(std::lround(crease.normal[i / 3][i % 3] / kSameDirection));
+    for (int i = 0; i < 6; ++i)
+      k[i] = static_cast<int>(std::lround(crease.normal[i / 3][i % 3] / kSameDirection));
     return k;
   };
   for (const Crease& crease : creases) length[key(crease)] += (crease.end[1] - crease.end[0]).norm();
@@ -180,7 +181,8 @@ ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& 
     for (const std::uint32_t t : triangles) {
       const Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
       const Vector3d cross = (b - a).cross(c - a) / 6.0;
-      const double height[3] = {u.dot(a), u.dot(b), u.dot(c)}, lowest_corner = std::min({height[0], height[1], height[2]});
+      const double height[3] = {u.dot(a), u.dot(b), u.dot(c)},
+                   lowest_corner = std::min({height[0], height[1], height[2]});
       const double length = cross.norm();
       for (int d = depths - 1; d >= 0 && presses.level[d] > lowest_corner; --d) {
         const double level = presses.level[d];
@@ -256,8 +258,8 @@ void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) co
         const Lanes push = now(3) * depth;
         fx += push * nx, fy += push * ny, fz += push * nz;
         const Lanes un = u.x() * nx + u.y() * ny + u.z() * nz;
-        const Lanes g = (depth > 0.0f)
-                            .select(home * home * (depth * depth + move2 * (1.0f - un * un)), Lanes::Zero());
+        const Lanes g =
+            (depth > 0.0f).select(home * home * (depth * depth + move2 * (1.0f - un * un)), Lanes::Zero());
         const Lanes gx = g * nx, gy = g * ny;
         g00 += gx * nx, g01 += gx * ny, g02 += gx * nz, g11 += gy * ny, g12 += gy * nz, g22 += g * nz * nz;
       }
@@ -265,7 +267,8 @@ void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) co
       const Vector3f error = wanted - Vector3f(fx.sum(), fy.sum(), fz.sum());
       if (error.squaredNorm() <= kEnough * kEnough * wanted.squaredNorm()) continue;
       Matrix3d gram;
-      gram << g00.sum(), g01.sum(), g02.sum(), g01.sum(), g11.sum(), g12.sum(), g02.sum(), g12.sum(), g22.sum();
+      gram << g00.sum(), g01.sum(), g02.sum(), g01.sum(), g11.sum(), g12.sum(), g02.sum(), g12.sum(),
+          g22.sum();
       const double damping = kDamping * gram.trace();
       if (!(damping > 0.0)) continue;
       gram.diagonal().array() += damping;
@@ -275,8 +278,8 @@ void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) co
         if (depths[k] <= 0.0f) continue;
         Active& p = active[inside[k]];
         const float home_area = p.still[3], g = home_area * (p.still * pull4).sum();
-        const float area = std::clamp(p.now[3] + home_area * depths[k] * g, kLeastArea * home_area,
-                                      kMostArea * home_area);
+        const float area =
+            std::clamp(p.now[3] + home_area * depths[k] * g, kLeastArea * home_area, kMostArea * home_area);
         if (move2 > 0.0f) {
           Eigen::Array4f moved = p.now - p.home - move2 * g * (u4 - (u4 * p.still).sum() * p.still);
           moved[3] = 0.0f;

@@ -27,9 +27,9 @@ struct BalancePoint {
 /// and a few percent of area do.
 class ShellBalance {
  public:
-  /// Directions all around, and those in which edges and their neighbourhood come first; depths from three quarters of a
-  /// spacing to two and a half. Only the places that a flat wall can reach are adjusted. The result does not
-  /// depend on the number of threads.
+  /// Directions all around, and those in which edges and their neighbourhood come first; depths from three
+  /// quarters of a spacing to two and a half. Only the places that a flat wall can reach are adjusted. The
+  /// result does not depend on the number of threads.
   ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
                const std::vector<BalancePoint>& points, double spacing, int threads);
 
@@ -51,9 +51,10 @@ class ShellBalance {
   struct Press {
     Vector3d direction;
     double level;
-    Vector3d force;              ///< what it should be, for stiffness 1
-    double weight;               ///< how far it is mended at once: shallow ones less, as they cannot be right
-    std::uint32_t first, count;  ///< of its points, in points_; padded to whole lanes with one beyond the last
+    Vector3d force;  ///< what it should be, for stiffness 1
+    double weight;   ///< how far it is mended at once: shallow ones less, as they cannot be right
+    std::uint32_t first,
+        count;  ///< of its points, in points_; padded to whole lanes with one beyond the last
   };
 
   double spacing_;

@@ -113,7 +113,11 @@ void SurfacePool::cut(std::uint32_t t, double max_area, const PitchField& field,
   const double max_edge2 = max_edge_ * max_edge_;
   const SubTriangle whole{{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u};
   const Vector3d &a = whole.corner[0], ab = whole.corner[1] - a, ac = whole.corner[2] - a;
-  Part root{{{0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, t, field.sharp()[t]}, {}, whole.area(), field.plain() ? 2 : 0, {}};
+  Part root{{{0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, t, field.sharp()[t]},
+            {},
+            whole.area(),
+            field.plain() ? 2 : 0,
+            {}};
   measure(whole.corner, root.length2);
   stack.push_back(root);
   while (!stack.empty()) {

@@ -54,8 +54,8 @@ class SurfacePool {
   static constexpr double kMaxPieces = 5.0e7;
 
  private:
-  /// Corner i is b[i] of the way along the triangle's side from its first corner to the second, and c[i] along
-  /// that to the third: multiples of powers of 1/2, so exact.
+  /// Corner i is b[i] of the way along the triangle's side from its first corner to the second, and c[i]
+  /// along that to the third: multiples of powers of 1/2, so exact.
   struct Piece {
     float b[3], c[3];
     std::uint32_t triangle : 29;

@@ -29,14 +29,16 @@ std::size_t hash(const Vector3i& at) {
 }
 
 int bitOf(const Vector3i& cell) {
-  return ((cell.z() & (kBrick - 1)) * kBrick + (cell.y() & (kBrick - 1))) * kBrick + (cell.x() & (kBrick - 1));
+  return ((cell.z() & (kBrick - 1)) * kBrick + (cell.y() & (kBrick - 1))) * kBrick +
+         (cell.x() & (kBrick - 1));
 }
 
 /// The bits of the brick `at` whose cells lie from `low` to `high`.
 std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i& high) {
   std::uint64_t along[3];
   for (int k = 0; k < 3; ++k) {
-    const int first = std::max(0, low[k] - at[k] * kBrick), last = std::min(kBrick - 1, high[k] - at[k] * kBrick);
+    const int first = std::max(0, low[k] - at[k] * kBrick),
+              last = std::min(kBrick - 1, high[k] - at[k] * kBrick);
     along[k] = (2u << last) - (1u << first);
   }
   const std::uint64_t y = (along[1] & 1) | (along[1] & 2) << 3 | (along[1] & 4) << 6 | (along[1] & 8) << 9;
@@ -214,7 +216,8 @@ std::uint32_t SampleCover::farthestOf(const Cell& cell) const {
 }
 
 void SampleCover::descend(float from, float reach) {
-  for (float round = std::max(from, reach), before = round;; before = round, round = std::max(kRound * round, reach)) {
+  for (float round = std::max(from, reach), before = round;;
+       before = round, round = std::max(kRound * round, reach)) {
     const float round2 = round * round;
     for (Cell& cell : cells_) {
       while (cell.farthest > round2) addSample(farthestOf(cell), before);
@@ -248,7 +251,8 @@ std::uint32_t SampleCover::fill(double reach) {
   return count_;
 }
 
-void SampleCover::recentre(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals, double reach) {
+void SampleCover::recentre(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
+                           double reach) {
   std::vector<bool> used(count_, false);
   for (Cell& cell : cells_) {
     cell.farthest = -1.0f;

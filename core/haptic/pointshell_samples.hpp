@@ -19,8 +19,8 @@ struct Sample {
 
 /// Samples of a surface that get covered by centres, one after the other. Distances are in the six dimensions
 /// of position and scaled normal, so that faces that meet at an angle and the two sides of a plate do not
-/// cover each other, and strongly curved places get more centres. Samples lie in the cells of a grid, of which
-/// only those that hold some are kept; a new centre looks at the cells about it.
+/// cover each other, and strongly curved places get more centres. Samples lie in the cells of a grid, of
+/// which only those that hold some are kept; a new centre looks at the cells about it.
 class SampleCover {
  public:
   /// At least one sample. `cell`: edge of the grid's cells, about the last reach (m).

@@ -75,7 +75,8 @@ double NearestOfPoints::distance(const Vector3d& p, std::uint32_t& index, double
   return (Vector3d(tree_.x[at], tree_.y[at], tree_.z[at]) - p).norm();
 }
 
-void NearestOfPoints::visit(std::size_t node, const Eigen::Array4f& p, float& best, std::uint32_t& index) const {
+void NearestOfPoints::visit(std::size_t node, const Eigen::Array4f& p, float& best,
+                            std::uint32_t& index) const {
   if (node >= tree_.leaves) {
     const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
     const auto at = [first](const std::vector<float>& v) { return Eigen::Map<const Lane>(v.data() + first); };
@@ -84,7 +85,8 @@ void NearestOfPoints::visit(std::size_t node, const Eigen::Array4f& p, float& be
         (at(tree_.x) - p[0]).square() + (at(tree_.y) - p[1]).square() + (at(tree_.z) - p[2]).square();
     if (!(d2.minCoeff() < best)) return;
     for (std::size_t i = 0; i < BlockTree::kBlock; ++i) {
-      if (d2[Eigen::Index(i)] < best) best = d2[Eigen::Index(i)], index = static_cast<std::uint32_t>(first + i);
+      if (d2[Eigen::Index(i)] < best)
+        best = d2[Eigen::Index(i)], index = static_cast<std::uint32_t>(first + i);
     }
     return;
   }

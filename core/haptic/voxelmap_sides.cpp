@@ -103,7 +103,8 @@ void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std:
     if (side[v] != kUnknown) continue;
     const std::vector<Pieces::Run>& piece = pieces.fill(v, kVoxelOutside);
     if (!mostlyInside(surface, pieces, piece, watertight ? 1 : kVotes)) continue;
-    for (const Pieces::Run& run : piece) std::fill(&side[run.first], &side[run.first] + run.count, kVoxelInside);
+    for (const Pieces::Run& run : piece)
+      std::fill(&side[run.first], &side[run.first] + run.count, kVoxelInside);
   }
 }
 
