@@ -35,8 +35,8 @@ struct ResolutionEstimate {
 /// A resolution that is coarser than the probe is built instead. Not shared between threads.
 class ResolutionProbe {
  public:
-  /// Covering radius of a shell in spacings, at most: filling leaves 0.775, the pieces that the surface is cut
-  /// into reach 0.3 beyond their middle. Found in tests: 0.95.
+  /// Covering radius of a shell in spacings, at most: filling leaves 0.775, the pieces that the surface is
+  /// cut into reach 0.3 beyond their middle. Found in tests: 0.95.
   static constexpr double kCovering = 1.1;
 
   explicit ResolutionProbe(std::shared_ptr<const Surface> surface) : surface_(std::move(surface)) {}
