@@ -4,10 +4,13 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <set>
+#include <thread>
 
 #include "app/bench/scenario.hpp"
 #include "app/cli/bench_scenario.hpp"
 #include "core/base/error.hpp"
+#include "core/base/parallel.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "core/haptic/pair_set.hpp"
 #include "core/scene/scene.hpp"
@@ -67,13 +70,46 @@ double takeRest(std::string& variant) {
 
 using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
 
+bool same(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.vertices == b.vertices && a.triangles == b.triangles;
+}
+
+/// Bodies with equal meshes have one structure together.
 Structures build(const Scenario& scenario, const HapticOptions& options) {
-  Structures structures;
-  for (const auto& body : scenario.bodies) {
-    std::shared_ptr<const Surface> surface = makeSurface(loadMesh(body.mesh, body.scale).mesh);
-    structures.push_back(buildHapticStructure(body.name, surface, options));
+  const std::size_t n = scenario.bodies.size();
+  std::vector<TriangleMesh> meshes(n);
+  parallelFor(0, n, [&](std::size_t i) {
+    meshes[i] = loadMesh(scenario.bodies[i].mesh, scenario.bodies[i].scale).mesh;
+  });
+  std::vector<std::size_t> first(n), order;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto equal =
+        std::find_if(order.begin(), order.end(), [&](std::size_t k) { return same(meshes[i], meshes[k]); });
+    first[i] = equal != order.end() ? *equal : i;
+    if (first[i] == i) order.push_back(i);
   }
+  // The largest first, so that none is left over at the end.
+  std::vector<double> area(n, 0.0);
+  for (const std::size_t i : order) area[i] = surfaceArea(meshes[i]);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return area[i] > area[k]; });
+  const int each = std::max(1, static_cast<int>(std::thread::hardware_concurrency() / order.size()));
+  Structures structures(n);
+  parallelFor(0, order.size(), [&](std::size_t k) {
+    const std::size_t i = order[k];
+    structures[i] =
+        buildHapticStructure(scenario.bodies[i].name, makeSurface(std::move(meshes[i])), options, each);
+  });
+  for (std::size_t i = 0; i < n; ++i) structures[i] = structures[first[i]];
   return structures;
+}
+
+double structuresMb(const Structures& structures) {
+  std::set<const HapticStructure*> distinct;
+  double bytes = 0.0;
+  for (const auto& structure : structures)
+    if (distinct.insert(structure.get()).second) bytes += static_cast<double>(structure->memoryBytes());
+  return bytes / 1e6;
 }
 
 PairSet makePairs(const Scenario& scenario, const Structures& structures) {
@@ -213,6 +249,7 @@ int benchScenario(const BenchScenario& args) {
       {"pairs", scenario.pairs.size()},
       {"build_s", build_s},
       {"us", statistics(times)},
+      {"structures_mb", structuresMb(structures)},
       {"hwm_mb", highWaterMb()},
       {"hwm_before_build_mb", before},
       {"touching_per_frame", static_cast<double>(touching) / static_cast<double>(times.size())}};

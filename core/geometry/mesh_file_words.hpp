@@ -13,15 +13,14 @@
 namespace abstand::mesh_file {
 
 inline constexpr std::string_view kBlank = " \t\r\n\v\f";
+inline constexpr bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// The next word of `rest`, cut off from it; empty at the end.
 inline std::string_view nextWord(std::string_view& rest) {
-  const auto begin = rest.find_first_not_of(kBlank);
-  if (begin == std::string_view::npos) {
-    rest = {};
-    return {};
-  }
-  const auto end = std::min(rest.find_first_of(kBlank, begin), rest.size());
+  std::size_t begin = 0;
+  while (begin < rest.size() && isBlank(rest[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < rest.size() && !isBlank(rest[end])) ++end;
   const auto word = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return word;
@@ -58,7 +57,8 @@ class Lines {
   std::optional<std::string_view> next() {
     if (rest_.empty()) return std::nullopt;
     ++pos_.line;
-    const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    std::size_t end = 0;
+    while (end < rest_.size() && rest_[end] != '\r' && rest_[end] != '\n') ++end;
     const auto line = rest_.substr(0, end);
     rest_.remove_prefix(end);
     if (rest_.starts_with("\r\n")) rest_.remove_prefix(1);

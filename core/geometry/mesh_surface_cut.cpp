@@ -60,16 +60,6 @@ bool crosses(const Vector3d& p, const Vector3d& q, const CutTriangle& t) {
 
 }  // namespace
 
-CutTriangle cutTriangle(const TriangleMesh& mesh, const std::uint32_t (&vertex)[3]) {
-  CutTriangle t;
-  for (int i = 0; i < 3; ++i) {
-    t.vertex[i] = vertex[i];
-    t.corner[i] = mesh.vertices[vertex[i]];
-  }
-  t.normal = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]).normalized();
-  return t;
-}
-
 bool cutEachOther(const CutTriangle& s, const CutTriangle& t) {
   int shared = 0, is = 0, it = 0;
   for (int i = 0; i < 3; ++i) {

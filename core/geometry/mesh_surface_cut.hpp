@@ -11,8 +11,6 @@ struct CutTriangle {
   Vector3d normal;  ///< unit
 };
 
-CutTriangle cutTriangle(const TriangleMesh& mesh, const std::uint32_t (&vertex)[3]);
-
 /// True when the triangles have points in common other than shared vertices and edges. Touching counts for
 /// triangles that share no vertex; of those that share one only true crossing does; two that share an edge
 /// never cut each other.

@@ -24,7 +24,8 @@ MeshSides::MeshSides(const TriangleMesh& mesh, const TriangleTree& tree, const W
 // Finds the slot across each edge, and whether every edge has exactly two triangles in opposite directions.
 void MeshSides::link(const TriangleMesh& mesh, const TriangleTree& tree) {
   struct Edge {
-    std::uint32_t low, high, slot;
+    std::uint64_t ends;  ///< the lower vertex, and the higher one below it
+    std::uint32_t slot;
     std::uint8_t i;
     bool rising;
   };
@@ -35,19 +36,17 @@ void MeshSides::link(const TriangleMesh& mesh, const TriangleTree& tree) {
     const auto& v = slots_[s].corner;
     for (std::uint8_t i = 0; i < 3; ++i) {
       const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), s, i, a < b});
+      edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), s, i, a < b});
     }
     const Vector3d a = mesh.vertices[v[0]] - tree.origin();
     volume6 += a.dot((mesh.vertices[v[1]] - tree.origin()).cross(mesh.vertices[v[2]] - tree.origin()));
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) {
-    return std::tie(e.low, e.high, e.slot, e.i) < std::tie(f.low, f.high, f.slot, f.i);
+    return e.ends != f.ends ? e.ends < f.ends : e.slot != f.slot ? e.slot < f.slot : e.i < f.i;
   });
   watertight_ = volume6 > 0.0;
   for (std::size_t k = 0; watertight_ && k < edges.size(); k += 2) {
-    const auto same = [&](std::size_t m) {
-      return m < edges.size() && edges[m].low == edges[k].low && edges[m].high == edges[k].high;
-    };
+    const auto same = [&](std::size_t m) { return m < edges.size() && edges[m].ends == edges[k].ends; };
     watertight_ = same(k + 1) && !same(k + 2) && edges[k].rising != edges[k + 1].rising;
     if (!watertight_) break;
     slots_[edges[k].slot].across[edges[k].i] = edges[k + 1].slot;
@@ -68,13 +67,32 @@ void MeshSides::weighNormals(const TriangleMesh& mesh) {
 }
 
 bool MeshSides::cutsItself(const TriangleMesh& mesh, const TriangleTree& tree) const {
+  // Boxes that are farther apart than this, in parts of their sizes, hold no triangles that touch.
+  constexpr double kApart = 1e-8;
+  const auto cornersOf = [&](const Slot& slot) -> CutTriangle {
+    const auto& v = slot.corner;
+    return {{v[0], v[1], v[2]}, {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}, slot.normal};
+  };
+  std::vector<Bounds> boxes(slots_.size());
+  for (std::size_t s = 0; s < slots_.size(); ++s) {
+    for (const std::uint32_t v : slots_[s].corner) boxes[s].add(mesh.vertices[v]);
+    const Vector3d slack = Vector3d::Constant(kApart * boxes[s].extent().maxCoeff());
+    boxes[s].lower -= slack;
+    boxes[s].upper += slack;
+  }
   bool cut = false;
   for (std::uint32_t s = 0; s < slots_.size() && !cut; ++s) {
-    const CutTriangle mine = cutTriangle(mesh, slots_[s].corner);
-    Bounds box;
-    for (const Vector3d& v : mine.corner) box.add(v);
+    const Slot& slot = slots_[s];
+    const Bounds& box = boxes[s];
+    const CutTriangle mine = cornersOf(slot);
     tree.forOverlapping(box, [&](std::uint32_t other) {
-      if (other > s && !cut) cut = cutEachOther(mine, cutTriangle(mesh, slots_[other].corner));
+      if (other <= s || cut) return;
+      // Those on the other side of an edge share it.
+      if (other == slot.across[0] || other == slot.across[1] || other == slot.across[2]) return;
+      if ((boxes[other].lower.array() > box.upper.array()).any() ||
+          (boxes[other].upper.array() < box.lower.array()).any())
+        return;
+      cut = cutEachOther(mine, cornersOf(slots_[other]));
     });
   }
   return cut;

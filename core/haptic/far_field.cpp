@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/base/error.hpp"
 #include "core/base/parallel.hpp"
+#include "core/haptic/far_distances.hpp"
 
 namespace abstand {
 namespace {
@@ -17,6 +19,11 @@ constexpr float kEpsilon = 0x1p-23f;
 constexpr double kStored = 1e-12;
 // Cells of a grid that reach into it from where the grid inside answers.
 constexpr float kOverlap = 2.0f;
+// Of the spacing: what sites may lose; the square of that, 0.06, is small beside the up to 0.75 that
+// interpolating loses of a squared distance.
+constexpr double kLoss = 0.245;
+// More sites than these, and asking the surface itself is quicker.
+constexpr std::size_t kFewSites = 1000, kSitesPerTriangle = 30;
 
 }  // namespace
 
@@ -56,26 +63,52 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   }
 
   std::vector<float> distance(grid * static_cast<std::size_t>(v.levels), 0.0f);
-  const auto slices = static_cast<std::size_t>(v.levels) * static_cast<std::size_t>(v.n[2]);
-  parallelFor(threads, slices, [&](std::size_t slice) {
-    const int level = static_cast<int>(slice) / v.n[2], k = static_cast<int>(slice) % v.n[2];
-    const double h = 1.0 / double(v.inv_h[level]);
+  const auto rows = static_cast<std::size_t>(v.n[1]), row_size = static_cast<std::size_t>(v.n[0]);
+  const auto slice_size = rows * row_size;
+  const auto spacingOf = [&](int level) { return 1.0 / double(v.inv_h[level]); };
+  const Vector3i corner = -half_cells.cast<int>(), size(v.n[0], v.n[1], v.n[2]);
+
+  // Levels for which few points stand for the surface.
+  std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
+  if (surface.shape() == nullptr) {
+    const TriangleMesh mesh = surface.mesh(0.0);
+    parallelFor(threads, sites.size(), [&](std::size_t level) {
+      sites[level] =
+          std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
+                                     kFewSites + kSitesPerTriangle * mesh.triangles.size());
+    });
+  }
+  // Neighbouring slices together, as many as a search parts its grid into at least.
+  constexpr int kSlices = 8;
+  const int parts = (v.n[2] + kSlices - 1) / kSlices;
+  parallelFor(threads, static_cast<std::size_t>(v.levels * parts), [&](std::size_t task) {
+    const int level = static_cast<int>(task) / parts, first = static_cast<int>(task) % parts * kSlices;
+    const int slices = std::min(kSlices, v.n[2] - first);
+    float* values = &distance[(static_cast<std::size_t>(level * v.n[2] + first)) * slice_size];
+    if (const FarSites* near = sites[static_cast<std::size_t>(level)].get();
+        near != nullptr && near->size() > 0) {
+      const FarSites::Block block{corner + Vector3i(0, 0, first), Vector3i(size.x(), size.y(), slices)};
+      near->distances(block, spacingOf(level), row_size, slice_size, values);
+      return;
+    }
     const float inner = level == 0 ? 0.0f : kRatio[level - 1] / kRatio[level];
     const auto inside = [&](int at, int axis) {
       return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
     };
     std::uint32_t hint = kNoHint;
-    for (int j = 0; j < v.n[1]; ++j) {
-      float* row = &distance[(slice * static_cast<std::size_t>(v.n[1]) + static_cast<std::size_t>(j)) *
-                             static_cast<std::size_t>(v.n[0])];
-      for (int step = 0; step < v.n[0]; ++step) {
-        // Back and forth, so that the hint is always a neighbour's.
-        const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
-        if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
-        const Vector3d p = stored_centre + h * (Vector3d(i, j, k) - half_cells);
-        const SurfacePoint nearest = surface.closest(p, hint);
-        hint = nearest.hint;
-        row[i] = std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
+    for (int k = first; k < first + slices; ++k) {
+      for (int j = 0; j < v.n[1]; ++j) {
+        for (int step = 0; step < v.n[0]; ++step) {
+          // Back and forth, so that the hint is always a neighbour's.
+          const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
+          if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
+          const Vector3d p = stored_centre + spacingOf(level) * (Vector3d(i, j, k) - half_cells);
+          const SurfacePoint nearest = surface.closest(p, hint);
+          hint = nearest.hint;
+          values[static_cast<std::size_t>(k - first) * slice_size + static_cast<std::size_t>(j) * row_size +
+                 static_cast<std::size_t>(i)] =
+              std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
+        }
       }
     }
   });

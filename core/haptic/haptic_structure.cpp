@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/geometry/mesh_pieces.hpp"
+#include "core/haptic/far_spacing.hpp"
 #include "core/haptic/voxelmap_sides.hpp"
 
 namespace abstand {
@@ -17,9 +18,6 @@ namespace {
 // Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
 // where its own error is a small part of the distance.
 constexpr double kBand = 4.0;
-// Spacing of the far field's first grid: so many voxels, or more where a grid would take more vertices.
-constexpr double kFarSpacing = 3.0;
-constexpr double kFarVertices = 150'000.0;
 // m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
 constexpr double kFarReach = 2.0;
 // Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
@@ -41,13 +39,6 @@ EnclosingSphere sphereAbout(const Surface& surface, const TriangleMesh& mesh) {
     for (int i = 0; i < 3; ++i) corners.push_back(mesh.corner(t, i));
   }
   return minimalSphere(corners);
-}
-
-double farSpacing(const Bounds& box, double voxel) {
-  double h = kFarSpacing * voxel;
-  const auto vertices = [&] { return (box.extent().array() / h + 2.0 * FarField::kMargin + 1.0).prod(); };
-  while (vertices() > kFarVertices) h *= 1.1;
-  return h;
 }
 
 std::size_t bytesOf(const Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }

@@ -2,10 +2,13 @@
 #include "core/haptic/near_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "core/base/error.hpp"
 #include "core/base/parallel.hpp"
+#include "core/haptic/near_distances.hpp"
 
 namespace abstand {
 namespace {
@@ -18,6 +21,8 @@ constexpr double kDiagonal = 1.7320508075688774;
 constexpr float kMostQuanta = 32766.0f;
 constexpr double kQuantized = 1.01;  // and the rounding of the division
 constexpr float kSlopeRounding = 1.0f + 1e-5f;
+// Blocks that one thread measures after each other.
+constexpr int kTogether = 64;
 
 double distanceToBox(const Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
@@ -54,11 +59,12 @@ struct Neighbours {
 
 // Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
 // so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
-// together exceed the way between the vertices, no surface lies between and the sign stays; but across the
-// holes of an open mesh the sign changes anywhere.
+// together exceed the way between the vertices by more than their `rounding`, no surface lies between and the
+// sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`:
+// the nearest point of the surface to vertex (i, j, k), which lies at p.
+template <class NearestAt>
 void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
-               float* values) {
-  constexpr double kSure = 1.0 + 1e-9;
+               double rounding, NearestAt&& nearest_at, float* values) {
   const bool closed = surface.watertight();
   const std::uint32_t self = neighbours.block[0][0][0];
   SurfacePoint nearest{origin, -1.0, kNoHint};
@@ -72,8 +78,9 @@ void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vecto
         if (owner == self || owner == NearField::kNoBlock) {
           const Vector3d p = origin + h * Vector3d(i, j, k);
           const double distance_before = nearest.distance;
-          nearest = surface.closest(p, nearest.hint);
-          const bool same_side = closed && nearest.distance + distance_before > kSure * (p - before).norm();
+          nearest = nearest_at(p, i, j, k, nearest.hint);
+          const bool same_side =
+              closed && nearest.distance + distance_before > (p - before).norm() + rounding;
           if (!same_side || distance_before < 0.0) inside = surface.inside(p, nearest);
           before = p;
           values[(k * kVertices + j) * kVertices + i] =
@@ -85,6 +92,76 @@ void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vecto
       if (row + 1 < kVertices) j += dj;
     }
     dj = -dj;
+  }
+}
+
+// Blocks side by side, and the features of a mesh that may be nearest to a vertex of theirs.
+struct Region {
+  Vector3i first, size;
+  NearDistances::List list;
+
+  NearDistances::Block vertices() const { return {kCells * first, kCells * size + Vector3i::Ones()}; }
+  // The two halves along the longest axis.
+  std::array<Region, 2> halves() const {
+    int axis = 0;
+    size.maxCoeff(&axis);
+    std::array<Region, 2> out{Region{first, size, {}}, Region{first, size, {}}};
+    out[0].size[axis] = size[axis] / 2;
+    out[1].first[axis] += out[0].size[axis];
+    out[1].size[axis] -= out[0].size[axis];
+    return out;
+  }
+};
+
+// Calls fn(block) for the kept blocks of a region, each as a region of its own, and parts it until `most`
+// blocks are left.
+template <class Kept, class Fn>
+void forRegions(const NearDistances& distances, const Region& region, int most, Kept&& kept,
+                std::uint32_t& hint, Fn&& fn) {
+  bool any = false;
+  for (int k = 0; k < region.size.z() && !any; ++k) {
+    for (int j = 0; j < region.size.y() && !any; ++j) {
+      for (int i = 0; i < region.size.x() && !any; ++i) any = kept(region.first + Vector3i(i, j, k));
+    }
+  }
+  if (!any) return;
+  if (region.size.prod() <= most) {
+    fn(region);
+    return;
+  }
+  for (Region& half : region.halves()) {
+    distances.near(half.vertices(), region.list, hint, half.list);
+    forRegions(distances, half, most, kept, hint, fn);
+  }
+}
+
+// The distances of a block's vertices, as far as it has to know them: those on its far sides only where a
+// neighbour that owns them is not kept.
+void measureBlock(const NearDistances& distances, const Region& block, const Neighbours& neighbours,
+                  std::uint32_t& hint, SurfacePoint (*nearest)[kVertices][kVertices]) {
+  constexpr int kPart = kCells / 2;
+  static_assert(kPart + 1 <= NearDistances::kMostSize);
+  Vector3i rim = Vector3i::Zero();
+  for (int c = 1; c < 8; ++c) {
+    if (neighbours.block[c >> 2][c >> 1 & 1][c & 1] != NearField::kNoBlock) continue;
+    rim = rim.cwiseMax(Vector3i(c & 1, c >> 1 & 1, c >> 2));
+  }
+  NearDistances::Nearest part;
+  NearDistances::List list;
+  for (int c = 0; c < 8; ++c) {
+    const Vector3i far(c & 1, c >> 1 & 1, c >> 2), first = kPart * far;
+    const NearDistances::Block vertices{kCells * block.first + first,
+                                        Vector3i::Constant(kPart) + far.cwiseProduct(rim)};
+    distances.near(vertices, block.list, hint, list);
+    distances.distances(vertices, list, part);
+    for (int k = 0; k < vertices.size.z(); ++k) {
+      for (int j = 0; j < vertices.size.y(); ++j) {
+        for (int i = 0; i < vertices.size.x(); ++i) {
+          nearest[first.z() + k][first.y() + j][first.x() + i] = {
+              Vector3d::Zero(), double(part.distance[k][j][i]), part.slot[k][j][i]};
+        }
+      }
+    }
   }
 }
 
@@ -126,6 +203,11 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     return origin + kCells * step * place;
   };
 
+  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise;
+  // those of a mesh were measured in float about its middle.
+  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
+  const double rounding =
+      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
   const Bounds body = surface.bounds();
   std::vector<char> needed(all, 1);
   if (std::isfinite(band)) {
@@ -161,9 +243,40 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     }
     return neighbours;
   };
-  parallelFor(threads, kept.size(), [&](std::size_t n) {
-    fillBlock(surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, &values[n * kBlockValues]);
-  });
+  const auto* mesh = dynamic_cast<const MeshSurface*>(&surface);
+  if (mesh == nullptr) {
+    parallelFor(threads, kept.size(), [&](std::size_t n) {
+      fillBlock(
+          surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, rounding,
+          [&](const Vector3d& p, int, int, int, std::uint32_t hint) { return surface.closest(p, hint); },
+          &values[n * kBlockValues]);
+    });
+  } else {
+    const NearDistances distances(*mesh, origin, step);
+    const auto indexOf = [&](const Vector3i& block) {
+      return (std::size_t(block.z()) * blocks_[1] + block.y()) * blocks_[0] + block.x();
+    };
+    const auto isKept = [&](const Vector3i& block) { return block_index_[indexOf(block)] != kNoBlock; };
+    std::vector<Region> regions;
+    std::uint32_t first_hint = kNoHint;
+    const Region whole{Vector3i::Zero(), Vector3i(blocks_[0], blocks_[1], blocks_[2]), distances.all()};
+    forRegions(distances, whole, kTogether, isKept, first_hint,
+               [&](const Region& r) { regions.push_back(r); });
+    parallelFor(threads, regions.size(), [&](std::size_t r) {
+      std::uint32_t hint = kNoHint;
+      const auto nearest = std::make_unique<SurfacePoint[][kVertices][kVertices]>(kVertices);
+      forRegions(distances, regions[r], 1, isKept, hint, [&](const Region& block) {
+        const std::size_t b = indexOf(block.first);
+        const Neighbours neighbours = neighboursOf(b);
+        measureBlock(distances, block, neighbours, hint, nearest.get());
+        fillBlock(
+            surface, neighbours, blockOrigin(b), step, rounding,
+            [&](const Vector3d&, int i, int j, int k, std::uint32_t) { return nearest[k][j][i]; },
+            &values[block_index_[b] * kBlockValues]);
+      });
+      regions[r].list = {};
+    });
+  }
   // Owners are filled; what is read here was computed above and is written by none.
   parallelFor(threads, kept.size(), [&](std::size_t n) {
     copyFromOwners(neighboursOf(kept[n]), values.data(), &values[n * kBlockValues]);
@@ -173,14 +286,12 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   for (const float value : values) largest = std::max(largest, std::abs(value));
   quantum_ = std::max(largest, std::numeric_limits<float>::min()) / kMostQuanta;
   values_.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values_[i] = static_cast<std::int16_t>(std::lround(values[i] / quantum_));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float quanta = values[i] / quantum_;
+    values_[i] = static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
+  }
   slope_ = steepest(threads);
 
-  // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise.
-  const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
-  const double rounding =
-      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + (end - origin).norm());
   error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
   const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
   band_ = std::max(0.0, std::min(band, margin) - rounding);

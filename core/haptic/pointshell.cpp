@@ -8,8 +8,8 @@
 #include "core/haptic/pointshell_balance.hpp"
 #include "core/haptic/pointshell_cover.hpp"
 #include "core/haptic/pointshell_pool.hpp"
+#include "core/haptic/pointshell_samples.hpp"
 #include "core/haptic/pointshell_tips.hpp"
-#include "core/haptic/pointshell_tree.hpp"
 
 namespace abstand {
 namespace {
@@ -21,17 +21,15 @@ constexpr double kFineSagitta = 0.001;
 /// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
 /// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
 /// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
-constexpr double kStop = 0.84;
-constexpr double kFill = 0.79;
+constexpr double kStop = 0.83;
+constexpr double kFill = 0.775;
 /// A difference of 1 between two unit normals counts as this distance.
 constexpr double kNormalLength = 1.0;
-constexpr double kPiecesPerPoint = 20.0;
+constexpr double kPiecesPerPoint = 10.0;
 constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
-constexpr double kMaxEdge = 0.5;
-/// Pitch at a sharp convex edge, as a multiple of the usual one; it holds up to kEdgeStart spacings from the
-/// edge, and from kEdgeEnd on it is 1.
-constexpr double kEdgePitch = 0.65;
-constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
+constexpr double kMaxEdge = 0.6;
+/// Cells of the grid in which samples are kept.
+constexpr double kCell = 1.0;
 /// A shell gets at most this many times as many points because of its tips and edges.
 constexpr double kMostExtra = 1.6;
 
@@ -49,23 +47,22 @@ struct Cell {
 std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>& density,
                               const std::vector<std::uint32_t>& nearest, std::size_t count) {
   std::vector<Cell> cells(count);
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
     Cell& cell = cells[nearest[i]];
-    const double area = piece.area();
-    const Vector3d& normal = pool.normal(piece.triangle);
+    const double area = double(pool.area(i));
+    const Vector3d& normal = pool.normal(piece.triangle());
     const Vector3d centroid = piece.centroid();
     cell.area += area;
     cell.spread += area / density[i];
     cell.spread_moment += area / density[i] * centroid;
     cell.moment += area * centroid;
     cell.normal += area * normal;
-    double edges2 = 0.0;
+    cell.second_moment += area * (centroid.squaredNorm() + double(pool.spread(i)));
+    if (piece.sharp() == 0) return;
     for (int e = 0; e < 3; ++e) {
-      const Vector3d edge = piece.corner[(e + 1) % 3] - piece.corner[e];
-      edges2 += edge.squaredNorm();
-      if ((piece.sharp >> e & 1u) != 0) cell.rim += edge.cross(normal);
+      if ((piece.sharp() >> e & 1u) != 0)
+        cell.rim += (piece.corner((e + 1) % 3) - piece.corner(e)).cross(normal);
     }
-    cell.second_moment += area * (centroid.squaredNorm() + edges2 / 36.0);
   });
   return cells;
 }
@@ -104,30 +101,41 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
   return out;
 }
 
-/// Nearest point to each target on the surface of its own cell.
+/// Nearest point to each target on the surface of its own cell; a target that is NaN is none.
 std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
                                 const std::vector<Vector3d>& target) {
   std::vector<Vector3d> out(target.size());
-  std::vector<double> best(target.size(), kInfinity);
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
-    const std::uint32_t c = nearest[i];
-    const Vector3d p = closestPoint(piece, target[c]);
-    const double d2 = (p - target[c]).squaredNorm();
-    if (d2 < best[c]) best[c] = d2, out[c] = p;
+  struct Best {
+    double distance2{kInfinity};
+    double far2{kInfinity};  ///< from which on a piece's centroid tells that all of the piece is farther
+  };
+  std::vector<Best> bests(target.size());
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    const Vector3d& to = target[nearest[i]];
+    Best& best = bests[nearest[i]];
+    if (!((piece.centroid() - to).squaredNorm() < best.far2)) return;
+    const Vector3d p = closestPoint(piece.whole(), to);
+    const double d2 = (p - to).squaredNorm();
+    if (d2 >= best.distance2) return;
+    const double reach = std::sqrt(d2) + pool.reach();
+    best = {d2, reach * reach};
+    out[nearest[i]] = p;
   });
   return out;
 }
 
-/// How far each point is from the sharp edges of its own cell; infinite where there are none.
+/// How far the points that are `asked` for are from the sharp edges of their own cells; infinite where there
+/// are none.
 std::vector<double> rimDistances(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
-                                 const std::vector<Vector3d>& points) {
+                                 const std::vector<Vector3d>& points, const std::vector<bool>& asked) {
   std::vector<double> out(points.size(), kInfinity);
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    if (piece.sharp() == 0 || !asked[nearest[i]]) return;
     const Vector3d& p = points[nearest[i]];
     double& least = out[nearest[i]];
     for (int e = 0; e < 3; ++e) {
-      if ((piece.sharp >> e & 1u) == 0) continue;
-      const Vector3d way = piece.corner[(e + 1) % 3] - piece.corner[e], from = p - piece.corner[e];
+      if ((piece.sharp() >> e & 1u) == 0) continue;
+      const Vector3d start = piece.corner(e), way = piece.corner((e + 1) % 3) - start, from = p - start;
       const double t = std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0);
       least = std::min(least, (from - t * way).norm());
     }
@@ -171,34 +179,14 @@ void keepTotalArea(std::vector<BalancePoint>& points) {
   for (BalancePoint& p : points) p.area *= before / now;
 }
 
-/// Points along sharp convex edges, half a spacing apart or less.
-std::vector<Vector3f> alongCreases(const std::vector<Crease>& creases, double spacing) {
-  std::vector<Vector3f> out;
-  for (const Crease& crease : creases) {
-    const Vector3d way = crease.end[1] - crease.end[0];
-    const int steps = 1 + static_cast<int>(2.0 * way.norm() / spacing);
-    for (int i = 0; i <= steps; ++i) out.push_back((crease.end[0] + i * way / steps).cast<float>());
-  }
-  return out;
-}
-
-/// Points per area at each sample, as a multiple of the usual density: 1 but near tips and sharp convex
-/// edges. There it grows, so that the small overlap of a corner or an edge pressed in a little is still felt
-/// by enough points; within kMostExtra.
-std::vector<float> pointDensity(const TipField& tips, const std::vector<Crease>& creases, double spacing,
-                                const std::vector<Vector3f>& samples, const std::vector<float>& areas) {
-  const NearestPoint edges(alongCreases(creases, spacing));
-  std::vector<float> density(samples.size(), 1.0f);
+/// Points per area at each piece, as a multiple of the usual density, within kMostExtra.
+std::vector<float> pointDensity(const SurfacePool& pool) {
+  std::vector<float> density(pool.size());
   double area = 0.0, extra = 0.0;
-  std::uint32_t nearest = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vector3d p = samples[i].cast<double>();
-    const double from_edge = edges.distance(p, nearest, kEdgeEnd * spacing) / spacing;
-    const double at_edge = std::clamp((kEdgeEnd - from_edge) / (kEdgeEnd - kEdgeStart), 0.0, 1.0);
-    const double pitch = std::min(tips.pitch(p), 1.0 - (1.0 - kEdgePitch) * at_edge);
-    density[i] = static_cast<float>(1.0 / (pitch * pitch));
-    area += areas[i];
-    extra += areas[i] * (density[i] - 1.0);
+  for (std::uint32_t i = 0; i < pool.size(); ++i) {
+    density[i] = 1.0f / (pool.pitch(i) * pool.pitch(i));
+    area += double(pool.area(i));
+    extra += double(pool.area(i) * (density[i] - 1.0f));
   }
   if (extra > (kMostExtra - 1.0) * area) {
     const float share = static_cast<float>((kMostExtra - 1.0) * area / extra);
@@ -213,33 +201,16 @@ std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double lengt
   return out;
 }
 
-/// The samples of a surface, one a piece.
-struct Samples {
-  std::vector<Vector3f> position, normal;  ///< normal: outward, kNormalLength spacings long
-  std::vector<float> area;
-  double total_area{0.0};
-};
-
-Samples takeSamples(const SurfacePool& pool, double normal_length) {
-  Samples out;
-  pool.walk([&](std::uint32_t, const SubTriangle& piece) {
-    const double area = piece.area();
-    out.position.push_back(piece.centroid().cast<float>());
-    out.normal.push_back((normal_length * pool.normal(piece.triangle)).cast<float>());
-    out.area.push_back(static_cast<float>(area));
-    out.total_area += area;
+/// One a piece.
+std::vector<Sample> takeSamples(const SurfacePool& pool, const std::vector<float>& density,
+                                double normal_length) {
+  std::vector<Sample> out;
+  out.reserve(pool.size());
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    out.push_back({piece.centroid().cast<float>(),
+                   (normal_length * pool.normal(piece.triangle())).cast<float>(), density[i]});
   });
   return out;
-}
-
-/// Adds the farthest sample as a centre until all are within `reach`; returns the number of centres.
-std::uint32_t fill(SampleCover& cover, const Samples& samples, std::uint32_t count, double reach) {
-  const float reach2 = static_cast<float>(reach * reach);
-  float d2 = 0.0f;
-  for (std::uint32_t next = cover.farthest(d2); d2 > reach2; next = cover.farthest(d2)) {
-    cover.add(count++, samples.position[next], samples.normal[next]);
-  }
-  return count;
 }
 
 }  // namespace
@@ -250,30 +221,27 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   }
   const Shape* shape = surface.shape();
   const TriangleMesh mesh = surface.mesh(kSagitta * spacing);
-  const TipField tips(mesh, spacing);
-  const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, tips);
+  const PitchField field(mesh, spacing);
+  const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
+  if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
   const double normal_length = kNormalLength * spacing;
-  const Samples samples = takeSamples(pool, normal_length);
-  if (samples.position.empty()) throw UsageError("a surface without area has no shell points");
-  const std::vector<float> density =
-      pointDensity(tips, pool.creases(), spacing, samples.position, samples.area);
+  const std::vector<float> density = pointDensity(pool);
 
-  SampleCover cover(samples.position, samples.normal, density);
-  std::uint32_t count = fill(cover, samples, 0, kStop * spacing);
+  SampleCover cover(takeSamples(pool, density, normal_length), kCell * spacing);
+  std::uint32_t count = cover.spread(kStop * spacing);
   std::vector<std::uint32_t> nearest = cover.nearest();
   std::vector<Cell> cells = gatherCells(pool, density, nearest, count);
-  const std::vector<Vector3d> centred = onSurface(pool, nearest, targets(cells));
-  const std::vector<Vector3f> normals = scaledNormals(cells, normal_length);
-  cover.reset();
-  for (std::uint32_t k = 0; k < count; ++k) {
-    if (cells[k].area > 0.0) cover.add(k, centred[k].cast<float>(), normals[k]);
-  }
-  count = fill(cover, samples, count, kFill * spacing);
+  std::vector<Vector3f> centred;
+  for (const Vector3d& p : targets(cells)) centred.push_back(p.cast<float>());
+  cover.recentre(centred, scaledNormals(cells, normal_length), kFill * spacing);
+  count = cover.fill(kFill * spacing);
   nearest = cover.nearest();
   cells = gatherCells(pool, density, nearest, count);
   const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
 
-  const double area_scale = shape != nullptr ? surface.area() / samples.total_area : 1.0;
+  double pool_area = 0.0;
+  for (const Cell& cell : cells) pool_area += cell.area;
+  const double area_scale = shape != nullptr ? surface.area() / pool_area : 1.0;
   std::vector<BalancePoint> balanced;
   std::vector<std::uint32_t> cell_of, kept(count, 0);
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -286,18 +254,23 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
         {points[k], -cells[k].normal.normalized(), area, points[k], area, ShellBalance::kReach * spacing});
     if (shape != nullptr) settle(surface, balanced.back());
   }
-  if (!pool.creases().empty() || !tips.empty()) {
-    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh, pool.creases(),
-                               balanced, spacing, threads);
-    const std::vector<double> from_rim = rimDistances(pool, nearest, points);
-    for (std::size_t i = 0; i < balanced.size(); ++i) {
+  if (!field.plain()) {
+    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh,
+                               field.creases(), balanced, spacing, threads);
+    std::vector<bool> pressed(points.size(), false);
+    for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
+    const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);
+    for (std::size_t i = 0; i < balanced.size(); ++i)
       balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
-    }
     balance.adjust(balanced, ShellBalance::Freedom::kPlaceAndArea);
-    std::vector<Vector3d> moved = points;
-    for (std::size_t i = 0; i < balanced.size(); ++i) moved[cell_of[i]] = balanced[i].position;
+    // Back onto the surface.
+    std::vector<Vector3d> moved(points.size(), Vector3d::Constant(kNaN));
+    for (std::size_t i = 0; i < balanced.size(); ++i) {
+      if (pressed[cell_of[i]]) moved[cell_of[i]] = balanced[i].position;
+    }
     moved = onSurface(pool, nearest, moved);
     for (std::size_t i = 0; i < balanced.size(); ++i) {
+      if (!pressed[cell_of[i]]) continue;
       balanced[i].position = moved[cell_of[i]];
       if (shape != nullptr) settle(surface, balanced[i]);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -13,24 +14,29 @@ namespace abstand {
 namespace {
 
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kDirections = 800;  ///< all around: one every 7 degrees
+constexpr int kDirections = 1000;  ///< all around: one every 6 degrees
 /// Spacings, in steps of equal ratio between them; shifted from direction to direction.
-constexpr double kShallowest = 0.55, kDeepest = 2.2;
-constexpr int kDepths = 6;
+constexpr double kShallowest = 0.75, kDeepest = 2.2;
+constexpr int kDepths = 5;
 /// The steps of the directions about a crease: between its two normals, and along it. Two directions closer
 /// than kSameDirection count as one.
 constexpr double kBetween[] = {0.05, 0.25, 0.5, 0.75, 0.95};
-constexpr double kAlong[] = {0.0, 0.03, -0.03, 0.08, -0.08};
+constexpr double kAlong[] = {0.0, 0.03, -0.03, 0.055, -0.055, 0.09, -0.09};
 constexpr double kSameDirection = 0.05;
+/// A wall may lie along creases of equal directions that are so long together (spacings); a shorter one is no
+/// more than any other place of the surface.
+constexpr double kLongCrease = 3.0;
 /// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
 /// all the same, up to kMostCoarse points, so that nothing drifts.
 constexpr std::size_t kMostPoints = 100, kMostCoarse = 1500, kCoarse = 16;
 /// Points in all half-spaces; beyond, some are left out, so that a large body takes no longer.
 constexpr std::size_t kMostVisits = 600'000;
-constexpr int kSweeps = 5;
+constexpr int kSweeps = 5, kAreaSweeps = 3;
+/// Relative error of a force that is left as it is.
+constexpr float kEnough = 0.001f;
 constexpr double kFirstStep = 1.0, kLastStep = 0.1;
 /// Moving by this part of the spacing counts as much as changing the area by its whole.
-constexpr double kMove = 0.7;
+constexpr float kMove = 0.7f;
 /// Points as much outside as this part of the spacing may still come in while they are moved.
 constexpr double kMargin = 0.1;
 /// Part of the trace that is added to the 3 x 3 systems, as a face alone gives only one direction of force.
@@ -39,32 +45,41 @@ constexpr double kDamping = 1e-3;
 /// of a sheet.
 constexpr double kSheet = 1e-3;
 
-std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases) {
+std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double spacing) {
   std::vector<Vector3d> out;
   for (int i = 0; i < kDirections; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
     const double turn = 2.0 * kPi * kGolden * i;
     out.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
   }
+  std::map<std::array<int, 6>, double> length;
+  const auto key = [](const Crease& crease) {
+    std::array<int, 6> k;
+    for (int i = 0; i < 6; ++i)
+      k[i] = static_cast<int>(std::lround(crease.normal[i / 3][i % 3] / kSameDirection));
+    return k;
+  };
+  for (const Crease& crease : creases) length[key(crease)] += (crease.end[1] - crease.end[0]).norm();
   std::set<std::array<int, 3>> seen;
   for (const Crease& crease : creases) {
+    if (length[key(crease)] < kLongCrease * spacing) continue;
     for (const double between : kBetween) {
       for (const double along : kAlong) {
         const Vector3d outwards =
             ((1.0 - between) * crease.normal[0] + between * crease.normal[1]).normalized();
         const Vector3d u = -(outwards + along * crease.along()).normalized();
-        const Vector3i key = (u / kSameDirection).array().round().cast<int>();
-        if (seen.insert({key.x(), key.y(), key.z()}).second) out.push_back(u);
+        const Vector3i rounded = (u / kSameDirection).array().round().cast<int>();
+        if (seen.insert({rounded.x(), rounded.y(), rounded.z()}).second) out.push_back(u);
       }
     }
   }
   return out;
 }
 
-/// Integral of depth times inward normal over the part of a triangle whose depth is positive, and of the
-/// depth alone.
-void addClipped(const Vector3d (&corner)[3], const double (&depth)[3], Vector3d& force, double& size) {
-  const Vector3d cross = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+/// Integral of the depth over the part of a triangle where it is positive, over the triangle's area and times
+/// 6. `depth`: at the corners; at least one is positive.
+double clippedDepth(const double (&depth)[3]) {
+  if (depth[0] >= 0.0 && depth[1] >= 0.0 && depth[2] >= 0.0) return depth[0] + depth[1] + depth[2];
   // Corners of the clipped polygon in barycentric coordinates of the second and third corner.
   struct {
     double b, c, d;
@@ -79,13 +94,12 @@ void addClipped(const Vector3d (&corner)[3], const double (&depth)[3], Vector3d&
       polygon[n++] = {kB[i] + t * (kB[j] - kB[i]), kC[i] + t * (kC[j] - kC[i]), 0.0};
     }
   }
-  double integral = 0.0;  // over the unit triangle, times 6
+  double integral = 0.0;
   for (int k = 1; k + 1 < n; ++k) {
     const auto &p = polygon[0], &q = polygon[k], &r = polygon[k + 1];
     integral += ((q.b - p.b) * (r.c - p.c) - (q.c - p.c) * (r.b - p.b)) * (p.d + q.d + r.d);
   }
-  force -= integral / 6.0 * cross;
-  size += integral / 6.0 * cross.norm();
+  return integral;
 }
 
 /// A step coprime to n, so that i * step mod n visits all, neighbours far apart in time.
@@ -94,6 +108,9 @@ std::size_t stride(std::size_t n) {
   while (std::gcd(step, n) != 1) ++step;
   return step;
 }
+
+constexpr std::size_t kLanes = 4;
+using Lanes = Eigen::Array<float, kLanes, 1>;
 
 /// The triangles at each vertex: those of v are list[first[v]] ... list[first[v + 1] - 1].
 struct VertexTriangles {
@@ -123,8 +140,8 @@ struct Presses {
 
 ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
                            const std::vector<BalancePoint>& points, double spacing, int threads)
-    : spacing_(spacing) {
-  const std::vector<Vector3d> directions = pressDirections(creases);
+    : spacing_(spacing), pressed_(points.size(), false) {
+  const std::vector<Vector3d> directions = pressDirections(creases, spacing);
   const VertexTriangles at(mesh);
   std::vector<Vector3f> vertices, places;
   for (const Vector3d& v : mesh.vertices) vertices.push_back(v.cast<float>());
@@ -162,12 +179,16 @@ ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& 
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     double size[kDepths] = {};
     for (const std::uint32_t t : triangles) {
-      const Vector3d corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-      const double height[3] = {u.dot(corner[0]), u.dot(corner[1]), u.dot(corner[2])};
-      for (int d = 0; d < depths; ++d) {
+      const Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+      const Vector3d cross = (b - a).cross(c - a) / 6.0;
+      const double height[3] = {u.dot(a), u.dot(b), u.dot(c)},
+                   lowest_corner = std::min({height[0], height[1], height[2]});
+      const double length = cross.norm();
+      for (int d = depths - 1; d >= 0 && presses.level[d] > lowest_corner; --d) {
         const double level = presses.level[d];
-        addClipped(corner, {level - height[0], level - height[1], level - height[2]}, presses.force[d],
-                   size[d]);
+        const double pressed = clippedDepth({level - height[0], level - height[1], level - height[2]});
+        presses.force[d] -= pressed * cross;
+        size[d] += pressed * length;
       }
     }
     for (int d = 0; d < depths; ++d) {
@@ -186,50 +207,95 @@ ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& 
                         static_cast<std::uint32_t>(points_.size()),
                         static_cast<std::uint32_t>(inside.size())});
     points_.insert(points_.end(), inside.begin(), inside.end());
+    for (const std::uint32_t point : inside) pressed_[point] = true;
+    while (points_.size() % kLanes != 0) points_.push_back(static_cast<std::uint32_t>(points.size()));
+    presses_.back().count = static_cast<std::uint32_t>(points_.size()) - presses_.back().first;
   }
 }
 
 void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
-  const double move2 = freedom == Freedom::kArea ? 0.0 : kMove * kMove * spacing_ * spacing_;
-  std::vector<double> depth;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    const double step = kFirstStep + (kLastStep - kFirstStep) * sweep / (kSweeps - 1);
+  // In float, about the middle of the points, with the spacing as unit. In fours: place and area, normal and
+  // the area at first, the place at first and the reach.
+  struct Active {
+    Eigen::Array4f now, still, home;
+  };
+  const double s = spacing_, s2 = s * s;
+  Vector3d middle = Vector3d::Zero();
+  for (const BalancePoint& p : points) middle += p.home / static_cast<double>(points.size());
+  const auto four = [](const Vector3d& v, double w) {
+    return Eigen::Array4f(float(v.x()), float(v.y()), float(v.z()), float(w));
+  };
+  std::vector<Active> active;
+  active.reserve(points.size() + 1);
+  for (const BalancePoint& p : points) {
+    active.push_back({four((p.position - middle) / s, p.area / s2), four(p.normal, p.home_area / s2),
+                      four((p.home - middle) / s, p.reach / s)});
+  }
+  // Padding of the presses.
+  active.push_back({Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()});
+
+  const float move2 = freedom == Freedom::kArea ? 0.0f : kMove * kMove;
+  const int sweeps = freedom == Freedom::kArea ? kAreaSweeps : kSweeps;
+  std::vector<float> depths;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const double step = kFirstStep + (kLastStep - kFirstStep) * sweep / (sweeps - 1);
     for (const Press& press : presses_) {
       const std::uint32_t* inside = &points_[press.first];
-      const Vector3d& u = press.direction;
-      depth.clear();
-      Vector3d force = Vector3d::Zero();
-      // What unit changes of each point do to the force, squared: along its normal, as everything it does.
-      double g00 = 0.0, g01 = 0.0, g02 = 0.0, g11 = 0.0, g12 = 0.0, g22 = 0.0;
-      for (std::uint32_t k = 0; k < press.count; ++k) {
-        const BalancePoint& p = points[inside[k]];
-        const double d = press.level - u.dot(p.position);
-        depth.push_back(d);
-        if (d <= 0.0) continue;
-        const Vector3d& n = p.normal;
-        force += p.area * d * n;
-        const double un = u.dot(n);
-        const double g = p.home_area * p.home_area * (d * d + move2 * (1.0 - un * un));
-        g00 += g * n.x() * n.x(), g01 += g * n.x() * n.y(), g02 += g * n.x() * n.z();
-        g11 += g * n.y() * n.y(), g12 += g * n.y() * n.z(), g22 += g * n.z() * n.z();
+      const Vector3f u = press.direction.cast<float>();
+      const float level = static_cast<float>((press.level - press.direction.dot(middle)) / s);
+      depths.resize(press.count);
+      // What the force is, and what unit changes of each point do to it, squared: along its normal, as
+      // everything it does.
+      Lanes fx = Lanes::Zero(), fy = fx, fz = fx, g00 = fx, g01 = fx, g02 = fx, g11 = fx, g12 = fx, g22 = fx;
+      for (std::uint32_t k = 0; k < press.count; k += kLanes) {
+        const Active &a = active[inside[k]], &b = active[inside[k + 1]], &c = active[inside[k + 2]],
+                     &d = active[inside[k + 3]];
+        const auto now = [&](int i) { return Lanes(a.now[i], b.now[i], c.now[i], d.now[i]); };
+        const auto still = [&](int i) { return Lanes(a.still[i], b.still[i], c.still[i], d.still[i]); };
+        const Lanes nx = still(0), ny = still(1), nz = still(2), home = still(3);
+        const Lanes depth = (level - u.x() * now(0) - u.y() * now(1) - u.z() * now(2)).max(0.0f);
+        Lanes::Map(&depths[k]) = depth;
+        const Lanes push = now(3) * depth;
+        fx += push * nx, fy += push * ny, fz += push * nz;
+        const Lanes un = u.x() * nx + u.y() * ny + u.z() * nz;
+        const Lanes g =
+            (depth > 0.0f).select(home * home * (depth * depth + move2 * (1.0f - un * un)), Lanes::Zero());
+        const Lanes gx = g * nx, gy = g * ny;
+        g00 += gx * nx, g01 += gx * ny, g02 += gx * nz, g11 += gy * ny, g12 += gy * nz, g22 += g * nz * nz;
       }
-      const double damping = kDamping * (g00 + g11 + g22);
-      if (!(damping > 0.0)) continue;
+      const Vector3f wanted = (press.force / (s2 * s)).cast<float>();
+      const Vector3f error = wanted - Vector3f(fx.sum(), fy.sum(), fz.sum());
+      if (error.squaredNorm() <= kEnough * kEnough * wanted.squaredNorm()) continue;
       Matrix3d gram;
-      gram << g00 + damping, g01, g02, g01, g11 + damping, g12, g02, g12, g22 + damping;
-      const Vector3d pull = step * press.weight * (gram.inverse() * (press.force - force));
+      gram << g00.sum(), g01.sum(), g02.sum(), g01.sum(), g11.sum(), g12.sum(), g02.sum(), g12.sum(),
+          g22.sum();
+      const double damping = kDamping * gram.trace();
+      if (!(damping > 0.0)) continue;
+      gram.diagonal().array() += damping;
+      const Vector3f pull = (step * press.weight * (gram.inverse() * error.cast<double>())).cast<float>();
+      const Eigen::Array4f pull4(pull.x(), pull.y(), pull.z(), 0.0f), u4(u.x(), u.y(), u.z(), 0.0f);
       for (std::uint32_t k = 0; k < press.count; ++k) {
-        if (depth[k] <= 0.0) continue;
-        BalancePoint& p = points[inside[k]];
-        const double g = p.home_area * p.normal.dot(pull);
-        p.area = std::clamp(p.area + p.home_area * depth[k] * g, kLeastArea * p.home_area,
-                            kMostArea * p.home_area);
-        if (move2 == 0.0) continue;
-        const Vector3d moved = p.position - move2 * g * (u - u.dot(p.normal) * p.normal) - p.home;
-        const double length = moved.norm();
-        p.position = p.home + (length > p.reach ? p.reach / length : 1.0) * moved;
+        if (depths[k] <= 0.0f) continue;
+        Active& p = active[inside[k]];
+        const float home_area = p.still[3], g = home_area * (p.still * pull4).sum();
+        const float area =
+            std::clamp(p.now[3] + home_area * depths[k] * g, kLeastArea * home_area, kMostArea * home_area);
+        if (move2 > 0.0f) {
+          Eigen::Array4f moved = p.now - p.home - move2 * g * (u4 - (u4 * p.still).sum() * p.still);
+          moved[3] = 0.0f;
+          const float length2 = moved.square().sum(), reach = p.home[3];
+          if (length2 > reach * reach) moved *= reach / std::sqrt(length2);
+          p.now = p.home + moved;
+        }
+        p.now[3] = area;
       }
     }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!pressed_[i]) continue;
+    const Active& a = active[i];
+    points[i].area = s2 * double(a.now[3]);
+    if (move2 > 0.0f) points[i].position = middle + s * a.now.head<3>().matrix().cast<double>();
   }
 }
 

@@ -27,9 +27,9 @@ struct BalancePoint {
 /// and a few percent of area do.
 class ShellBalance {
  public:
-  /// Directions all around, and those in which edges and their neighbourhood come first; depths from half a
-  /// spacing to two and a half. Only the places that a flat wall can reach are adjusted. The result does not
-  /// depend on the number of threads.
+  /// Directions all around, and those in which edges and their neighbourhood come first; depths from three
+  /// quarters of a spacing to two and a half. Only the places that a flat wall can reach are adjusted. The
+  /// result does not depend on the number of threads.
   ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
                const std::vector<BalancePoint>& points, double spacing, int threads);
 
@@ -40,22 +40,27 @@ class ShellBalance {
   /// `points`: those given to the constructor, no farther from home than their reach.
   void adjust(std::vector<BalancePoint>& points, Freedom freedom) const;
 
+  /// Whether point i is in one of the half-spaces: others stay as they are.
+  bool presses(std::size_t i) const { return pressed_[i]; }
+
   static constexpr double kReach = 0.25;  ///< spacings
-  static constexpr double kLeastArea = 0.4;
-  static constexpr double kMostArea = 2.0;
+  static constexpr float kLeastArea = 0.4f;
+  static constexpr float kMostArea = 2.0f;
 
  private:
   struct Press {
     Vector3d direction;
     double level;
-    Vector3d force;              ///< what it should be, for stiffness 1
-    double weight;               ///< how far it is mended at once: shallow ones less, as they cannot be right
-    std::uint32_t first, count;  ///< of its points, in points_
+    Vector3d force;  ///< what it should be, for stiffness 1
+    double weight;   ///< how far it is mended at once: shallow ones less, as they cannot be right
+    std::uint32_t first,
+        count;  ///< of its points, in points_; padded to whole lanes with one beyond the last
   };
 
   double spacing_;
   std::vector<Press> presses_;  ///< in the order in which they are mended
   std::vector<std::uint32_t> points_;
+  std::vector<bool> pressed_;  ///< by point
 };
 
 }  // namespace abstand

@@ -6,43 +6,62 @@
 namespace abstand {
 namespace {
 
+/// More than what rounding to float takes away.
+constexpr double kRoundUp = 1.0 + 1e-7;
+/// Pieces with a bound within this part of the largest are asked first.
+constexpr float kLarge = 0.95f;
+/// Pieces before and after one whose points are looked at; neighbours in a mesh often are neighbours in
+/// space.
+constexpr std::uint32_t kNeighbours = 16;
+
 struct Candidate {
   double bound;
   SubTriangle piece;
   bool operator<(const Candidate& other) const { return bound < other.bound; }
 };
 
-double cornerBound(const SubTriangle& piece, const Vector3f& q) {
+double squaredBound(const SubTriangle& piece, const Vector3f& q) {
   const Vector3d centre = q.cast<double>();
   double bound2 = 0.0;
   for (const Vector3d& corner : piece.corner) bound2 = std::max(bound2, (corner - centre).squaredNorm());
-  return std::sqrt(bound2);
+  return bound2;
 }
+double cornerBound(const SubTriangle& piece, const Vector3f& q) { return std::sqrt(squaredBound(piece, q)); }
 
 }  // namespace
 
 double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest) {
-  const NearestPoint finder(points);
-  std::vector<SubTriangle> loose = pool.degenerate();
-  double largest = 0.0;
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
-    largest = std::max(largest, cornerBound(piece, points[nearest[i]]));
+  const NearestOfPoints finder(points);
+  // A bound for each piece, squared; the largest show how far the surface is at least.
+  std::vector<float> bounds2(pool.size());
+  float largest = 0.0f;
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    bounds2[i] = static_cast<float>(squaredBound(piece.whole(), points[nearest[i]]) * kRoundUp);
+    largest = std::max(largest, bounds2[i]);
+  });
+  double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
+  std::uint32_t q = 0;
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    if (bounds2[i] > kLarge * kLarge * largest)
+      reached = std::max(reached, finder.distance(piece.centroid(), q));
   });
   // Only pieces that may decide are looked at; the rest is covered within `floor` as it is.
   double floor = 0.0;
   std::vector<Candidate> heap;
-  for (const SubTriangle& piece : loose) heap.push_back({kInfinity, piece});
-  double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
-  std::uint32_t q = 0;
-  pool.walk([&](std::uint32_t i, const SubTriangle& piece) {
-    const double bound = cornerBound(piece, points[nearest[i]]);
-    if (bound <= 0.8 * largest || bound <= reached) {
-      floor = std::max(floor, bound);
-      return;
+  for (const SubTriangle& piece : pool.degenerate()) heap.push_back({kInfinity, piece});
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+    if (double(bounds2[i]) <= floor * floor) return;
+    double bound = std::sqrt(double(bounds2[i]));
+    if (bound > reached) {
+      // A neighbour's point may be nearer.
+      const SubTriangle whole = piece.whole();
+      const std::uint32_t first = i > kNeighbours ? i - kNeighbours : 0;
+      for (std::uint32_t n = first; n < std::min(i + kNeighbours, pool.size()) && bound > reached; ++n)
+        if (nearest[n] != nearest[i]) bound = std::min(bound, cornerBound(whole, points[nearest[n]]));
+      if (bound > reached) heap.push_back({bound, whole});
     }
-    reached = std::max(reached, finder.distance(piece.centroid(), q));
-    heap.push_back({bound, piece});
+    if (bound <= reached) floor = std::max(floor, bound);
   });
   std::make_heap(heap.begin(), heap.end());
   while (!heap.empty()) {

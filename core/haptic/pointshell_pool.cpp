@@ -1,75 +1,55 @@
-// A surface cut into small triangles: subdivision and sharp edges.
+// A surface cut into small triangles by halving them at their longest edges.
 #include "core/haptic/pointshell_pool.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "core/base/error.hpp"
 
 namespace abstand {
 namespace {
 
-/// Faces that meet at a larger angle than this are sampled apart from each other.
-constexpr double kSharpAngle = unit::deg(35.0);
+/// In multiples of the longest edge allowed: parts larger than this are not yet asked what is near them.
+/// Twice, as most of a surface is far from all.
+constexpr double kAskFirst = 8.0, kAskAgain = 2.0;
 
-struct Edge {
-  std::uint32_t low, high, triangle, side;
-};
+/// Squared length over area from which on a piece is a sliver, whose square of the longest edge may only be
+/// this part of others': its middle says less of where its ends are.
+constexpr double kSliver = 12.0, kSliverEdge = 0.4;
 
-std::vector<std::uint8_t> sharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals,
-                                     std::vector<Crease>& creases) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t a = mesh.triangles[t][side], b = mesh.triangles[t][(side + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), t, side});
-    }
+/// The first of the longest.
+int longest(const double (&length2)[3]) {
+  int e = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (length2[i] > length2[e]) e = i;
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
-    return std::tie(l.low, l.high, l.triangle, l.side) < std::tie(r.low, r.high, r.triangle, r.side);
-  });
-  std::vector<std::uint8_t> sharp(mesh.triangles.size(), 0);
-  const double smooth = std::cos(kSharpAngle);
-  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
-    if (end == i + 2 && normals[edges[i].triangle].dot(normals[edges[i + 1].triangle]) >= smooth) continue;
-    if (end == i + 2) {
-      const Edge &e = edges[i], &f = edges[i + 1];
-      const Vector3d across = mesh.corner(f.triangle, (f.side + 2) % 3) - mesh.vertices[e.low];
-      if (normals[e.triangle].dot(across) < 0.0) {
-        creases.push_back(
-            {{normals[e.triangle], normals[f.triangle]}, {mesh.vertices[e.low], mesh.vertices[e.high]}});
-      }
-    }
-    for (std::size_t k = i; k < end; ++k) sharp[edges[k].triangle] |= std::uint8_t(1u << edges[k].side);
-  }
-  return sharp;
+  return e;
 }
+
+/// The squared lengths of the edges, from each corner to the next.
+void measure(const Vector3d (&corner)[3], double (&length2)[3]) {
+  for (int i = 0; i < 3; ++i) length2[i] = (corner[(i + 1) % 3] - corner[i]).squaredNorm();
+}
+
+/// Of the halves at edge e. Edges of the first: e (half), cut, g. Edges of the second: e (half), f, cut.
+struct HalfSharp {
+  unsigned first, second;
+  HalfSharp(unsigned sharp, int e) {
+    const auto bit = [&](int edge) { return (sharp >> (edge % 3)) & 1u; };
+    first = bit(e) | bit(e + 2) << 2;
+    second = bit(e) | bit(e + 1) << 1;
+  }
+};
 
 }  // namespace
 
-double SubTriangle::longestEdge(int* edge) const {
-  double longest = -1.0;
-  for (int i = 0; i < 3; ++i) {
-    const double length2 = (corner[(i + 1) % 3] - corner[i]).squaredNorm();
-    if (length2 > longest) {
-      longest = length2;
-      if (edge != nullptr) *edge = i;
-    }
-  }
-  return std::sqrt(longest);
-}
-
 void SubTriangle::split(SubTriangle& first, SubTriangle& second) const {
-  int e = 0;
-  longestEdge(&e);
-  const int f = (e + 1) % 3, g = (e + 2) % 3;
+  double length2[3];
+  measure(corner, length2);
+  const int e = longest(length2), f = (e + 1) % 3, g = (e + 2) % 3;
   const Vector3d middle = 0.5 * (corner[e] + corner[f]);
-  const auto bit = [&](int edge) { return (sharp >> edge) & 1u; };
-  // Edges of the first: e (half), cut, g. Edges of the second: e (half), f, cut.
-  first = {{corner[e], middle, corner[g]}, triangle, bit(e) | bit(g) << 2};
-  second = {{middle, corner[f], corner[g]}, triangle, bit(e) | bit(f) << 1};
+  const HalfSharp half(sharp, e);
+  first = {{corner[e], middle, corner[g]}, triangle, half.first};
+  second = {{middle, corner[f], corner[g]}, triangle, half.second};
 }
 
 Vector3d closestPoint(const SubTriangle& t, const Vector3d& p) {
@@ -95,60 +75,106 @@ Vector3d closestPoint(const SubTriangle& t, const Vector3d& p) {
   return a + vb * scale * ab + vc * scale * ac;
 }
 
-SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_area, const TipField& tips)
-    : mesh_(mesh), normals_(mesh.triangles.size()) {
+/// A piece that may still have to be halved.
+struct SurfacePool::Part {
+  Piece piece;
+  double length2[3];  ///< squared lengths of its edges
+  double area;
+  int asked;  ///< how often; not once more
+  PitchField::Near near;
+};
+
+SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field)
+    : mesh_(mesh), max_edge_(max_edge), normals_(faceNormals(mesh)) {
   double pieces = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vector3d cross =
-        (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0));
-    const double length = cross.norm();
-    normals_[t] = length > 0.0 ? Vector3d(cross / length) : Vector3d::Zero();
+    const SubTriangle whole{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t, 0u};
+    double length2[3];
+    measure(whole.corner, length2);
     // Halving overshoots by a factor of two at most.
-    pieces += 1.0 + 2.0 * (0.5 * length / max_area + whole(t).longestEdge() / max_edge);
+    pieces += 1.0 + 2.0 * (whole.area() / max_area + std::sqrt(length2[longest(length2)]) / max_edge);
   }
   if (!(pieces <= kMaxPieces)) {
     throw UsageError("point spacing is too small for this surface: " + std::to_string(pieces / 1e6) +
                      " million surface pieces, at most " + std::to_string(kMaxPieces / 1e6) +
                      " million are allowed");
   }
-  sharp_ = sharpEdges(mesh, normals_, creases_);
-
-  constexpr double kSmallestShare = TipField::kSmallest * TipField::kSmallest;
-  const auto tooLarge = [&](const SubTriangle& piece) {
-    const double area = piece.area();
-    if (area > max_area || piece.longestEdge() > max_edge) return true;
-    if (area <= kSmallestShare * max_area) return false;
-    const double pitch = tips.pitch(piece.centroid());
-    return area > pitch * pitch * max_area;
-  };
-  std::size_t count = 0;
-  std::vector<SubTriangle> stack;
+  // Room that is not used takes no memory.
+  const auto room = static_cast<std::size_t>(pieces);
+  pieces_.reserve(room);
+  for (auto* v : {&area_, &spread_, &pitch_}) v->reserve(room);
+  std::vector<Part> stack;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (normals_[t].isZero()) continue;
-    stack.push_back(whole(t));
-    while (!stack.empty()) {
-      const SubTriangle piece = stack.back();
-      stack.pop_back();
-      split_.push_back(tooLarge(piece));
-      if (!split_.back()) {
-        if (++count <= kMostStored) pieces_.push_back(piece);
-        continue;
-      }
-      stack.resize(stack.size() + 2);
-      piece.split(stack[stack.size() - 1], stack[stack.size() - 2]);
-    }
+    if (!normals_[t].isZero()) cut(t, max_area, field, stack);
   }
-  if (count > kMostStored) pieces_ = {};
 }
 
-SubTriangle SurfacePool::whole(std::uint32_t t) const {
-  return {{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, sharp_.empty() ? 0u : sharp_[t]};
+void SurfacePool::cut(std::uint32_t t, double max_area, const PitchField& field, std::vector<Part>& stack) {
+  const double max_edge2 = max_edge_ * max_edge_;
+  const SubTriangle whole{{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u};
+  const Vector3d &a = whole.corner[0], ab = whole.corner[1] - a, ac = whole.corner[2] - a;
+  Part root{{{0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, t, field.sharp()[t]},
+            {},
+            whole.area(),
+            field.plain() ? 2 : 0,
+            {}};
+  measure(whole.corner, root.length2);
+  stack.push_back(root);
+  while (!stack.empty()) {
+    Part part = stack.back();
+    stack.pop_back();
+    const Piece& piece = part.piece;
+    const auto centroid = [&]() -> Vector3d {
+      return a + (double(piece.b[0]) + double(piece.b[1]) + double(piece.b[2])) / 3.0 * ab +
+             (double(piece.c[0]) + double(piece.c[1]) + double(piece.c[2])) / 3.0 * ac;
+    };
+    const int e = longest(part.length2);
+    const double length = std::sqrt(part.length2[e]);
+    if (part.asked < 2 && length <= (part.asked == 0 ? kAskFirst : kAskAgain) * max_edge_) {
+      part.near = field.near(centroid(), 2.0 / 3.0 * length);
+      part.asked = part.near.none() || length <= kAskAgain * max_edge_ ? 2 : 1;
+    }
+    double pitch = 1.0;
+    bool halved = part.area > max_area || part.length2[e] > max_edge2 ||
+                  (part.length2[e] > kSliver * part.area && part.length2[e] > kSliverEdge * max_edge2);
+    if (!halved && !part.near.none()) {
+      pitch = field.pitch(centroid(), part.near);
+      halved = part.area > pitch * pitch * max_area;
+    }
+    if (!halved) {
+      pieces_.push_back(piece);
+      area_.push_back(static_cast<float>(part.area));
+      // A twelfth of the sum over the corners, and that is a third of the sum over the edges.
+      spread_.push_back(static_cast<float>((part.length2[0] + part.length2[1] + part.length2[2]) / 36.0));
+      pitch_.push_back(static_cast<float>(pitch));
+      continue;
+    }
+    const int f = (e + 1) % 3, g = (e + 2) % 3;
+    const float mb = 0.5f * (piece.b[e] + piece.b[f]), mc = 0.5f * (piece.c[e] + piece.c[f]);
+    // The cut is the median.
+    const double half2 = 0.25 * part.length2[e],
+                 cut2 = std::max(0.0, 0.5 * (part.length2[f] + part.length2[g]) - half2);
+    const HalfSharp half(piece.sharp, e);
+    const Part first{{{piece.b[e], mb, piece.b[g]}, {piece.c[e], mc, piece.c[g]}, t, half.first},
+                     {half2, cut2, part.length2[g]},
+                     0.5 * part.area,
+                     part.asked,
+                     part.near};
+    stack.push_back({{{mb, piece.b[f], piece.b[g]}, {mc, piece.c[f], piece.c[g]}, t, half.second},
+                     {half2, part.length2[f], cut2},
+                     0.5 * part.area,
+                     part.asked,
+                     part.near});
+    stack.push_back(first);
+  }
 }
 
 std::vector<SubTriangle> SurfacePool::degenerate() const {
   std::vector<SubTriangle> out;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (normals_[t].isZero()) out.push_back(whole(t));
+    if (normals_[t].isZero()) {
+      out.push_back({{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u});
+    }
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// Corners and tips of a surface by angle defects.
+// Corners and tips of a surface by angle defects, and the pitch of the points near these and edges.
 #include "core/haptic/pointshell_tips.hpp"
 
 #include <algorithm>
@@ -9,6 +9,15 @@ namespace {
 
 constexpr double kTipAngle = 1.0;   ///< rad, in a cube of 3 x 3 x 3 cells
 constexpr double kCellAngle = 0.2;  ///< rad, in its middle cell
+
+/// Spacings from a tip, from where on the pitch is 1.
+constexpr double kTipReach = 6.0;
+/// Pitch at a sharp convex edge, as a multiple of the usual one; it holds up to kEdgeStart spacings from the
+/// edge, and from kEdgeEnd on it is 1.
+constexpr double kEdgePitch = 0.65;
+constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
+/// Spacings between the points by which the nearest crease is found.
+constexpr double kAlongCrease = 0.5;
 
 struct Cell {
   std::array<std::int64_t, 3> key;
@@ -88,12 +97,47 @@ std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
   return tips;
 }
 
-TipField::TipField(const TriangleMesh& mesh, double spacing)
-    : reach_(kReach * spacing), tips_(findTips(mesh, spacing)) {}
+PitchField::PitchField(const TriangleMesh& mesh, double spacing)
+    : spacing_(spacing),
+      edges_(findSharpEdges(mesh, faceNormals(mesh))),
+      tips_(findTips(mesh, spacing)),
+      nearest_tip_(tips_) {
+  std::vector<Vector3f> along;
+  for (std::uint32_t c = 0; c < edges_.creases.size(); ++c) {
+    const Crease& crease = edges_.creases[c];
+    const Vector3d way = crease.end[1] - crease.end[0];
+    const int steps = 1 + static_cast<int>(way.norm() / (kAlongCrease * spacing));
+    for (int i = 0; i <= steps; ++i) {
+      along.push_back((crease.end[0] + i * way / steps).cast<float>());
+      crease_of_.push_back(c);
+    }
+  }
+  nearest_on_crease_ = NearestOfPoints(along);
+}
 
-double TipField::pitch(const Vector3d& p) const {
-  std::uint32_t tip = 0;
-  return std::clamp(tips_.distance(p, tip, reach_) / reach_, kSmallest, 1.0);
+PitchField::Near PitchField::near(const Vector3d& p, double around) const {
+  Near found;
+  const double tip_limit = kTipReach * spacing_ + around;
+  std::uint32_t at = 0;
+  if (nearest_tip_.distance(p, at, tip_limit) < tip_limit) found.tip = at;
+  // The points along a crease are nearer than half a step to any of its points.
+  const double edge_limit = (kEdgeEnd + 0.5 * kAlongCrease) * spacing_ + around;
+  if (nearest_on_crease_.distance(p, at, edge_limit) < edge_limit) found.crease = crease_of_[at];
+  return found;
+}
+
+double PitchField::pitch(const Vector3d& p, const Near& near) const {
+  double pitch = 1.0;
+  if (near.tip != Near::kNone) {
+    const double distance = (tips_[near.tip].cast<double>() - p).norm();
+    pitch = std::clamp(distance / (kTipReach * spacing_), kSmallest, 1.0);
+  }
+  if (near.crease != Near::kNone) {
+    const double distance = edges_.creases[near.crease].distance(p) / spacing_;
+    const double at_edge = std::clamp((kEdgeEnd - distance) / (kEdgeEnd - kEdgeStart), 0.0, 1.0);
+    pitch = std::min(pitch, 1.0 - (1.0 - kEdgePitch) * at_edge);
+  }
+  return pitch;
 }
 
 }  // namespace abstand

@@ -1,7 +1,7 @@
-// Where a surface comes to a point, so that a contact there is small and needs more shell points.
+// Where a surface comes to a point or an edge, so that a contact there is small and needs more shell points.
 #pragma once
 
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/haptic/pointshell_creases.hpp"
 #include "core/haptic/pointshell_tree.hpp"
 
 namespace abstand {
@@ -11,19 +11,36 @@ namespace abstand {
 /// flat or gently curved places are none.
 std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale);
 
-/// How close the shell points should lie at a place, as a multiple of the spacing: 1, and less near tips.
-class TipField {
+/// How close the shell points should lie at a place, as a multiple of the spacing: 1, and less near tips and
+/// sharp convex edges, so that the small overlap of a corner or an edge pressed in a little is still felt by
+/// enough points.
+class PitchField {
  public:
   static constexpr double kSmallest = 0.4;  ///< at a tip
-  static constexpr double kReach = 6.0;     ///< spacings from a tip, from where on it is 1
 
-  TipField(const TriangleMesh& mesh, double spacing);
-  double pitch(const Vector3d& p) const;
-  bool empty() const { return tips_.empty(); }
+  PitchField(const TriangleMesh& mesh, double spacing);
+
+  /// The tip and the crease that are nearest to a place.
+  struct Near {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    std::uint32_t tip{kNone}, crease{kNone};
+    bool none() const { return tip == kNone && crease == kNone; }
+  };
+  /// None where the pitch is 1 everywhere within `around` (m) of p.
+  Near near(const Vector3d& p, double around) const;
+  /// The pitch at p, by what is near a place nearby.
+  double pitch(const Vector3d& p, const Near& near) const;
+  /// 1 everywhere.
+  bool plain() const { return tips_.empty() && creases().empty(); }
+  const std::vector<std::uint8_t>& sharp() const { return edges_.sharp; }
+  const std::vector<Crease>& creases() const { return edges_.creases; }
 
  private:
-  double reach_;
-  NearestPoint tips_;
+  double spacing_;
+  SharpEdges edges_;
+  std::vector<Vector3f> tips_;
+  NearestOfPoints nearest_tip_, nearest_on_crease_;
+  std::vector<std::uint32_t> crease_of_;  ///< of each point along the creases
 };
 
 }  // namespace abstand

@@ -1,4 +1,4 @@
-// Blocks of neighbouring points: Morton order, farthest and nearest points.
+// Blocks of neighbouring points: Morton order, nearest points, points below planes.
 #include "core/haptic/pointshell_tree.hpp"
 
 #include <algorithm>
@@ -7,6 +7,8 @@
 
 namespace abstand {
 namespace {
+
+using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
 
 /// Spreads the low 21 bits so that two zero bits follow each.
 std::uint64_t spread(std::uint64_t v) {
@@ -62,25 +64,29 @@ BlockTree::BlockTree(const std::vector<Vector3f>& points) : order(mortonOrder(po
   }
 }
 
-double NearestPoint::distance(const Vector3d& p, std::uint32_t& index, double limit) const {
+double NearestOfPoints::distance(const Vector3d& p, std::uint32_t& index, double limit) const {
   const Eigen::Array4f q = BlockTree::corner(p.cast<float>());
   constexpr std::uint32_t kNone = 0xffffffffu;
   float best = static_cast<float>(limit * limit);
   std::uint32_t at = kNone;
-  visit(1, q, best, at);
+  if (tree_.boxes[1].squaredDistance(q) < best) visit(1, q, best, at);
   if (at == kNone) return limit;
   index = tree_.order[at];
   return (Vector3d(tree_.x[at], tree_.y[at], tree_.z[at]) - p).norm();
 }
 
-void NearestPoint::visit(std::size_t node, const Eigen::Array4f& p, float& best, std::uint32_t& index) const {
+void NearestOfPoints::visit(std::size_t node, const Eigen::Array4f& p, float& best,
+                            std::uint32_t& index) const {
   if (node >= tree_.leaves) {
     const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
-    const std::size_t last = std::min(first + BlockTree::kBlock, tree_.order.size());
-    for (std::size_t i = first; i < last; ++i) {
-      const float dx = tree_.x[i] - p[0], dy = tree_.y[i] - p[1], dz = tree_.z[i] - p[2];
-      const float d2 = dx * dx + dy * dy + dz * dz;
-      if (d2 < best) best = d2, index = static_cast<std::uint32_t>(i);
+    const auto at = [first](const std::vector<float>& v) { return Eigen::Map<const Lane>(v.data() + first); };
+    // The padding is infinitely far.
+    const Lane d2 =
+        (at(tree_.x) - p[0]).square() + (at(tree_.y) - p[1]).square() + (at(tree_.z) - p[2]).square();
+    if (!(d2.minCoeff() < best)) return;
+    for (std::size_t i = 0; i < BlockTree::kBlock; ++i) {
+      if (d2[Eigen::Index(i)] < best)
+        best = d2[Eigen::Index(i)], index = static_cast<std::uint32_t>(first + i);
     }
     return;
   }
@@ -136,81 +142,6 @@ void PointsBelow::find(const Vector3f& u, float level, std::size_t most,
       if (u.x() * tree_.x[i] + u.y() * tree_.y[i] + u.z() * tree_.z[i] < level) out.push_back(tree_.order[i]);
     }
   }
-}
-
-SampleCover::SampleCover(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
-                         const std::vector<float>& weights)
-    : tree_(points) {
-  const std::size_t n = tree_.x.size();
-  for (auto* c : {&nx_, &ny_, &nz_}) c->assign(n, 0.0f);
-  weight_.assign(n, 1.0f);
-  for (std::size_t i = 0; i < tree_.order.size(); ++i) {
-    const Vector3f& m = normals[tree_.order[i]];
-    nx_[i] = m.x(), ny_[i] = m.y(), nz_[i] = m.z();
-    weight_[i] = weights[tree_.order[i]];
-  }
-  d2_.resize(n);
-  nearest_.resize(n);
-  node_d2_.resize(2 * tree_.leaves);
-  reset();
-}
-
-void SampleCover::reset() {
-  constexpr float kFar = std::numeric_limits<float>::max();
-  // Padding and empty blocks count as covered.
-  for (std::size_t i = 0; i < d2_.size(); ++i) d2_[i] = i < tree_.order.size() ? kFar : -1.0f;
-  std::fill(nearest_.begin(), nearest_.end(), 0u);
-  for (std::size_t leaf = 0; leaf < tree_.leaves; ++leaf) {
-    node_d2_[tree_.leaves + leaf] = leaf * BlockTree::kBlock < tree_.order.size() ? kFar : -1.0f;
-  }
-  for (std::size_t n = tree_.leaves - 1; n > 0; --n)
-    node_d2_[n] = std::max(node_d2_[2 * n], node_d2_[2 * n + 1]);
-}
-
-void SampleCover::add(std::uint32_t centre, const Vector3f& p, const Vector3f& n) {
-  visit(1, {centre, BlockTree::corner(p), n});
-}
-
-void SampleCover::visit(std::size_t node, const Centre& c) {
-  if (tree_.boxes[node].squaredDistance(c.p) >= node_d2_[node]) return;
-  if (node < tree_.leaves) {
-    visit(2 * node, c);
-    visit(2 * node + 1, c);
-    node_d2_[node] = std::max(node_d2_[2 * node], node_d2_[2 * node + 1]);
-    return;
-  }
-  const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
-  using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
-  const auto at = [first](const std::vector<float>& v) { return Eigen::Map<const Lane>(v.data() + first); };
-  Eigen::Map<Lane> best(d2_.data() + first);
-  const Lane d2 = at(weight_) * ((at(tree_.x) - c.p[0]).square() + (at(tree_.y) - c.p[1]).square() +
-                                 (at(tree_.z) - c.p[2]).square() + (at(nx_) - c.n[0]).square() +
-                                 (at(ny_) - c.n[1]).square() + (at(nz_) - c.n[2]).square());
-  if (!(d2 < best).any()) return;
-  for (std::size_t i = 0; i < BlockTree::kBlock; ++i) {
-    if (d2[Eigen::Index(i)] < best[Eigen::Index(i)]) nearest_[first + i] = c.id;
-  }
-  best = best.min(d2);
-  const float largest = best.maxCoeff();
-  node_d2_[node] = largest;
-}
-
-std::uint32_t SampleCover::farthest(float& squared_distance) const {
-  std::size_t node = 1;
-  while (node < tree_.leaves) node = node_d2_[2 * node] >= node_d2_[2 * node + 1] ? 2 * node : 2 * node + 1;
-  squared_distance = node_d2_[node];
-  const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
-  std::size_t at = first;
-  for (std::size_t i = first; i < first + BlockTree::kBlock; ++i) {
-    if (d2_[i] > d2_[at]) at = i;
-  }
-  return tree_.order[at];
-}
-
-std::vector<std::uint32_t> SampleCover::nearest() const {
-  std::vector<std::uint32_t> out(tree_.order.size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[tree_.order[i]] = nearest_[i];
-  return out;
 }
 
 }  // namespace abstand

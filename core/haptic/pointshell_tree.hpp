@@ -1,4 +1,4 @@
-// Blocks of neighbouring points with their boxes, for farthest-point sampling and nearest-point questions.
+// Blocks of neighbouring points with their boxes, for nearest-point and half-space questions.
 #pragma once
 
 #include <algorithm>
@@ -42,9 +42,10 @@ struct BlockTree {
 };
 
 /// Nearest of a fixed set of points.
-class NearestPoint {
+class NearestOfPoints {
  public:
-  explicit NearestPoint(const std::vector<Vector3f>& points) : tree_(points) {}
+  NearestOfPoints() : NearestOfPoints(std::vector<Vector3f>{}) {}
+  explicit NearestOfPoints(const std::vector<Vector3f>& points) : tree_(points) {}
   bool empty() const { return tree_.order.empty(); }
   /// Distance from p to the nearest point, and its index; `limit` and no index when none is nearer than
   /// `limit` (m).
@@ -66,38 +67,6 @@ class PointsBelow {
 
  private:
   BlockTree tree_;
-};
-
-/// Samples of a surface that get covered by centres, one after the other. Distances are in the six dimensions
-/// of position and scaled normal, so that faces that meet at an angle and the two sides of a plate do not
-/// cover each other, and strongly curved places get more centres.
-class SampleCover {
- public:
-  /// `normals`: unit normals times the length that a difference of 1 between normals counts for (m).
-  /// `weights`, at least 1: factors of the squared distances to each sample; where they are larger, centres
-  /// come closer.
-  SampleCover(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
-              const std::vector<float>& weights);
-
-  void reset();
-  void add(std::uint32_t centre, const Vector3f& point, const Vector3f& normal);
-  /// Index of the sample that is farthest from all centres, and its weighted squared distance.
-  std::uint32_t farthest(float& squared_distance) const;
-  /// For every sample, in the order given to the constructor, the nearest centre.
-  std::vector<std::uint32_t> nearest() const;
-
- private:
-  struct Centre {
-    std::uint32_t id;
-    Eigen::Array4f p;
-    Vector3f n;
-  };
-  void visit(std::size_t node, const Centre& centre);
-
-  BlockTree tree_;
-  std::vector<float> nx_, ny_, nz_, weight_, d2_;
-  std::vector<std::uint32_t> nearest_;
-  std::vector<float> node_d2_;  ///< largest d2_ below each node
 };
 
 }  // namespace abstand

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/haptic/far_spacing.hpp"
 #include "core/haptic/pair_query.hpp"
 
 namespace abstand {
@@ -14,8 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The coarse build: so many voxels along the longest extent, and about so many shell points. Enough for the
-// far field to be the one of every finer resolution, and for edges to show; done in a fraction of a second.
+// The coarse build: so many voxels along the longest extent, and about so many shell points. Enough for edges
+// to show; done in a fraction of a second.
 constexpr double kProbeVoxels = 32.0;
 constexpr double kProbePoints = 1200.0;
 constexpr double kPointArea = 2.0 / std::numbers::sqrt3;  // spacings^2 a point, on flat surfaces
@@ -24,8 +25,14 @@ constexpr std::size_t kAskedBlocks = 4096;
 // A field's float coordinates, as a part of how far they reach; it does not shrink with the voxel.
 constexpr double kRounding = 1e-5;
 constexpr double kMostFieldBytes = 2e9;  // NearField refuses more
-// Growth of the time for voxels with their number along an edge: between surface and volume.
-constexpr double kVoxelTimeGrowth = 2.5;
+// Growth of the time for voxels with their number along an edge: between surface and volume. Of the time for
+// a near field with its blocks: each of a mesh's holds fewer features. Of that for a far field with its
+// vertices. Found with links of a robot, parts of a person, the bunny and a table from 32 to 256 voxels along
+// them.
+constexpr double kVoxelTimeGrowth = 2.2, kMeshFieldGrowth = 0.6, kFarTimeGrowth = 1.2;
+// Points of the ball that tells how long this machine takes for one: as long as for a point of any body, but
+// for the adjustment to walls, which takes about as long for many points as for few.
+constexpr double kBallPoints = 2000.0;
 // Growth of queries with the number of points, found with links of a robot, shapes and tables from 5 to 3 mm:
 // the points that may be nearest lie along a curve, those in contact on a part of the surface that the field
 // partly decides at once.
@@ -96,6 +103,21 @@ double timeQueries(const HapticStructure& s, double gap) {
   return us[1];
 }
 
+// Vertices of one grid of the far field.
+double farVertices(const Bounds& body, double voxel) {
+  const double spacing = farSpacing(body, voxel);
+  return (body.extent().array() / spacing + 2.0 * FarField::kMargin + 1.0).prod();
+}
+
+// ms for a point of a shell.
+double timePoint() {
+  const auto begin = Clock::now();
+  const Sphere ball{0.1};
+  const auto surface = makeSurface(ball);
+  const Pointshell shell = makePointshell(*surface, std::sqrt(surface->area() / (kPointArea * kBallPoints)));
+  return milliseconds(Clock::now() - begin) / double(shell.size());
+}
+
 }  // namespace
 
 struct ResolutionProbe::Coarse {
@@ -106,16 +128,14 @@ struct ResolutionProbe::Coarse {
   double band{0.0};  ///< voxels
   double field_bytes{0.0}, far_bytes{0.0}, shell_bytes{0.0};
   double voxels_ms{0.0}, field_ms{0.0}, far_ms{0.0}, shell_ms{0.0};
+  double point_ms{0.0};  ///< of shell_ms, for one point
   double distance_us{0.0}, contact_us{0.0};
 
   double points(double spacing) const {
     return area / (kPointArea * spacing * spacing) + edges / spacing + tips;
   }
-  /// n log n over that of the coarse shell.
-  double work(double n) const {
-    const double n0 = double(built->shell.size());
-    return n * std::log2(n + 2.0) / (n0 * std::log2(n0 + 2.0));
-  }
+  /// A part that stays, and one that grows with the points.
+  double shellMs(double n) const { return shell_ms + point_ms * (n - double(built->shell.size())); }
 };
 
 const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& asked,
@@ -148,6 +168,7 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   };
   c->built = buildHapticStructure("probe", surface_, o, 0, timer);
   const HapticStructure& s = *c->built;
+  c->point_ms = std::min(timePoint(), c->shell_ms / double(s.shell.size()));
 
   // Two equations for edges and tips.
   const double s1 = 2.0 * o.point_spacing, s2 = o.point_spacing;
@@ -197,7 +218,7 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
     const double index = sizeof(std::uint32_t);
     const double more = blocks.kept / std::max(1.0, c.blocks.kept);
     field_bytes = (c.field_bytes - index * c.blocks.all) * more + index * blocks.all;
-    field_ms *= more;
+    field_ms *= std::pow(more, surface_->shape() != nullptr ? 1.0 : kMeshFieldGrowth);
     if (field_bytes > kMostFieldBytes) {
       e.refused = "the distance field would take more than 2 GB";
       return e;
@@ -206,13 +227,14 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
   const bool same_shell = s.options.point_spacing == options.point_spacing;
   e.points = same_shell ? double(s.shell.size()) : c.points(options.point_spacing);
   const double more_points = e.points / double(s.shell.size());
-  e.memory_bytes = field_bytes + c.far_bytes + c.shell_bytes * more_points;
+  const double more_far = farVertices(box, h) / farVertices(box, s.options.voxel_size);
+  e.memory_bytes = field_bytes + c.far_bytes * more_far + c.shell_bytes * more_points;
   e.error_bound =
       (s.errorBound() - s.shell.covering_radius) / finer +
       (finer > 1.0 ? kRounding * (box.upper.cwiseMax(-box.lower) + box.extent()).maxCoeff() : 0.0) +
       (same_shell ? s.shell.covering_radius : kCovering * options.point_spacing);
-  e.build_ms =
-      c.voxels_ms * std::pow(finer, kVoxelTimeGrowth) + field_ms + c.far_ms + c.shell_ms * c.work(e.points);
+  e.build_ms = c.voxels_ms * std::pow(finer, kVoxelTimeGrowth) + field_ms +
+               c.far_ms * std::pow(more_far, kFarTimeGrowth) + c.shellMs(e.points);
   e.distance_us = c.distance_us * std::pow(more_points, kDistanceGrowth);
   e.contact_us =
       e.distance_us + std::max(0.0, c.contact_us - c.distance_us) * std::pow(more_points, kContactGrowth);

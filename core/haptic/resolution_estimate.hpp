@@ -24,18 +24,19 @@ struct ResolutionEstimate {
 ///   points    area / (2 / sqrt(3) spacing^2), the pointshell's packing, plus b / spacing for edges and c for
 ///             tips and curvature, b and c from two coarse shells. Tests: within 25 %.
 ///   memory    near field: blocks counted by asking for the distance at (a sample of) their centres, times
-///             the bytes of a block; far field: hardly depends on the resolution; shell and tree: bytes a
-///             point; layered: two bytes a voxel of the grid. Tests: within 25 %.
+///             the bytes of a block; far field: by the vertices of its grids; shell and tree: bytes a point;
+///             layered: two bytes a voxel of the grid. Tests: within 25 %.
 ///   error     the field's part grows with the voxel, the shell's is kCovering spacings at most.
-///   time      of the phases of the coarse build: voxels, blocks and points, each by its own count. Good to a
-///             factor of two on a quiet machine; nothing depends on it.
+///   time      of the phases of the coarse build: voxels, blocks, vertices and points, each by its own count,
+///             with powers that were found; points by the time that a ball's take. Good to a factor of two
+///             on a quiet machine; nothing depends on it.
 ///   queries   of the coarse body, timed; a distance grows with the root of the number of points, what a
 ///             contact takes more with its power 0.75. Good to a factor of three.
 /// A resolution that is coarser than the probe is built instead. Not shared between threads.
 class ResolutionProbe {
  public:
-  /// Covering radius of a shell in spacings, at most: filling leaves 0.79, the pieces that the surface is cut
-  /// into reach 0.3 beyond their middle. Found in tests: 0.95.
+  /// Covering radius of a shell in spacings, at most: filling leaves 0.775, the pieces that the surface is
+  /// cut into reach 0.3 beyond their middle. Found in tests: 0.95.
   static constexpr double kCovering = 1.1;
 
   explicit ResolutionProbe(std::shared_ptr<const Surface> surface) : surface_(std::move(surface)) {}

@@ -15,20 +15,31 @@ class Pieces {
  public:
   Pieces(const VoxelGrid& grid, std::vector<std::int8_t>& side) : grid_(grid), side_(side) {}
 
-  // Gives `value` to all that is reached from seed, and collects it in order.
-  const std::vector<std::size_t>& fill(std::size_t seed, std::int8_t value) {
+  /// Neighbours along x.
+  struct Run {
+    std::size_t first, count;
+  };
+
+  // Gives `value` to all that is reached from seed, and collects it.
+  const std::vector<Run>& fill(std::size_t seed, std::int8_t value) {
     piece_.clear();
-    take(seed, value);
-    const std::size_t nx = grid_.size.x(), nxy = nx * grid_.size.y();
-    for (std::size_t at = 0; at < piece_.size(); ++at) {
-      const std::size_t v = piece_[at];
-      const std::size_t i = v % nx, j = v / nx % grid_.size.y(), k = v / nxy;
-      if (i > 0) take(v - 1, value);
-      if (i + 1 < nx) take(v + 1, value);
-      if (j > 0) take(v - nx, value);
-      if (j + 1 < std::size_t(grid_.size.y())) take(v + nx, value);
-      if (k > 0) take(v - nxy, value);
-      if (k + 1 < std::size_t(grid_.size.z())) take(v + nxy, value);
+    seeds_.assign(1, seed);
+    const std::size_t nx = grid_.size.x(), ny = grid_.size.y(), nz = grid_.size.z();
+    while (!seeds_.empty()) {
+      const std::size_t at = seeds_.back();
+      seeds_.pop_back();
+      if (side_[at] != kUnknown) continue;
+      const std::size_t row = at / nx, begin = row * nx;
+      std::size_t first = at, end = at + 1;
+      while (first > begin && side_[first - 1] == kUnknown) --first;
+      while (end < begin + nx && side_[end] == kUnknown) ++end;
+      std::fill(&side_[first], &side_[first] + (end - first), value);
+      piece_.push_back({first, end - first});
+      const std::size_t j = row % ny, k = row / ny;
+      if (j > 0) seek(first - nx, end - nx);
+      if (j + 1 < ny) seek(first + nx, end + nx);
+      if (k > 0) seek(first - nx * ny, end - nx * ny);
+      if (k + 1 < nz) seek(first + nx * ny, end + nx * ny);
     }
     return piece_;
   }
@@ -46,22 +57,29 @@ class Pieces {
   }
 
  private:
-  void take(std::size_t v, std::int8_t value) {
-    if (side_[v] != kUnknown) return;
-    side_[v] = value;
-    piece_.push_back(v);
+  // One seed for each stretch of unknown voxels.
+  void seek(std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v) {
+      if (side_[v] == kUnknown && (v == first || side_[v - 1] != kUnknown)) seeds_.push_back(v);
+    }
   }
   const VoxelGrid& grid_;
   std::vector<std::int8_t>& side_;
-  std::vector<std::size_t> piece_;
+  std::vector<Run> piece_;
+  std::vector<std::size_t> seeds_;
 };
 
-bool mostlyInside(const Surface& surface, const Pieces& pieces, const std::vector<std::size_t>& piece,
-                  int asked) {
-  const std::size_t step = std::max<std::size_t>(1, piece.size() / asked);
+bool mostlyInside(const Surface& surface, const Pieces& pieces, const std::vector<Pieces::Run>& piece,
+                  std::size_t asked) {
+  std::size_t size = 0;
+  for (const Pieces::Run& run : piece) size += run.count;
+  const std::size_t step = std::max<std::size_t>(1, size / asked);
   int votes = 0;
-  for (std::size_t i = step / 2; i < piece.size(); i += step) {
-    votes += surface.inside(pieces.centre(piece[i])) ? 1 : -1;
+  std::size_t next = step / 2, before = 0;
+  for (const Pieces::Run& run : piece) {
+    for (; next < before + run.count; next += step)
+      votes += surface.inside(pieces.centre(run.first + next - before)) ? 1 : -1;
+    before += run.count;
   }
   return votes > 0;
 }
@@ -83,9 +101,10 @@ void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std:
   constexpr int kVotes = 31;
   for (std::size_t v = 0; v < side.size(); ++v) {
     if (side[v] != kUnknown) continue;
-    const std::vector<std::size_t>& piece = pieces.fill(v, kVoxelOutside);
+    const std::vector<Pieces::Run>& piece = pieces.fill(v, kVoxelOutside);
     if (!mostlyInside(surface, pieces, piece, watertight ? 1 : kVotes)) continue;
-    for (const std::size_t w : piece) side[w] = kVoxelInside;
+    for (const Pieces::Run& run : piece)
+      std::fill(&side[run.first], &side[run.first] + run.count, kVoxelInside);
   }
 }
 

@@ -60,8 +60,11 @@ TEST(PairSet, FindsTheNearestPairOfAll) {
     double least = kInfinity;
     for (std::size_t i = 0; i < set.size(); ++i) least = std::min(least, alone(crowd, i, {}).distance);
     const PairSet::Nearest& nearest = set.nearest(crowd.X_WB, {});
-    ASSERT_NEAR(nearest.result.distance, least, kSameDistance) << frame;
-    ASSERT_NEAR(alone(crowd, nearest.pair, {}).distance, least, kSameDistance) << frame;
+    // A walk from elsewhere may end nearer, within the bound of the one that did not.
+    const PairResult same = alone(crowd, nearest.pair, {});
+    ASSERT_LE(nearest.result.distance, least + kSameDistance) << frame;
+    ASSERT_GE(nearest.result.distance, same.distance - same.bound - kSameDistance) << frame;
+    ASSERT_LE(same.distance - same.bound, least + kSameDistance) << frame;
     ++(least > 0.0 ? apart : inside);
   }
   EXPECT_GT(apart, kFrames / 20);

@@ -98,12 +98,12 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
     EXPECT_LE(shell.covering_radius, 0.95 * kSpacing);
     std::vector<Vector3f> points;
     for (std::size_t i = 0; i < shell.size(); ++i) points.push_back(shell.point(i).cast<float>());
-    const NearestPoint nearest(points);
+    const NearestOfPoints nearest(points);
     std::uint32_t index = 0;
     double farthest = 0.0;
     const TriangleMesh mesh = tessellate(body.shape, 1e-5);
-    const SurfacePool pool(mesh, 0.2 * kSpacing, kInfinity, TipField(mesh, kSpacing));
-    pool.walk([&](std::uint32_t, const SubTriangle& piece) {
+    const SurfacePool pool(mesh, 0.2 * kSpacing, kInfinity, PitchField(mesh, kSpacing));
+    pool.walk([&](std::uint32_t, const SurfacePool::View& piece) {
       const Vector3d p = distanceTo(body.shape, piece.centroid()).nearest;
       farthest = std::max(farthest, nearest.distance(p, index));
     });
@@ -119,7 +119,7 @@ TEST(Pointshell, EveryPrefixIsACoarserShell) {
   for (std::size_t m = 32; m <= shell.size(); m *= 2) {
     std::vector<Vector3f> points;
     for (std::size_t i = 0; i < m; ++i) points.push_back(shell.point(i).cast<float>());
-    const NearestPoint nearest(points);
+    const NearestOfPoints nearest(points);
     std::uint32_t index = 0;
     double farthest = 0.0;
     for (std::size_t i = 0; i < shell.size(); ++i)
