@@ -2,7 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
 #include "tracking/recording.hpp"
-#include "tracking/skeleton_csv.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -17,12 +17,15 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
   return {{"format", r.format},
           {"frames", recording.frames.size()},
           {"rate", r.rate},
+          {"rate_reason", r.rate_reason},
           {"duration", r.duration},
           {"units_guess", r.units_guess},
           {"units_reason", r.units_reason},
           {"scale", r.scale},
           {"up", r.up},
           {"up_reason", r.up_reason},
+          {"sides", r.sides},
+          {"sides_reason", r.sides_reason},
           {"stature", r.stature},
           {"joint_map", r.joint_map},
           {"joints", r.joints},
@@ -30,6 +33,7 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"not_mapped", r.not_mapped},
           {"missing_parts", r.missing_parts},
           {"gaps", r.gaps},
+          {"swaps", r.swaps},
           {"warnings", r.warnings}};
 }
 
@@ -43,9 +47,13 @@ std::string reportText(const Recording& recording, const std::string& file) {
   const RecordingReport& r = recording.report;
   std::string text = format("%s: %s, %zu frames at %.6g Hz, %.2f s\n", file.c_str(), r.format.c_str(),
                             recording.frames.size(), r.rate, r.duration);
-  text += format("units: %s (%.6g m a unit): %s\n", r.units_guess.c_str(), r.scale, r.units_reason.c_str());
-  text += format("up: %s: %s\n", r.up.c_str(), r.up_reason.c_str());
-  text += format("stature: %.3f m\njoint map: %s\n", r.stature, r.joint_map.c_str());
+  text += "time: " + r.rate_reason + " (--rate)\n";
+  text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units_guess.c_str(), r.scale,
+                 r.units_reason.c_str());
+  text += format("up: %s: %s (--up)\n", r.up.c_str(), r.up_reason.c_str());
+  text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
+  text += r.stature > 0.0 ? format("stature: %.3f m\n", r.stature) : "stature: not known\n";
+  text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) + " (--joint-map)\n";
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
   if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
@@ -68,9 +76,15 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
                              "abstand skeleton boxing.bvh --out boxing.csv");
   auto args = std::make_shared<Arguments>();
   command->add_option("FILE", args->file, "the recording")->required();
-  command->add_option("--format", args->options.format, "auto, bvh or csv");
+  command->add_option("--format", args->options.format, "auto, or " + join(recordingFormats()));
   command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
   command->add_option("--up", args->options.up, "auto, x, y, z, -x, -y, -z");
+  command->add_option("--rate", args->options.rate, "Hz: frame i lies at t = i / rate")
+      ->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--mirror", args->options.mirror,
+                      "none, axes (of the file are left-handed) or sides (names are exchanged)");
+  command->add_option("--joint-map", args->options.joint_map, "a joint map of your own");
+  command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
   command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

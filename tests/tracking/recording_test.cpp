@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/small_human.hpp"
-#include "tracking/bvh_recording.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
 #include "tracking/up_axis.hpp"
 
 namespace abstand {

@@ -1,5 +1,5 @@
 // Joint positions: closed forms, and assimp as the oracle on real captures.
-#include "tracking/bvh_pose.hpp"
+#include "tracking/bvh/bvh_pose.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -11,7 +11,7 @@
 
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
-#include "tracking/bvh_reader.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
 
 namespace abstand {
 namespace {

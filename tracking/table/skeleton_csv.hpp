@@ -6,7 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "tracking/point_reader.hpp"
 #include "tracking/recording.hpp"
+#include "tracking/table/cells.hpp"
+#include "tracking/table/csv_columns.hpp"
 
 namespace abstand {
 
@@ -25,9 +28,30 @@ void writeSkeletonCsv(const std::filesystem::path& file, const Recording& record
 bool looksLikeSkeletonCsv(std::string_view text);
 
 /// Reads what writeSkeletonCsv writes, and what others write in that form: any order of the joints, no
-/// confidences (then tracked), CRLF. Metres and z up unless the options say otherwise; nothing is derived or
-/// guessed. The rate is that of the median step of t, which must rise. Throws ParseError with line and
-/// column.
+/// confidences (then tracked), CRLF, empty cells for a gap. With canonical names it is metres and z up; with
+/// the names of a joint map, units and up are guessed. t rises; or the first column counts frames.
+class SkeletonCsvReader : public PointReader {
+ public:
+  /// `text` must outlive this. Throws ParseError for the header.
+  SkeletonCsvReader(std::string_view text, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return head_.joints; }
+  bool next(PointFrame& frame) override;
+
+ private:
+  void parsePoints(Cells& cells, PointFrame& frame);
+
+  std::string file_;
+  Lines lines_;
+  CsvColumns head_;
+  PointFacts facts_;
+  std::vector<double> confidence_;
+  std::size_t frames_{0};
+  double last_t_{0.0};
+};
+
+/// Reads a whole table. Throws ParseError with line and column.
 Recording readSkeletonCsv(std::string_view text, const std::string& file,
                           const RecordingOptions& options = {});
 

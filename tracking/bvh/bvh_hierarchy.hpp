@@ -8,6 +8,7 @@
 
 #include "core/base/error.hpp"
 #include "core/math/transform.hpp"
+#include "tracking/file_warning.hpp"
 #include "tracking/text_cursor.hpp"
 
 namespace abstand {
@@ -29,12 +30,6 @@ struct BvhJoint {
   Vector3d offset{Vector3d::Zero()};  ///< from the parent, in the parent's axes, units of the file
   std::vector<BvhChannel> channels;   ///< in file order: R = R(first) R(second) R(third)
   std::size_t first_channel{0};       ///< place of the first of them in a frame
-};
-
-/// Something odd in a file that did not stop the reading. line 0: no line is known.
-struct FileWarning {
-  int line{0};
-  std::string text;
 };
 
 struct BvhHierarchy {

@@ -1,4 +1,4 @@
-#include "tracking/bvh_pose.hpp"
+#include "tracking/bvh/bvh_pose.hpp"
 
 #include <cmath>
 

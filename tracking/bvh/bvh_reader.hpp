@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tracking/bvh_hierarchy.hpp"
+#include "tracking/bvh/bvh_hierarchy.hpp"
 
 namespace abstand {
 

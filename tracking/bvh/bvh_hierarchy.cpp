@@ -1,4 +1,4 @@
-#include "tracking/bvh_hierarchy.hpp"
+#include "tracking/bvh/bvh_hierarchy.hpp"
 
 #include <algorithm>
 #include <charconv>

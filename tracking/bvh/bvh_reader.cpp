@@ -1,4 +1,4 @@
-#include "tracking/bvh_reader.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "tracking/bvh_hierarchy.hpp"
+#include "tracking/bvh/bvh_hierarchy.hpp"
 
 namespace abstand {
 

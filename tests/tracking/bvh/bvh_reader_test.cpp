@@ -1,5 +1,5 @@
 // What a BVH reader meets in the wild, and what it must refuse.
-#include "tracking/bvh_reader.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The plain skeleton CSV: to the bit and back, and what it refuses.
-#include "tracking/skeleton_csv.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(SkeletonCsv, RefusesWithThePlace) {
   for (const Case& c :
        {Case{"x,neck.x\n", 1, 1, "expected the column 't'"},
         Case{"t,nek.x,nek.y,nek.z\n", 1, 3, "did you mean 'neck'?"},
-        Case{"t,neck.x,neck.w\n", 1, 10, "expected .x, .y, .z"},
+        Case{"t,neck.x,neck.w\n", 1, 10, "expected JOINT.x, .y, .z"},
         Case{"t,neck.x,neck.x\n", 1, 10, "a second time"},
         Case{"t,neck.x,neck.y\n0,1,2\n", 1, 0, "only some columns of neck"},
         Case{"t\n0\n", 1, 0, "found no joint"}, Case{"t,neck.x,neck.y,neck.z\n", 2, 0, "found no frame"},
