@@ -182,6 +182,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.duration = raw.frames.back().t - raw.frames.front().t;
   report.joints = raw.joints;
   report.joint_map = raw.match.map;
+  report.notes = raw.notes;
   for (const auto& w : raw.warnings)
     report.warnings.push_back(w.line > 0 ? std::to_string(w.line) + ": " + w.text : w.text);
 

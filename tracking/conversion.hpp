@@ -25,6 +25,7 @@ struct RawRecording {
   std::optional<UnitChoice> unit;  ///< where the file or its format says it; else it is guessed
   std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;
+  std::vector<std::string> notes;
   bool is_canonical{false};  ///< canonical joints already: none is derived
 };
 

@@ -34,13 +34,14 @@ struct PointFrame {
 /// What a file, or its format, says of itself.
 struct PointFacts {
   std::string format;
-  double rate{0.0};            ///< Hz; 0: the median step of t says it
-  std::string rate_reason;     ///< why these times
+  double rate{0.0};              ///< Hz; 0: the median step of t says it
+  std::string rate_reason;       ///< why these times
   bool from_first_frame{false};  ///< t counts from something else than the start: the first t is taken off
-  bool of_markers{false};      ///< the points may lie on the skin; names that no map knows are no error
-  bool is_canonical{false};    ///< names are canonical joints, m, z up
+  bool of_markers{false};        ///< the points may lie on the skin; names that no map knows are no error
+  bool is_canonical{false};      ///< names are canonical joints, m, z up
   std::optional<UnitChoice> unit;
   std::optional<UpChoice> up;
+  std::vector<std::string> notes;  ///< what else a user may want to know
 };
 
 /// Values beyond this (units of the file) are refused: no body is measured so, and sums of them stay finite.

@@ -116,6 +116,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
     raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
   }
   raw.warnings = reader.warnings();
+  raw.notes = facts.notes;
   if (!facts.is_canonical) warnOfMarkers(raw.match, raw.joints.size(), raw.warnings);
   return convert(std::move(raw), options);
 }

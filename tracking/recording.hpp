@@ -43,6 +43,7 @@ struct RecordingReport {
   std::vector<std::string> missing_parts;  ///< parts that this file cannot move
   std::size_t gaps{0};                     ///< frames in which a mapped joint is missing or not finite
   std::size_t swaps{0};                    ///< turns of the hips by more than 90 degrees between two frames
+  std::vector<std::string> notes;          ///< about the file, nothing to worry about
   std::vector<std::string> warnings;       ///< "LINE: text" where a line is known
 };
 

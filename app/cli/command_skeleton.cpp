@@ -1,6 +1,8 @@
 // abstand skeleton: reads a recording, says what was understood, and converts it.
 #include "app/cli/command_line.hpp"
+#include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
+#include "tracking/compact/compact_recording.hpp"
 #include "tracking/recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
@@ -8,7 +10,9 @@ namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::string file, out;
+  std::string file, out, compact, filter;
+  double fill{0.0};  ///< s
+  bool doctor{false};
   RecordingOptions options;
 };
 
@@ -34,6 +38,7 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"missing_parts", r.missing_parts},
           {"gaps", r.gaps},
           {"swaps", r.swaps},
+          {"notes", r.notes},
           {"warnings", r.warnings}};
 }
 
@@ -58,14 +63,33 @@ std::string reportText(const Recording& recording, const std::string& file) {
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
   if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
   if (r.gaps > 0) text += format("frames with gaps: %zu\n", r.gaps);
+  for (const auto& n : r.notes) text += "note: " + n + "\n";
   for (const auto& w : r.warnings) text += "warning: " + w + "\n";
   return text;
 }
 
 int run(const CommandLine& line, const Arguments& args) {
-  const Recording recording = openRecording(args.file, args.options);
+  Recording recording = openRecording(args.file, args.options);
+  auto json = reportJson(recording);
+  std::string text = reportText(recording, args.file);
+  if (args.doctor) {
+    const DoctorReport doctor = examine(recording);
+    json["doctor"] = doctorJson(doctor);
+    text += doctorText(doctor);
+  }
+  if (args.fill > 0.0) {
+    const GapFill fill = fillGaps(recording.frames, args.fill);
+    text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
+    json["filled"] = fill.filled;
+  }
+  if (!args.filter.empty()) {
+    if (!(recording.report.rate > 0.0))
+      throw UsageError("filter: found a single frame, expected a recording");
+    smooth(recording.frames, recording.report.rate, *parseSmoothing(args.filter));
+  }
   if (!args.out.empty()) writeSkeletonCsv(std::filesystem::path(args.out), recording);
-  line.print(reportJson(recording), reportText(recording, args.file));
+  if (!args.compact.empty()) writeCompact(std::filesystem::path(args.compact), recording);
+  line.print(json, text);
   return kDone;
 }
 
@@ -86,6 +110,15 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   command->add_option("--joint-map", args->options.joint_map, "a joint map of your own");
   command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
   command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
+  command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
+  command->add_flag("--doctor", args->doctor,
+                    "bones, gaps, jitter, jumps and swaps, and what filters would do");
+  command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")
+      ->check(CLI::Range(0.0, 3600.0));
+  command
+      ->add_option("--filter", args->filter,
+                   "of what is written: one-euro, butterworth or butterworth-both-ways")
+      ->check(CLI::IsMember({"one-euro", "butterworth", "butterworth-both-ways"}));
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 
