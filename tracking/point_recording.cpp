@@ -80,16 +80,20 @@ double rateOf(const std::vector<SkeletonFrame>& frames) {
   return median > 0.0 ? 1.0 / median : 0.0;
 }
 
-void warnOfMarkers(const JointMatch& match, std::size_t points, std::vector<FileWarning>& warnings) {
-  if (match.of_markers)
-    warnings.push_back({0,
-                        "joints are taken at the middle of markers on the skin, some centimetres off the "
-                        "joint centres: no body model is fitted"});
-  else if (match.mapped == 0)
-    warnings.push_back(
-        {0, "the file holds " + std::to_string(points) +
-                " markers or points that no joint map knows, so nothing can be moved after it; "
-                "a joint map says which markers make a joint (data/joint_maps/README.md)"});
+/// Points that may be markers, and what that means for the person.
+void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
+  if (report.mapped.empty()) {
+    report.joint_map.clear();
+    report.warnings.push_back(
+        "the file holds " + std::to_string(report.joints.size()) +
+        " markers or points of which no joint map makes a part of a body, so nothing can "
+        "be moved after it; a joint map says which markers make a joint "
+        "(data/joint_maps/README.md)");
+  } else if (by_marker_map) {
+    report.warnings.push_back(
+        "joints are taken at the middle of markers on the skin, some centimetres off the "
+        "joint centres: no body model is fitted");
+  }
 }
 
 }  // namespace
@@ -117,8 +121,10 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;
-  if (!facts.is_canonical) warnOfMarkers(raw.match, raw.joints.size(), raw.warnings);
-  return convert(std::move(raw), options);
+  const bool by_marker_map = raw.match.of_markers;
+  Recording recording = convert(std::move(raw), options);
+  if (facts.of_markers || by_marker_map) warnOfMarkers(by_marker_map, recording.report);
+  return recording;
 }
 
 }  // namespace abstand

@@ -59,11 +59,6 @@ Recording readUiPrmd(std::string bytes, const fs::path& file, const RecordingOpt
   return readPoints(reader, file.string(), options);
 }
 
-Recording readMat(std::string, const fs::path& file, const RecordingOptions& options) {
-  UtdMhadReader reader(file);
-  return readPoints(reader, file.string(), options);
-}
-
 constexpr RecordingFormat kFormats[]{
     {"bvh", "begins with HIERARCHY", looksLikeBvh, readBvh},
     {"amc", "begins with #!OML:ASF or :FULLY-SPECIFIED", looksLikeAmc, readAmc},
@@ -74,7 +69,7 @@ constexpr RecordingFormat kFormats[]{
      readWith<IrdsReader>},
     {"kinect-v2-txt", "begins with Version0.1", looksLikeIrdsText, readWith<IrdsReader>},
     {"ui-prmd", "66 numbers a line", looksLikeUiPrmd, readUiPrmd},
-    {"utd-mhad", "a MATLAB file with d_skel", looksLikeMat, readMat},
+    {"utd-mhad", "a MATLAB file with d_skel", looksLikeMat, readWith<UtdMhadReader>},
     {"compact", "begins with ABSTREC1", looksLikeCompact, readWith<CompactReader>},
     {"jsonl", "an object with \"joints\" a line", looksLikeSkeletonJson, readWith<SkeletonJsonReader>},
     {"csv", "a first line 't,JOINT.x,...'", looksLikeSkeletonCsv, readCsv}};

@@ -1,7 +1,7 @@
 // Kinect v1 skeletons as UTD-MHAD stores them: a MATLAB file with the variable d_skel.
 #pragma once
 
-#include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "tracking/point_reader.hpp"
@@ -16,7 +16,7 @@ bool looksLikeMat(std::string_view bytes);
 class UtdMhadReader : public PointReader {
  public:
   /// Throws ParseError for a file that is none, or has no such variable.
-  explicit UtdMhadReader(const std::filesystem::path& file);
+  UtdMhadReader(std::string_view bytes, const std::string& file);
 
   const PointFacts& facts() const override { return facts_; }
   std::span<const std::string> names() const override;

@@ -103,13 +103,13 @@ TEST(Acclaim, RefusesWithTheLine) {
     return text.replace(text.find(from), from.size(), to);
   };
   for (const Case& c :
-       {Case{with(kArm, "length 2", "length two"), kMotion, "a.asf", 17, "found 'two'"},
-        Case{with(kArm, "dof rx ry rz", "dof rx ry rx"), kMotion, "a.asf", 19, "a second time"},
-        Case{with(kArm, "dof rx ry rz", "dof tx"), kMotion, "a.asf", 19, "expected rx, ry or rz"},
-        Case{with(kArm, "upper fore", "upper four"), kMotion, "a.asf", 33, "found 'four'"},
-        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 34, "do not hang on the root"},
-        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 34, "do not hang on the root"},
-        Case{with(kArm, "name fore", "name upper"), kMotion, "a.asf", 30, "a second time"},
+       {Case{with(kArm, "length 2", "length two"), kMotion, "a.asf", 19, "found 'two'"},
+        Case{with(kArm, "dof rx ry rz", "dof rx ry rx"), kMotion, "a.asf", 21, "a second time"},
+        Case{with(kArm, "dof rx ry rz", "dof tx"), kMotion, "a.asf", 21, "expected rx, ry or rz"},
+        Case{with(kArm, "upper fore", "upper four"), kMotion, "a.asf", 36, "found 'four'"},
+        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 37, "do not hang on the root"},
+        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 37, "do not hang on the root"},
+        Case{with(kArm, "name fore", "name upper"), kMotion, "a.asf", 32, "a second time"},
         Case{kArm, with(kMotion, "upper 0 0 0", "upper 0 0"), "a.amc", 6,
              "found 2 numbers for 'upper', expected 3"},
         Case{kArm, with(kMotion, "fore 0\n", "leg 0\n"), "a.amc", 7, "found the bone 'leg'"},
@@ -176,7 +176,8 @@ TEST(Acclaim, ReadsACmuCapture) {
   EXPECT_NEAR(rest.report.stature, r.report.stature, 0.05);
 }
 
-// CMU published the same captures as BVH; other trials of the data base must show the same kind of person.
+// CMU published the same captures as BVH; another person of the data base must have the same
+// measures, to 0.07 of the stature: each skeleton was fitted to its own markers.
 TEST(Acclaim, AgreesWithCmuBvh) {
   const auto amc = testing::sharedData("mocap/asfamc/11_01.amc"),
              bvh = testing::sharedData("mocap/bvh/cmu_12_01_walk_motionbuilder.bvh");
@@ -195,7 +196,7 @@ TEST(Acclaim, AgreesWithCmuBvh) {
                              {Joint::kElbowLeft, Joint::kWristLeft},
                              {Joint::kPelvis, Joint::kNeck},
                              {Joint::kShoulderLeft, Joint::kShoulderRight}})
-    EXPECT_NEAR(share(a, i, j), share(b, i, j), 0.04) << jointName(i) << " to " << jointName(j);
+    EXPECT_NEAR(share(a, i, j), share(b, i, j), 0.07) << jointName(i) << " to " << jointName(j);
 }
 
 }  // namespace
