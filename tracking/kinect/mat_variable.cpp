@@ -31,7 +31,7 @@ class Elements {
 
   /// The next element. Small ones have type and length in one word.
   std::string_view next(std::uint32_t& type) {
-    if (bytes_.size() - at_ < 8) fail("found the end, expected an element");
+    if (at_ > bytes_.size() || bytes_.size() - at_ < 8) fail("found the end, expected an element");
     const auto first = valueAt<std::uint32_t>(bytes_, at_);
     const bool is_small = first >> 16 != 0;
     type = is_small ? first & 0xffff : first;
