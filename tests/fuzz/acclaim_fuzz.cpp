@@ -1,4 +1,5 @@
 // Fuzzes the readers of Acclaim files: the skeleton, a zero byte, the motion.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
