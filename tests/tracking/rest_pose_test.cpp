@@ -71,7 +71,7 @@ std::string bvhOf(const std::vector<Bone>& bones) {
                       : "CHANNELS 3 Zrotation Xrotation Yrotation\n";
     R_W.resize(static_cast<std::size_t>(b.depth) + 1, Matrix3d::Identity());
     const Bone& child = bones[i + 1];
-    const bool is_limb = b.depth >= 2 && child.depth == b.depth + 1;
+    const bool is_limb = b.depth >= 1 && child.depth == b.depth + 1;
     const Matrix3d own = is_limb
                              ? Eigen::Quaterniond::FromTwoVectors(child.rest, child.moved).toRotationMatrix()
                              : Matrix3d(Matrix3d::Identity());

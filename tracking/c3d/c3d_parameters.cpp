@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
+
+#include "tracking/message_text.hpp"
 
 namespace abstand {
 namespace {
@@ -77,7 +80,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
       found.emplace_back(id, name, pointer + 2);
     if (step == 0) break;
     if (step < 2) {
-      stop(pointer, "the record " + name + " points back by " + std::to_string(step));
+      stop(pointer, "the record " + inQuotes(name) + " points back by " + std::to_string(step));
       if (id >= 0) found.pop_back();
       break;
     }
@@ -88,7 +91,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
     try {
       out.emplace((it == groups.end() ? "" : it->second) + ":" + name, readValues(bytes, place));
     } catch (const ParseError& e) {
-      warnings.push_back({0, e.message() + ": the parameter " + name + " is left out"});
+      warnings.push_back({0, e.message() + ": the parameter " + inQuotes(name) + " is left out"});
     }
   }
   return out;
