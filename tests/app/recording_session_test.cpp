@@ -23,7 +23,10 @@ std::unique_ptr<Session> openPerson(const ScratchFolder& folder, const std::file
                                   "humans:\n"
                                   "  - {name: someone, height: 1.75, recording: {file: " +
                                       recording.string() + "}}\npairs: {default: none}\n");
-  return std::make_unique<Session>(loadScene(scene), SessionOptions{.threads = 1, .cache = false});
+  SessionOptions options;
+  options.threads = 1;
+  options.cache = false;
+  return std::make_unique<Session>(loadScene(scene), options);
 }
 
 TEST(RecordingSession, APersonMovesTheSameAfterBvhTableAndCompact) {
