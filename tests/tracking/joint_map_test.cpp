@@ -80,8 +80,8 @@ TEST(JointMap, EveryShippedMapIsWhole) {
     EXPECT_FALSE(map.licence.empty()) << map.file;
     for (std::size_t j = 0; j < kJointCount; ++j) {
       const auto joint = static_cast<Joint>(j);
-      const bool is_derived = joint == Joint::kSpine || joint == Joint::kThorax || joint == Joint::kHandLeft ||
-                              joint == Joint::kHandRight ||
+      const bool is_derived = joint == Joint::kSpine || joint == Joint::kThorax ||
+                              joint == Joint::kHandLeft || joint == Joint::kHandRight ||
                               (joint == Joint::kHeadTop && map.head == HeadPoint::kMiddle);
       EXPECT_TRUE(is_derived || !map.names[j].empty()) << map.file << jointName(joint);
     }
