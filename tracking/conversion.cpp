@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "tracking/body_size.hpp"
 #include "tracking/derived_joints.hpp"
 #include "tracking/message_text.hpp"
 #include "tracking/part_joints.hpp"
-#include "tracking/up_axis.hpp"
 
 namespace abstand {
 namespace {
@@ -21,6 +19,16 @@ void turnAndScale(std::vector<SkeletonFrame>& frames, const Matrix3d& R, double 
   for (auto& f : frames)
     for (std::size_t j = 0; j < kJointCount; ++j)
       if (f.state[j] != JointState::kMissing) f.p[j] = scale * (R * f.p[j]);
+}
+
+/// The points of the file that make a joint.
+std::vector<std::size_t> pointsOf(const JointMatch& match, Joint j, std::size_t points) {
+  const int joint = match.joint[static_cast<std::size_t>(j)];
+  if (joint < 0) return {};
+  const auto i = static_cast<std::size_t>(joint);
+  if (i < points) return {i};
+  const auto& mean = match.means[i - points];
+  return {mean.begin(), mean.end()};
 }
 
 /// Fills `mapped`, `not_mapped` and `missing_parts`.
@@ -38,10 +46,11 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
   for (const auto& part : partJoints()) {
     std::vector<std::string> names;
     for (const Joint j : part.joints) {
-      const int i = raw.match.joint[static_cast<std::size_t>(j)];
-      if (i < 0 || !used_as_found(j)) continue;
-      used[static_cast<std::size_t>(i)] = true;
-      names.push_back(raw.joints[static_cast<std::size_t>(i)]);
+      for (const std::size_t i : pointsOf(raw.match, j, raw.joints.size())) {
+        if (!used_as_found(j)) continue;
+        used[i] = true;
+        names.push_back(raw.joints[i]);
+      }
     }
     std::string missing;
     for (const Joint j : {part.joints.front(), part.joints.back()})
@@ -70,10 +79,13 @@ std::size_t countGaps(const std::vector<SkeletonFrame>& frames) {
   }));
 }
 
-/// True where the person's left is on the right of where the toes point to, in most frames.
-bool isMirrored(const std::vector<SkeletonFrame>& frames) {
+/// Frames in which the person's left lies on the left, and on the right, of where the toes point to.
+struct Sides {
+  int agree{0}, contradict{0};
+};
+Sides countSides(const std::vector<SkeletonFrame>& frames) {
   using J = Joint;
-  int left = 0, right = 0;
+  Sides sides;
   for (const auto i : sampleIndices(frames.size())) {
     const auto& f = frames[i];
     const bool all = f.has(J::kHipLeft) && f.has(J::kHipRight) && f.has(J::kAnkleLeft) &&
@@ -81,9 +93,49 @@ bool isMirrored(const std::vector<SkeletonFrame>& frames) {
     if (!all) continue;
     const Vector3d forward = f[J::kToeLeft] - f[J::kAnkleLeft] + f[J::kToeRight] - f[J::kAnkleRight];
     const double side = Vector3d::UnitZ().cross(forward).dot(f[J::kHipLeft] - f[J::kHipRight]);
-    ++(side >= 0.0 ? left : right);
+    ++(side >= 0.0 ? sides.agree : sides.contradict);
   }
-  return right > left;
+  return sides;
+}
+
+/// Toes that were made from the hips say nothing about sides.
+bool toesWereFound(const std::vector<SkeletonFrame>& frames) {
+  return std::any_of(frames.begin(), frames.end(), [](const SkeletonFrame& f) {
+    return f.state[static_cast<std::size_t>(Joint::kToeLeft)] == JointState::kTracked;
+  });
+}
+
+void reportSides(const RawRecording& raw, RecordingReport& report) {
+  const Sides sides = countSides(raw.frames);
+  const int all = sides.agree + sides.contradict;
+  if (all == 0 || (!raw.is_canonical && !toesWereFound(raw.frames))) {
+    report.sides = "unknown";
+    report.sides_reason = "no toes that were measured together with hips and ankles";
+    return;
+  }
+  const bool mirrored = sides.contradict > sides.agree;
+  report.sides = mirrored ? "mirrored" : "agree";
+  report.sides_reason = "the left hip is on the left of where the toes point in " +
+                        std::to_string(sides.agree) + " of " + std::to_string(all) + " frames";
+  if (mirrored)
+    report.warnings.push_back(
+        "left and right look swapped: the left hip is on the right of where the toes point; give the mirror "
+        "'axes' if the axes of the file are left-handed, 'sides' if the names are exchanged");
+}
+
+/// Exchanges what is called left and right.
+void swapSides(RawRecording& raw) {
+  constexpr auto kFirstLeft = static_cast<std::size_t>(Joint::kShoulderLeft);
+  for (const std::size_t first : {kFirstLeft, static_cast<std::size_t>(Joint::kHipLeft)})
+    for (std::size_t j = first; j < first + 4; ++j) {
+      const auto swap = [j](SkeletonFrame& f) {
+        std::swap(f.p[j], f.p[j + 4]);
+        std::swap(f.state[j], f.state[j + 4]);
+      };
+      swap(raw.rest);
+      for (auto& f : raw.frames) swap(f);
+      std::swap(raw.match.joint[j], raw.match.joint[j + 4]);
+    }
 }
 
 /// How often the line from hip to hip turns by more than 90 degrees between two frames: a tracker swapped
@@ -114,28 +166,36 @@ void warnOfPlace(const std::vector<SkeletonFrame>& frames, std::vector<std::stri
 
 Recording convert(RawRecording raw, const RecordingOptions& options) {
   ABSTAND_CHECK(!raw.frames.empty());
+  if (options.mirror != "none" && options.mirror != "axes" && options.mirror != "sides")
+    throw UsageError("mirror: found '" + options.mirror + "', expected none, axes or sides");
   Recording out;
   RecordingReport& report = out.report;
   report.format = raw.format;
   report.rate = raw.rate;
+  report.rate_reason = raw.rate_reason;
+  if (options.rate > 0.0) {
+    report.rate = options.rate;
+    report.rate_reason = "given by the user";
+    for (std::size_t i = 0; i < raw.frames.size(); ++i)
+      raw.frames[i].t = static_cast<double>(i) / options.rate;
+  }
   report.duration = raw.frames.back().t - raw.frames.front().t;
   report.joints = raw.joints;
   report.joint_map = raw.match.map;
+  report.notes = raw.notes;
   for (const auto& w : raw.warnings)
     report.warnings.push_back(w.line > 0 ? std::to_string(w.line) + ": " + w.text : w.text);
 
   const auto add = [&](const std::string& warning) {
     if (!warning.empty()) report.warnings.push_back(warning);
   };
+  if (options.mirror == "sides") swapSides(raw);
   if (!raw.is_canonical)
-    for (const auto& sentence : deriveJoints(raw.rest, raw.frames)) add(sentence);
+    for (const auto& sentence : deriveJoints(raw.rest, raw.frames, raw.match.head)) add(sentence);
   const auto stature = measureStature(raw.rest, raw.frames);
-  const bool units_known = raw.is_canonical && options.units == "auto",
-             up_known = raw.is_canonical && options.up == "auto";
   const UnitChoice unit =
-      units_known ? UnitChoice{"m", "the format's own", 1.0, ""} : chooseUnit(options.units, stature);
-  const UpChoice up =
-      up_known ? UpChoice{"z", "the format's own", ""} : chooseUp(options.up, raw.rest, raw.frames);
+      raw.unit && options.units == "auto" ? *raw.unit : chooseUnit(options.units, stature);
+  const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
   add(unit.warning);
   add(up.warning);
   report.units_guess = unit.name;
@@ -145,13 +205,15 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.up_reason = up.reason;
   report.stature = stature ? *stature * unit.scale : 0.0;
 
-  turnAndScale(raw.frames, rotationToZUp(up.axis), unit.scale);
+  Matrix3d R_WF = rotationToZUp(up.axis);
+  if (options.mirror == "axes") R_WF.row(1) *= -1.0;
+  turnAndScale(raw.frames, R_WF, unit.scale);
   reportParts(raw, raw.frames, report);
   report.gaps = countGaps(raw.frames);
-  if (isMirrored(raw.frames))
-    add("left and right look swapped: the left hip is on the right of where the toes point");
-  if (const auto swaps = countSideSwaps(raw.frames); swaps > 0)
-    add("the hips turn by more than 90 degrees between two frames " + std::to_string(swaps) +
+  reportSides(raw, report);
+  report.swaps = countSideSwaps(raw.frames);
+  if (report.swaps > 0)
+    add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
         " times: left and right may be swapped there");
   warnOfPlace(raw.frames, report.warnings);
   out.frames = std::move(raw.frames);

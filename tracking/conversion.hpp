@@ -1,12 +1,15 @@
 // From joints in a file's own axes and units to a recording in metres with z up.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "tracking/bvh_hierarchy.hpp"
+#include "tracking/body_size.hpp"
+#include "tracking/file_warning.hpp"
 #include "tracking/joint_map.hpp"
 #include "tracking/recording.hpp"
+#include "tracking/up_axis.hpp"
 
 namespace abstand {
 
@@ -18,8 +21,12 @@ struct RawRecording {
   SkeletonFrame rest;                 ///< the file's rest pose, where it has one
   std::vector<SkeletonFrame> frames;  ///< canonical joints in the file's axes and units; at least one
   double rate{0.0};                   ///< Hz
+  std::string rate_reason;
+  std::optional<UnitChoice> unit;  ///< where the file or its format says it; else it is guessed
+  std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;
-  bool is_canonical{false};  ///< metres, z up and canonical joints already: nothing is guessed or derived
+  std::vector<std::string> notes;
+  bool is_canonical{false};  ///< canonical joints already: none is derived
 };
 
 /// Derives what is missing, chooses up axis and units, turns and scales, and writes the report. Throws

@@ -9,6 +9,7 @@ namespace abstand {
 namespace {
 
 constexpr double kHeadPerTrunk = 0.5;  // about the mean of the conventions in data/joint_maps, 0.3 to 0.7
+constexpr double kHalfHeadPerTrunk = 0.065 / 0.288;
 constexpr double kHandPerForearm = 0.108 / 0.146;
 constexpr double kCosOfStrayHeadTop = 0.5;  // 60 degrees
 constexpr double kCosOfSole = 0.9;          // 25 degrees
@@ -79,7 +80,8 @@ double quantile(std::vector<double> values, double q) {
   return values[static_cast<std::size_t>(k)];
 }
 
-std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonFrame>& frames) {
+std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonFrame>& frames,
+                                      HeadPoint head) {
   std::vector<std::string> sentences;
   std::string made;
   const auto derive = [&](Joint j, auto rule) {
@@ -108,13 +110,15 @@ std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonF
     });
   }
   const double trunk = medianLength(rest, frames, Joint::kPelvis, Joint::kNeck);
-  derive(Joint::kHeadTop, [trunk](SkeletonFrame& f) {
-    if (has(f, Joint::kNeck, Joint::kHead))
-      setInferred(f, Joint::kHeadTop,
-                  f[Joint::kNeck] + kHeadPerTrunk * trunk * direction(f[Joint::kNeck], f[Joint::kHead]));
+  const bool is_middle = head == HeadPoint::kMiddle;
+  derive(Joint::kHeadTop, [trunk, is_middle](SkeletonFrame& f) {
+    if (!has(f, Joint::kNeck, Joint::kHead)) return;
+    const Vector3d& from = f[is_middle ? Joint::kHead : Joint::kNeck];
+    const double length = (is_middle ? kHalfHeadPerTrunk : kHeadPerTrunk) * trunk;
+    setInferred(f, Joint::kHeadTop, from + length * direction(f[Joint::kNeck], f[Joint::kHead]));
   });
-  toAll(rest, frames, [](SkeletonFrame& f) {
-    if (has(f, Joint::kHead, Joint::kHeadTop))
+  toAll(rest, frames, [is_middle](SkeletonFrame& f) {
+    if (has(f, Joint::kHead, Joint::kHeadTop) && !is_middle)
       f.set(Joint::kHead, 0.5 * (f[Joint::kHead] + f[Joint::kHeadTop]),
             f.state[static_cast<std::size_t>(Joint::kHead)]);
   });

@@ -12,6 +12,7 @@ namespace abstand {
 namespace {
 
 constexpr std::uintmax_t kMostMapBytes = 1 << 20;
+constexpr std::string_view kPlus = " + ";
 
 std::string_view trimmed(std::string_view s) {
   while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
@@ -29,6 +30,13 @@ std::vector<std::string> alternatives(std::string_view list, const SourcePos& po
     if (bar == std::string_view::npos) return out;
     list.remove_prefix(bar + 1);
   }
+}
+
+/// The place of `value` among two words.
+int oneOf(std::string_view value, std::array<const char*, 2> words, const SourcePos& pos) {
+  for (int i = 0; i < 2; ++i)
+    if (value == words[static_cast<std::size_t>(i)]) return i;
+  throw ParseError(pos, "found " + inQuotes(value) + ", expected " + words[0] + " or " + words[1]);
 }
 
 /// The form in which names are compared.
@@ -58,12 +66,25 @@ std::unordered_map<std::string, int> indexNames(const JointMap& map, std::span<c
   return index;
 }
 
+/// The points of "A + B + C", or empty where one of them is not in the file.
+std::vector<int> pointsOfMean(std::string_view sum, const std::unordered_map<std::string, int>& index) {
+  std::vector<int> points;
+  while (true) {
+    const auto plus = sum.find(kPlus);
+    const auto it = index.find(plain(sum.substr(0, plus)));
+    if (it == index.end()) return {};
+    points.push_back(it->second);
+    if (plus == std::string_view::npos) return points;
+    sum.remove_prefix(plus + kPlus.size());
+  }
+}
+
 }  // namespace
 
 JointMap parseJointMap(std::string_view text, const std::filesystem::path& file) {
   JointMap map;
   map.file = file;
-  std::vector<std::string> keys{"name", "origin", "licence", "prefix", "requires"};
+  std::vector<std::string> keys{"name", "origin", "licence", "prefix", "requires", "head_is", "points"};
   for (std::size_t j = 0; j < kJointCount; ++j) keys.emplace_back(jointName(static_cast<Joint>(j)));
 
   SourcePos pos{file.string()};
@@ -88,6 +109,10 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
       map.prefixes = alternatives(value, pos);
     else if (key == "requires")
       map.required = alternatives(value, pos);
+    else if (key == "head_is")
+      map.head = oneOf(value, {"base", "middle"}, pos) == 0 ? HeadPoint::kBase : HeadPoint::kMiddle;
+    else if (key == "points")
+      map.of_markers = oneOf(value, {"joints", "markers"}, pos) == 1;
     else if (const auto joint = parseJoint(key)) {
       auto& names = map.names[static_cast<std::size_t>(*joint)];
       if (!names.empty())
@@ -95,10 +120,12 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
       names = alternatives(value, pos);
     } else {
       const auto near = nearestName(key, keys);
-      throw ParseError(pos,
-                       "found " + inQuotes(key) +
-                           ", expected a canonical joint or name, origin, licence, prefix, requires",
-                       near.empty() ? "" : "did you mean '" + near + "'?");
+      throw ParseError(
+          pos,
+          "found " + inQuotes(key) +
+              ", expected a canonical joint or name, origin, licence, prefix, requires, head_is, "
+              "points",
+          near.empty() ? "" : "did you mean '" + near + "'?");
     }
   }
   if (map.name.empty()) throw ParseError({file.string()}, "found no 'name:' line, expected the map's name");
@@ -127,6 +154,8 @@ std::vector<JointMap> loadJointMaps(const std::filesystem::path& folder) {
 JointMatch matchJoints(const JointMap& map, std::span<const std::string> names) {
   JointMatch match;
   match.map = map.name;
+  match.head = map.head;
+  match.of_markers = map.of_markers;
   match.joint.fill(-1);
   const auto index = indexNames(map, names);
   for (const auto& name : map.required) {
@@ -136,17 +165,25 @@ JointMatch matchJoints(const JointMap& map, std::span<const std::string> names) 
   std::vector<bool> used(names.size(), false);
   for (std::size_t j = 0; j < kJointCount; ++j) {
     for (std::size_t rank = 0; rank < map.names[j].size() && match.joint[j] < 0; ++rank) {
-      const auto it = index.find(plain(map.names[j][rank]));
-      if (it == index.end() || used[static_cast<std::size_t>(it->second)]) continue;
-      used[static_cast<std::size_t>(it->second)] = true;
-      match.joint[j] = it->second;
+      const std::string& wanted = map.names[j][rank];
+      if (wanted.find(kPlus) != std::string::npos) {
+        auto points = pointsOfMean(wanted, index);
+        if (points.empty()) continue;
+        match.joint[j] = static_cast<int>(names.size() + match.means.size());
+        match.means.push_back(std::move(points));
+      } else {
+        const auto it = index.find(plain(wanted));
+        if (it == index.end() || used[static_cast<std::size_t>(it->second)]) continue;
+        used[static_cast<std::size_t>(it->second)] = true;
+        match.joint[j] = it->second;
+      }
       match.rank += static_cast<int>(rank);
       ++match.mapped;
     }
     if (!map.names[j].empty() && match.joint[j] < 0) ++match.not_found;
   }
   const auto has_prefix = [&](int joint) {
-    return joint >= 0 &&
+    return joint >= 0 && static_cast<std::size_t>(joint) < names.size() &&
            std::any_of(map.prefixes.begin(), map.prefixes.end(), [&](const std::string& prefix) {
              return plain(names[static_cast<std::size_t>(joint)]).starts_with(plain(prefix));
            });

@@ -12,12 +12,17 @@
 
 namespace abstand {
 
+/// Which point of the head a file's `head` is.
+enum class HeadPoint : std::uint8_t { kBase, kMiddle };
+
 /// One naming convention of skeleton files; data/joint_maps/README.md describes the file format.
 struct JointMap {
   std::string name, origin, licence;
   std::filesystem::path file;
-  std::vector<std::string> prefixes;                        ///< that names may carry, e.g. "mixamorig:"
-  std::vector<std::string> required;                        ///< names without which the map does not apply
+  std::vector<std::string> prefixes;  ///< that names may carry, e.g. "mixamorig:"
+  std::vector<std::string> required;  ///< names without which the map does not apply
+  HeadPoint head{HeadPoint::kBase};
+  bool of_markers{false};                                   ///< the points lie on the skin, not in the joints
   std::array<std::vector<std::string>, kJointCount> names;  ///< by canonical joint, the best first
 };
 
@@ -30,17 +35,20 @@ std::vector<JointMap> loadJointMaps(const std::filesystem::path& folder);
 
 /// What a map makes of the joints of a file.
 struct JointMatch {
-  std::string map;                     ///< its name
-  std::array<int, kJointCount> joint;  ///< index into the file's names; -1: not in the file
-  int mapped{0};                       ///< canonical joints found
-  int specific{0};                     ///< required names found, 1 more with its prefix, 1 less without
-  int rank{0};                         ///< sum over the found of their place among the alternatives
-  int not_found{0};                    ///< canonical joints that the map knows and the file has not
+  std::string map;                      ///< its name
+  std::array<int, kJointCount> joint;   ///< index into the file's names and, behind them, means; -1: none
+  std::vector<std::vector<int>> means;  ///< joints that are the middle of several points of the file
+  HeadPoint head{HeadPoint::kBase};
+  bool of_markers{false};
+  int mapped{0};     ///< canonical joints found
+  int specific{0};   ///< required names found, 1 more with its prefix, 1 less without
+  int rank{0};       ///< sum over the found of their place among the alternatives
+  int not_found{0};  ///< canonical joints that the map knows and the file has not
 };
 
 /// Names are compared without regard to capitals, to '_', '.', '-' against ' ', to a prefix of the map and to
-/// a namespace before the last ':'. A file joint serves one canonical joint at most. Without its required
-/// names a map maps nothing.
+/// a namespace before the last ':'. A file joint serves one canonical joint at most, but may take part in any
+/// number of means ("LWRA + LWRB"). Without its required names a map maps nothing.
 JointMatch matchJoints(const JointMap& map, std::span<const std::string> names);
 
 /// The map with most canonical joints; then the more specific: more required names or a prefix, better

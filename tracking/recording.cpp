@@ -4,8 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text_file.hpp"
-#include "tracking/bvh_recording.hpp"
-#include "tracking/skeleton_csv.hpp"
+#include "tracking/recording_format.hpp"
 
 namespace abstand {
 
@@ -16,17 +15,30 @@ const SkeletonFrame& Recording::at(double t) const {
   return after == frames.begin() ? *after : *(after - 1);
 }
 
+std::vector<std::string> recordingFormats() {
+  std::vector<std::string> names;
+  for (const auto& format : allRecordingFormats()) names.emplace_back(format.name);
+  return names;
+}
+
 Recording openRecording(const std::filesystem::path& file, const RecordingOptions& options) {
-  if (options.format != "auto" && options.format != "bvh" && options.format != "csv")
-    throw UsageError("format: found '" + options.format + "', expected auto, bvh or csv");
-  std::string text = readFile(file);
-  const std::string name = file.string();
-  if (options.format == "bvh" || (options.format == "auto" && looksLikeBvh(text)))
-    return readBvhRecording(std::move(text), name, options);
-  if (options.format == "csv" || looksLikeSkeletonCsv(text)) return readSkeletonCsv(text, name, options);
-  throw ParseError({name, 1, 1},
-                   "found no recording of a known format, expected bvh (begins with HIERARCHY) or csv "
-                   "(begins with 't,JOINT.x,')");
+  std::string names, signs;
+  const RecordingFormat* chosen = nullptr;
+  for (const auto& format : allRecordingFormats()) {
+    names += std::string(", ") + format.name;
+    signs += std::string(signs.empty() ? "" : ", ") + format.name + " (" + format.sign + ")";
+    if (options.format == format.name) chosen = &format;
+  }
+  if (!chosen && options.format != "auto")
+    throw UsageError("format: found '" + options.format + "', expected auto" + names);
+  std::string bytes = readFile(file);
+  if (!chosen)
+    for (const auto& format : allRecordingFormats())
+      if (!chosen && format.looksLike(bytes)) chosen = &format;
+  if (!chosen)
+    throw ParseError({file.string(), 1, 1},
+                     "found no recording of a known format, expected one of: " + signs);
+  return chosen->read(std::move(bytes), file, options);
 }
 
 }  // namespace abstand

@@ -12,22 +12,29 @@ namespace abstand {
 
 /// What a user may say about a file instead of letting the reader guess.
 struct RecordingOptions {
-  std::string format{"auto"};  ///< "auto", "bvh" or "csv"
+  std::string format{"auto"};  ///< "auto" or a name of recordingFormats()
   std::string units{"auto"};   ///< "auto", "m", "cm", "mm", "inches", "cmu" (1/0.45 inch), or metres per unit
   std::string up{"auto"};      ///< "auto", "x", "y", "z", "-x", "-y", "-z"
   std::filesystem::path joint_map{};  ///< empty: the best of the shipped maps
+  double rate{0.0};                   ///< Hz; 0: what the file says; else frame i lies at t = i / rate
+  std::string mirror{
+      "none"};  ///< "none", "axes" (those of the file are left-handed) or "sides" (names swapped)
+  std::filesystem::path skeleton{};  ///< the ASF of an AMC; empty: looked for beside it
 };
 
 /// What was understood, and why; everything that was guessed can be overridden.
 struct RecordingReport {
   std::string format;
   double rate{0.0};         ///< Hz
+  std::string rate_reason;  ///< where the rate and the times come from
   double duration{0.0};     ///< s, from the first frame to the last
   std::string units_guess;  ///< e.g. "cm"; "free" where the person was scaled to a stature
   std::string units_reason;
   double scale{1.0};  ///< metres per unit of the file
   std::string up;     ///< "y"
   std::string up_reason;
+  std::string sides;  ///< "agree", "mirrored" or "unknown": left and right against where the toes point
+  std::string sides_reason;
   double stature{0.0};                                     ///< m, estimated from the bones; 0: not known
   std::string joint_map;                                   ///< name of the map in use
   std::vector<std::string> joints;                         ///< names in the file
@@ -35,6 +42,8 @@ struct RecordingReport {
   std::vector<std::string> not_mapped;
   std::vector<std::string> missing_parts;  ///< parts that this file cannot move
   std::size_t gaps{0};                     ///< frames in which a mapped joint is missing or not finite
+  std::size_t swaps{0};                    ///< turns of the hips by more than 90 degrees between two frames
+  std::vector<std::string> notes;          ///< about the file, nothing to worry about
   std::vector<std::string> warnings;       ///< "LINE: text" where a line is known
 };
 
@@ -46,9 +55,12 @@ struct Recording {
   const SkeletonFrame& at(double t) const;
 };
 
-/// Reads a recording of any known format, found by its content. BVH frames lie at t = i * frame time, as they
-/// stand in the file (a T-pose at the start stays). Throws ParseError for the file and UsageError for the
-/// options.
+/// The names that RecordingOptions::format may have beside "auto".
+std::vector<std::string> recordingFormats();
+
+/// Reads a recording of any known format, found by its content; docs/recordings.md lists them. Frames stay as
+/// they stand in the file (a T-pose at the start stays). Throws ParseError for the file and UsageError for
+/// the options.
 Recording openRecording(const std::filesystem::path& file, const RecordingOptions& options = {});
 
 }  // namespace abstand

@@ -15,7 +15,8 @@ const QStringList& sceneSuffixes() {
 }
 
 const QStringList& recordingSuffixes() {
-  static const QStringList suffixes{"bvh", "c3d", "csv", "txt", "trc", "json", "ndjson", "h5", "skeleton"};
+  static const QStringList suffixes{"bvh",    "c3d", "csv", "txt", "trc", "json", "jsonl",
+                                    "ndjson", "amc", "asf", "mat", "rec", "h5",   "skeleton"};
   return suffixes;
 }
 

@@ -25,7 +25,8 @@ void CommandLine::print(nlohmann::ordered_json document, const std::string& text
   if (json) {
     nlohmann::ordered_json whole{{"schema_version", kSchemaVersion}, {"version", kVersion}};
     whole.update(document);
-    std::cout << whole.dump(2) << std::endl;
+    // Names in strangers' files may be in any encoding; what is no UTF-8 becomes a replacement character.
+    std::cout << whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
   } else if (!quiet) {
     std::cout << text << std::flush;
   }

@@ -1,14 +1,18 @@
 // abstand skeleton: reads a recording, says what was understood, and converts it.
 #include "app/cli/command_line.hpp"
+#include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
+#include "tracking/compact/compact_recording.hpp"
 #include "tracking/recording.hpp"
-#include "tracking/skeleton_csv.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::string file, out;
+  std::string file, out, compact, filter;
+  double fill{0.0};  ///< s
+  bool doctor{false};
   RecordingOptions options;
 };
 
@@ -17,12 +21,15 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
   return {{"format", r.format},
           {"frames", recording.frames.size()},
           {"rate", r.rate},
+          {"rate_reason", r.rate_reason},
           {"duration", r.duration},
           {"units_guess", r.units_guess},
           {"units_reason", r.units_reason},
           {"scale", r.scale},
           {"up", r.up},
           {"up_reason", r.up_reason},
+          {"sides", r.sides},
+          {"sides_reason", r.sides_reason},
           {"stature", r.stature},
           {"joint_map", r.joint_map},
           {"joints", r.joints},
@@ -30,6 +37,8 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"not_mapped", r.not_mapped},
           {"missing_parts", r.missing_parts},
           {"gaps", r.gaps},
+          {"swaps", r.swaps},
+          {"notes", r.notes},
           {"warnings", r.warnings}};
 }
 
@@ -43,21 +52,44 @@ std::string reportText(const Recording& recording, const std::string& file) {
   const RecordingReport& r = recording.report;
   std::string text = format("%s: %s, %zu frames at %.6g Hz, %.2f s\n", file.c_str(), r.format.c_str(),
                             recording.frames.size(), r.rate, r.duration);
-  text += format("units: %s (%.6g m a unit): %s\n", r.units_guess.c_str(), r.scale, r.units_reason.c_str());
-  text += format("up: %s: %s\n", r.up.c_str(), r.up_reason.c_str());
-  text += format("stature: %.3f m\njoint map: %s\n", r.stature, r.joint_map.c_str());
+  text += "time: " + r.rate_reason + " (--rate)\n";
+  text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units_guess.c_str(), r.scale,
+                 r.units_reason.c_str());
+  text += format("up: %s: %s (--up)\n", r.up.c_str(), r.up_reason.c_str());
+  text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
+  text += r.stature > 0.0 ? format("stature: %.3f m\n", r.stature) : "stature: not known\n";
+  text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) + " (--joint-map)\n";
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
   if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
   if (r.gaps > 0) text += format("frames with gaps: %zu\n", r.gaps);
+  for (const auto& n : r.notes) text += "note: " + n + "\n";
   for (const auto& w : r.warnings) text += "warning: " + w + "\n";
   return text;
 }
 
 int run(const CommandLine& line, const Arguments& args) {
-  const Recording recording = openRecording(args.file, args.options);
+  Recording recording = openRecording(args.file, args.options);
+  auto json = reportJson(recording);
+  std::string text = reportText(recording, args.file);
+  if (args.doctor) {
+    const DoctorReport doctor = examine(recording);
+    json["doctor"] = doctorJson(doctor);
+    text += doctorText(doctor);
+  }
+  if (args.fill > 0.0) {
+    const GapFill fill = fillGaps(recording.frames, args.fill);
+    text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
+    json["filled"] = fill.filled;
+  }
+  if (!args.filter.empty()) {
+    if (!(recording.report.rate > 0.0))
+      throw UsageError("filter: found a single frame, expected a recording");
+    smooth(recording.frames, recording.report.rate, *parseSmoothing(args.filter));
+  }
   if (!args.out.empty()) writeSkeletonCsv(std::filesystem::path(args.out), recording);
-  line.print(reportJson(recording), reportText(recording, args.file));
+  if (!args.compact.empty()) writeCompact(std::filesystem::path(args.compact), recording);
+  line.print(json, text);
   return kDone;
 }
 
@@ -68,10 +100,25 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
                              "abstand skeleton boxing.bvh --out boxing.csv");
   auto args = std::make_shared<Arguments>();
   command->add_option("FILE", args->file, "the recording")->required();
-  command->add_option("--format", args->options.format, "auto, bvh or csv");
+  command->add_option("--format", args->options.format, "auto, or " + join(recordingFormats()));
   command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
   command->add_option("--up", args->options.up, "auto, x, y, z, -x, -y, -z");
+  command->add_option("--rate", args->options.rate, "Hz: frame i lies at t = i / rate")
+      ->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--mirror", args->options.mirror,
+                      "none, axes (of the file are left-handed) or sides (names are exchanged)");
+  command->add_option("--joint-map", args->options.joint_map, "a joint map of your own");
+  command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
   command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
+  command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
+  command->add_flag("--doctor", args->doctor,
+                    "bones, gaps, jitter, jumps and swaps, and what filters would do");
+  command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")
+      ->check(CLI::Range(0.0, 3600.0));
+  command
+      ->add_option("--filter", args->filter,
+                   "of what is written: one-euro, butterworth or butterworth-both-ways")
+      ->check(CLI::IsMember({"one-euro", "butterworth", "butterworth-both-ways"}));
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -36,7 +36,12 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
   o.format = d.recording.format;
   o.units = d.recording.units;
   o.up = d.recording.up;
-  return openRecording(d.recording.file, o);
+  Recording recording = openRecording(d.recording.file, o);
+  if (recording.report.mapped.empty())
+    throw ParseError({d.recording.file.string()},
+                     "found no joints that move a part of a person, expected at least both ends of one",
+                     "abstand skeleton says what was understood of the file");
+  return recording;
 }
 
 HumanModel modelOf(const HumanDescription& d, const std::optional<Recording>& recording) {

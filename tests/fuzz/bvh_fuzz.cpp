@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/error.hpp"
-#include "tracking/bvh_pose.hpp"
-#include "tracking/bvh_reader.hpp"
+#include "tracking/bvh/bvh_pose.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -4,8 +4,8 @@
 
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
-#include "tracking/bvh_pose.hpp"
-#include "tracking/bvh_reader.hpp"
+#include "tracking/bvh/bvh_pose.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
 #include "tracking/recording.hpp"
 
 namespace abstand {

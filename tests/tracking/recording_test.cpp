@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/small_human.hpp"
-#include "tracking/bvh_recording.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
 #include "tracking/up_axis.hpp"
 
 namespace abstand {
@@ -155,7 +155,7 @@ TEST(Recording, OpensByContentNotByName) {
   EXPECT_DOUBLE_EQ(r.report.duration, 0.02);
   EXPECT_EQ(r.at(0.0149).t, 0.01);
   EXPECT_EQ(r.at(-1.0).t, 0.0);
-  EXPECT_THROW(openRecording(bvh, {.format = "c3d"}), UsageError);
+  EXPECT_THROW(openRecording(bvh, {.format = "mpeg"}), UsageError);
   EXPECT_THROW(openRecording(bvh, {.joint_map = folder.path() / "none.map"}), ParseError);
   const auto map = folder.write("own.map", "name: Own\npelvis: Hips\n");
   EXPECT_EQ(openRecording(bvh, {.joint_map = map}).report.joint_map, "Own");

@@ -1,0 +1,78 @@
+#include "app/cli/doctor_text.hpp"
+
+#include <cmath>
+
+#include "app/cli/command_line.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr double kMm = 1e3;
+/// Longer lists are cut in the text; the JSON has all.
+constexpr std::size_t kMostLines = 10;
+
+nlohmann::ordered_json numberOrNull(double v) {
+  return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+nlohmann::ordered_json doctorJson(const DoctorReport& r) {
+  using Json = nlohmann::ordered_json;
+  Json bones = Json::array(), joints = Json::array(), jumps = Json::array(), filters = Json::array();
+  for (const auto& b : r.bones)
+    bones.push_back({{"part", b.part}, {"length", b.length}, {"spread", b.spread}, {"drift", b.drift}});
+  for (const auto& j : r.joints)
+    joints.push_back({{"joint", j.joint},
+                      {"missing", j.missing},
+                      {"inferred", j.inferred},
+                      {"longest_gap", j.longest_gap},
+                      {"jitter", numberOrNull(j.jitter)},
+                      {"speed", j.speed}});
+  for (const auto& j : r.jumps) jumps.push_back({{"joint", j.joint}, {"t", j.t}, {"speed", j.speed}});
+  for (const auto& f : r.filters)
+    filters.push_back({{"name", f.name},
+                       {"delay", f.delay},
+                       {"delay_at_rest", f.delay_at_rest},
+                       {"jitter_before", numberOrNull(f.jitter_before)},
+                       {"jitter_after", numberOrNull(f.jitter_after)},
+                       {"moved", f.moved}});
+  return {{"step", r.step},
+          {"longest_step", r.longest_step},
+          {"uneven_steps", r.uneven_steps},
+          {"bones", bones},
+          {"joints", joints},
+          {"swaps", r.swaps},
+          {"jumps", jumps},
+          {"filters", filters},
+          {"fillable", r.fill.filled},
+          {"unfillable", r.fill.left}};
+}
+
+std::string doctorText(const DoctorReport& r) {
+  std::string text = format("steps: median %.1f ms, longest %.1f ms, %zu more than 10 %% off\n", r.step * kMm,
+                            r.longest_step * kMm, r.uneven_steps);
+  text += "bone                 length   spread    drift (mm)\n";
+  for (const auto& b : r.bones)
+    text +=
+        format("  %-16s %8.1f %8.1f %8.1f\n", b.part.c_str(), b.length * kMm, b.spread * kMm, b.drift * kMm);
+  text += "joint              jitter mm  missing inferred  longest gap ms\n";
+  for (const auto& j : r.joints)
+    text += format("  %-16s %9.2f %8zu %8zu %15.0f\n", j.joint.c_str(), j.jitter * kMm, j.missing, j.inferred,
+                   j.longest_gap * kMm);
+  text += format("left and right change places: %zu times", r.swaps.size());
+  for (std::size_t i = 0; i < r.swaps.size() && i < kMostLines; ++i)
+    text += format("%s%.3f s", i == 0 ? ": " : ", ", r.swaps[i]);
+  text += format("\njumps beyond %.0f m/s: %zu\n", kFastestJoint, r.jumps.size());
+  for (std::size_t i = 0; i < r.jumps.size() && i < kMostLines; ++i)
+    text += format("  %-16s at %.3f s: %.1f m/s\n", r.jumps[i].joint.c_str(), r.jumps[i].t, r.jumps[i].speed);
+  text +=
+      "filter                    delay ms (at rest)  jitter mm before  after  99 % moved by less than mm\n";
+  for (const auto& f : r.filters)
+    text += format("  %-22s %8.1f (%6.1f) %18.2f %7.2f %10.1f\n", f.name.c_str(), f.delay * kMm,
+                   f.delay_at_rest * kMm, f.jitter_before * kMm, f.jitter_after * kMm, f.moved * kMm);
+  return text + format("gaps up to %.0f ms: %zu places can be filled, %zu cannot\n", kShortGap * kMm,
+                       r.fill.filled, r.fill.left);
+}
+
+}  // namespace abstand::cli

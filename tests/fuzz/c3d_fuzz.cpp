@@ -1,0 +1,14 @@
+// Fuzzes the C3D reader.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "tests/fuzz/read_all.hpp"
+#include "tracking/c3d/c3d_reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  abstand::looksLikeC3d(bytes);
+  abstand::testing::readAll([&] { return abstand::C3dReader(bytes, "fuzz"); });
+  return 0;
+}

@@ -1,0 +1,184 @@
+// C3D: the six encodings by hand and from c3d.org, traps of header and parameters, and what is refused.
+#include "tracking/c3d/c3d_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+#include "core/base/text_file.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/tracking/c3d/c3d_writer.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::c3dOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using testing::SmallC3d;
+
+SmallC3d small() {
+  SmallC3d c;
+  for (int i = 0; i < 5; ++i)
+    c.frames.push_back(
+        {{100.0 + i, -20.25, 0.5}, {-3.0, 1000.0 - i, 250.75}, Vector3d::Constant(i == 2 ? kNaN : 7.0 * i)});
+  return c;
+}
+
+std::vector<PointFrame> framesOf(PointReader& reader) {
+  std::vector<PointFrame> frames;
+  for (PointFrame f; reader.next(f);) frames.push_back(f);
+  return frames;
+}
+
+TEST(C3d, SixEncodingsReadTheSame) {
+  for (const auto processor : {C3dProcessor::kIntel, C3dProcessor::kDec, C3dProcessor::kMips})
+    for (const bool is_float : {false, true}) {
+      SmallC3d c = small();
+      c.processor = processor;
+      c.is_float = is_float;
+      const std::string bytes = c3dOf(c);
+      ASSERT_TRUE(looksLikeC3d(bytes));
+      C3dReader reader(bytes, "t.c3d");
+      EXPECT_THAT(reader.names(), ::testing::ElementsAre("LASI", "RASI", "C7"));
+      EXPECT_EQ(reader.facts().rate, 100.0);
+      EXPECT_EQ(reader.facts().unit->name, "mm");
+      EXPECT_EQ(reader.facts().up->axis, "z");
+      EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("2 analog samples")));
+      EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("residuals: median 1.00")));
+      const auto frames = framesOf(reader);
+      ASSERT_EQ(frames.size(), 5u);
+      for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const bool gap = i == 2 && k == 2;
+          EXPECT_EQ(frames[i].state[k] == JointState::kMissing, gap) << i << " " << k;
+          if (gap) continue;
+          EXPECT_EQ(frames[i].p[k], c.frames[i][k]) << i << " " << k;
+        }
+      EXPECT_TRUE(reader.warnings().empty());
+    }
+}
+
+TEST(C3d, LooksWhereTheHeaderPoints) {
+  SmallC3d c = small();
+  c.parameter_block = 7;
+  const std::string bytes = c3dOf(c);
+  C3dReader reader(bytes, "t.c3d");
+  EXPECT_EQ(reader.names()[0], "LASI");
+  EXPECT_EQ(framesOf(reader)[1].p[0], c.frames[1][0]);
+}
+
+TEST(C3d, ReadsWhatIsThereOfWhatIsClaimed) {
+  SmallC3d c = small();
+  c.claimed_more = 60000;
+  const std::string bytes = c3dOf(c);
+  C3dReader reader(bytes, "t.c3d");
+  EXPECT_EQ(framesOf(reader).size(), 5u);
+  ASSERT_EQ(reader.warnings().size(), 1u);
+  EXPECT_THAT(reader.warnings()[0].text, HasSubstr("claims 60005 frames, found 5"));
+}
+
+TEST(C3d, DoesNotBelieveResidualsThatAreAllNegative) {
+  SmallC3d c = small();
+  c.all_invalid = true;
+  const std::string bytes = c3dOf(c);
+  C3dReader reader(bytes, "t.c3d");
+  const auto frames = framesOf(reader);
+  EXPECT_EQ(frames[1].p[1], c.frames[1][1]);
+  EXPECT_EQ(frames[2].state[2], JointState::kMissing) << "in the origin";
+  EXPECT_THAT(reader.warnings()[0].text, HasSubstr("every residual is negative"));
+}
+
+TEST(C3d, RefusesWithTheByte) {
+  const std::string good = c3dOf(small());
+  const auto with = [&](std::size_t at, const std::string& bytes) {
+    std::string s = good;
+    return s.replace(at, bytes.size(), bytes);
+  };
+  struct Case {
+    std::string bytes;
+    const char* message;
+  };
+  using namespace std::string_literals;
+  for (const Case& c :
+       {Case{good.substr(0, 100), "found the end of the file"},
+        Case{with(512 + 3, "\x07"), "at byte 515: found the processor 7"},
+        Case{with(2, "\0\0"s), "found 0 points"}, Case{with(12, "\0\0\0\0"s), "found a scale of 0"},
+        Case{with(16, "\0\0"s), "found the data in block 0"},
+        Case{with(20, "\0\0\0\0"s), "found a rate of 0"},
+        Case{with(6, "\x09"), "found the last frame 5 before the first, 9"},
+        Case{with(16, "\xff\xff"), "found no whole frame"},
+        Case{with(0, "\xff"), "found the end of the file"}}) {
+    try {
+      C3dReader reader(c.bytes, "t.c3d");
+      FAIL() << c.message;
+    } catch (const ParseError& e) {
+      EXPECT_THAT(e.what(), HasSubstr(c.message));
+    }
+  }
+}
+
+TEST(C3d, LeavesOutWhatFollowsABadParameter) {
+  // The group points back: no parameter behind it, so markers have numbers for names.
+  std::string bytes = c3dOf(small());
+  const std::size_t pointer = 512 + 4 + 2 + 5;
+  bytes[pointer] = bytes[pointer + 1] = '\xff';
+  C3dReader reader(bytes, "t.c3d");
+  EXPECT_EQ(reader.names()[1], "point 2");
+  EXPECT_EQ(framesOf(reader).size(), 5u);
+  EXPECT_THAT(reader.warnings()[0].text, HasSubstr("points back by -1"));
+}
+
+std::filesystem::path c3d(const std::string& name) { return testing::sharedData("mocap/c3d/" + name); }
+
+// c3d.org's test suite: one trial in six encodings. Floats were made from the integers, so all are equal.
+TEST(C3d, SixFilesOfOneTrialReadEqual) {
+  if (!std::filesystem::exists(c3d("sample01"))) GTEST_SKIP();
+  std::vector<std::vector<PointFrame>> all;
+  for (const char* name : {"Eb015pi", "Eb015pr", "Eb015si", "Eb015sr", "Eb015vi", "Eb015vr"}) {
+    const std::string bytes = readFile(c3d(std::string("sample01/") + name + ".c3d"));
+    C3dReader reader(bytes, name);
+    EXPECT_EQ(reader.names().size(), 26u);
+    all.push_back(framesOf(reader));
+    ASSERT_EQ(all.back().size(), 450u);
+  }
+  double largest = 0.0;
+  std::size_t known = 0;
+  for (std::size_t k = 1; k < all.size(); ++k)
+    for (std::size_t i = 0; i < 450; ++i)
+      for (std::size_t j = 0; j < 26; ++j) {
+        ASSERT_EQ(all[k][i].state[j], all[0][i].state[j]) << k << " " << i << " " << j;
+        if (all[0][i].state[j] == JointState::kMissing) continue;
+        largest = std::max(largest, (all[k][i].p[j] - all[0][i].p[j]).norm());
+        ++known;
+      }
+  EXPECT_GT(known, 40000u);
+  EXPECT_LT(largest, 1e-3) << "mm; single precision at a metre";
+}
+
+TEST(C3d, RealFilesOpenOrAreRefused) {
+  if (!std::filesystem::exists(c3d("sample01"))) GTEST_SKIP();
+  struct Case {
+    const char* file;
+    std::size_t markers, frames;
+    double rate;
+  };
+  for (const Case& c :
+       {Case{"sample08/TESTBPI.c3d", 26, 450, 50}, Case{"sample08/TESTDPI.c3d", 26, 450, 50},
+        Case{"sample09/PlugInC3D.c3d", 86, 281, 60}, Case{"PiG/PiG_Motion3_FF.c3d", 97, 293, 100},
+        Case{"others/MyCube.c3d", 14, 1, 50}, Case{"others/mocap36.c3d", 36, 1380, 100},
+        Case{"sample18/bad_parameter_section.c3d", 45, 332, 120},
+        Case{"sample20/phasespace_sample.c3d", 40, 701, 30}}) {
+    const Recording r = openRecording(c3d(c.file));
+    EXPECT_EQ(r.report.format, "c3d");
+    EXPECT_EQ(r.report.joints.size(), c.markers) << c.file;
+    EXPECT_EQ(r.frames.size(), c.frames) << c.file;
+    EXPECT_NEAR(r.report.rate, c.rate, 1e-3) << c.file;
+  }
+  EXPECT_THROW(openRecording(c3d("others/Empty.c3d")), ParseError);
+  EXPECT_THAT(openRecording(c3d("sample18/bad_parameter_section.c3d")).report.joints, Contains("P1"));
+}
+
+}  // namespace
+}  // namespace abstand

@@ -1,0 +1,96 @@
+// The plain skeleton CSV: to the bit and back, and what it refuses.
+#include "tracking/table/skeleton_csv.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <sstream>
+
+#include "core/base/error.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/support/random_pose.hpp"
+
+namespace abstand {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(SkeletonCsv, ComesBackToTheBit) {
+  Recording written;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    SkeletonFrame f;
+    f.t = static_cast<double>(i) * 0.0083333;
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      if ((i + j) % 7 == 0) continue;  // a gap
+      f.set(static_cast<Joint>(j), testing::randomPose(i * 100 + j).translation(),
+            j % 3 == 0 ? JointState::kInferred : JointState::kTracked);
+    }
+    f.p[1].z() = -0.0;
+    written.frames.push_back(f);
+  }
+  const testing::ScratchFolder folder;
+  const auto file = folder.path() / "out.csv";
+  writeSkeletonCsv(file, written);
+  const Recording read = openRecording(file);
+  EXPECT_EQ(read.report.format, "csv");
+  EXPECT_EQ(read.report.gaps, 20u);
+  EXPECT_NEAR(read.report.rate, 1.0 / 0.0083333, 1e-6);
+  ASSERT_EQ(read.frames.size(), written.frames.size());
+  for (std::size_t i = 0; i < written.frames.size(); ++i) {
+    const auto &a = written.frames[i], &b = read.frames[i];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(a.t), std::bit_cast<std::uint64_t>(b.t));
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      ASSERT_EQ(a.state[j], b.state[j]) << i << " " << j;
+      for (int k = 0; k < 3 && a.state[j] != JointState::kMissing; ++k)
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(a.p[j][k]), std::bit_cast<std::uint64_t>(b.p[j][k]));
+    }
+  }
+}
+
+TEST(SkeletonCsv, ReadsWhatOthersWrite) {
+  const Recording r = readSkeletonCsv("t,neck.z,neck.x,neck.y\r\n0,3,1,2\r\n0.5,,,\r\n1,6,4,5", "t.csv");
+  ASSERT_EQ(r.frames.size(), 3u);
+  EXPECT_EQ(r.frames[0][Joint::kNeck], Vector3d(1, 2, 3));
+  EXPECT_FALSE(r.frames[1].has(Joint::kNeck));
+  EXPECT_FALSE(r.frames[0].has(Joint::kPelvis));
+  EXPECT_EQ(r.report.gaps, 1u);
+  EXPECT_EQ(r.report.rate, 2.0);
+  EXPECT_EQ(r.report.up, "z");
+  const Recording turned =
+      readSkeletonCsv("t,neck.x,neck.y,neck.z\n0,100,200,300\n", "t.csv", {.units = "cm", .up = "y"});
+  EXPECT_LT((turned.frames[0][Joint::kNeck] - Vector3d(1, -3, 2)).norm(), 1e-12);
+}
+
+TEST(SkeletonCsv, RefusesWithThePlace) {
+  struct Case {
+    const char* text;
+    int line, column;
+    const char* message;
+  };
+  const std::string head = "t,neck.x,neck.y,neck.z\n";
+  for (const Case& c :
+       {Case{"x,neck.x\n", 1, 1, "expected the column 't'"},
+        Case{"t,nek.x,nek.y,nek.z\n", 1, 3, "did you mean 'neck'?"},
+        Case{"t,neck.x,neck.w\n", 1, 10, "expected JOINT.x, .y, .z"},
+        Case{"t,neck.x,neck.x\n", 1, 10, "a second time"},
+        Case{"t,neck.x,neck.y\n0,1,2\n", 1, 0, "only some columns of neck"},
+        Case{"t\n0\n", 1, 0, "found no joint"}, Case{"t,neck.x,neck.y,neck.z\n", 2, 0, "found no frame"},
+        Case{"t,neck.x,neck.y,neck.z\n0,1,nan,3\n", 2, 5, "found 'nan'"},
+        Case{"t,neck.x,neck.y,neck.z\n0,1,1e300,3\n", 2, 5, "expected a number below 1e9"},
+        Case{"t,neck.x,neck.y,neck.z\n0,1,2\n", 2, 6, "expected 4 cells"},
+        Case{"t,neck.x,neck.y,neck.z\n0,1,2,3,4\n", 2, 9, "expected 4 cells"},
+        Case{"t,neck.x,neck.y,neck.z\n0,1,2,3\n0,1,2,3\n", 3, 1, "expected t to rise"}}) {
+    try {
+      readSkeletonCsv(c.text, "t.csv");
+      FAIL() << c.message;
+    } catch (const ParseError& e) {
+      EXPECT_THAT(e.what(), HasSubstr(c.message));
+      EXPECT_EQ(e.pos().line, c.line) << e.what();
+      EXPECT_EQ(e.pos().column, c.column) << e.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abstand

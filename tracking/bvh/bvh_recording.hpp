@@ -1,0 +1,39 @@
+// A BVH file as points.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tracking/bvh/bvh_pose.hpp"
+#include "tracking/bvh/bvh_reader.hpp"
+#include "tracking/point_reader.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand {
+
+/// True where the text begins like a BVH file.
+bool looksLikeBvh(std::string_view text);
+
+/// The joints and end sites, placed by their rotations; frames lie at t = i * frame time.
+class BvhPoints : public PointReader {
+ public:
+  BvhPoints(std::string text, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return names_; }
+  std::vector<Vector3d> rest() const override;
+  bool next(PointFrame& frame) override;
+  std::vector<FileWarning> warnings() const override { return reader_.warnings(); }
+
+ private:
+  BvhReader reader_;
+  BvhPose pose_;
+  PointFacts facts_;
+  std::vector<std::string> names_;
+};
+
+/// Reads a whole BVH text. `file` names it in messages. Throws ParseError for the text and the joint maps,
+/// UsageError for the options.
+Recording readBvhRecording(std::string text, const std::string& file, const RecordingOptions& options);
+
+}  // namespace abstand

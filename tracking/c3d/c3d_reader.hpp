@@ -1,0 +1,56 @@
+// Markers as C3D files store them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tracking/c3d/c3d_bytes.hpp"
+#include "tracking/c3d/c3d_parameters.hpp"
+#include "tracking/point_reader.hpp"
+
+namespace abstand {
+
+/// True where the bytes begin with the number of the parameter block and the key 0x50.
+bool looksLikeC3d(std::string_view bytes);
+
+/// Intel, DEC and MIPS; integers (POINT:SCALE above 0) and floats (below). Analog samples are skipped. A
+/// point with a negative residual is a gap; where all residuals of a file are negative, residuals are not
+/// believed, and only points in the origin are gaps. The header says where things are; the frames are those
+/// that the file holds, and a claim that differs is a warning.
+class C3dReader : public PointReader {
+ public:
+  /// `bytes` must outlive this. Throws ParseError with the offset.
+  C3dReader(std::string_view bytes, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return names_; }
+  bool next(PointFrame& frame) override;
+  std::vector<FileWarning> warnings() const override { return warnings_; }
+
+ private:
+  struct Point {
+    Vector3d p;
+    bool is_valid;
+    double residual;  ///< units of the file
+  };
+  /// -1 where the parameter is not there.
+  double numberOf(const std::string& name, std::size_t i = 0) const;
+  void readHead();
+  void nameMarkers();
+  void describe();
+  std::size_t claimedFrames() const;
+  Point point(std::size_t frame, std::size_t i) const;
+  void lookAtResiduals();
+
+  C3dBytes bytes_;
+  C3dParameters parameters_;
+  std::vector<FileWarning> warnings_;
+  PointFacts facts_;
+  std::vector<std::string> names_;
+  std::size_t points_{0}, frames_{0}, data_{0}, frame_bytes_{0}, next_{0}, first_frame_{1};
+  double scale_{1.0};
+  bool is_float_{false}, trust_residuals_{true};
+};
+
+}  // namespace abstand

@@ -1,0 +1,178 @@
+#include "tracking/compact/compact_recording.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <ostream>
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/output_file.hpp"
+#include "tracking/message_text.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr std::string_view kMagic = "ABSTREC1";
+constexpr std::uint8_t kFrame = 1, kEnd = 0;
+/// Beyond this (m) nothing is written, and differences beyond twice of it are refused.
+constexpr double kFarthest = 1e6;
+constexpr auto kMostSteps = static_cast<std::int64_t>(kFarthest / kCompactStep);
+
+void writeU64(std::ostream& out, std::uint64_t v) {
+  for (int i = 0; i < 8; ++i, v >>= 8) out.put(static_cast<char>(v & 0xff));
+}
+
+/// Zigzag, then seven bits a byte, the lowest first, the high bit set where more follow.
+void writeDifference(std::ostream& out, std::int64_t v) {
+  auto z = static_cast<std::uint64_t>(v) << 1 ^ static_cast<std::uint64_t>(v >> 63);
+  for (; z >= 0x80; z >>= 7) out.put(static_cast<char>(0x80 | (z & 0x7f)));
+  out.put(static_cast<char>(z));
+}
+
+std::uint64_t readU64(std::string_view bytes) {
+  std::uint64_t v = 0;
+  for (int i = 7; i >= 0; --i) v = v << 8 | static_cast<std::uint8_t>(bytes[static_cast<std::size_t>(i)]);
+  return v;
+}
+
+}  // namespace
+
+void writeCompact(std::ostream& out, const Recording& recording) {
+  out.write(kMagic.data(), static_cast<std::streamsize>(kMagic.size()));
+  out.put(static_cast<char>(kJointCount));
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const auto name = jointName(static_cast<Joint>(j));
+    out.put(static_cast<char>(name.size()));
+    out.write(name.data(), static_cast<std::streamsize>(name.size()));
+  }
+  std::array<std::array<std::int64_t, 3>, kJointCount> last{};
+  for (const SkeletonFrame& f : recording.frames) {
+    out.put(static_cast<char>(kFrame));
+    writeU64(out, std::bit_cast<std::uint64_t>(f.t));
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      out.put(static_cast<char>(f.state[j]));
+      if (f.state[j] == JointState::kMissing) continue;
+      if (!(f.p[j].cwiseAbs().maxCoeff() <= kFarthest))
+        throw UsageError("found " + std::string(jointName(static_cast<Joint>(j))) +
+                         " farther than 1e6 m away at t = " + formatDouble(f.t) +
+                         ", expected a person nearer by");
+      for (int k = 0; k < 3; ++k) {
+        const auto steps = static_cast<std::int64_t>(std::llround(f.p[j][k] / kCompactStep));
+        writeDifference(out, steps - last[j][static_cast<std::size_t>(k)]);
+        last[j][static_cast<std::size_t>(k)] = steps;
+      }
+    }
+  }
+  out.put(static_cast<char>(kEnd));
+  writeU64(out, recording.frames.size());
+}
+
+void writeCompact(const std::filesystem::path& file, const Recording& recording) {
+  OutputFile out(file);
+  writeCompact(out.stream(), recording);
+  out.commit();
+}
+
+bool looksLikeCompact(std::string_view bytes) { return bytes.starts_with(kMagic); }
+
+CompactReader::CompactReader(std::string_view bytes, std::string file)
+    : bytes_(bytes), file_(std::move(file)) {
+  if (!looksLikeCompact(bytes_)) fail("found another begin, expected ABSTREC1");
+  at_ = kMagic.size();
+  std::uint8_t joints = 0, length = 0;
+  if (!readByte(joints) || joints == 0) fail("found no joint, expected how many there are");
+  for (int j = 0; j < joints; ++j) {
+    if (!readByte(length) || length > bytes_.size() - at_)
+      fail("found the end, expected the name of a joint");
+    names_.emplace_back(bytes_.substr(at_, length));
+    at_ += length;
+    if (!parseJoint(names_.back()))
+      fail("found the joint " + inQuotes(names_.back()) + ", expected a canonical one");
+  }
+  last_.resize(names_.size());
+  facts_.format = "compact";
+  facts_.is_canonical = true;
+  facts_.rate_reason = "the median step of the times in the file";
+  facts_.unit = UnitChoice{"m", "the format's own", 1.0, ""};
+  facts_.up = UpChoice{"z", "the format's own", ""};
+}
+
+void CompactReader::fail(const std::string& message) const {
+  throw ParseError({file_}, "at byte " + std::to_string(at_) + ": " + message);
+}
+
+bool CompactReader::readByte(std::uint8_t& value) {
+  if (at_ >= bytes_.size()) return false;
+  value = static_cast<std::uint8_t>(bytes_[at_++]);
+  return true;
+}
+
+bool CompactReader::readDifference(std::int64_t& value) {
+  std::uint64_t z = 0;
+  std::uint8_t byte = 0;
+  for (int shift = 0;; shift += 7) {
+    if (!readByte(byte)) return false;
+    if (shift > 56) fail("found a number of more than nine bytes, expected fewer");
+    z |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+    if (byte < 0x80) break;
+  }
+  value = static_cast<std::int64_t>(z >> 1) ^ -static_cast<std::int64_t>(z & 1);
+  return true;
+}
+
+/// False where the file ends inside the frame.
+bool CompactReader::readFrame(PointFrame& frame) {
+  frame.clear(names_.size());
+  if (bytes_.size() - at_ < 8) return false;
+  frame.t = std::bit_cast<double>(readU64(bytes_.substr(at_, 8)));
+  if (!std::isfinite(frame.t) || std::abs(frame.t) > kLargestCoordinate ||
+      (frames_ > 0 && frame.t <= last_t_))
+    fail("found the time " + formatDouble(frame.t) + ", expected one behind that of the last frame");
+  at_ += 8;
+  for (std::size_t j = 0; j < names_.size(); ++j) {
+    std::uint8_t state = 0;
+    if (!readByte(state)) return false;
+    if (state > static_cast<std::uint8_t>(JointState::kTracked))
+      fail("found the state " + std::to_string(state) + " of a joint, expected 0 to 2");
+    if (state == 0) continue;
+    Vector3d p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::int64_t difference = 0;
+      if (!readDifference(difference)) return false;
+      if (difference > 2 * kMostSteps || difference < -2 * kMostSteps ||
+          std::abs(last_[j][k] + difference) > kMostSteps)
+        fail("found a place beyond 1e6 m, expected a person nearer by");
+      last_[j][k] += difference;
+      p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
+    }
+    frame.set(j, p, static_cast<JointState>(state));
+  }
+  last_t_ = frame.t;
+  ++frames_;
+  return true;
+}
+
+void CompactReader::readEnd() {
+  if (bytes_.size() - at_ < 8) return;
+  const auto count = readU64(bytes_.substr(at_, 8));
+  if (count != frames_)
+    fail("found the end after " + std::to_string(frames_) + " frames, expected " + std::to_string(count));
+}
+
+bool CompactReader::next(PointFrame& frame) {
+  if (done_) return false;
+  std::uint8_t kind = 0;
+  if (readByte(kind)) {
+    if (kind == kFrame && readFrame(frame)) return true;
+    if (kind == kEnd) readEnd();
+    if (kind > kFrame)
+      fail("found the mark " + std::to_string(kind) + ", expected 1 (a frame) or 0 (the end)");
+  }
+  done_ = true;
+  if (kind != kEnd || at_ >= bytes_.size())
+    warnings_.push_back({0, "the file is cut: its " + std::to_string(frames_) + " whole frames are read"});
+  return false;
+}
+
+}  // namespace abstand

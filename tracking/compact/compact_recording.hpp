@@ -1,0 +1,54 @@
+// Abstand's own recording: small, and quick to read.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "tracking/point_reader.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand {
+
+/// Places are kept in whole micrometres: what is read differs from what was written by 0.5 um at most.
+inline constexpr double kCompactStep = 1e-6;
+
+/// Writes canonical joints; README.md beside this file has the layout. Throws UsageError for a place beyond
+/// 1e6 m. The form for a path is written whole or not at all.
+void writeCompact(std::ostream& out, const Recording& recording);
+void writeCompact(const std::filesystem::path& file, const Recording& recording);
+
+/// True where the bytes begin with "ABSTREC1".
+bool looksLikeCompact(std::string_view bytes);
+
+/// Reads what writeCompact writes. A file that is cut gives its whole frames, with a warning.
+class CompactReader : public PointReader {
+ public:
+  /// `bytes` must outlive this. Throws ParseError with the offset.
+  CompactReader(std::string_view bytes, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return names_; }
+  bool next(PointFrame& frame) override;
+  std::vector<FileWarning> warnings() const override { return warnings_; }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const;
+  bool readByte(std::uint8_t& value);
+  bool readDifference(std::int64_t& value);
+  bool readFrame(PointFrame& frame);
+  void readEnd();
+
+  std::string_view bytes_;
+  std::string file_;
+  PointFacts facts_;
+  std::vector<std::string> names_;
+  std::vector<FileWarning> warnings_;
+  std::vector<std::array<std::int64_t, 3>> last_;
+  std::size_t at_{0}, frames_{0};
+  double last_t_{0.0};
+  bool done_{false};
+};
+
+}  // namespace abstand

@@ -1,0 +1,31 @@
+// Kinect v1 skeletons as UTD-MHAD stores them: a MATLAB file with the variable d_skel.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tracking/point_reader.hpp"
+
+namespace abstand {
+
+/// True where the bytes begin as MATLAB files do.
+bool looksLikeMat(std::string_view bytes);
+
+/// d_skel, 20 joints x 3 x frames, metres; x to the right of a person who faces the camera, y up, z away from
+/// it. No time is stored: 30 Hz, as the set says.
+class UtdMhadReader : public PointReader {
+ public:
+  /// Throws ParseError for a file that is none, or has no such variable.
+  UtdMhadReader(std::string_view bytes, const std::string& file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override;
+  bool next(PointFrame& frame) override;
+
+ private:
+  PointFacts facts_;
+  std::vector<double> values_;  ///< column-major, as MATLAB keeps them
+  std::size_t frames_{0}, next_{0};
+};
+
+}  // namespace abstand

@@ -1,0 +1,130 @@
+#include "tracking/point_recording.hpp"
+
+#include <algorithm>
+
+#include "core/base/data_folder.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "tracking/conversion.hpp"
+#include "tracking/derived_joints.hpp"
+#include "tracking/joint_map.hpp"
+#include "tracking/message_text.hpp"
+
+namespace abstand {
+namespace {
+
+JointMatch canonicalNames(std::span<const std::string> names) {
+  JointMatch match;
+  match.joint.fill(-1);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto j = parseJoint(names[i])) match.joint[static_cast<std::size_t>(*j)] = static_cast<int>(i);
+  return match;
+}
+
+JointMatch matchNames(const PointFacts& facts, std::span<const std::string> names,
+                      const RecordingOptions& options, const std::string& file) {
+  const auto maps = options.joint_map.empty() ? loadJointMaps(dataFolder() / "joint_maps")
+                                              : std::vector<JointMap>{loadJointMap(options.joint_map)};
+  JointMatch match = chooseJointMap(maps, names);
+  if (match.mapped > 0) return match;
+  if (facts.of_markers) {
+    match.map.clear();
+    return match;
+  }
+  std::string some;
+  for (std::size_t i = 0; i < names.size() && i < 3; ++i) some += (i > 0 ? ", " : "") + inQuotes(names[i]);
+  throw ParseError(
+      {file}, "found joints that no joint map knows (" + some + "...), expected names of a known convention",
+      "write a joint map for them as data/joint_maps/README.md says");
+}
+
+/// The middle of several points; missing where one of them is, inferred where one of them is.
+void setMean(const PointFrame& from, const std::vector<int>& points, Joint j, SkeletonFrame& to) {
+  Vector3d sum = Vector3d::Zero();
+  JointState state = JointState::kTracked;
+  for (const int i : points) {
+    sum += from.p[static_cast<std::size_t>(i)];
+    state = std::min(state, from.state[static_cast<std::size_t>(i)]);
+  }
+  if (state != JointState::kMissing) to.set(j, sum / static_cast<double>(points.size()), state);
+}
+
+SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
+  SkeletonFrame frame;
+  frame.t = from.t;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    if (match.joint[j] < 0) continue;
+    const auto i = static_cast<std::size_t>(match.joint[j]);
+    if (i >= from.p.size())
+      setMean(from, match.means[i - from.p.size()], static_cast<Joint>(j), frame);
+    else if (from.state[i] != JointState::kMissing)
+      frame.set(static_cast<Joint>(j), from.p[i], from.state[i]);
+  }
+  return frame;
+}
+
+SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) {
+  if (p.empty()) return {};
+  PointFrame rest;
+  rest.p = p;
+  rest.state.assign(p.size(), JointState::kTracked);
+  return pick(rest, match);
+}
+
+/// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
+double rateOf(const std::vector<SkeletonFrame>& frames) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
+  if (steps.empty()) return 0.0;
+  const double median = quantile(std::move(steps), 0.5);
+  return median > 0.0 ? 1.0 / median : 0.0;
+}
+
+/// Points that may be markers, and what that means for the person.
+void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
+  if (report.mapped.empty()) {
+    report.joint_map.clear();
+    report.warnings.push_back(
+        "the file holds " + std::to_string(report.joints.size()) +
+        " markers or points of which no joint map makes a part of a body, so nothing can "
+        "be moved after it; a joint map says which markers make a joint "
+        "(data/joint_maps/README.md)");
+  } else if (by_marker_map) {
+    report.warnings.push_back(
+        "joints are taken at the middle of markers on the skin, some centimetres off the "
+        "joint centres: no body model is fitted");
+  }
+}
+
+}  // namespace
+
+Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
+  const PointFacts& facts = reader.facts();
+  RawRecording raw;
+  raw.format = facts.format;
+  raw.joints.assign(reader.names().begin(), reader.names().end());
+  raw.is_canonical = facts.is_canonical;
+  raw.match = facts.is_canonical ? canonicalNames(raw.joints) : matchNames(facts, raw.joints, options, file);
+  raw.rest = pickRest(reader.rest(), raw.match);
+  raw.unit = facts.unit;
+  raw.up = facts.up;
+
+  PointFrame frame;
+  while (reader.next(frame)) raw.frames.push_back(pick(frame, raw.match));
+  if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
+  raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
+  raw.rate_reason = facts.rate_reason;
+  if (facts.from_first_frame && raw.frames.front().t != 0.0) {
+    const double start = raw.frames.front().t;
+    for (auto& f : raw.frames) f.t -= start;
+    raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
+  }
+  raw.warnings = reader.warnings();
+  raw.notes = facts.notes;
+  const bool by_marker_map = raw.match.of_markers;
+  Recording recording = convert(std::move(raw), options);
+  if (facts.of_markers || by_marker_map) warnOfMarkers(by_marker_map, recording.report);
+  return recording;
+}
+
+}  // namespace abstand

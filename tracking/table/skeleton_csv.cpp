@@ -1,0 +1,128 @@
+#include "tracking/table/skeleton_csv.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/output_file.hpp"
+#include "tracking/message_text.hpp"
+#include "tracking/point_recording.hpp"
+
+namespace abstand {
+namespace {
+
+/// Where a table counts frames and says no rate.
+constexpr double kAssumedRate = 30.0;
+
+double confidenceOf(JointState s) {
+  if (s == JointState::kMissing) return 0.0;
+  return s == JointState::kTracked ? kTrackedConfidence : kInferredConfidence;
+}
+
+}  // namespace
+
+void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
+  std::vector<std::size_t> joints;
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    if (std::any_of(recording.frames.begin(), recording.frames.end(),
+                    [j](const SkeletonFrame& f) { return f.state[j] != JointState::kMissing; }))
+      joints.push_back(j);
+  out << 't';
+  for (const auto j : joints)
+    for (const char* field : {".x", ".y", ".z", ".confidence"})
+      out << ',' << jointName(static_cast<Joint>(j)) << field;
+  out << '\n';
+  for (const auto& f : recording.frames) {
+    out << formatDouble(f.t);
+    for (const auto j : joints) {
+      const bool known = f.state[j] != JointState::kMissing;
+      for (int k = 0; k < 3; ++k) out << ',' << (known ? formatDouble(f.p[j][k]) : "");
+      out << ',' << formatDouble(confidenceOf(f.state[j]));
+    }
+    out << '\n';
+  }
+}
+
+void writeSkeletonCsv(const std::filesystem::path& file, const Recording& recording) {
+  OutputFile out(file);
+  writeSkeletonCsv(out.stream(), recording);
+  out.commit();
+}
+
+bool looksLikeSkeletonCsv(std::string_view text) {
+  std::string_view line;
+  return Lines(text).next(line) && looksLikeCsvColumns(line);
+}
+
+SkeletonCsvReader::SkeletonCsvReader(std::string_view text, std::string file)
+    : file_(std::move(file)), lines_(text) {
+  std::string_view line;
+  if (!lines_.next(line)) throw ParseError({file_}, "the file is empty");
+  head_ = parseCsvColumns(line, file_);
+  facts_.format = "csv";
+  facts_.rate_reason = "the median step of t";
+  facts_.is_canonical = head_.is_canonical;
+  if (head_.is_canonical) {
+    facts_.unit = UnitChoice{"m", "the format's own", 1.0, ""};
+    facts_.up = UpChoice{"z", "the format's own", ""};
+  }
+  if (head_.time == CsvTime::kFrames) {
+    facts_.rate = kAssumedRate;
+    facts_.rate_reason = "the file counts frames and gives no rate: 30 Hz are assumed";
+  }
+}
+
+bool SkeletonCsvReader::next(PointFrame& frame) {
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) {
+      if (frames_ == 0)
+        throw ParseError({file_, lines_.number() + 1}, "found no frame, expected at least one");
+      return false;
+    }
+  } while (line.empty());
+  Cells cells(line, file_, lines_.number());
+  std::string_view cell;
+  cells.next(cell);
+  const double t = cells.number(cell);
+  parsePoints(cells, frame);
+  if (frames_ > 0 && t <= last_t_)
+    throw ParseError({file_, lines_.number(), 1}, "found t = " + formatDouble(t) + " after " +
+                                                      formatDouble(last_t_) + ", expected t to rise");
+  last_t_ = t;
+  frame.t = head_.time == CsvTime::kFrames ? static_cast<double>(frames_) / kAssumedRate : t;
+  ++frames_;
+  return true;
+}
+
+void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
+  frame.clear(head_.joints.size());
+  confidence_.assign(head_.joints.size(), kTrackedConfidence);
+  std::string_view cell;
+  const std::string cell_count = std::to_string(head_.columns.size() + 1) + " cells";
+  for (const CsvColumn& c : head_.columns) {
+    cell = cells.need(cell_count);
+    if (cell.empty()) continue;
+    const double v = cells.number(cell);
+    if (c.field == kConfidenceField)
+      confidence_[c.joint] = v;
+    else
+      frame.p[c.joint][c.field] = v;
+  }
+  if (cells.next(cell)) throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected " + cell_count);
+  for (std::size_t j = 0; j < frame.p.size(); ++j) {
+    if (frame.p[j].allFinite() && confidence_[j] > 0.0)
+      frame.state[j] =
+          confidence_[j] >= kLeastTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+    else
+      frame.p[j].setConstant(kNaN);
+  }
+}
+
+Recording readSkeletonCsv(std::string_view text, const std::string& file, const RecordingOptions& options) {
+  SkeletonCsvReader reader(text, file);
+  return readPoints(reader, file, options);
+}
+
+}  // namespace abstand

@@ -1,0 +1,42 @@
+// Skeletons as JSON, one object a line; what `abstand serve` takes can be kept and read again.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tracking/point_reader.hpp"
+#include "tracking/table/cells.hpp"
+
+namespace abstand {
+
+/// True where the first line begins an object that has "joints".
+bool looksLikeSkeletonJson(std::string_view text);
+
+/// `{"t": 0.01, "joints": {"pelvis": [x, y, z], "neck": [x, y, z, "inferred"], "spine": null}}`; `time_us`
+/// may stand for `t`. The fourth value is "tracked", "inferred" or a confidence. The joints of the first line
+/// are those of the recording: any of them may be missing later, none may be new. Canonical names: metres, z
+/// up.
+class SkeletonJsonReader : public PointReader {
+ public:
+  /// `text` must outlive this. Throws ParseError for the first line.
+  SkeletonJsonReader(std::string_view text, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return names_; }
+  bool next(PointFrame& frame) override;
+
+ private:
+  bool nextLine();
+
+  std::string file_;
+  Lines lines_;
+  std::string_view line_;
+  bool has_line_{false};
+  PointFacts facts_;
+  std::vector<std::string> names_;
+  std::size_t frames_{0};
+  double last_t_{0.0};
+};
+
+}  // namespace abstand

@@ -1,0 +1,141 @@
+#include "tracking/trc/trc_reader.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "tracking/message_text.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kHighestRate = 1e6;  // Hz
+
+std::vector<std::string_view> tabbed(std::string_view line) {
+  const std::string file;
+  Cells cells(line, file, 0, '\t');
+  std::vector<std::string_view> out;
+  for (std::string_view cell; cells.next(cell);) out.push_back(cell);
+  return out;
+}
+
+std::optional<UnitChoice> unitOf(const std::string& name) {
+  const std::string low = lowerCase(name);
+  const double scale = low == "mm"                      ? 0.001
+                       : low == "cm"                    ? 0.01
+                       : low == "m"                     ? 1.0
+                       : low == "in" || low == "inches" ? 0.0254
+                                                        : 0.0;
+  if (scale == 0.0) return std::nullopt;
+  return UnitChoice{scale == 0.0254 ? "inches" : low, "Units in the head of the file", scale, ""};
+}
+
+}  // namespace
+
+bool looksLikeTrc(std::string_view text) { return text.starts_with("PathFileType"); }
+
+TrcReader::TrcReader(std::string_view text, std::string file) : file_(std::move(file)), lines_(text) {
+  facts_.format = "trc";
+  facts_.of_markers = true;
+  facts_.from_first_frame = true;
+  facts_.rate_reason = "the median step of the column Time";
+  need("the line PathFileType");
+  readHead();
+  readNames(need("the names of the markers"));
+  need("the line X1, Y1, Z1, ...");
+}
+
+std::string_view TrcReader::need(const char* what) {
+  std::string_view line;
+  if (!lines_.next(line))
+    throw ParseError({file_, lines_.number() + 1},
+                     std::string("found the end of the file, expected ") + what);
+  return line;
+}
+
+void TrcReader::readHead() {
+  const auto keys = tabbed(need("DataRate, CameraRate, ..."));
+  const auto values = tabbed(need("the values of DataRate, CameraRate, ..."));
+  const SourcePos pos{file_, lines_.number()};
+  for (std::size_t i = 0; i < keys.size() && i < values.size(); ++i) {
+    const std::string key = lowerCase(keys[i]);
+    if (key == "units") facts_.unit = unitOf(std::string(values[i]));
+    if (key != "datarate" && key != "numframes" && key != "nummarkers") continue;
+    const auto v = parseDouble(values[i]);
+    if (!v || *v < 0.0 || *v > kLargestCoordinate)
+      throw ParseError(
+          pos, "found " + inQuotes(values[i]) + " for " + std::string(keys[i]) + ", expected a number");
+    if (key == "numframes") claimed_frames_ = static_cast<long long>(*v);
+    if (key == "nummarkers") claimed_markers_ = static_cast<long long>(*v);
+    if (key == "datarate" && *v > 0.0 && *v <= kHighestRate) {
+      facts_.rate = *v;
+      facts_.rate_reason = "DataRate in the head of the file";
+    }
+  }
+}
+
+void TrcReader::readNames(std::string_view line) {
+  const auto cells = tabbed(line);
+  if (cells.size() < 2 || lowerCase(cells[0]) != "frame#" || lowerCase(cells[1]) != "time")
+    throw ParseError({file_, lines_.number()},
+                     "found " + inQuotes(line) + ", expected Frame#, Time and the markers");
+  for (std::size_t i = 2; i < cells.size(); ++i)
+    if (!cells[i].empty()) names_.emplace_back(cells[i]);
+  if (names_.empty()) throw ParseError({file_, lines_.number()}, "found no marker, expected their names");
+  if (claimed_markers_ >= 0 && static_cast<std::size_t>(claimed_markers_) != names_.size())
+    warnings_.push_back({lines_.number(), "the head claims " + std::to_string(claimed_markers_) +
+                                              " markers, found " + std::to_string(names_.size()) +
+                                              ": those found are read"});
+}
+
+void TrcReader::finish() {
+  done_ = true;
+  if (frames_ == 0) throw ParseError({file_, lines_.number() + 1}, "found no frame, expected at least one");
+  if (claimed_frames_ >= 0 && static_cast<std::size_t>(claimed_frames_) != frames_)
+    warnings_.push_back({3, "claims " + std::to_string(claimed_frames_) + " frames, found " +
+                                std::to_string(frames_) + ": those found are read"});
+  if (first_short_line_ > 0)
+    warnings_.push_back(
+        {first_short_line_, "rows end early from here on: the markers behind are missing there"});
+}
+
+bool TrcReader::next(PointFrame& frame) {
+  if (done_) return false;
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) {
+      finish();
+      return false;
+    }
+  } while (line.find_first_not_of(" \t") == std::string_view::npos);
+
+  Cells cells(line, file_, lines_.number(), '\t');
+  cells.number(cells.need("the number of a frame"));
+  frame.clear(names_.size());
+  frame.t = cells.number(cells.need("a time"));
+  if (frames_ > 0 && frame.t <= last_t_)
+    throw ParseError({file_, lines_.number()}, "found the time " + formatDouble(frame.t) + " after " +
+                                                   formatDouble(last_t_) + ", expected it to rise");
+  last_t_ = frame.t;
+  std::string_view cell;
+  for (std::size_t i = 0; i < 3 * names_.size(); ++i) {
+    if (!cells.next(cell)) {
+      if (first_short_line_ == 0) first_short_line_ = lines_.number();
+      break;
+    }
+    if (!cell.empty() && lowerCase(cell) != "nan")
+      frame.p[i / 3][static_cast<int>(i % 3)] = cells.number(cell);
+  }
+  while (cells.next(cell))
+    if (!cell.empty())
+      throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected " +
+                                        std::to_string(names_.size()) + " markers of three numbers");
+  for (std::size_t i = 0; i < frame.p.size(); ++i) {
+    if (frame.p[i].allFinite())
+      frame.state[i] = JointState::kTracked;
+    else
+      frame.p[i].setConstant(kNaN);
+  }
+  ++frames_;
+  return true;
+}
+
+}  // namespace abstand

@@ -1,0 +1,47 @@
+// Markers as Motion Analysis and OpenSim store them: TRC, a table with tabs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tracking/point_reader.hpp"
+#include "tracking/table/cells.hpp"
+
+namespace abstand {
+
+/// True where the text begins with PathFileType.
+bool looksLikeTrc(std::string_view text);
+
+/// Marker names may be apart by one, two or three tabs, so they are counted, not placed. An empty cell, `nan`
+/// in any case, or a row that ends early is a gap. Markers and frames are those found; a claim that differs
+/// is a warning.
+class TrcReader : public PointReader {
+ public:
+  /// `text` must outlive this. Throws ParseError for the head.
+  TrcReader(std::string_view text, std::string file);
+
+  const PointFacts& facts() const override { return facts_; }
+  std::span<const std::string> names() const override { return names_; }
+  bool next(PointFrame& frame) override;
+  std::vector<FileWarning> warnings() const override { return warnings_; }
+
+ private:
+  std::string_view need(const char* what);
+  void readHead();
+  void readNames(std::string_view line);
+  void finish();
+
+  std::string file_;
+  Lines lines_;
+  PointFacts facts_;
+  std::vector<std::string> names_;
+  std::vector<FileWarning> warnings_;
+  long long claimed_frames_{-1}, claimed_markers_{-1};
+  std::size_t frames_{0};
+  double last_t_{0.0};
+  int first_short_line_{0};
+  bool done_{false};
+};
+
+}  // namespace abstand
