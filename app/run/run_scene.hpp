@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/loop/loop_report.hpp"
 #include "app/run/csv_outputs.hpp"
 #include "app/session/session.hpp"
 
@@ -16,6 +17,9 @@ struct RunOptions {
   std::optional<double> start, end;  ///< s
   std::optional<double> rate;        ///< Hz; without: the frames of the recording
   RunMode mode{RunMode::kLockstep};
+  /// Mechanisms with a `reaction` react: the closed loop runs a cycle a millisecond, frames are the cycles at
+  /// their times. Without, they follow their motion as all others.
+  bool react{false};
   int repeat{1};
   CsvPaths csv;
   std::filesystem::path session_log;  ///< HDF5; empty: none
@@ -35,7 +39,7 @@ struct RunSummary {
   long overruns{0};  ///< cycles longer than kPeriodUs
   std::optional<Extreme> min_distance;
   std::optional<Extreme> peak_force;    ///< N, largest force of a pair
-  long contacts{0};                     ///< pairs in contact, counted over all frames
+  long contacts{0};                     ///< pairs in contact, counted over all frames, or cycles of the loop
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
   /// How pairs came to their results, over all frames of all repeats.
@@ -47,15 +51,18 @@ struct RunSummary {
     std::string object;
     double t{0.0}, speed{0.0}, bound{0.0};
   };
-  std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
-  long breach_count{0};          ///< all of them
+  std::vector<Breach> breaches;     ///< the first stretches in which an object was faster than its max_speed
+  long breach_count{0};             ///< all of them
+  long cycles{0};                   ///< of the closed loop; 0: there was none
+  std::vector<ReactionReport> robots;  ///< those that reacted
   double build_ms{0.0};
   std::size_t memory_bytes{0};
   bool interrupted{false};
   static constexpr double kPeriodUs = 1000.0;
 };
 
-/// Throws UsageError for a range without a frame and for files that cannot be written.
+/// Throws UsageError for a range without a frame, for files that cannot be written and for a closed loop in
+/// live mode; ParseError for a robot that cannot react.
 RunSummary runScene(Session& session, const RunOptions& options);
 
 }  // namespace abstand
