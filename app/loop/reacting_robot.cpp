@@ -30,7 +30,7 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
       world_(world),
       hold_(description.reaction->hold),
       reaction_(*description.reaction, driver.dof(), scene.pairs().size()),
-      pairs_(driver, scene, people),
+      pairs_(driver, scene, people, *description.reaction),
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.q(), t),
       tree_(makeRigidTree(driver.mechanism())),
       gravity_B_(driver.X_WB().linear().transpose() * kGravity) {

@@ -18,7 +18,7 @@ ServedRobot::ServedRobot(MechanismDriver& driver, const Scene& scene, const std:
                          const ReactionDescription& reaction)
     : driver_(driver),
       reaction_(reaction, driver.dof(), scene.pairs().size()),
-      pairs_(driver, scene, people) {
+      pairs_(driver, scene, people, reaction) {
   qd_.assign(static_cast<std::size_t>(driver.dof()), 0.0);
   efforts_.assign(qd_.size(), 0.0);
 }

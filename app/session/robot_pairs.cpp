@@ -15,8 +15,11 @@ std::vector<bool> partsOfPeople(const Scene& scene, const std::vector<std::uniqu
   return people;
 }
 
-RobotPairs::RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people)
-    : driver_(driver) {
+RobotPairs::RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
+                       const ReactionDescription& reaction)
+    : driver_(driver),
+      reach_(reaction.repulsion ? reaction.repulsion->range : -kInfinity),
+      people_rows_(reaction.speed.has_value()) {
   std::vector<int> link_of(scene.objectCount(), -1);
   for (std::size_t i = 0; i < driver.links().size(); ++i)
     if (driver.links()[i].object) link_of[driver.links()[i].object->index()] = static_cast<int>(i);
@@ -69,15 +72,18 @@ double RobotPairs::spread(const Own& own, const Scene& scene, const Vector3d& n_
 std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<const double> planned) {
   const Transform X_BW = driver_.X_WB().inverse();
   const auto n = static_cast<std::size_t>(driver_.dof());
-  std::fill(rows_.begin(), rows_.end(), 0.0);
-  moveLinks(planned);
+  if (people_rows_) moveLinks(planned);
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const Own& own = own_[i];
     const Pair& pair = scene.pairs()[own.id.index()];
     const PairResult& r = pair.result;
-    const std::span<double> row = std::span(rows_).subspan(i * n, n);
     ReactionPair& out = pairs_[i];
-    out = {static_cast<int>(own.id.index()), r.distance - r.bound, row, 0.0, 0.0, own.person};
+    out = {static_cast<int>(own.id.index()), r.distance - r.bound, {}, 0.0, 0.0, own.person};
+    const bool wanted = !(out.distance >= reach_) || (own.person && people_rows_);
+    if (!wanted) continue;
+    const std::span<double> row = std::span(rows_).subspan(i * n, n);
+    std::fill(row.begin(), row.end(), 0.0);
+    out.row = row;
     const Vector3d n_W = partingDirection(r);
     if (!(n_W.squaredNorm() > 0.0)) continue;  // no direction is known, so no joint has to do with it
     const Vector3d n_B = X_BW.linear() * n_W;
@@ -90,7 +96,7 @@ std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<c
                      row);
     if (own.link_b < 0) out.other_rate = otherRate(scene.object(pair.b), r.witness_b, n_W, -1.0);
     if (own.link_a < 0) out.other_rate = otherRate(scene.object(pair.a), r.witness_a, n_W, 1.0);
-    if (own.person) out.spread = spread(own, scene, n_W);
+    if (own.person && people_rows_) out.spread = spread(own, scene, n_W);
   }
   return pairs_;
 }

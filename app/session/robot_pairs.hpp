@@ -26,8 +26,10 @@ class RobotPairs {
     bool person;
   };
 
-  /// `people`: partsOfPeople(). The driver's links are bound. Driver and scene must outlive it.
-  RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people);
+  /// `people`: partsOfPeople(). `reaction`: who asks; pairs that none of its laws looks at get no row. The
+  /// driver's links are bound. Driver and scene must outlive it.
+  RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
+             const ReactionDescription& reaction);
 
   /// After the scene's step. `planned`: qd (rad/s or m/s; NaN: not known) for ReactionPair::spread. In the
   /// order of own(); holds until the next call.
@@ -40,6 +42,8 @@ class RobotPairs {
   double spread(const Own& pair, const Scene& scene, const Vector3d& n_W) const;
 
   const MechanismDriver& driver_;
+  double reach_;      ///< m: nearer pairs have rows
+  bool people_rows_;  ///< pairs with people have them at any distance
   std::vector<Own> own_;
   std::vector<ReactionPair> pairs_;
   std::vector<double> rows_;   ///< a number a dof and pair
