@@ -83,6 +83,14 @@ std::string robotText(const ReactionReport& r) {
   return text;
 }
 
+nlohmann::ordered_json timesJson(const CycleStatistics& s) {
+  return {{"median", 1e6 * s.median()},
+          {"p99", 1e6 * s.p99()},
+          {"p999", 1e6 * s.p999()},
+          {"max", 1e6 * s.max()},
+          {"overruns", s.overruns()}};
+}
+
 nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) {
   nlohmann::ordered_json j{
       {"frames", s.frames},
@@ -99,6 +107,8 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   if (s.slowest_pair)
     j["slowest_pair"] = {
         {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
+  if (s.profile)
+    j["profile_us"] = {{"processor", timesJson(s.profile->work())}, {"empty", timesJson(s.profile->empty())}};
   j["skipping"] = skippingJson(s);
   if (s.cycles > 0) {
     j["cycles"] = s.cycles;
@@ -114,12 +124,20 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   return j;
 }
 
+std::string timesText(const char* what, const CycleStatistics& s) {
+  return format("%s: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", what,
+                1e6 * s.median(), 1e6 * s.p99(), 1e6 * s.p999(), 1e6 * s.max(), s.overruns());
+}
+
 std::string summaryText(const RunSummary& s, const Session& session) {
   std::string text = format("%zu frames, %zu objects, %zu pairs; structures %.0f ms, %.1f MB\n", s.frames,
                             s.objects, s.pairs, s.build_ms, static_cast<double>(s.memory_bytes) * 1e-6);
   if (s.cycles > 0) text += format("closed loop: %ld cycles of 1 ms\n", s.cycles);
   text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.median_us,
                  s.p99_us, s.p999_us, s.max_us, s.overruns);
+  if (s.profile)
+    text += timesText("  processor time of it", s.profile->work()) +
+            timesText("  an empty loop as long", s.profile->empty());
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
@@ -199,6 +217,8 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
   command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
   command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");
+  command->add_flag("--profile", args->run.profile,
+                    "processor time of the cycles, and the delays of empty loops of the same length");
   command->add_option("--session", args->run.session_log, "HDF5 log of the run");
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));

@@ -219,6 +219,8 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   session.step(times.front());
   for (const PairId id : all) results[id.index()] = scene.result(id);
   CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
+  if (options.profile && options.mode == RunMode::kLockstep)
+    summary.profile.emplace(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
     if (react) {
@@ -229,11 +231,13 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   // The cycle nearest to the frame is the last one before it.
                   while (loop.time() <= t + 0.5 * ClosedLoop::kStep) {
                     const double at = loop.time();
+                    if (summary.profile) summary.profile->begin();
                     const auto begin = Clock::now();
                     loop.step();
                     for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
                     watch();
                     const double worked = seconds(Clock::now() - begin);
+                    if (summary.profile) summary.profile->end(worked);
                     add(scene.counts(), summary.work);
                     ++summary.cycles;
                     done(at, worked);
@@ -243,11 +247,13 @@ RunSummary runScene(Session& session, const RunOptions& options) {
     } else if (options.mode == RunMode::kLockstep) {
       runFrames(session, nullptr, times, options, last, summary, statistics, results, all, scene.renewed(),
                 [&](double t, const auto& done) {
+                  if (summary.profile) summary.profile->begin();
                   const auto begin = Clock::now();
                   session.step(t);
                   for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
                   watch();
                   const double worked = seconds(Clock::now() - begin);
+                  if (summary.profile) summary.profile->end(worked);
                   add(scene.counts(), summary.work);
                   done(t, worked);
                 });

@@ -7,6 +7,7 @@
 
 #include "app/loop/loop_report.hpp"
 #include "app/run/csv_outputs.hpp"
+#include "app/run/cycle_profile.hpp"
 #include "app/session/session.hpp"
 
 namespace abstand {
@@ -21,6 +22,7 @@ struct RunOptions {
   /// their times. Without, they follow their motion as all others.
   bool react{false};
   int repeat{1};
+  bool profile{false};  ///< of the cycles of lock step and of the closed loop; doubles the time of a run
   CsvPaths csv;
   std::filesystem::path session_log;  ///< HDF5; empty: none
   std::function<void(std::size_t done, std::size_t all)> progress;
@@ -51,10 +53,11 @@ struct RunSummary {
     std::string object;
     double t{0.0}, speed{0.0}, bound{0.0};
   };
-  std::vector<Breach> breaches;     ///< the first stretches in which an object was faster than its max_speed
-  long breach_count{0};             ///< all of them
-  long cycles{0};                   ///< of the closed loop; 0: there was none
+  std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
+  long breach_count{0};          ///< all of them
+  long cycles{0};                ///< of the closed loop; 0: there was none
   std::vector<ReactionReport> robots;  ///< those that reacted
+  std::optional<CycleProfile> profile;
   double build_ms{0.0};
   std::size_t memory_bytes{0};
   bool interrupted{false};
