@@ -7,21 +7,22 @@
 namespace abstand::testing {
 namespace {
 
-/// Coarser than the scenes are, so that the test is short; distances keep their bounds.
-RunSummary run(const std::string& name, double start, double end, bool react, bool laws = true) {
+/// Coarser than the scenes are, and built once, so that the test is short; distances keep their bounds.
+std::unique_ptr<Session> sessionOf(const std::string& name, bool laws = true) {
   SceneDescription scene = loadScene(projectFile("data/scenes/" + name));
-  scene.defaults.haptic.voxel_size = scene.defaults.haptic.point_spacing = 0.01;
-  for (auto& o : scene.objects) o.settings.voxel = o.settings.point = 0.02;
+  HapticOptions& haptic = scene.defaults.haptic;
+  haptic.voxel_size = haptic.point_spacing = 0.015;
+  haptic.outer_layers = 4;
+  for (auto& o : scene.objects) o.settings.voxel = o.settings.point = 0.03;
   if (!laws)
-    for (auto& m : scene.mechanisms) {
-      m.reaction->repulsion.reset();
-      m.reaction->torque.reset();
-      m.reaction->watch = {};
-    }
+    for (auto& m : scene.mechanisms) m.reaction = ReactionDescription{};
   SessionOptions options;
   options.threads = 1;
   options.cache = false;
-  Session session(std::move(scene), options);
+  return std::make_unique<Session>(std::move(scene), options);
+}
+
+RunSummary run(Session& session, double start, double end, bool react) {
   RunOptions o;
   o.start = start;
   o.end = end;
@@ -32,15 +33,24 @@ RunSummary run(const std::string& name, double start, double end, bool react, bo
 // The boxer steps towards the left arm and punches past it, s into the capture.
 constexpr double kBegin = 5.5, kEnd = 7.5;
 
+Session& hug() {
+  static const auto session = sessionOf("hug_avoid.yaml");
+  return *session;
+}
+Session& humanoid() {
+  static const auto session = sessionOf("humanoid_self.yaml");
+  return *session;
+}
+
 TEST(HugAvoid, ArmsThatDoNotReactAreHit) {
-  const RunSummary s = run("hug_avoid.yaml", kBegin, kEnd, false);
+  const RunSummary s = run(hug(), kBegin, kEnd, false);
   EXPECT_EQ(s.pairs, 291u);
   EXPECT_LT(s.min_distance->value, -0.05);
   EXPECT_GT(s.contacts, 0);
 }
 
 TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
-  const RunSummary s = run("hug_avoid.yaml", kBegin, kEnd, true);
+  const RunSummary s = run(hug(), kBegin, kEnd, true);
   EXPECT_EQ(s.cycles, 2001);
   ASSERT_EQ(s.robots.size(), 2u);
   for (const ReactionReport& r : s.robots) {
@@ -56,20 +66,21 @@ TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
 
 TEST(HugAvoid, APersonCannotPushThroughAnArmThatOnlyGivesWay) {
   // No law: held softly, and pushed by the contact itself. The boxer goes less deep than through a rigid arm.
-  const RunSummary rigid = run("hug_avoid.yaml", kBegin, kEnd, false);
-  const RunSummary soft = run("hug_avoid.yaml", kBegin, kEnd, true, false);
+  const auto given_way = sessionOf("hug_avoid.yaml", false);
+  const RunSummary rigid = run(hug(), kBegin, kEnd, false);
+  const RunSummary soft = run(*given_way, kBegin, kEnd, true);
   EXPECT_LT(soft.min_distance->value, 0.0);
   EXPECT_GT(soft.min_distance->value, 0.7 * rigid.min_distance->value);
   EXPECT_GT(soft.contacts, 0);
 }
 
 TEST(HumanoidSelf, ArmsThatDoNotReactGoThroughEachOther) {
-  const RunSummary s = run("humanoid_self.yaml", 0.0, 2.2, false);
+  const RunSummary s = run(humanoid(), 0.0, 2.2, false);
   EXPECT_LT(s.min_distance->value, -0.03);
 }
 
 TEST(HumanoidSelf, ArmsThatReactStayApart) {
-  const RunSummary s = run("humanoid_self.yaml", 0.0, 2.2, true);
+  const RunSummary s = run(humanoid(), 0.0, 2.2, true);
   ASSERT_EQ(s.robots.size(), 1u);
   EXPECT_GT(s.robots[0].nearest->value, 0.03);
   EXPECT_EQ(s.contacts, 0);
