@@ -93,7 +93,7 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
            Case{"[]", "r.yaml:1:1: error: found a list for `reaction`, expected a map"},
            Case{"repulsoin: {}",
                 "r.yaml:1:1: error: found the unknown key `repulsoin` in `reaction`, expected one "
-                "of torque, repulsion, proxy, admittance, speed, stop\nhint: did you mean "
+                "of torque, repulsion, proxy, admittance, speed, hold, stop\nhint: did you mean "
                 "`repulsion`?"},
            Case{"repulsion: {rnge: 1}", "hint: did you mean `range`?"},
            Case{"repulsion: {range: 0}",

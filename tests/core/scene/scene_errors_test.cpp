@@ -24,6 +24,7 @@ std::string errorOf(const std::string& text, SourcePos& pos) {
   folder.write("two.mech",
                "mapping\ndof 0 1\ndof 1 2\nend_mapping\nchain\nframe 1 0 0 0 theta\nframe 2 0 90 0 "
                "theta\nend_chain\n");
+  folder.write("still.mech", "chain\nframe 1 0 0 0 0\nend_chain\n");
   folder.write("a.stl", "x");
   try {
     parseScene(text, folder.path() / "scene.yaml");
@@ -160,7 +161,7 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: arm.mech}\n  - {name: arm, file: arm.mech}\n", 4, 12, "taken already"},
           {"  - {name: arm, file: arm.mech, q: 1}\n", 3, 36, "expected a list"},
           {"  - {name: arm, file: arm.mech, q: [0, .inf]}\n", 3, 40, "finite"},
-          {"  - {name: arm, file: arm.mech, reaction: {}}\n", 3, 43, "nothing moves"},
+          {"  - {name: arm, file: still.mech, reaction: {}}\n", 3, 45, "nothing moves"},
           {"  - {name: arm, file: two.mech, reaction: 3}\n", 3, 43, "map"},
           {"  - {name: arm, file: two.mech, reaction: {torqe: {}}}\n", 3, 44, "did you mean `torque`"},
           {"  - {name: arm, file: two.mech, reaction: {proxy: {}}}\n", 3, 43, "`proxy`"},
