@@ -127,6 +127,28 @@ def main():
 
     write_motion(os.path.join(DATA, "scenes", "motion", "humanoid.csv"), 6.0, posture)
 
+    def both_hands_to_one_place(t):
+        w = (1 - math.cos(2 * math.pi * t / 4.0)) / 2
+        arms = []
+        for side in (1, -1):
+            arms += [-0.5 - 0.3 * w, side * (0.3 - 0.6 * w), -0.8 * side * w, -1.1 - 0.6 * w, 0, 0, 0]
+            arms += [0.05 * side, 0.5, 0.4] * 4
+        return (0, 0, 0, 0.06, 0, 0.05, 0, *arms, 0, 0.1)
+
+    write_motion(os.path.join(DATA, "scenes", "motion", "humanoid_self.csv"), 4.0, both_hands_to_one_place)
+    within_an_arm(robot)
+
+
+def within_an_arm(robot):
+    """Pairs of one arm and its hand, which are always near each other and are not to be pushed apart."""
+    with open(os.path.join(DATA, "scenes", "humanoid_self.pairs"), "w") as out:
+        out.write("# Pairs within an arm and its hand, by scripts/generate_humanoid.py: near in every posture.\nverdict,a,b\n")
+        for side in ("left", "right"):
+            arm = [b for b in robot.bodies if b.startswith(f"{robot.name}/{side}_")]
+            for i, a in enumerate(arm):
+                for b in arm[i + 1:]:
+                    out.write(f"user,{a},{b}\n")
+
 
 if __name__ == "__main__":
     main()

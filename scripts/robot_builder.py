@@ -98,9 +98,11 @@ def mesh_from(folder, name, field, reach, triangles):
 class Robot:
     def __init__(self, name, comment):
         self.name, self.comment, self.text, self.dofs, self.mass = name, comment, [], 0, 0.0
+        self.bodies = []  # as a scene names them
 
     def link(self, name, solids=(), density=1000.0):
         """Each solid is collision and visual geometry; overlaps count twice in the mass."""
+        self.bodies += [f"{self.name}/{name}" + (f"/{i + 1}" if i else "") for i in range(len(solids))]
         out = [f'  <link name="{name}">']
         if solids:
             out.append("    " + self.inertial(solids, density))

@@ -234,11 +234,12 @@ int run(const CommandLine& line, const Arguments& args) {
 }  // namespace
 
 void addDynamics(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "dynamics", "joint efforts that postures and motions need",
-                             "abstand dynamics data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 --solid "
-                             "2:data/robots/lwr/link2.stl:1500 --effective 7:0,0,1");
+  auto* command =
+      addCommand(root, line, "dynamics", "joint efforts that postures and motions need",
+                 "abstand dynamics data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 --effective "
+                 "7:0,0,1");
   auto args = std::make_shared<Arguments>();
-  command->add_option("MECHANISM", args->mechanism, "mechanism file (.mech)")->required();
+  command->add_option("MECHANISM", args->mechanism, "mechanism file (.mech or .urdf)")->required();
   command->add_option("--q", args->q, "joint values a,b,... in SI (default: zeros)");
   command->add_option("--qd", args->qd, "joint velocities (default: zeros)");
   command->add_option("--qdd", args->qdd, "joint accelerations (default: zeros)");

@@ -1,4 +1,6 @@
 // abstand run: a whole scene over its motion.
+#include <algorithm>
+
 #include "app/cli/command_line.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
@@ -7,7 +9,7 @@ namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"};
+  std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
   SessionOptions session;
   RunOptions run;
   PackagePaths packages;
@@ -31,6 +33,64 @@ nlohmann::ordered_json skippingJson(const RunSummary& s) {
           {"breaches", breaches}};
 }
 
+nlohmann::ordered_json extremeJson(const std::optional<ReactionReport::Extreme>& e) {
+  if (!e) return nullptr;
+  return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
+}
+
+/// How far inside, m; 0: they did not touch.
+double depthOf(const std::optional<ReactionReport::Extreme>& e) { return e ? std::max(0.0, -e->value) : 0.0; }
+
+nlohmann::ordered_json robotJson(const ReactionReport& r) {
+  auto stops = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < r.stops.size(); ++i) {
+    const StopEntry& e = r.stops[i];
+    stops.push_back({{"t", e.t},
+                     {"from", stateName(e.from)},
+                     {"to", stateName(e.to)},
+                     {"reason", reasonName(e.cause.reason)},
+                     {"text", r.lines[i]}});
+  }
+  return {{"mechanism", r.name},
+          {"control", r.positioned ? "position" : "torque"},
+          {"min_distance", extremeJson(r.nearest)},
+          {"min_distance_person", extremeJson(r.nearest_person)},
+          {"deepest_person", depthOf(r.nearest_person)},
+          {"peak_torque", r.record.most_torque},
+          {"most_off_plan", r.record.most_off_plan},
+          {"behind_plan", r.record.lost_time},
+          {"slowed", r.record.slowed},
+          {"stopped", r.record.stopped},
+          {"state", stateName(r.state)},
+          {"stop_count", r.stop_count},
+          {"stops", stops}};
+}
+
+std::string robotText(const ReactionReport& r) {
+  std::string text = r.name + ": ";
+  if (r.nearest_person)
+    text += format("closest to a person %.1f mm, %s to %s at %.3f s; deepest inside %.1f mm\n",
+                   1e3 * r.nearest_person->value, r.nearest_person->a.c_str(), r.nearest_person->b.c_str(),
+                   r.nearest_person->t, 1e3 * depthOf(r.nearest_person));
+  else if (r.nearest)
+    text += format("closest %.1f mm, %s to %s at %.3f s\n", 1e3 * r.nearest->value, r.nearest->a.c_str(),
+                   r.nearest->b.c_str(), r.nearest->t);
+  text += format(
+      "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
+      "state\n",
+      r.record.most_off_plan, r.record.most_torque, r.record.slowed, r.record.stopped, r.stop_count);
+  for (const auto& line : r.lines) text += "  " + line + "\n";
+  return text;
+}
+
+nlohmann::ordered_json timesJson(const CycleStatistics& s) {
+  return {{"median", 1e6 * s.median()},
+          {"p99", 1e6 * s.p99()},
+          {"p999", 1e6 * s.p999()},
+          {"max", 1e6 * s.max()},
+          {"overruns", s.overruns()}};
+}
+
 nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) {
   nlohmann::ordered_json j{
       {"frames", s.frames},
@@ -47,7 +107,14 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   if (s.slowest_pair)
     j["slowest_pair"] = {
         {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
+  if (s.profile)
+    j["profile_us"] = {{"processor", timesJson(s.profile->work())}, {"empty", timesJson(s.profile->empty())}};
   j["skipping"] = skippingJson(s);
+  if (s.cycles > 0) {
+    j["cycles"] = s.cycles;
+    j["robots"] = nlohmann::ordered_json::array();
+    for (const ReactionReport& r : s.robots) j["robots"].push_back(robotJson(r));
+  }
   j["build_ms"] = s.build_ms;
   j["cached_structures"] = session.cachedStructures();
   j["memory_bytes"] = s.memory_bytes;
@@ -57,11 +124,20 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   return j;
 }
 
+std::string timesText(const char* what, const CycleStatistics& s) {
+  return format("%s: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", what,
+                1e6 * s.median(), 1e6 * s.p99(), 1e6 * s.p999(), 1e6 * s.max(), s.overruns());
+}
+
 std::string summaryText(const RunSummary& s, const Session& session) {
   std::string text = format("%zu frames, %zu objects, %zu pairs; structures %.0f ms, %.1f MB\n", s.frames,
                             s.objects, s.pairs, s.build_ms, static_cast<double>(s.memory_bytes) * 1e-6);
+  if (s.cycles > 0) text += format("closed loop: %ld cycles of 1 ms\n", s.cycles);
   text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.median_us,
                  s.p99_us, s.p999_us, s.max_us, s.overruns);
+  if (s.profile)
+    text += timesText("  processor time of it", s.profile->work()) +
+            timesText("  an empty loop as long", s.profile->empty());
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
@@ -69,6 +145,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
                    s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,
                    s.contacts);
+  for (const ReactionReport& r : s.robots) text += robotText(r);
   if (s.work.rested + s.work.beyond + s.work.put_off > 0)
     text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
                    s.work.checked, s.work.rested, s.work.beyond, s.work.put_off);
@@ -92,6 +169,7 @@ int run(const CommandLine& line, Arguments& args) {
   if (!args.rest.empty()) args.session.rest = number(args.rest, "--rest");
   if (!args.horizon.empty()) args.session.horizon = number(args.horizon, "--horizon");
   if (!args.budget.empty()) args.session.budget = number(args.budget, "--budget");
+  args.run.react = args.react == "on";
   args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
   args.run.interrupted = interrupted;
@@ -121,6 +199,10 @@ void addRun(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(0, 256));
   command->add_option("--mode", args->mode, "lockstep or live (pair threads in real time)")
       ->check(CLI::IsMember({"lockstep", "live"}));
+  command
+      ->add_option("--react", args->react,
+                   "on: mechanisms with a reaction move away (closed loop); off: they follow their motion")
+      ->check(CLI::IsMember({"on", "off"}));
   command->add_option(
       "--rest", args->rest,
       "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");
@@ -135,6 +217,8 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
   command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
   command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");
+  command->add_flag("--profile", args->run.profile,
+                    "processor time of the cycles, and the delays of empty loops of the same length");
   command->add_option("--session", args->run.session_log, "HDF5 log of the run");
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));

@@ -102,7 +102,8 @@ std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
 int run(const CommandLine& line, const Arguments& args) {
   // Everything that can be wrong on the command line is seen before anything costly is built.
   const Address bind = parseAddress(args.bind, "--bind");
-  ServedOptions served{reactionOf(args), args.nearest};
+  ServedOptions served{
+      .reaction = reactionOf(args), .nearest = args.nearest, .scene_first = args.reaction.empty()};
   ServeOptions options;
   options.stale = served.reaction.watch.input_age;
   options.interrupted = interrupted;
@@ -145,7 +146,7 @@ void addServe(CLI::App& root, CommandLine& line) {
       "--resume", args->resume,
       "s without a cause after which a protective stop ends by itself (default: it waits for a reset)");
   command->add_option("--reaction", args->reaction,
-                      "YAML of a reaction (docs/control.md), of all mechanisms");
+                      "YAML of a reaction (docs/control.md), of all mechanisms (default: the scene's)");
   command->add_option("--rate", args->rate,
                       "Hz: cycles and answers at this rate instead of one for each packet");
   command->add_option("--duration", args->duration, "s after which it ends (default: Ctrl-C ends it)");

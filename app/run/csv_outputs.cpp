@@ -30,22 +30,38 @@ std::unique_ptr<OutputFile> open(const std::filesystem::path& file, const std::s
   return out;
 }
 
-std::string jointsHeader(const Session& session) {
+/// Of the robots that react: their plan, the torque of the reaction, the share of the planned speed, the
+/// state.
+std::string loopHeader(const ClosedLoop& loop) {
+  std::string header;
+  for (std::size_t m = 0; m < loop.robots().size(); ++m) {
+    if (!loop.robots()[m]) continue;
+    const std::string name = "," + loop.session().description().mechanisms[m].name + ".";
+    for (const char* what : {"planned", "torque"})
+      for (std::size_t j = 0; j < loop.robots()[m]->q().size(); ++j)
+        header += name + what + std::to_string(j);
+    header += name + "speed_scale" + name + "state";
+  }
+  return header;
+}
+
+std::string jointsHeader(const Session& session, const ClosedLoop* loop) {
   std::string header = "t";
   for (const char* what : {"q", "effort"})
     for (std::size_t m = 0; m < session.mechanisms().size(); ++m)
       for (int j = 0; j < session.mechanisms()[m]->dof(); ++j)
         header += "," + session.description().mechanisms[m].name + "." + what + std::to_string(j);
-  return header;
+  return loop ? header + loopHeader(*loop) : header;
 }
 
 }  // namespace
 
-CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session)
-    : pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz")),
+CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop)
+    : loop_(loop),
+      pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz")),
       objects_(
           open(paths.objects, "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding")),
-      joints_(open(paths.joints, jointsHeader(session))) {}
+      joints_(open(paths.joints, jointsHeader(session, loop))) {}
 
 void CsvOutputs::write(double t, const Session& session, const std::vector<PairResult>& results) {
   if (pairs_) writePairs(t, session, results);
@@ -94,6 +110,15 @@ void CsvOutputs::writeJoints(double t, const Session& session) {
   for (const auto& m : session.mechanisms())
     for (double q : m->q()) addNumber(line_, q);
   for (double effort : session.jointEfforts()) addNumber(line_, effort);
+  if (loop_)
+    for (const auto& robot : loop_->robots()) {
+      if (!robot) continue;
+      for (const double x : robot->planned()) addNumber(line_, x);
+      for (const double x : robot->torque()) addNumber(line_, x);
+      addNumber(line_, robot->speedScale());
+      line_ += ',';
+      line_ += stateName(robot->stops().state());
+    }
   line_ += '\n';
   joints_->stream() << line_;
 }

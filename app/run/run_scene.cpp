@@ -151,26 +151,33 @@ std::vector<PairId> allPairs(const Scene& scene) {
   return all;
 }
 
-/// Cycles of one run over all frames; lock step and live differ only in `cycle`, which gives the seconds that
-/// it worked, and in `renewed`, the pairs whose results it may have changed.
+/// Cycles of one run over all frames; lock step, live and the closed loop differ only in `cycle`, which says
+/// of each cycle up to a frame when it was and how many seconds it worked, and in `renewed`, the pairs whose
+/// results a cycle may have changed.
 template <class Cycle>
-void runFrames(const Session& session, const std::vector<double>& times, const RunOptions& options, bool last,
-               RunSummary& summary, CycleStatistics& statistics, std::vector<PairResult>& results,
-               const std::vector<PairId>& all, const std::vector<PairId>& renewed, Cycle cycle) {
-  CsvOutputs csv(last ? options.csv : CsvPaths{}, session);
+void runFrames(const Session& session, const ClosedLoop* loop, const std::vector<double>& times,
+               const RunOptions& options, bool last, RunSummary& summary, CycleStatistics& statistics,
+               std::vector<PairResult>& results, const std::vector<PairId>& all,
+               const std::vector<PairId>& renewed, Cycle cycle) {
+  CsvOutputs csv(last ? options.csv : CsvPaths{}, session, loop);
   std::unique_ptr<SessionLog> log;
   if (last && !options.session_log.empty()) log = std::make_unique<SessionLog>(options.session_log, session);
   Extremes extremes(session);
   PairClock pair_clock(session.scene());
   summary.contacts = 0;
   summary.frames = 0;
+  bool first = true;
+  const auto done = [&](double t, double worked) {
+    statistics.add(worked);
+    extremes.frame(t, results, first ? all : renewed, summary);
+    first = false;
+  };
   for (const double t : times) {
     if (options.interrupted && options.interrupted()) {
       summary.interrupted = true;
       break;
     }
-    statistics.add(cycle(t));
-    extremes.frame(t, results, summary.frames == 0 ? all : renewed, summary);
+    cycle(t, done);
     pair_clock.sample(session.scene());
     csv.write(t, session, results);
     if (log) log->write(t, session, results);
@@ -187,6 +194,10 @@ void runFrames(const Session& session, const std::vector<double>& times, const R
 }  // namespace
 
 RunSummary runScene(Session& session, const RunOptions& options) {
+  const bool react = options.react && session.reacts();
+  if (react && options.mode == RunMode::kLive)
+    throw UsageError(
+        "live: found mechanisms with a `reaction`, expected lockstep, or a run without reacting");
   const std::vector<double> times = timesOf(session, options);
   Scene& scene = session.scene();
   RunSummary summary;
@@ -208,18 +219,43 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   session.step(times.front());
   for (const PairId id : all) results[id.index()] = scene.result(id);
   CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
+  if (options.profile && options.mode == RunMode::kLockstep)
+    summary.profile.emplace(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
-    if (options.mode == RunMode::kLockstep) {
-      runFrames(session, times, options, last, summary, statistics, results, all, scene.renewed(),
-                [&](double t) {
+    if (react) {
+      ClosedLoop loop(session, times.front());
+      summary.cycles = 0;
+      runFrames(session, &loop, times, options, last, summary, statistics, results, all, scene.renewed(),
+                [&](double t, const auto& done) {
+                  // The cycle nearest to the frame is the last one before it.
+                  while (loop.time() <= t + 0.5 * ClosedLoop::kStep) {
+                    const double at = loop.time();
+                    if (summary.profile) summary.profile->begin();
+                    const auto begin = Clock::now();
+                    loop.step();
+                    for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
+                    watch();
+                    const double worked = seconds(Clock::now() - begin);
+                    if (summary.profile) summary.profile->end(worked);
+                    add(scene.counts(), summary.work);
+                    ++summary.cycles;
+                    done(at, worked);
+                  }
+                });
+      summary.robots = reportOf(loop);
+    } else if (options.mode == RunMode::kLockstep) {
+      runFrames(session, nullptr, times, options, last, summary, statistics, results, all, scene.renewed(),
+                [&](double t, const auto& done) {
+                  if (summary.profile) summary.profile->begin();
                   const auto begin = Clock::now();
                   session.step(t);
                   for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
                   watch();
                   const double worked = seconds(Clock::now() - begin);
+                  if (summary.profile) summary.profile->end(worked);
                   add(scene.counts(), summary.work);
-                  return worked;
+                  done(t, worked);
                 });
     } else {
       PairThreads threads(scene);
@@ -227,18 +263,19 @@ RunSummary runScene(Session& session, const RunOptions& options) {
       const double period =
           times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
       Pacer pacer{std::chrono::nanoseconds(static_cast<long>(period * 1e9))};
-      runFrames(session, times, options, last, summary, statistics, results, all, all, [&](double t) {
-        auto begin = Clock::now();
-        session.applyMotion(t);
-        threads.publishPoses(scene);
-        double worked = seconds(Clock::now() - begin);
-        // The groups have the rest of the period for these poses.
-        pacer.wait();
-        begin = Clock::now();
-        threads.collect(results);
-        watch();
-        return worked += seconds(Clock::now() - begin);
-      });
+      runFrames(session, nullptr, times, options, last, summary, statistics, results, all, all,
+                [&](double t, const auto& done) {
+                  auto begin = Clock::now();
+                  session.applyMotion(t);
+                  threads.publishPoses(scene);
+                  const double worked = seconds(Clock::now() - begin);
+                  // The groups have the rest of the period for these poses.
+                  pacer.wait();
+                  begin = Clock::now();
+                  threads.collect(results);
+                  watch();
+                  done(t, worked + seconds(Clock::now() - begin));
+                });
       add(threads.counts(), summary.work);
     }
   }

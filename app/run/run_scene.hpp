@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/loop/loop_report.hpp"
 #include "app/run/csv_outputs.hpp"
+#include "app/run/cycle_profile.hpp"
 #include "app/session/session.hpp"
 
 namespace abstand {
@@ -16,7 +18,11 @@ struct RunOptions {
   std::optional<double> start, end;  ///< s
   std::optional<double> rate;        ///< Hz; without: the frames of the recording
   RunMode mode{RunMode::kLockstep};
+  /// Mechanisms with a `reaction` react: the closed loop runs a cycle a millisecond, frames are the cycles at
+  /// their times. Without, they follow their motion as all others.
+  bool react{false};
   int repeat{1};
+  bool profile{false};  ///< of the cycles of lock step and of the closed loop; doubles the time of a run
   CsvPaths csv;
   std::filesystem::path session_log;  ///< HDF5; empty: none
   std::function<void(std::size_t done, std::size_t all)> progress;
@@ -35,7 +41,7 @@ struct RunSummary {
   long overruns{0};  ///< cycles longer than kPeriodUs
   std::optional<Extreme> min_distance;
   std::optional<Extreme> peak_force;    ///< N, largest force of a pair
-  long contacts{0};                     ///< pairs in contact, counted over all frames
+  long contacts{0};                     ///< pairs in contact, counted over all frames, or cycles of the loop
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
   /// How pairs came to their results, over all frames of all repeats.
@@ -49,13 +55,17 @@ struct RunSummary {
   };
   std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
   long breach_count{0};          ///< all of them
+  long cycles{0};                ///< of the closed loop; 0: there was none
+  std::vector<ReactionReport> robots;  ///< those that reacted
+  std::optional<CycleProfile> profile;
   double build_ms{0.0};
   std::size_t memory_bytes{0};
   bool interrupted{false};
   static constexpr double kPeriodUs = 1000.0;
 };
 
-/// Throws UsageError for a range without a frame and for files that cannot be written.
+/// Throws UsageError for a range without a frame, for files that cannot be written and for a closed loop in
+/// live mode; ParseError for a robot that cannot react.
 RunSummary runScene(Session& session, const RunOptions& options);
 
 }  // namespace abstand

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/serve/state_report.hpp"
-#include "app/session/mechanism_driver.hpp"
-#include "core/control/reaction.hpp"
+#include "app/session/robot_pairs.hpp"
 
 namespace abstand::serve {
 
@@ -33,24 +32,9 @@ class ServedRobot {
   const StopLog& stops() const { return reaction_.stops().log(); }
 
  private:
-  /// A pair of the scene with one or two of its links.
-  struct OwnPair {
-    PairId id;
-    int link_a, link_b;  ///< -1: not one of its links
-    bool person;
-  };
-  void gather(const Scene& scene);
-  void moveLinks();
-  double otherRate(const Object& other, const Vector3d& p_W, const Vector3d& n_W, double sign) const;
-  double spread(const OwnPair& pair, const Scene& scene, const Vector3d& n_W) const;
-
   MechanismDriver& driver_;
   Reaction reaction_;
-  std::vector<OwnPair> own_;
-  std::vector<ReactionPair> pairs_;
-  std::vector<double> rows_;   ///< dof() numbers a pair
-  std::vector<Twist> twists_;  ///< of each link, at its frame's origin, world axes
-  Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
+  RobotPairs pairs_;
   Eigen::MatrixXd no_mass_;  ///< 0 x 0: not known
   std::vector<double> qd_, efforts_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};

@@ -40,8 +40,17 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
 
   std::vector<bool> people(scene.objectCount());
   for (std::size_t i = 0; i < people.size(); ++i) people[i] = person_of[i] >= 0;
-  for (const auto& driver : session_->mechanisms())
-    robots_.push_back(std::make_unique<ServedRobot>(*driver, scene, people, options.reaction));
+  for (std::size_t m = 0; m < d.mechanisms.size(); ++m) {
+    ReactionDescription reaction = options.reaction;
+    if (options.scene_first && d.mechanisms[m].reaction) {
+      reaction = *d.mechanisms[m].reaction;
+      reaction.watch.input_age = watch_.input_age;
+      reaction.watch.person_age = watch_.person_age;
+      if (std::isfinite(options.reaction.stop.resume_after))
+        reaction.stop.resume_after = options.reaction.stop.resume_after;
+    }
+    robots_.push_back(std::make_unique<ServedRobot>(*session_->mechanisms()[m], scene, people, reaction));
+  }
   people_.resize(d.humans.size());
 
   for (const Pair& pair : scene.pairs()) {

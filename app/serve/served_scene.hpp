@@ -12,6 +12,9 @@ namespace abstand::serve {
 struct ServedOptions {
   ReactionDescription reaction;  ///< of every mechanism; its watch says when input is stale
   std::size_t nearest{8};        ///< pairs that are reported one by one
+  /// A mechanism's own `reaction` of the scene goes before; when input is stale, and a finite resume_after,
+  /// come from the one above.
+  bool scene_first{false};
 };
 
 /// What a robot does unless told otherwise: contact torques as they are, speed and separation by ISO/TS

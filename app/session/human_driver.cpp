@@ -1,6 +1,7 @@
 #include "app/session/human_driver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "humanmodel/recording_lengths.hpp"
@@ -85,11 +86,39 @@ Transform HumanDriver::poseOf(std::size_t part) const {
   return pose_.X_WP[kTorso] * standing_.X_WP[kTorso].inverse() * standing_.X_WP[part];
 }
 
-void HumanDriver::apply(double t, Scene& scene) {
+void HumanDriver::show(const SkeletonFrame& frame, double t, Scene& scene) {
   if (t < last_t_) poser_.reset();
   last_t_ = t;
-  poser_.pose(recording_ ? recording_->at(t) : model_.rest, pose_);
+  poser_.pose(frame, pose_);
   place(t, scene);
+}
+
+void HumanDriver::apply(double t, Scene& scene) {
+  show(recording_ ? recording_->at(t) : model_.rest, t, scene);
+}
+
+void HumanDriver::glide(double t, Scene& scene) {
+  if (!recording_ || &recording_->at(t) == &recording_->frames.back() || t < recording_->frames.front().t) {
+    apply(t, scene);
+    return;
+  }
+  const SkeletonFrame& before = recording_->at(t);
+  const SkeletonFrame& after = *(&before + 1);
+  const double u = (t - before.t) / (after.t - before.t);
+  SkeletonFrame frame = before;
+  frame.t = t;
+  for (std::size_t i = 0; i < kJointCount; ++i)
+    if (before.has(static_cast<Joint>(i)) && after.has(static_cast<Joint>(i)))
+      frame.p[i] += u * (after.p[i] - before.p[i]);
+  show(frame, t, scene);
+}
+
+double HumanDriver::missing() const {
+  double most = 0.0;
+  for (std::size_t i = 0; i < kBodyPartCount; ++i)
+    if (pose_.state[i] != PartState::kNone && std::isfinite(pose_.age[i]))
+      most = std::max(most, pose_.age[i]);
+  return most;
 }
 
 void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {

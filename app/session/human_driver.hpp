@@ -21,11 +21,18 @@ class HumanDriver {
   /// Poses all parts for time t: the recorded frame at or just before t. A part that the recording does not
   /// show is marked stale. No allocation, no throw.
   void apply(double t, Scene& scene);
+  /// The same between two recorded frames, on the straight line between their joints, so that velocities are
+  /// those of the person and not of the camera. Joints that one of the two lacks stay those of the earlier
+  /// one.
+  void glide(double t, Scene& scene);
   /// Poses all parts after a skeleton from outside, in the frame of the recording; the frame's t is `t`. What
   /// the recording showed is forgotten at the first. No allocation, no throw.
   void follow(const SkeletonFrame& frame, Scene& scene);
   /// Says of all parts that where they are is no longer known.
   void lose(double t, Scene& scene) const;
+  /// s, since that part was seen in the recording which has been missing for longest; parts that the
+  /// recording has not shown so far do not count.
+  double missing() const;
   /// s, at time t, since the part that was not seen for longest was seen by follow(); infinite before that.
   double unseen(double t) const;
 
@@ -38,6 +45,7 @@ class HumanDriver {
   /// Of a part, in the recording's frame; one that was never seen hangs on the torso as when standing.
   Transform poseOf(std::size_t part) const;
   void place(double t, Scene& scene) const;
+  void show(const SkeletonFrame& frame, double t, Scene& scene);
 
   std::optional<Recording> recording_;
   HumanModel model_;

@@ -162,16 +162,28 @@ void Session::setSpeeds(const std::vector<Planned>& plan) {
 void Session::applyMotion(double t) {
   for (const auto& m : mechanisms_) m->apply(t, scene_);
   for (const auto& h : humans_) h->apply(t, scene_);
-  if (poses_) {
-    const std::size_t row = poses_->rowAt(t);
-    for (std::size_t i = 0; i < poses_objects_.size(); ++i)
-      scene_.setPose(poses_objects_[i], poses_->pose(row, i), t);
-  }
+  applyPoses(t);
+}
+
+void Session::applyPoses(double t) {
+  if (!poses_) return;
+  const std::size_t row = poses_->rowAt(t);
+  for (std::size_t i = 0; i < poses_objects_.size(); ++i)
+    scene_.setPose(poses_objects_[i], poses_->pose(row, i), t);
+}
+
+bool Session::reacts() const {
+  return std::any_of(description_.mechanisms.begin(), description_.mechanisms.end(),
+                     [](const MechanismDescription& m) { return m.reaction.has_value(); });
 }
 
 void Session::step(double t) {
   applyMotion(t);
   scene_.step();
+  sumEfforts();
+}
+
+void Session::sumEfforts() {
   std::size_t first = 0;
   for (const auto& m : mechanisms_) {
     const auto n = static_cast<std::size_t>(m->dof());

@@ -40,6 +40,10 @@ class Session {
   void step(double t);
   /// The first half of step(): poses only, for live mode, where the pairs run on threads of their own.
   void applyMotion(double t);
+  /// The part of applyMotion() that `--poses` moves.
+  void applyPoses(double t);
+  /// The last part of step(): jointEfforts() of the scene's contacts.
+  void sumEfforts();
 
   /// Times (s) of the frames: of the first recording; else of the poses; else every millisecond of the
   /// longest joint motion; else 0 alone.
@@ -50,6 +54,8 @@ class Session {
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
   const SceneDescription& description() const { return description_; }
+  /// Some mechanism has a `reaction`.
+  bool reacts() const;
   const std::vector<std::unique_ptr<MechanismDriver>>& mechanisms() const { return mechanisms_; }
   const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }
   /// Numbers of objects, a < b, that their mechanism or person says are adjacent, whatever the scene makes of

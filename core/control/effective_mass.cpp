@@ -1,25 +1,27 @@
 #include "core/control/effective_mass.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 
 namespace abstand {
 
-EffectiveMass::EffectiveMass(int dof) : factor_(dof), solved_(dof) {}
+EffectiveMass::EffectiveMass(int dof)
+    : mass_{Eigen::MatrixXd::Identity(dof, dof), Eigen::MatrixXd::Identity(dof, dof)},
+      solved_(static_cast<std::size_t>(dof)) {}
 
 bool EffectiveMass::take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
-  known_ = M.rows() == solved_.size() && M.cols() == solved_.size() && M.allFinite();
+  known_ = M.rows() == mass_.M.rows() && M.cols() == mass_.M.cols() && M.allFinite();
   if (!known_) return false;
-  factor_.compute(M);
-  return known_ = factor_.info() == Eigen::Success;
+  mass_.M = M;
+  return known_ = factor(mass_) < 0;
 }
 
 double EffectiveMass::mass(std::span<const double> row) noexcept {
   if (!known_) return kNaN;
-  ABSTAND_CHECK(row.size() == static_cast<std::size_t>(solved_.size()));
-  // J M^-1 J^T = |L^-1 J^T|^2.
-  solved_ = Eigen::Map<const Eigen::VectorXd>(row.data(), solved_.size());
-  factor_.matrixL().solveInPlace(solved_);
-  return 1.0 / solved_.squaredNorm();
+  ABSTAND_CHECK(row.size() == solved_.size());
+  std::copy(row.begin(), row.end(), solved_.begin());
+  return 1.0 / mobilityOf(mass_, solved_);
 }
 
 }  // namespace abstand

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include <Eigen/Cholesky>
-
-#include "core/math/transform.hpp"
+#include "core/mechanism/mass_matrix.hpp"
 
 namespace abstand {
 
@@ -23,8 +22,8 @@ class EffectiveMass {
   double mass(std::span<const double> row) noexcept;
 
  private:
-  Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::VectorXd solved_;
+  MassMatrix mass_;
+  std::vector<double> solved_;
   bool known_{false};
 };
 

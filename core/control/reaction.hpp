@@ -12,9 +12,11 @@ namespace abstand {
 
 /// What a robot knows of one pair with one of its links (or two).
 struct ReactionPair {
-  int pair{-1};                 ///< index in the scene, for the log
-  double distance{kInfinity};   ///< m, lower bound: PairResult::distance - bound
-  std::span<const double> row;  ///< d(distance)/dq, size dof (addDistanceRow)
+  int pair{-1};                ///< index in the scene, for the log
+  double distance{kInfinity};  ///< m, lower bound: PairResult::distance - bound
+  /// d(distance)/dq, size dof (addDistanceRow); may be empty where no law looks: beyond the range of the
+  /// repulsion, and, for the speed, of a pair without a person.
+  std::span<const double> row;
   /// m/s, rate of the distance that the other body's motion causes: negative when it comes nearer. NaN: not
   /// known, taken as standing by the repulsion and as 1.6 or 2.0 m/s by the speed.
   double other_rate{0.0};

@@ -5,6 +5,7 @@
 
 #include "core/control/admittance.hpp"
 #include "core/control/god_object.hpp"
+#include "core/control/hold.hpp"
 #include "core/control/repulsion.hpp"
 #include "core/control/speed_scale.hpp"
 #include "core/control/torque_limit.hpp"
@@ -39,6 +40,7 @@ struct ReactionDescription {
   std::optional<GodObjectOptions> proxy;        ///< for a held object
   std::optional<AdmittanceOptions> admittance;  ///< torques become velocities and offsets
   std::optional<SpeedScaleOptions> speed;
+  HoldOptions hold;  ///< where we move the robot ourselves
   WatchOptions watch;
   StopOptions stop;
 };

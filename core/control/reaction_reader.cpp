@@ -126,7 +126,7 @@ class Lines {
 
 ReactionDescription readReaction(const YamlNode& node, const std::string& file) {
   const YamlFields fields(node, file, "`reaction`",
-                          {"torque", "repulsion", "proxy", "admittance", "speed", "stop"});
+                          {"torque", "repulsion", "proxy", "admittance", "speed", "hold", "stop"});
   ReactionDescription r;
   r.torque = torque(fields);
   r.repulsion = law<RepulsionOptions>(fields);
@@ -137,6 +137,7 @@ ReactionDescription readReaction(const YamlNode& node, const std::string& file) 
   r.proxy = law<GodObjectOptions>(fields);
   r.admittance = law<AdmittanceOptions>(fields);
   r.speed = law<SpeedScaleOptions>(fields);
+  r.hold = law<HoldOptions>(fields).value_or(r.hold);
   if (const YamlNode* const stop = fields.find("stop")) {
     std::vector<std::string> keys = keysOf<WatchOptions>({"on"});
     addKeys<StopOptions>(keys);
@@ -160,6 +161,7 @@ std::string describeReaction(const ReactionDescription& r, const std::string& in
   lines.law(r.proxy);
   lines.law(r.admittance);
   lines.law(r.speed);
+  lines.law(std::optional(r.hold));
   lines.open("stop");
   lines.numbers(r.watch);
   lines.numbers(r.stop);

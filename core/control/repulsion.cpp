@@ -7,6 +7,12 @@
 #include "core/base/number.hpp"
 
 namespace abstand {
+namespace {
+
+// J: what moves with less stands. 2 kg at 1 mm/s; roundings and the return from a push must not be a reason.
+constexpr double kStanding = 1e-6;
+
+}  // namespace
 
 void RepulsionOptions::validate() const {
   requireNumbers(*this);
@@ -41,7 +47,7 @@ RepulsionResult Repulsion::update(double distance, double rate, double own_rate,
   r.force = std::max(0.0, force(d) - damping * rate);
   r.kinetic = own_rate < 0.0 ? 0.5 * mass * own_rate * own_rate : 0.0;
   r.available = std::max(0.0, potential(o_.stop_distance) - potential(d));
-  r.stop = r.kinetic > o_.stop_share * r.available;
+  r.stop = r.kinetic > std::max(kStanding, o_.stop_share * r.available);
   return r;
 }
 

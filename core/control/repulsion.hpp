@@ -35,7 +35,7 @@ struct RepulsionResult {
   double force{0.0};      ///< N, along the direction that parts the bodies; never negative
   double kinetic{0.0};    ///< J, of the robot's own approach; 0 when it goes away
   double available{0.0};  ///< J, that the potential can still take up before stop_distance
-  bool stop{false};       ///< kinetic > stop_share * available, within range
+  bool stop{false};       ///< kinetic > stop_share * available, and more than a microjoule, within range
 };
 
 /// After Dietrich, Wimboeck, Taeubig, Albu-Schaeffer, Hirzinger 2011, Extensions to Reactive Self-Collision

@@ -11,16 +11,7 @@ double mobility(const RigidTree& tree, const TreeState& state, const MassMatrix&
   ABSTAND_CHECK(mass.L.rows() == tree.dof);
   std::fill(work.begin(), work.end(), 0.0);
   addBodyEfforts(tree, state, body, p_B, w, work);
-  // x = L^-1 J^T w; then w^T J M^-1 J^T w is x^T x.
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < mass.L.rows(); ++i) {
-    double x = work[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < i; ++k) x -= mass.L(i, k) * work[static_cast<std::size_t>(k)];
-    x /= mass.L(i, i);
-    work[static_cast<std::size_t>(i)] = x;
-    sum += x * x;
-  }
-  return sum;
+  return mobilityOf(mass, work);
 }
 
 double effectiveMass(const RigidTree& tree, const TreeState& state, const MassMatrix& mass, int frame,

@@ -86,6 +86,19 @@ int factor(MassMatrix& mass) {
   return -1;
 }
 
+double mobilityOf(const MassMatrix& mass, std::span<double> b) {
+  ABSTAND_CHECK(static_cast<Eigen::Index>(b.size()) == mass.L.rows());
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < mass.L.rows(); ++i) {
+    double x = b[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < i; ++k) x -= mass.L(i, k) * b[static_cast<std::size_t>(k)];
+    x /= mass.L(i, i);
+    b[static_cast<std::size_t>(i)] = x;
+    sum += x * x;
+  }
+  return sum;
+}
+
 void solveMass(const MassMatrix& mass, std::span<double> b) {
   const Eigen::Index n = mass.L.rows();
   ABSTAND_CHECK(static_cast<Eigen::Index>(b.size()) == n);

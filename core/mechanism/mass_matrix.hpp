@@ -20,6 +20,10 @@ void massMatrix(const RigidTree& tree, TreeState& state, MassMatrix& mass);
 /// are free to move); then L must not be used.
 int factor(MassMatrix& mass);
 
+/// |L^-1 b|^2 = b^T M^-1 b, the mobility of a row b = J^T n of joint efforts; b becomes L^-1 b. After
+/// factor().
+double mobilityOf(const MassMatrix& mass, std::span<double> b);
+
 /// Turns b into M^-1 b. After factor().
 void solveMass(const MassMatrix& mass, std::span<double> b);
 

@@ -8,6 +8,11 @@
 namespace abstand {
 namespace {
 
+// Of a row's own entry: what is left of a row that others say already (joints that mimic each other at their
+// stops) is roundings. Then such rows share the answer, and rows that contradict each other end at their
+// bounds.
+constexpr double kDependent = 1e-13;
+
 /// x of the rows between their bounds, with the others at theirs: L L^T = A of these rows.
 void solveFree(BoxLcp& p, Eigen::Index n) {
   p.free.clear();
@@ -27,7 +32,8 @@ void solveFree(BoxLcp& p, Eigen::Index n) {
     for (Eigen::Index c = 0; c <= r; ++c) {
       double sum = p.A(row(r), row(c));
       for (Eigen::Index k = 0; k < c; ++k) sum -= p.L(r, k) * p.L(c, k);
-      p.L(r, c) = r == c ? std::sqrt(std::max(sum, 1e-300)) : sum / p.L(c, c);
+      p.L(r, c) =
+          r == c ? std::sqrt(std::max({sum, kDependent * p.A(row(r), row(r)), 1e-300})) : sum / p.L(c, c);
       if (c < r) rest -= p.L(r, c) * p.y[c];
     }
     p.y[r] = rest / p.L(r, r);

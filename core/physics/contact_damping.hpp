@@ -22,6 +22,9 @@ struct Contact {
   Vector3d torque_a{Vector3d::Zero()};  ///< N m, about p_a
   Vector3d p_a{Vector3d::Zero()};       ///< m, A's centre
   Vector3d near{Vector3d::Zero()};      ///< m, near where they touch: the middle between the witnesses
+  /// Velocity of A against B at `near` as far as the physics does not know it: of a person who follows a
+  /// recording, with the sign of who moves.
+  Twist carried{};
 };
 
 /// The point of the line along which the contact force acts that is nearest to `contact.near`. The force is

@@ -152,11 +152,15 @@ void PhysicsWorld::applyContact(const PhysicsObject& a, const PhysicsObject& b, 
                                 const ContactOptions& options, double h) {
   const Wrench penalty{contact.force_a, contact.torque_a};
   if (!accept(penalty, contact.p_a) || !sound(contact.near)) return;
+  if (!sound(contact.carried.linear) || !sound(contact.carried.angular)) return;
   if (contact.force_a.squaredNorm() == 0.0) return;
   const Vector3d c_W = contactPoint(contact);
   const Twist twist_a = velocityAt(a, c_W), twist_b = velocityAt(b, c_W);
   ContactMotion motion;
-  motion.relative = {twist_a.linear - twist_b.linear, twist_a.angular - twist_b.angular};
+  const Twist& carried = contact.carried;
+  motion.relative.angular = twist_a.angular - twist_b.angular + carried.angular;
+  motion.relative.linear =
+      twist_a.linear - twist_b.linear + carried.linear + carried.angular.cross(Vector3d(c_W - contact.near));
   const auto both = [&](const Wrench& unit) { return mobilityOf(a, c_W, unit) + mobilityOf(b, c_W, unit); };
   const Vector3d normal = contact.force_a.normalized();
   const Vector3d slip = motion.relative.linear - normal.dot(motion.relative.linear) * normal;

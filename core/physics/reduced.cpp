@@ -35,7 +35,8 @@ class Reduced final : public Articulation {
   std::vector<double> next_, bias_;
   BoxLcp rows_;
   std::vector<std::size_t> row_bodies_;
-  Eigen::MatrixXd responses_;  ///< a column a row: what a unit of its impulse does to qd
+  std::vector<Eigen::Index> motor_rows_;  ///< of each dof, -1: none
+  Eigen::MatrixXd responses_;             ///< a column a row: what a unit of its impulse does to qd
 };
 
 Reduced::Reduced(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
@@ -53,6 +54,7 @@ Reduced::Reduced(const Mechanism& mechanism, const Transform& X_WB, const Mechan
   const auto n = static_cast<Eigen::Index>(tree_.bodies.size());
   rows_.reserve(n);
   row_bodies_.reserve(tree_.bodies.size());
+  motor_rows_.assign(q_.size(), -1);
   responses_.setZero(tree_.dof, n);
   next_.assign(q_.size(), 0.0);
   bias_.assign(q_.size(), 0.0);
@@ -78,6 +80,7 @@ void Reduced::addRow(std::size_t body, double velocity, double lower, double upp
 /// Stops that have been reached, and motors of the other joints.
 void Reduced::gatherRows(double h) {
   row_bodies_.clear();
+  std::fill(motor_rows_.begin(), motor_rows_.end(), -1);
   for (std::size_t i = 0; i < tree_.bodies.size(); ++i) {
     const TreeBody& b = tree_.bodies[i];
     const Motor& motor = motors_[static_cast<std::size_t>(b.dof)];
@@ -87,9 +90,20 @@ void Reduced::gatherRows(double h) {
       addRow(i, std::min(kStopReturn * down / h, kStopSpeed), 0.0, kInfinity);
     else if (up <= 0.0)
       addRow(i, std::max(kStopReturn * up / h, -kStopSpeed), -kInfinity, 0.0);
-    else if (motor.most > 0.0)
-      addRow(i, b.scale * motor.velocity, -h * motor.most * joints_[i].share,
-             h * motor.most * joints_[i].share);
+    else if (motor.most > 0.0) {
+      // Joints that mimic each other are driven as one: rows of their own would say the same thing twice.
+      Eigen::Index& row = motor_rows_[static_cast<std::size_t>(b.dof)];
+      const double most = h * motor.most * joints_[i].share;
+      if (row < 0) {
+        row = static_cast<Eigen::Index>(row_bodies_.size());
+        addRow(i, b.scale * motor.velocity, -most, most);
+      } else {
+        const double first = tree_.bodies[row_bodies_[static_cast<std::size_t>(row)]].scale;
+        const double more = most * std::abs(b.scale / first);
+        rows_.lower[row] -= more;
+        rows_.upper[row] += more;
+      }
+    }
   }
 }
 

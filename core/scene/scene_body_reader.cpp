@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include "core/base/number.hpp"
+#include "core/control/reaction.hpp"
+#include "core/control/reaction_reader.hpp"
 #include "core/mechanism/srdf_file.hpp"
 #include "core/scene/robot_links.hpp"
 
@@ -205,10 +207,26 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
   return l;
 }
 
+ReactionDescription SceneBodyReader::reaction(const YamlNode& node, int dof) const {
+  ReactionDescription r = readReaction(node, file_);
+  const SourcePos pos{file_, node.line, node.column};
+  if (dof == 0)
+    throw ParseError(pos, "found `reaction` for a mechanism that nothing moves, expected one with a `dof`");
+  if (r.proxy)
+    throw ParseError(pos, "found `proxy` in the `reaction` of a scene, expected laws for what holds nothing",
+                     "it is for programs that say what the hand holds");
+  try {
+    const Reaction fits(r, dof, 0);
+  } catch (const UsageError& e) {
+    throw ParseError(pos, e.what());
+  }
+  return r;
+}
+
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   const YamlFields fields(node, file_, "a mechanism",
-                          {"name", "file", "base", "q", "motion", "links", "geometry", "srdf", "voxel",
-                           "point", "outer_layers", "margin", "max_speed"});
+                          {"name", "file", "base", "q", "motion", "links", "geometry", "srdf", "reaction",
+                           "voxel", "point", "outer_layers", "margin", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
@@ -221,6 +239,8 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   if (const auto* srdf = fields.find("srdf")) m.srdf = existingFile(*srdf, "`srdf`", "an SRDF");
   const Robot robot = loadRobot(m.file);
   remarks_.insert(remarks_.end(), robot.warnings.begin(), robot.warnings.end());
+  if (const auto* node_reaction = fields.find("reaction"))
+    m.reaction = reaction(*node_reaction, robot.mechanism.dof);
   for (const auto& l : fields.list("links")) m.links.push_back(link(l, robot.mechanism));
   const auto geometry = fields.choice("geometry", {"collision", "visual"});
   if (fields.find("links")) {

@@ -42,6 +42,7 @@ class SceneBodyReader {
  private:
   void takeDisabled(const MechanismDescription& mechanism);
   LinkDescription link(const YamlNode& node, const Mechanism& mechanism);
+  ReactionDescription reaction(const YamlNode& node, int dof) const;
   RecordingDescription recording(const YamlNode& node);
   std::string newName(const YamlFields& fields, std::set<std::string>& taken, const char* kind);
   std::string newBody(const YamlFields& fields);

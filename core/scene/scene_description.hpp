@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.hpp"
+#include "core/control/reaction_description.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/haptic/haptic_options.hpp"
 #include "core/mechanism/mesh_reference.hpp"
@@ -40,13 +41,14 @@ struct LinkDescription {
 
 struct MechanismDescription {
   std::string name;
-  std::filesystem::path file;             ///< .mech or URDF
-  Transform X_WB{Transform::Identity()};  ///< `base`
-  std::vector<double> q;                  ///< empty: all zero
-  std::filesystem::path motion;           ///< empty: none
-  BodySettings settings;                  ///< of its links, where they have none of their own
-  std::filesystem::path srdf;             ///< empty: none
-  std::vector<LinkDescription> links;     ///< as the scene lists them, else those of the robot file
+  std::filesystem::path file;                   ///< .mech or URDF
+  Transform X_WB{Transform::Identity()};        ///< `base`
+  std::vector<double> q;                        ///< empty: all zero
+  std::filesystem::path motion;                 ///< empty: none
+  BodySettings settings;                        ///< of its links, where they have none of their own
+  std::filesystem::path srdf;                   ///< empty: none
+  std::vector<LinkDescription> links;           ///< as the scene lists them, else those of the robot file
+  std::optional<ReactionDescription> reaction;  ///< none: it follows its motion whatever happens
   SourcePos pos;
 };
 

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "core/base/number.hpp"
+#include "core/control/reaction_reader.hpp"
 #include "core/math/roll_pitch_yaw.hpp"
 #include "core/scene/scene_description.hpp"
 
@@ -88,6 +89,7 @@ std::string mechanismText(const MechanismDescription& m) {
   if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
   s += settings(m.settings, "    ", "\n");
   if (!m.srdf.empty()) s += "    srdf: " + scalar(m.srdf.string()) + "\n";
+  if (m.reaction) s += "    reaction:\n" + describeReaction(*m.reaction, "      ");
   s += m.links.empty() ? "    links: []\n" : "    links:\n";
   for (const auto& l : m.links)
     s += "      - {name: " + scalar(l.name) + ", frame: " + (parseInt(l.frame) ? l.frame : scalar(l.frame)) +

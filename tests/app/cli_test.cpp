@@ -323,6 +323,42 @@ TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
   EXPECT_EQ(run("verify --only 'third law' --poses 100 --report /nowhere/v.html").code, 2);
 }
 
+TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
+  write("slide.mech",
+        "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 90 d 0\nend_chain\ninertia\nbody 1 2 0 0 0 0.002 "
+        "0.002 0.002 0 0 "
+        "0\nend_inertia\n");
+  const std::string scene = write(
+      "slide.yaml",
+      "abstand: 1\ndefaults: {voxel: 0.01, point: 0.01}\nmechanisms:\n  - name: slide\n    file: slide.mech\n"
+      "    reaction: {repulsion: {range: 0.2, force: 100}, stop: {distance: 0.1}}\n"
+      "    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.05}}}]\n"
+      "objects: [{name: thing, shape: {sphere: {radius: 0.05}}, pose: {xyz: [0, 0.11, 0]}}]\n");
+  const std::string poses =
+      write("still.csv",
+            "t,thing.r00,thing.r01,thing.r02,thing.tx,thing.r10,thing.r11,thing.r12,thing.ty,"
+            "thing.r20,thing.r21,thing.r22,thing.tz\n0,1,0,0,0,0,1,0,0.11,0,0,1,0\n"
+            "0.5,1,0,0,0,0,1,0,0.11,0,0,1,0\n");
+  const std::string joints = (folder_.path() / "joints.csv").string();
+  const std::string command = "run " + scene + " --no-cache --poses " + poses;
+  const json off = runJson(command + " --react off");
+  EXPECT_FALSE(off.contains("robots"));
+  const json on = runJson(command + " --profile --joints-out " + joints);
+  EXPECT_EQ(on["cycles"], 501);
+  EXPECT_EQ(on["profile_us"]["processor"]["overruns"].is_number(), true);
+  const json& robot = on["robots"].at(0);
+  EXPECT_EQ(robot["mechanism"], "slide");
+  EXPECT_EQ(robot["control"], "torque");
+  EXPECT_EQ(robot["stops"].at(0)["reason"], "distance");
+  EXPECT_TRUE(robot["min_distance_person"].is_null());
+  EXPECT_GT(robot["most_off_plan"], 0.01);
+  EXPECT_NE(readFile(joints, 1 << 20, true)
+                .find("slide.q0,slide.effort0,slide.planned0,slide.torque0,slide.speed_scale,slide.state\n"),
+            std::string::npos);
+  EXPECT_EQ(run(command + " --mode live").code, 2);
+  EXPECT_EQ(run(command + " --react maybe").code, 2);
+}
+
 const char* kDynamics =
     "dynamics data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 "
     "--solid 2:data/robots/lwr/link2.stl:1500 --solid 7:data/robots/lwr/link7.stl:1500 ";
@@ -330,7 +366,9 @@ const char* kDynamics =
 TEST_F(Cli, DynamicsGivesEffortsMassMatrixAndEffectiveMasses) {
   const json still = runJson(kDynamics + std::string("--effective 7:0,0,2 --effective 1:0,0,1"));
   EXPECT_EQ(still["dof"], 7);
-  ASSERT_EQ(still["links"].size(), 2u);
+  ASSERT_EQ(still["links"].size(), 7u);
+  // The file's mass and the solid's: 1,000 and 1,500 kg/m^3 of the same mesh.
+  EXPECT_NEAR(still["links"].at(6)["mass"].get<double>(), 2.5 * 0.415992597, 1e-6);
   EXPECT_EQ(still["efforts"], still["gravity_efforts"]);
   EXPECT_EQ(still["kinetic_energy"], 0.0);
   EXPECT_GT(still["effective_masses"].at(0)["mass"], 0.0);
@@ -359,7 +397,7 @@ TEST_F(Cli, DynamicsFollowsAMotion) {
 
 TEST_F(Cli, DynamicsSaysWhatIsWrong) {
   const std::string arm = "dynamics data/robots/lwr/lwr4.mech ", all = kDynamics;
-  const Answer massless = run(arm);
+  const Answer massless = run("dynamics data/scenes/chain.mech");
   EXPECT_EQ(massless.code, 3);
   EXPECT_NE(massless.err.find("found no frame with a mass"), std::string::npos);
   EXPECT_EQ(run(arm + "--solid 2").code, 2);

@@ -15,7 +15,8 @@ namespace {
 std::filesystem::path sceneFile() {
   const auto folder = std::filesystem::temp_directory_path() / "abstand-scene-fuzz";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "f") << "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n";
+  std::ofstream(folder / "f") << "mapping\ndof 0 1\ndof 1 2\nend_mapping\nchain\nframe 1 0 0 0 theta\nframe "
+                                 "2 0 90 0 theta\nend_chain\n";
   return folder / "scene.yaml";
 }
 
@@ -33,6 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ABSTAND_CHECK(again.objects.size() == scene->objects.size());
   ABSTAND_CHECK(again.humans.size() == scene->humans.size());
   ABSTAND_CHECK(again.mechanisms.size() == scene->mechanisms.size());
+  for (std::size_t i = 0; i < again.mechanisms.size(); ++i)
+    ABSTAND_CHECK(again.mechanisms[i].reaction.has_value() == scene->mechanisms[i].reaction.has_value());
   ABSTAND_CHECK(again.pairs.exclude == scene->pairs.exclude);
   ABSTAND_CHECK(again.pairs.include == scene->pairs.include);
   ABSTAND_CHECK(again.threads == scene->threads);

@@ -32,6 +32,7 @@ admittance: {inertia: 2, damping: [1, 2, 3], stiffness: 0, velocity: 0.7, offset
 speed: {reaction_time: 0.2, stopping_time: 0.4, deceleration: 3, intrusion: 0.1, person_error: 0.02,
         robot_error: 0.01, person_speed: 1.5, person_speed_near: 2.5, near: 0.4, person_acceleration: 6,
         release: 1, least: 0.05}
+hold: {frequency: 4, damping: 0.8}
 stop: {distance: 0.03, input_age: 0.05, person_age: 0.5, joint_speed: 2.5, resume_after: 1.5, standstill: 0.01,
        slow_to: 0.3, on: {lost_person: slow, distance: emergency, torque: protective}}
 )";
@@ -49,6 +50,8 @@ TEST(ReactionReader, ReadsEveryKey) {
   EXPECT_EQ(r.admittance->stiffness, (JointNumbers{0}));
   EXPECT_EQ(r.speed->separation.person_acceleration, 6.0);
   EXPECT_EQ(r.speed->release, 1.0);
+  EXPECT_EQ(r.hold.frequency, 4.0);
+  EXPECT_EQ(r.hold.damping, 0.8);
   EXPECT_EQ(r.watch.distance, 0.03);
   EXPECT_EQ(r.watch.joint_speed, (JointNumbers{2.5}));
   EXPECT_EQ(r.stop.resume_after, 1.5);
@@ -90,7 +93,7 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
            Case{"[]", "r.yaml:1:1: error: found a list for `reaction`, expected a map"},
            Case{"repulsoin: {}",
                 "r.yaml:1:1: error: found the unknown key `repulsoin` in `reaction`, expected one "
-                "of torque, repulsion, proxy, admittance, speed, stop\nhint: did you mean "
+                "of torque, repulsion, proxy, admittance, speed, hold, stop\nhint: did you mean "
                 "`repulsion`?"},
            Case{"repulsion: {rnge: 1}", "hint: did you mean `range`?"},
            Case{"repulsion: {range: 0}",

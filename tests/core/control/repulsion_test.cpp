@@ -145,5 +145,12 @@ TEST(Repulsion, OptionsAreChecked) {
   EXPECT_THROW(Repulsion({.range = 0.1, .stop_distance = 0.1}), UsageError);
 }
 
+TEST(Repulsion, WhoStandsIsNotToBeStopped) {
+  // Inside, the potential has nothing left to take; roundings of a rate are no approach.
+  const Repulsion r(RepulsionOptions{.range = 0.1, .force = 50.0});
+  EXPECT_FALSE(r.update(-0.01, -1e-5, -1e-5, 2.0).stop);
+  EXPECT_TRUE(r.update(-0.01, -0.01, -0.01, 2.0).stop);
+}
+
 }  // namespace
 }  // namespace abstand

@@ -85,5 +85,20 @@ TEST(BoxLcp, HasTheOneSolutionThatTryingAllFinds) {
   }
 }
 
+TEST(BoxLcp, RowsThatSayTheSameShareTheAnswer) {
+  // Two joints that mimic each other, at their stops at once; of equal and of different urgency.
+  for (const double second : {1.0, 0.5}) {
+    BoxLcp p;
+    p.reserve(2);
+    p.A.setOnes();
+    p.b << 1.0, second;
+    p.lower.setZero();
+    p.upper.setConstant(kInfinity);
+    EXPECT_TRUE(solveBoxLcp(p, 2));
+    EXPECT_NEAR(p.x.sum(), 1.0, kExact) << second;
+    EXPECT_GE(p.x.minCoeff(), 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace abstand

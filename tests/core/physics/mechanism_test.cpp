@@ -275,6 +275,35 @@ TEST(MechanismSolvers, TakeTheSameStepsWithStopsMotorsAndDamping) {
   }
 }
 
+TEST(ReducedMechanisms, BrakeJointsThatMimicEachOther) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mechanism m = randomRobot(seed, 10, true);
+    PhysicsWorld world;
+    const int robot = world.addMechanism(m, Transform::Identity(), {.solver = MechanismSolver::kReduced});
+    const auto q = randomValues(m.dof, seed, 0, 2.0), qd = randomValues(m.dof, seed, 100, 2.0);
+    world.mechanism(robot).setState(q, qd);
+    for (int k = 0; k < m.dof; ++k) world.setMotor(robot, k, 0.0, 1e8);
+    world.step(kStep);
+    for (const double rate : world.qd(robot)) EXPECT_NEAR(rate, 0.0, 1e-6);
+  }
+}
+
+TEST(ReducedMechanisms, ComeBackWhenJointsThatMimicEachOtherAreAtTheirStopsAtOnce) {
+  Mechanism m = single(JointType::kRevolute);
+  m.frames.push_back(jointFrame(2, 0, JointType::kRevolute, Vector3d::UnitY(), Vector3d(0, 0, -0.4), 0));
+  m.frames[1].inertia = m.frames[0].inertia;
+  m.frames[1].limits = m.frames[0].limits;
+  m.frames[1].mimic = true;
+  m.prepare();
+  PhysicsWorld world;
+  const int robot = world.addMechanism(m, Transform::Identity(), {.solver = MechanismSolver::kReduced});
+  world.mechanism(robot).setState(std::vector<double>{0.6}, std::vector<double>{3.0});
+  for (int k = 0; k < 3000; ++k) world.step(kStep);
+  // Gravity takes it away from the stop.
+  EXPECT_LT(std::abs(world.q(robot)[0]), 0.5 + 1e-6);
+}
+
 TEST_P(Mechanisms, AllocateNothingInSteadyState) {
   PhysicsWorld world;
   Mechanism m = randomRobot(2, 12, true);

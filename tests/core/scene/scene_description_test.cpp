@@ -1,4 +1,5 @@
 #include "core/scene/scene_description.hpp"
+#include "core/control/reaction_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -237,6 +238,10 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     const auto &m = a.mechanisms[i], &n = b.mechanisms[i];
     EXPECT_EQ(m.name, n.name);
     EXPECT_EQ(m.file, n.file);
+    ASSERT_EQ(m.reaction.has_value(), n.reaction.has_value());
+    if (m.reaction) {
+      EXPECT_EQ(describeReaction(*m.reaction), describeReaction(*n.reaction));
+    }
     EXPECT_EQ(m.q, n.q);
     EXPECT_EQ(m.motion, n.motion);
     EXPECT_TRUE(m.X_WB.isApprox(n.X_WB, pose_tolerance));
@@ -296,6 +301,28 @@ TEST_F(SceneFile, DescribedScenesReadBackTheSame) {
     expectSame(scene, parse(described));
     EXPECT_EQ(describeScene(parse(described)), described);
   }
+}
+
+TEST_F(SceneFile, AReactionReadsBackTheSame) {
+  folder_.write("arm.mech",
+                "mapping\ndof 0 1\ndof 1 2\nend_mapping\nchain\nframe 1 0 0 0 theta\n"
+                "frame 2 0 90 0 theta\nend_chain\n");
+  const auto scene = parse(
+      "abstand: 1\nmechanisms:\n"
+      "  - {name: a, file: arm.mech, reaction: {torque: {limit: [1, 2]}, repulsion: {range: 0.3}, hold: "
+      "{frequency: "
+      "5}, stop: {distance: 0.1, on: {user: none}}}}\n"
+      "  - {name: b, file: arm.mech, reaction: {}}\n  - {name: c, file: arm.mech}\n");
+  const auto& m = scene.mechanisms;
+  ASSERT_TRUE(m[0].reaction && m[1].reaction);
+  EXPECT_FALSE(m[2].reaction);
+  EXPECT_EQ(m[0].reaction->torque->limit, (JointNumbers{1, 2}));
+  EXPECT_EQ(m[0].reaction->repulsion->range, 0.3);
+  EXPECT_EQ(m[0].reaction->hold.frequency, 5.0);
+  EXPECT_EQ(m[0].reaction->watch.distance, 0.1);
+  EXPECT_EQ(m[0].reaction->stop.policy.of(StopReason::kUser), StopResponse::kNone);
+  EXPECT_FALSE(m[1].reaction->repulsion);
+  expectSame(scene, parse(describeScene(scene)));
 }
 
 TEST_F(SceneFile, ShippedScenesReadBackTheSame) {

@@ -21,6 +21,10 @@ const char* const kMechanism = "abstand: 1\nmechanisms:\n";
 std::string errorOf(const std::string& text, SourcePos& pos) {
   const testing::ScratchFolder folder;
   folder.write("arm.mech", "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n");
+  folder.write("two.mech",
+               "mapping\ndof 0 1\ndof 1 2\nend_mapping\nchain\nframe 1 0 0 0 theta\nframe 2 0 90 0 "
+               "theta\nend_chain\n");
+  folder.write("still.mech", "chain\nframe 1 0 0 0 0\nend_chain\n");
   folder.write("a.stl", "x");
   try {
     parseScene(text, folder.path() / "scene.yaml");
@@ -157,6 +161,14 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: arm.mech}\n  - {name: arm, file: arm.mech}\n", 4, 12, "taken already"},
           {"  - {name: arm, file: arm.mech, q: 1}\n", 3, 36, "expected a list"},
           {"  - {name: arm, file: arm.mech, q: [0, .inf]}\n", 3, 40, "finite"},
+          {"  - {name: arm, file: still.mech, reaction: {}}\n", 3, 45, "nothing moves"},
+          {"  - {name: arm, file: two.mech, reaction: 3}\n", 3, 43, "map"},
+          {"  - {name: arm, file: two.mech, reaction: {torqe: {}}}\n", 3, 44, "did you mean `torque`"},
+          {"  - {name: arm, file: two.mech, reaction: {proxy: {}}}\n", 3, 43, "`proxy`"},
+          {"  - {name: arm, file: two.mech, reaction: {torque: {limit: [1, 2, 3]}}}\n", 3, 43, "3"},
+          {"  - {name: arm, file: two.mech, reaction: {hold: {frequency: 0}}}\n", 3, 62, "frequency"},
+          {"  - {name: arm, file: two.mech, reaction: {repulsion: {range: 0.1, stop_distance: 0.2}}}\n", 3,
+           55, "less than the `range`"},
           {"  - {name: arm, file: arm.mech, motion: no.csv}\n", 3, 41, "no.csv"},
           {"  - {name: arm, file: arm.mech, base: {xyz: 1}}\n", 3, 45, "list of 3 numbers"},
           {"  - {name: arm, file: arm.mech, links: [{name: l, mesh: a.stl}]}\n", 3, 41, "`frame`"},

@@ -1,0 +1,81 @@
+#include "app/loop/closed_loop.hpp"
+
+#include <algorithm>
+
+namespace abstand {
+
+ClosedLoop::ClosedLoop(Session& session, double t) : session_(session), start_(t), t_(t) {
+  const Scene& scene = session.scene();
+  const std::vector<bool> people = partsOfPeople(scene, session.humans());
+  bodies_.resize(scene.objectCount());
+  pushed_.resize(scene.objectCount());
+  for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
+    const MechanismDescription& description = session.description().mechanisms[m];
+    MechanismDriver& driver = *session.mechanisms()[m];
+    auto& robot = robots_.emplace_back();
+    if (!description.reaction) continue;
+    robot = std::make_unique<ReactingRobot>(driver, description, scene, people, world_, t);
+    if (robot->positioned()) continue;
+    for (const auto& link : driver.links()) {
+      if (!link.object || link.frame < 0) continue;
+      bodies_[link.object->index()] = {robot->number(), link.frame};
+      pushed_[link.object->index()] = true;
+    }
+  }
+}
+
+void ClosedLoop::push(PairId id) {
+  Scene& scene = session_.scene();
+  const Pair& pair = scene.pairs()[id.index()];
+  const std::size_t a = pair.a.index(), b = pair.b.index();
+  if (!(pair.result.distance < 0.0) || !(pushed_[a] || pushed_[b])) return;
+  const Object &object_a = scene.object(pair.a), &object_b = scene.object(pair.b);
+  const PairResult* r = &pair.result;
+  if (pair.options.margin > 0.0) {
+    PairOptions options = pair.options;
+    options.margin = 0.0;
+    queryPair(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure, object_b.X_WB, options,
+              scratch_, bare_);
+    r = &bare_;
+  }
+  if (r->contacts == 0) return;
+  Contact contact{r->force_a, r->torque_a, object_a.p_WCom(), 0.5 * (r->witness_a + r->witness_b), {}};
+  // What the physics does not move has the velocity of its poses.
+  const auto carry = [&](const Object& o, double sign) {
+    contact.carried.linear +=
+        sign * (o.velocity.linear + o.velocity.angular.cross(Vector3d(contact.near - o.p_WCom())));
+    contact.carried.angular += sign * o.velocity.angular;
+  };
+  if (!pushed_[a]) carry(object_a, 1.0);
+  if (!pushed_[b]) carry(object_b, -1.0);
+  world_.applyContact(bodies_[a], bodies_[b], contact, contact_, kStep);
+}
+
+void ClosedLoop::step() {
+  Scene& scene = session_.scene();
+  double person_age = 0.0;
+  for (const auto& human : session_.humans()) {
+    human->glide(t_, scene);
+    person_age = std::max(person_age, human->missing());
+  }
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    if (robots_[m])
+      robots_[m]->place(t_, scene);
+    else
+      session_.mechanisms()[m]->apply(t_, scene);
+  }
+  session_.applyPoses(t_);
+  scene.step();
+  session_.sumEfforts();
+
+  for (const auto& robot : robots_)
+    if (robot) robot->react(t_, kStep, person_age, scene);
+  for (const PairId id : scene.touching()) push(id);
+  world_.step(kStep);
+  for (const auto& robot : robots_)
+    if (robot) robot->follow();
+  // From the start, so that roundings do not add up.
+  t_ = start_ + kStep * static_cast<double>(++cycles_);
+}
+
+}  // namespace abstand

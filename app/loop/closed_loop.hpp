@@ -1,0 +1,45 @@
+// The closed loop: people move as recorded, robots feel them and move away, millisecond by millisecond.
+#pragma once
+
+#include "app/loop/reacting_robot.hpp"
+#include "app/session/session.hpp"
+
+namespace abstand {
+
+/// One cycle at time t:
+///   people and things to where they are at t, links to where the physics put them -> pairs
+///   -> forces on links, joint efforts J^T F -> Reaction -> motors; bodies that touch push each other
+///   -> the physics goes on to t + kStep
+/// Mechanisms without a `reaction` follow their motion. People follow their recording, whatever pushes them.
+/// Bodies push each other where their surfaces overlap; contacts within margins only ask the reaction. Loop
+/// thread only; step() allocates nothing of ours after the first, and throws nothing.
+class ClosedLoop {
+ public:
+  static constexpr double kStep = 1e-3;  ///< s
+
+  /// Robots start on their plans at `t`. Throws ParseError, UsageError. The session must outlive it.
+  ClosedLoop(Session& session, double t);
+
+  /// The cycle at time().
+  void step();
+  double time() const { return t_; }  ///< s, of the next cycle
+  /// A null for a mechanism without a reaction; in the order of the session.
+  const std::vector<std::unique_ptr<ReactingRobot>>& robots() const { return robots_; }
+  const Session& session() const { return session_; }
+
+ private:
+  void push(PairId id);
+
+  Session& session_;
+  PhysicsWorld world_;
+  std::vector<std::unique_ptr<ReactingRobot>> robots_;
+  std::vector<PhysicsObject> bodies_;  ///< of each object of the scene
+  std::vector<bool> pushed_;           ///< of each object: it is a body of the physics
+  double start_, t_;
+  long cycles_{0};
+  ContactOptions contact_;
+  PairScratch scratch_;
+  PairResult bare_;
+};
+
+}  // namespace abstand

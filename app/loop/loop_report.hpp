@@ -1,0 +1,30 @@
+// What the robots of a closed loop went through, in words and numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/loop/closed_loop.hpp"
+
+namespace abstand {
+
+struct ReactionReport {
+  struct Extreme {
+    std::string a, b;
+    double t{0.0}, value{0.0};
+  };
+  std::string name;
+  bool positioned{false};
+  std::optional<Extreme> nearest, nearest_person;  ///< m, as in RobotRecord
+  RobotRecord record;
+  std::vector<StopEntry> stops;    ///< the last ones
+  std::vector<std::string> lines;  ///< the same as sentences
+  std::size_t stop_count{0};       ///< ever
+  StopState state{StopState::kRunning};
+};
+
+/// Of the robots that react, in the order of the session.
+std::vector<ReactionReport> reportOf(const ClosedLoop& loop);
+
+}  // namespace abstand

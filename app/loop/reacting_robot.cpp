@@ -1,0 +1,132 @@
+#include "app/loop/reacting_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+// Of more joints our own forward dynamics is cheaper than ODE's joints (docs/architecture.md).
+constexpr int kMostJointed = 30;
+// Effort of brakes where the file names no limit, N m or N: no robot of this size is moved against it.
+constexpr double kBrake = 1e5;
+
+MechanismSolver solverOf(const RigidTree& tree) {
+  const bool weightless = std::any_of(tree.bodies.begin(), tree.bodies.end(),
+                                      [](const TreeBody& body) { return body.mass == 0.0; });
+  return tree.dof > kMostJointed || weightless ? MechanismSolver::kReduced : MechanismSolver::kJointed;
+}
+
+void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {
+  if (!(moment.value <= value)) moment = {pair, t, value};
+}
+
+}  // namespace
+
+ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription& description,
+                             const Scene& scene, const std::vector<bool>& people, PhysicsWorld& world,
+                             double t)
+    : driver_(driver),
+      world_(world),
+      hold_(description.reaction->hold),
+      reaction_(*description.reaction, driver.dof(), scene.pairs().size()),
+      pairs_(driver, scene, people, *description.reaction),
+      plan_(driver.motion() ? &*driver.motion() : nullptr, driver.q(), t),
+      tree_(makeRigidTree(driver.mechanism())),
+      gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
+  const auto n = static_cast<std::size_t>(driver.dof());
+  const PlannedMotion plan = plan_.now();
+  q_.assign(plan.q.begin(), plan.q.end());
+  qd_.assign(plan.qd.begin(), plan.qd.end());
+  for (auto* v : {&efforts_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_})
+    v->assign(n, 0.0);
+  if (description.reaction->admittance) return;
+  MechanismOptions options;
+  options.solver = solverOf(tree_);
+  try {
+    number_ = world.addMechanism(driver.mechanism(), driver.X_WB(), options);
+  } catch (const ParseError& e) {
+    throw ParseError(description.pos, std::string(e.what()) + ", in order to move '" + description.name + "'",
+                     "a mechanism with a `reaction` needs masses, or the law `admittance`");
+  }
+  world.mechanism(number_).setState(q_, qd_);
+}
+
+void ReactingRobot::place(double t, Scene& scene) { driver_.moveTo(q_, t, scene); }
+
+void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairId id = pairs_.own()[i].id;
+    const double distance = scene.result(id).distance;
+    take(record_.nearest, id, t, distance);
+    if (pairs[i].person) take(record_.nearest_person, id, t, distance);
+  }
+  const std::span<const double> planned = plan_.now().q;
+  for (std::size_t i = 0; i < q_.size(); ++i)
+    record_.most_off_plan = std::max(record_.most_off_plan, std::abs(q_[i] - planned[i]));
+  record_.lost_time = t - plan_.time();
+  if (!stops().moving()) record_.stopped += h;
+  if (scale_ < 1.0) record_.slowed += h;
+}
+
+void ReactingRobot::react(double t, double h, double person_age, const Scene& scene) {
+  ReactionInput input;
+  input.t = t;
+  input.dt = h;
+  input.qd = qd_;
+  input.planned = plan_.fullSpeed();
+  input.pairs = pairs_.gather(scene, input.planned);
+  input.person_age = person_age;
+  driver_.efforts(scene, efforts_);
+  input.efforts = efforts_;
+  look(t, h, input.pairs, scene);
+
+  placeBodies(tree_, q_, tree_state_);
+  massMatrix(tree_, tree_state_, mass_);
+  const ReactionOutput out = reaction_.update(input, mass_.M);
+  std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
+  for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
+  scale_ = out.speed_scale;
+  if (positioned()) {
+    plan_.advance(h, scale_);
+    const PlannedMotion plan = plan_.now();
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      next_q_[i] = out.brakes ? q_[i] : plan.q[i] + out.offset[i];
+      next_qd_[i] = (next_q_[i] - q_[i]) / h;
+    }
+    return;
+  }
+  drive(out);
+  plan_.advance(h, scale_);
+}
+
+void ReactingRobot::drive(const ReactionOutput& out) {
+  brake(out.brakes);
+  if (braked_) return;
+  hold(hold_, plan_.now(), q_, qd_, acceleration_);
+  inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  for (std::size_t i = 0; i < q_.size(); ++i)
+    world_.setJointEffort(number_, static_cast<int>(i), hold_efforts_[i] + torque_[i]);
+}
+
+void ReactingRobot::brake(bool on) {
+  if (on == braked_) return;
+  braked_ = on;
+  for (int dof = 0; dof < driver_.dof(); ++dof) {
+    double most = 0.0;
+    for (const MechanismFrame& f : driver_.mechanism().frames)
+      if (on && f.dof == dof)
+        most = std::isfinite(f.limits.effort) ? std::max(most, f.limits.effort) : kBrake;
+    world_.setMotor(number_, dof, 0.0, most);
+    if (on) world_.setJointEffort(number_, dof, 0.0);
+  }
+}
+
+void ReactingRobot::follow() {
+  const std::span<const double> q = positioned() ? std::span<const double>(next_q_) : world_.q(number_);
+  const std::span<const double> qd = positioned() ? std::span<const double>(next_qd_) : world_.qd(number_);
+  std::copy(q.begin(), q.end(), q_.begin());
+  std::copy(qd.begin(), qd.end(), qd_.begin());
+}
+
+}  // namespace abstand

@@ -1,0 +1,79 @@
+// One robot of the closed loop: its plan, its reaction, and its body in the physics or its position.
+#pragma once
+
+#include "app/loop/motion_clock.hpp"
+#include "app/session/robot_pairs.hpp"
+#include "core/mechanism/inverse_dynamics.hpp"
+#include "core/mechanism/mass_matrix.hpp"
+#include "core/physics/physics_world.hpp"
+
+namespace abstand {
+
+/// What a robot went through, so far. Of the cycles in which somebody could look.
+struct RobotRecord {
+  struct Moment {
+    PairId pair{0};
+    double t{kNaN}, value{kNaN};
+  };
+  Moment nearest_person;             ///< m, smallest distance of its links from people; NaN: no such pair
+  Moment nearest;                    ///< m, of all pairs with its links
+  double most_torque{0.0};           ///< N m or N, largest that the reaction asked of a joint
+  double most_off_plan{0.0};         ///< rad or m, largest difference of a joint from its plan
+  double lost_time{0.0};             ///< s, by which its plan is behind
+  double stopped{0.0}, slowed{0.0};  ///< s, in any stop; at less than full speed
+};
+
+/// A torque-controlled robot is a body of the physics: gravity, its own inertia and what touches it move it,
+/// and its motors give the efforts of hold() and of the reaction. With the law `admittance` it is
+/// position-controlled: it stands exactly where plan and offset say, whatever touches it, and needs no
+/// masses. Loop thread only; nothing allocates or throws but the constructor.
+class ReactingRobot {
+ public:
+  /// Starts on its plan at `t`, moving as planned. Throws ParseError for a mechanism that the physics cannot
+  /// move. Driver, scene and world must outlive it.
+  ReactingRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
+                const std::vector<bool>& people, PhysicsWorld& world, double t);
+
+  /// Puts the links where they are now.
+  void place(double t, Scene& scene);
+  /// After the scene's step: looks at its pairs, and tells its motors what to do during the next `h` seconds.
+  /// `person_age`: s, of the person least known.
+  void react(double t, double h, double person_age, const Scene& scene);
+  /// After the world's step.
+  void follow();
+
+  const RobotPairs& pairs() const { return pairs_; }
+  const RobotRecord& record() const { return record_; }
+  const StopMachine& stops() const { return reaction_.stops(); }
+  bool positioned() const { return number_ < 0; }  ///< position-controlled
+  int number() const { return number_; }           ///< in the world
+  std::span<const double> q() const { return q_; }
+  std::span<const double> qd() const { return qd_; }
+  std::span<const double> torque() const { return torque_; }  ///< of the reaction, before the joint's limit
+  std::span<const double> planned() const { return plan_.now().q; }
+  double speedScale() const { return scale_; }
+  MechanismDriver& driver() const { return driver_; }
+
+ private:
+  void look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene);
+  void drive(const ReactionOutput& out);
+  void brake(bool on);
+
+  MechanismDriver& driver_;
+  PhysicsWorld& world_;
+  HoldOptions hold_;
+  Reaction reaction_;
+  RobotPairs pairs_;
+  MotionClock plan_;
+  RigidTree tree_;
+  TreeState tree_state_;
+  MassMatrix mass_;
+  Vector3d gravity_B_;
+  int number_{-1};
+  std::vector<double> q_, qd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
+  double scale_{1.0};
+  bool braked_{false};
+  RobotRecord record_;
+};
+
+}  // namespace abstand

@@ -1,0 +1,54 @@
+// The pairs of one mechanism as its reaction sees them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "app/session/mechanism_driver.hpp"
+#include "core/control/reaction.hpp"
+
+namespace abstand {
+
+class HumanDriver;
+
+/// Of each object of the scene, whether it is a part of a person.
+std::vector<bool> partsOfPeople(const Scene& scene, const std::vector<std::unique_ptr<HumanDriver>>& humans);
+
+/// Distances, rows and rates of all pairs of the scene with a link of the mechanism. One thread; nothing
+/// allocates or throws but the constructor.
+class RobotPairs {
+ public:
+  /// A pair of the scene with one or two of the mechanism's links.
+  struct Own {
+    PairId id;
+    int link_a, link_b;  ///< number of the link, -1: not one of its links
+    bool person;
+  };
+
+  /// `people`: partsOfPeople(). `reaction`: who asks; pairs that none of its laws looks at get no row. The
+  /// driver's links are bound. Driver and scene must outlive it.
+  RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
+             const ReactionDescription& reaction);
+
+  /// After the scene's step. `planned`: qd (rad/s or m/s; NaN: not known) for ReactionPair::spread. In the
+  /// order of own(); holds until the next call.
+  std::span<const ReactionPair> gather(const Scene& scene, std::span<const double> planned);
+  const std::vector<Own>& own() const { return own_; }
+
+ private:
+  void moveLinks(std::span<const double> rates);
+  double otherRate(const Object& other, const Vector3d& p_W, const Vector3d& n_W, double sign) const;
+  double spread(const Own& pair, const Scene& scene, const Vector3d& n_W) const;
+
+  const MechanismDriver& driver_;
+  double reach_;      ///< m: nearer pairs have rows
+  bool people_rows_;  ///< pairs with people have them at any distance
+  std::vector<Own> own_;
+  std::vector<ReactionPair> pairs_;
+  std::vector<double> rows_;   ///< a number a dof and pair
+  std::vector<Twist> twists_;  ///< of each link as planned, at its frame's origin, world axes
+  Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
+};
+
+}  // namespace abstand

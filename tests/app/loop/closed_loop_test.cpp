@@ -1,0 +1,241 @@
+// The closed loop on small scenes whose outcome is known: rest, a push, a stop, brakes, positions.
+#include "app/loop/closed_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "app/loop/loop_report.hpp"
+#include "app/run/run_scene.hpp"
+#include "core/base/error.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand {
+namespace {
+
+/// A slide along x of 2 kg that carries a ball of 5 cm at x = q, and another ball, the thing, at 0.6 m unless
+/// `--poses` moves it.
+class SlideScene {
+ public:
+  explicit SlideScene(const std::string& reaction, const std::string& poses = "",
+                      const std::string& more = "") {
+    folder_.write("slide.mech", R"(units
+length m
+angle degrees
+end_units
+mapping
+dof 0 1
+end_mapping
+chain
+frame 1 0 90 d 0
+end_chain
+limits
+limit 1 -5 5 10 500
+end_limits
+inertia
+body 1 2 0 0 0 0.002 0.002 0.002 0 0 0
+end_inertia
+)");
+    folder_.write("go.csv", "t,q0\n0,0\n1,-0.3\n2,-0.6\n");
+    folder_.write("come.csv", "t,q0\n0,0\n2,0.3\n");
+    if (!poses.empty()) folder_.write("poses.csv", poses);
+    SceneDescription scene = parseScene(
+        "abstand: 1\n"
+        "defaults: {voxel: 0.01, point: 0.01, stiffness: 1.0e6}\n"
+        "mechanisms:\n"
+        "  - name: slide\n"
+        "    file: slide.mech\n"
+        "    base: {rpy: [0, 0, 1.5707963267948966]}\n" +
+            more + "    reaction: " + reaction +
+            "\n"
+            "    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.05}}}]\n"
+            "objects:\n"
+            "  - {name: thing, shape: {sphere: {radius: 0.05}}, pose: {xyz: [0.6, "
+            "0, 0]}}\n",
+        folder_.path() / "scene.yaml");
+    SessionOptions options;
+    options.threads = 1;
+    options.cache = false;
+    if (!poses.empty()) options.poses = folder_.path() / "poses.csv";
+    session = std::make_unique<Session>(std::move(scene), options);
+  }
+
+  std::unique_ptr<Session> session;
+
+ private:
+  testing::ScratchFolder folder_;
+};
+
+std::string thingAt(const std::function<double(double)>& x) {
+  std::string csv =
+      "t,thing.r00,thing.r01,thing.r02,thing.tx,thing.r10,thing.r11,thing.r12,thing.ty,thing.r20,thing.r21,"
+      "thing.r22,thing.tz\n";
+  for (int i = 0; i <= 3000; ++i)
+    csv += std::to_string(i * 1e-3) + ",1,0,0," + std::to_string(x(i * 1e-3)) + ",0,1,0,0,0,0,1,0\n";
+  return csv;
+}
+
+/// From 0.6 m at 0.5 m/s until it is at `to`, and stays.
+std::string thingComesTo(double to) {
+  return thingAt([to](double t) { return std::max(to, 0.6 - 0.5 * t); });
+}
+
+void steps(ClosedLoop& loop, int count) {
+  for (int i = 0; i < count; ++i) loop.step();
+}
+
+TEST(ClosedLoop, ARobotThatNobodyDisturbsFollowsItsPlan) {
+  SlideScene s("{}", "", "    motion: go.csv\n");
+  ClosedLoop loop(*s.session, 0.0);
+  steps(loop, 2000);
+  const ReactingRobot& robot = *loop.robots()[0];
+  EXPECT_NEAR(loop.time(), 2.0, 1e-12);
+  EXPECT_NEAR(robot.q()[0], -0.6, 1e-3);
+  // A step behind at the most: 0.45 m/s for a millisecond.
+  EXPECT_LT(robot.record().most_off_plan, 1e-3);
+  EXPECT_NEAR(robot.record().lost_time, 0.0, 1e-9);
+}
+
+TEST(ClosedLoop, APushOfAPotentialMovesAsFarAsTheSpringLets) {
+  // The thing stays at 0.2 m: 0.1 m from the ball at rest. Balance of the potential F (d0 - d)^2 / d0^2 and
+  // the spring m omega^2 x, with d = 0.1 + x: solved by bisection here.
+  const double force = 100.0, range = 0.2, spring = 2.0 * 6.0 * 6.0;
+  double low = 0.0, high = range - 0.1;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high), e = range - 0.1 - x;
+    (force * e * e / (range * range) > spring * x ? low : high) = x;
+  }
+  SlideScene s("{repulsion: {range: 0.2, force: 100, damping: 1}}", thingComesTo(0.2));
+  ClosedLoop loop(*s.session, 0.0);
+  steps(loop, 2900);
+  // The laws take the distance less its bound, which is micrometres for two balls.
+  EXPECT_NEAR(loop.robots()[0]->q()[0], -low, 1e-4);
+  EXPECT_NEAR(loop.robots()[0]->qd()[0], 0.0, 1e-3);
+}
+
+TEST(ClosedLoop, WithoutALawOnlyTheContactItselfPushes) {
+  SlideScene s("{}", thingComesTo(0.05));
+  ClosedLoop loop(*s.session, 0.0);
+  steps(loop, 2900);
+  const ReactingRobot& robot = *loop.robots()[0];
+  EXPECT_LT(robot.record().nearest.value, -0.001) << "they touch";
+  EXPECT_LT(robot.q()[0], -0.02) << "and it gives way";
+  // At rest the penalty force carries the spring, so it is 2 kg 36/s^2 x.
+  const double f = std::abs(s.session->scene().object(s.session->scene().pairs()[0].a).contact.force.x());
+  EXPECT_NEAR(f, 2.0 * 36.0 * std::abs(robot.q()[0]), 0.05);
+  EXPECT_EQ(robot.record().most_torque, 0.0);
+}
+
+TEST(ClosedLoop, AStopHoldsThePlanAndLetsItGoOn) {
+  SlideScene s("{stop: {distance: 0.4, resume_after: 0.2}}", "", "    motion: go.csv\n");
+  ClosedLoop loop(*s.session, 0.0);
+  // 0.5 m at the beginning, and it goes away: nothing stops it.
+  steps(loop, 1000);
+  EXPECT_EQ(loop.robots()[0]->record().stopped, 0.0);
+
+  // The thing comes nearer than that, and goes away after a second.
+  const auto visit = thingAt([](double t) {
+    return t < 0.4 ? 0.6 - 0.5 * t : t < 1.0 ? 0.4 : 0.4 + 0.5 * (t - 1.0);
+  });
+  SlideScene near("{stop: {distance: 0.45, resume_after: 0.2}}", visit, "    motion: go.csv\n");
+  ClosedLoop other(*near.session, 0.0);
+  steps(other, 2900);
+  const auto report = reportOf(other);
+  ASSERT_EQ(report.size(), 1u);
+  EXPECT_GT(report[0].record.stopped, 1.0);
+  EXPECT_NEAR(report[0].record.lost_time, report[0].record.stopped, 2e-3)
+      << "its plan stood as long as it did";
+  EXPECT_EQ(report[0].state, StopState::kRunning);
+  ASSERT_EQ(report[0].stops.size(), 2u);
+  EXPECT_EQ(report[0].stops[0].to, StopState::kProtectiveStop);
+  EXPECT_EQ(report[0].stops[0].cause.reason, StopReason::kDistance);
+  EXPECT_NE(report[0].lines[0].find("pair ball - thing"), std::string::npos) << report[0].lines[0];
+}
+
+TEST(ClosedLoop, BrakesHoldWhatIsPushed) {
+  // Any approach of its own within range engages the brakes; then the thing comes and pushes in vain.
+  SlideScene s("{repulsion: {range: 0.6, force: 1, stop_share: 0}}", thingComesTo(0.05),
+               "    motion: come.csv\n");
+  ClosedLoop loop(*s.session, 0.0);
+  steps(loop, 2900);
+  const ReactingRobot& robot = *loop.robots()[0];
+  EXPECT_EQ(robot.stops().state(), StopState::kWaitingForReset);
+  EXPECT_LT(std::abs(robot.q()[0]), 2e-3);
+  EXPECT_GT(s.session->scene().object(ObjectId(0)).contact.force.norm(), 100.0) << "5 cm deep, 164 N";
+}
+
+TEST(ClosedLoop, APositionControlledRobotYieldsByItsAdmittanceAlone) {
+  SlideScene s(
+      "{repulsion: {range: 0.2, force: 100, damping: 0}, admittance: {inertia: 1, damping: 50, stiffness: "
+      "500, offset: 1}}",
+      thingComesTo(0.2));
+  ClosedLoop loop(*s.session, 0.0);
+  EXPECT_TRUE(loop.robots()[0]->positioned());
+  steps(loop, 2900);
+  double low = 0.0, high = 0.1;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high), e = 0.1 - x;
+    (100.0 * e * e / 0.04 > 500.0 * x ? low : high) = x;
+  }
+  EXPECT_NEAR(loop.robots()[0]->q()[0], -low, 1e-4);
+}
+
+TEST(ClosedLoop, AllocatesNothingAndSaysTheSameEveryTime) {
+  double q[2];
+  for (double& end : q) {
+    SlideScene s("{repulsion: {range: 0.2, force: 100}, torque: {limit: 30}, speed: {}}", thingComesTo(0.05));
+    ClosedLoop loop(*s.session, 0.0);
+    steps(loop, 1100);  // they touch
+    {
+      testing::NoAlloc guard;
+      steps(loop, 500);
+      EXPECT_EQ(guard.count(), 0);
+    }
+    end = loop.robots()[0]->q()[0];
+  }
+  EXPECT_EQ(q[0], q[1]);
+}
+
+TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
+  SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
+  RunOptions options;
+  options.end = 2.0;
+  options.rate = 10.0;
+  RunSummary plain = runScene(*s.session, options);
+  EXPECT_EQ(plain.cycles, 0);
+  EXPECT_TRUE(plain.robots.empty());
+  EXPECT_NEAR(plain.min_distance->value, -0.05, 0.01) << "a point spacing";
+  options.react = true;
+  const RunSummary reacting = runScene(*s.session, options);
+  EXPECT_EQ(reacting.frames, plain.frames);
+  EXPECT_EQ(reacting.cycles, 2001);
+  EXPECT_GT(reacting.min_distance->value, 0.03);
+  ASSERT_EQ(reacting.robots.size(), 1u);
+  EXPECT_EQ(reacting.robots[0].nearest->value, reacting.min_distance->value);
+  EXPECT_FALSE(reacting.robots[0].nearest_person);
+  options.mode = RunMode::kLive;
+  EXPECT_THROW(runScene(*s.session, options), UsageError);
+}
+
+TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
+  testing::ScratchFolder folder;
+  folder.write("m.mech", "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 0 0 theta\nend_chain\n");
+  const auto scene = parseScene(
+      "abstand: 1\nmechanisms:\n  - name: m\n    file: m.mech\n    reaction: {}\n"
+      "    links: [{name: l, frame: 1, shape: {sphere: {radius: 0.05}}}]\n",
+      folder.path() / "scene.yaml");
+  SessionOptions options;
+  options.cache = false;
+  Session session(scene, options);
+  try {
+    ClosedLoop loop(session, 0.0);
+    FAIL() << "it was taken";
+  } catch (const ParseError& e) {
+    EXPECT_EQ(e.pos().line, 3) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace abstand

@@ -1,0 +1,78 @@
+// The demos of avoidance: what happens to robots that react, and to those that do not.
+#include <gtest/gtest.h>
+
+#include "app/run/run_scene.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+namespace {
+
+/// Coarser than the scenes are, and built once, so that the test is short; distances keep their bounds.
+std::unique_ptr<Session> sessionOf(const std::string& name) {
+  SceneDescription scene = loadScene(projectFile("data/scenes/" + name));
+  HapticOptions& haptic = scene.defaults.haptic;
+  haptic.voxel_size = haptic.point_spacing = 0.015;
+  haptic.outer_layers = 4;
+  for (auto& o : scene.objects) o.settings.voxel = o.settings.point = 0.03;
+  SessionOptions options;
+  options.threads = 1;
+  options.cache = false;
+  return std::make_unique<Session>(std::move(scene), options);
+}
+
+RunSummary run(Session& session, double start, double end, bool react) {
+  RunOptions o;
+  o.start = start;
+  o.end = end;
+  o.react = react;
+  return runScene(session, o);
+}
+
+// The boxer steps towards the left arm and punches past it, s into the capture.
+constexpr double kBegin = 5.5, kEnd = 7.5;
+
+Session& hug() {
+  static const auto session = sessionOf("hug_avoid.yaml");
+  return *session;
+}
+Session& humanoid() {
+  static const auto session = sessionOf("humanoid_self.yaml");
+  return *session;
+}
+
+TEST(HugAvoid, ArmsThatDoNotReactAreHit) {
+  const RunSummary s = run(hug(), kBegin, kEnd, false);
+  EXPECT_EQ(s.pairs, 291u);
+  EXPECT_LT(s.min_distance->value, -0.05);
+  EXPECT_GT(s.contacts, 0);
+}
+
+TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
+  const RunSummary s = run(hug(), kBegin, kEnd, true);
+  EXPECT_EQ(s.cycles, 2001);
+  ASSERT_EQ(s.robots.size(), 2u);
+  for (const ReactionReport& r : s.robots) {
+    ASSERT_TRUE(r.nearest_person);
+    EXPECT_GT(r.nearest_person->value, 0.01) << r.name;
+    EXPECT_GT(r.record.most_off_plan, 0.1) << "it did move";
+  }
+  EXPECT_EQ(s.contacts, 0);
+  // The left one was nearer than its limit for a while, stopped its plan, and went on.
+  ASSERT_GE(s.robots[0].stops.size(), 1u);
+  EXPECT_EQ(s.robots[0].stops[0].cause.reason, StopReason::kDistance);
+}
+
+TEST(HumanoidSelf, ArmsThatDoNotReactGoThroughEachOther) {
+  const RunSummary s = run(humanoid(), 0.0, 2.2, false);
+  EXPECT_LT(s.min_distance->value, -0.03);
+}
+
+TEST(HumanoidSelf, ArmsThatReactStayApart) {
+  const RunSummary s = run(humanoid(), 0.0, 2.2, true);
+  ASSERT_EQ(s.robots.size(), 1u);
+  EXPECT_GT(s.robots[0].nearest->value, 0.03);
+  EXPECT_EQ(s.contacts, 0);
+}
+
+}  // namespace
+}  // namespace abstand::testing
