@@ -13,8 +13,8 @@ double distanceFrom(const HapticStructure& P, const Transform& X_WP, std::uint32
                     const HapticStructure& F, const Transform& X_WF) {
   if (near == kNoPoint) return kInfinity;
   const Transform X_FP = X_WF.inverse() * X_WP;
-  return refineWitness(*P.surface, *F.surface, nearField(F), X_FP, X_FP * P.tree.at(near), P.shell.spacing,
-                       kNoHint)
+  return refineWitness(*P.surface, *F.surface, nearField(F), X_FP, X_FP * P.tree.at(near),
+                       X_FP.linear() * P.tree.normalAt(near), P.shell.spacing, kNoHint)
       .distance;
 }
 

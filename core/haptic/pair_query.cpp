@@ -148,6 +148,8 @@ class Query {
   double certified() const { return certified_; }
 
  private:
+  Vector3d normalAt(std::uint32_t point) const { return X_FP_.linear() * P_.tree.normalAt(point); }
+
   /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
   /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
   /// the axes of each.
@@ -184,8 +186,9 @@ class Query {
     const double spacing = P_.shell.spacing;
     if (nearest.point != kNoPoint &&
         static_cast<double>(nearest.estimate) < witness_.distance + kDeeper * spacing)
-      witness_ = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_,
-                               X_FP_ * P_.tree.at(nearest.point), spacing, hint_field_);
+      witness_ =
+          refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, X_FP_ * P_.tree.at(nearest.point),
+                        normalAt(nearest.point), spacing, hint_field_);
     return static_cast<double>(nearest.lower_bound);
   }
 
@@ -209,9 +212,9 @@ class Query {
       found_ = lower_bound;
       return lower_bound;
     }
-    const Witness found =
-        far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
-            : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, spacing, hint_field_);
+    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+                              : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start,
+                                              normalAt(nearest.point), spacing, hint_field_);
     if (!apart || found.distance < witness_.distance) witness_ = found;
     return lower_bound;
   }

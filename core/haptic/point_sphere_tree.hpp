@@ -37,8 +37,9 @@ struct PointSphereTree {
       families;  ///< of the inner nodes in their order; families[0]: the root's, or the root alone
   int levels{0};
 
-  /// A point in leaf order.
+  /// A point in leaf order, and its normal.
   Vector3d at(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
+  Vector3d normalAt(std::uint32_t i) const { return {nx[i], ny[i], nz[i]}; }
 
   template <class Archive>
   void archive(Archive& ar) {

@@ -7,10 +7,12 @@ namespace {
 
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
-constexpr double kLeastStep = 0.4;    // of the first
+constexpr double kLeastStep = 0.2;    // of the first
+constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
+constexpr double kSteep = 0.2;        // likewise, when the field saw none
 constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
 constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
-constexpr double kDepthPart = 0.005;  // of the depth, where the field leads
+constexpr double kDepthPart = 0.002;  // of the depth, where the field leads
 
 /// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
 class Surfaces {
@@ -92,8 +94,9 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
   }
 }
 
-/// To a deeper point of P's surface near p, as deep as the samples of the near field tell.
-Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, double step) {
+/// To a deeper point of P's surface near p, as deep as the samples of the near field tell. `normal`: of P's
+/// surface there, unit, in F's axes.
+Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, const Vector3d& normal, double step) {
   float s, gradient[3];
   const auto at = [&](const Vector3d& q) {
     const Vector3f f = q.cast<float>();
@@ -104,9 +107,11 @@ Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, double step
   Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
   const double least = kLeastStep * step;
   while (step > least) {
-    const double slope = down.norm();
-    if (!(slope > 0.0)) return p;
-    const Vector3d next = surfaces.toPoints(p + (step / slope) * down);
+    // Along the surface: what points through it leads nowhere.
+    const Vector3d along = down - normal * normal.dot(down);
+    const double slope = along.norm();
+    if (!(slope > kLevel * down.norm())) return p;
+    const Vector3d next = surfaces.toPoints(p + (step / slope) * along);
     if (at(next) && s < deepest) {
       const double gain = deepest - s;
       p = next;
@@ -123,18 +128,20 @@ Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, double step
 }  // namespace
 
 Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
-                      const Transform& X_FP, const Vector3d& start, double step,
+                      const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
                       std::uint32_t hint) noexcept {
   Witness w;
   w.hint_field = hint;
   Surfaces surfaces(points, field, X_FP, w);
   bool inside;
-  const Vector3d p = near ? sunk(surfaces, *near, start, step) : start;
+  const Vector3d p = near ? sunk(surfaces, *near, start, normal, step) : start;
   const Vector3d q = surfaces.toField(p, inside);
   set(w, p, q, (p - q).norm());
   if (inside) {
     w.distance = -w.distance;
-    if (!near) deepen(surfaces, w, step);
+    // Where many ways out are as long, at a medial axis, the field is too coarse to tell which way is down.
+    const Vector3d inward = (p - q).normalized();
+    if (!near || (inward - normal * normal.dot(inward)).norm() > kSteep) deepen(surfaces, w, step);
   } else {
     approach(surfaces, w);
   }

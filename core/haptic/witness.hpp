@@ -20,10 +20,11 @@ struct Witness {
 /// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
 /// inside, by projected steps of at most `step` (m) against the gradient of `near`, F's near field, or of the
 /// exact distance where that is null, which is dearer by far. A local search: it ends at a nearest pair of
-/// the neighbourhood, whose distance is exact whatever led to it. `hint`: where on F an answer nearby was
-/// found. No allocation, no throw.
+/// the neighbourhood, whose distance is exact whatever led to it. `normal`: of P's surface at `start`, unit,
+/// in F's axes, either way. `hint`: where on F an answer nearby was found. No allocation, no throw.
 Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
-                      const Transform& X_FP, const Vector3d& start, double step, std::uint32_t hint) noexcept;
+                      const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
+                      std::uint32_t hint) noexcept;
 
 /// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it.
 Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,

@@ -206,7 +206,7 @@ TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
   RunSummary plain = runScene(*s.session, options);
   EXPECT_EQ(plain.cycles, 0);
   EXPECT_TRUE(plain.robots.empty());
-  EXPECT_NEAR(plain.min_distance->value, -0.05, 0.01) << "a point spacing";
+  EXPECT_NEAR(plain.min_distance->value, -0.05, 1e-3);
   options.react = true;
   const RunSummary reacting = runScene(*s.session, options);
   EXPECT_EQ(reacting.frames, plain.frames);
