@@ -40,6 +40,8 @@ constexpr double kStayPart = 0.002;
 constexpr double kSlow = 0.001, kRivalry = 0.004;
 // Spacings: by so much at most the walk from a point finds a deeper one.
 constexpr double kDeeper = 0.1;
+// The same where the bodies hardly touch: where edges cross, both may lie between points.
+constexpr double kCrossing = 0.5;
 // Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
 constexpr double kHome = 6.0;
 // A line found anew gains little after that.
@@ -185,7 +187,8 @@ class Query {
     const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
     const double spacing = P_.shell.spacing;
     if (nearest.point != kNoPoint &&
-        static_cast<double>(nearest.estimate) < witness_.distance + kDeeper * spacing)
+        static_cast<double>(nearest.estimate) <
+            witness_.distance + (witness_.distance > -spacing ? kCrossing : kDeeper) * spacing)
       witness_ =
           refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, X_FP_ * P_.tree.at(nearest.point),
                         normalAt(nearest.point), spacing, hint_field_);
@@ -205,7 +208,8 @@ class Query {
     const double spacing = P_.shell.spacing;
     // What leads to the witness again, or cannot lead to anything nearer.
     const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
-    if (settled_ && static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
+    if (settled_ && witness_.distance > kTouching &&
+        static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
       return lower_bound;
     const bool far = apart && lower_bound > kFarFrom;
     if (far && witness_.distance - lower_bound <= kStayPart * witness_.distance) {

@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-12;
 // m; of planes between bodies within a million metres.
 constexpr double kPlaneRounding = 1e-8;
 // Spacings; where bodies overlap by a tenth of a millimetre, a point is nearer to it than this.
-constexpr double kBetweenPoints = 0.2;
+constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
 constexpr int kSteps = 10;
 constexpr std::uint32_t kIdle = 16;
