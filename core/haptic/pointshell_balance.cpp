@@ -28,7 +28,7 @@ constexpr double kSameDirection = 0.05;
 constexpr double kLongCrease = 3.0;
 /// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
 /// all the same, up to kMostCoarse points, so that nothing drifts.
-constexpr std::size_t kMostPoints = 250, kMostCoarse = 1500, kCoarse = 16;
+constexpr std::size_t kMostPoints = 400, kMostCoarse = 1500, kCoarse = 16;
 /// Points in all half-spaces; beyond, some are left out, so that a large body takes no longer.
 constexpr std::size_t kMostVisits = 600'000;
 constexpr int kSweeps = 5, kAreaSweeps = 3;
