@@ -4,6 +4,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -214,10 +215,12 @@ int benchScenario(const BenchScenario& args) {
   const Structures structures = build(scenario, variantOptions(variant));
   const double build_s = secondsSince(build_begin);
 
-  PairSet pairs = makePairs(scenario, structures);
-  Scene scene = makeScene(scenario, structures, rest);
+  std::optional<PairSet> pairs;
+  std::optional<Scene> scene;
   std::vector<float> answers(scenario.pairs.size());
-  const Ask ask = rest > 0.0 ? resting(scene, scenario.dt, answers) : asker(args.mode, pairs, answers);
+  const Ask ask = rest > 0.0
+                      ? resting(scene.emplace(makeScene(scenario, structures, rest)), scenario.dt, answers)
+                      : asker(args.mode, pairs.emplace(makePairs(scenario, structures)), answers);
   const auto frame = [&](std::size_t f) { ask({scenario.frame(f), scenario.bodies.size()}); };
   std::vector<double> times;
   std::vector<std::int32_t> frames;

@@ -82,9 +82,7 @@ int run(const CommandLine& line, const Arguments& args) {
   std::vector<std::string> warnings = robot.warnings;
   rebase(robot, args, warnings);
   const Written w = write(robot, args);
-  OutputFile file(args.out);
-  file.stream() << w.text;
-  file.commit();
+  writeFile(args.out, w.text);
 
   for (std::size_t i = 0; i < w.scale.size(); ++i)
     if (w.scale[i] != 1.0)

@@ -36,13 +36,6 @@ SceneDescription load(const Arguments& args) {
   return sceneOf(args.file, args.voxel, args.packages);
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  if (path.empty()) return;
-  OutputFile file(path);
-  file.stream() << text;
-  file.commit();
-}
-
 int run(const CommandLine& line, Arguments& args) {
   number(args.voxel, "--voxel");
   if (!args.clearance.empty()) args.study.clearance = number(args.clearance, "--clearance");
@@ -61,8 +54,8 @@ int run(const CommandLine& line, Arguments& args) {
   const double study_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   if (interrupted()) return kInterrupted;
-  write(args.out, pairsText(session, pairs, args.study));
-  if (!args.srdf.empty()) write(args.srdf, srdfText(srdfOf(session, pairs)));
+  if (!args.out.empty()) writeFile(args.out, pairsText(session, pairs, args.study));
+  if (!args.srdf.empty()) writeFile(args.srdf, srdfText(srdfOf(session, pairs)));
 
   const auto& objects = session.scene().objects();
   std::map<std::string, int> counts{

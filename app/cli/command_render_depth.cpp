@@ -4,7 +4,6 @@
 #include "app/cli/command_line.hpp"
 #include "app/depth/depth_clip.hpp"
 #include "core/base/error.hpp"
-#include "core/base/number.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -19,16 +18,9 @@ struct Arguments {
 
 /// x,y,z
 Vector3d point(const std::string& text, const std::string& option) {
-  Vector3d p;
-  std::size_t begin = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t comma = text.find(',', begin);
-    if ((comma == std::string::npos) != (k == 2))
-      throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
-    p[k] = number(text.substr(begin, comma - begin), option);
-    begin = comma + 1;
-  }
-  return p;
+  const std::vector<double> p = numberList(text, option);
+  if (p.size() != 3) throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
+  return {p[0], p[1], p[2]};
 }
 
 DepthCamera cameraOf(const Arguments& args, Session& session) {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/base/error.hpp"
+#include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
 #include "tracking/depth/depth_png.hpp"
 #include "tracking/depth/depth_render.hpp"
@@ -14,30 +14,16 @@ namespace {
 constexpr double kSagitta = 5e-4;       // m, of the meshes of shapes
 constexpr double kUsualDistance = 2.8;  // m
 
-std::vector<double> timesOf(const Session& session, const DepthClipOptions& options) {
-  std::vector<double> times = session.frameTimes(options.rate);
-  std::erase_if(times, [&](double t) {
-    return (options.start && t < *options.start) || (options.end && t > *options.end);
-  });
-  if (times.empty()) throw UsageError("no frame lies between --start and --end");
-  return times;
-}
-
-void writeText(const std::filesystem::path& file, const std::string& text) {
-  OutputFile out(file);
-  out.stream() << text;
-  out.commit();
-}
-
 }  // namespace
 
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder) {
   DepthRender render(options.camera);
-  const std::vector<double> times = timesOf(session, options);
+  const std::vector<double> times =
+      timesBetween(session.frameTimes(options.rate), options.start, options.end);
   std::error_code ec;
   std::filesystem::create_directories(folder, ec);
-  writeText(folder / "camera.yaml", describeDepthCamera(options.camera));
+  writeFile(folder / "camera.yaml", describeDepthCamera(options.camera));
 
   std::vector<TriangleMesh> meshes;
   for (const Object& object : session.scene().objects())
@@ -67,7 +53,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
     ++summary.frames;
     if (options.progress) options.progress(i + 1, times.size());
   }
-  writeText(folder / "depth.txt", list);
+  writeFile(folder / "depth.txt", list);
   const double pixels = static_cast<double>(summary.frames) * options.camera.width * options.camera.height;
   summary.measured = pixels > 0.0 ? static_cast<double>(measured) / pixels : 0.0;
   return summary;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/haptic/penalty_force.hpp"
+
 namespace abstand {
 
 ClosedLoop::ClosedLoop(Session& session, double t) : session_(session), start_(t), t_(t) {
@@ -30,16 +32,16 @@ void ClosedLoop::push(PairId id) {
   const std::size_t a = pair.a.index(), b = pair.b.index();
   if (!(pair.result.distance < 0.0) || !(pushed_[a] || pushed_[b])) return;
   const Object &object_a = scene.object(pair.a), &object_b = scene.object(pair.b);
-  const PairResult* r = &pair.result;
+  const PairResult& r = pair.result;
+  PenaltyForce bare{r.force_a, r.torque_a, r.torque_b, r.contacts, r.depth};
   if (pair.options.margin > 0.0) {
     PairOptions options = pair.options;
     options.margin = 0.0;
-    queryPair(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure, object_b.X_WB, options,
-              scratch_, bare_);
-    r = &bare_;
+    bare = penaltyForce(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure, object_b.X_WB,
+                        options, scratch_);
   }
-  if (r->contacts == 0) return;
-  Contact contact{r->force_a, r->torque_a, object_a.p_WCom(), 0.5 * (r->witness_a + r->witness_b), {}};
+  if (bare.contacts == 0) return;
+  Contact contact{bare.force_a, bare.torque_a, object_a.p_WCom(), 0.5 * (r.witness_a + r.witness_b), {}};
   // What the physics does not move has the velocity of its poses.
   const auto carry = [&](const Object& o, double sign) {
     contact.carried.linear +=

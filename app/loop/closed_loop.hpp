@@ -39,7 +39,6 @@ class ClosedLoop {
   long cycles_{0};
   ContactOptions contact_;
   PairScratch scratch_;
-  PairResult bare_;
 };
 
 }  // namespace abstand

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/run/session_log.hpp"
+#include "app/session/times_between.hpp"
 #include "core/base/error.hpp"
 #include "core/base/pacer.hpp"
 #include "core/scene/cycle_statistics.hpp"
@@ -18,15 +19,8 @@ using Clock = std::chrono::steady_clock;
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 std::vector<double> timesOf(const Session& session, const RunOptions& options) {
-  std::vector<double> times = options.rate ? session.frameTimes(*options.rate) : session.frameTimes();
-  // A nanosecond of tolerance, so that an end like 0.3 takes the frame at 0.30000000000000004.
-  constexpr double kTolerance = 1e-9;
-  std::erase_if(times, [&](double t) {
-    return (options.start && t < *options.start - kTolerance) ||
-           (options.end && t > *options.end + kTolerance);
-  });
-  if (times.empty()) throw UsageError("no frame lies between --start and --end");
-  return times;
+  return timesBetween(options.rate ? session.frameTimes(*options.rate) : session.frameTimes(), options.start,
+                      options.end);
 }
 
 /// Collects what a frame says of the extremes.

@@ -98,11 +98,9 @@ void HumanDriver::apply(double t, Scene& scene) {
 }
 
 void HumanDriver::glide(double t, Scene& scene) {
-  if (!recording_ || &recording_->at(t) == &recording_->frames.back() || t < recording_->frames.front().t) {
-    apply(t, scene);
-    return;
-  }
+  if (!recording_) return apply(t, scene);
   const SkeletonFrame& before = recording_->at(t);
+  if (&before == &recording_->frames.back() || t < before.t) return show(before, t, scene);
   const SkeletonFrame& after = *(&before + 1);
   const double u = (t - before.t) / (after.t - before.t);
   SkeletonFrame frame = before;

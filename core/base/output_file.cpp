@@ -38,4 +38,10 @@ void OutputFile::commit() {
   committed_ = true;
 }
 
+void writeFile(const std::filesystem::path& file, std::string_view text) {
+  OutputFile out(file);
+  out.stream() << text;
+  out.commit();
+}
+
 }  // namespace abstand

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <string_view>
 
 namespace abstand {
 
@@ -26,5 +27,8 @@ class OutputFile {
   std::ofstream out_;
   bool committed_{false};
 };
+
+/// Writes a whole file at once, in the same way. Throws UsageError.
+void writeFile(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace abstand

@@ -1,10 +1,10 @@
 // A pinhole depth camera and its file.
 #include "tracking/depth/depth_camera.hpp"
 
-#include <cstdio>
-
 #include "core/base/error.hpp"
+#include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
+#include "core/math/roll_pitch_yaw.hpp"
 #include "core/scene/yaml_reader.hpp"
 
 namespace abstand {
@@ -28,21 +28,8 @@ int needPixels(const YamlFields& fields, const char* key) {
   return *fields.integer(key, 1, DepthCamera::kMostPixels);
 }
 
-std::string exactly(double v) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", v);
-  return text;
-}
-
 std::string listed(const Vector3d& v) {
-  return "[" + exactly(v.x()) + ", " + exactly(v.y()) + ", " + exactly(v.z()) + "]";
-}
-
-/// Fixed-axis roll, pitch, yaw: the inverse of fromXyzRpy.
-Vector3d rpyOf(const Matrix3d& R) {
-  const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
-  if (std::hypot(R(0, 0), R(1, 0)) < 1e-12) return {std::atan2(-R(1, 2), R(1, 1)), pitch, 0.0};
-  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+  return "[" + formatDouble(v.x()) + ", " + formatDouble(v.y()) + ", " + formatDouble(v.z()) + "]";
 }
 
 }  // namespace
@@ -82,7 +69,9 @@ DepthCamera loadDepthCamera(const std::filesystem::path& file) {
 
 std::string describeDepthCamera(const DepthCamera& c) {
   std::string text = "width: " + std::to_string(c.width) + "\nheight: " + std::to_string(c.height);
-  const auto add = [&](const char* key, double v) { text += std::string("\n") + key + ": " + exactly(v); };
+  const auto add = [&](const char* key, double v) {
+    text += std::string("\n") + key + ": " + formatDouble(v);
+  };
   add("fx", c.fx);
   add("fy", c.fy);
   add("cx", c.cx);
@@ -90,11 +79,11 @@ std::string describeDepthCamera(const DepthCamera& c) {
   add("depth_scale", c.depth_scale);
   if (!c.distortion.isZero(0.0)) {
     text += "\ndistortion: [";
-    for (Eigen::Index i = 0; i < 5; ++i) text += (i ? ", " : "") + exactly(c.distortion[i]);
+    for (Eigen::Index i = 0; i < 5; ++i) text += (i ? ", " : "") + formatDouble(c.distortion[i]);
     text += "]";
   }
-  return text + "\nT_WC: {xyz: " + listed(c.X_WC.translation()) + ", rpy: " + listed(rpyOf(c.X_WC.linear())) +
-         "}\n";
+  return text + "\nT_WC: {xyz: " + listed(c.X_WC.translation()) +
+         ", rpy: " + listed(rollPitchYaw(c.X_WC.linear())) + "}\n";
 }
 
 Transform lookingAt(const Vector3d& eye, const Vector3d& target) {
