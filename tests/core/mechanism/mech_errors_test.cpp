@@ -1,35 +1,14 @@
 // Every mistake in a mechanism file is told with its place and with what was expected.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "core/base/error.hpp"
 #include "core/mechanism/mech_file.hpp"
+#include "tests/core/mechanism/bad_case.hpp"
 
 namespace abstand {
 namespace {
 
-struct BadCase {
-  const char* name;
-  const char* text;
-  int line, column;
-  const char* says;
-};
-void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
-
 class BadMechFile : public ::testing::TestWithParam<BadCase> {};
 
 TEST_P(BadMechFile, IsRefusedWithItsPlace) {
-  const auto& c = GetParam();
-  try {
-    parseMechanism(c.text, "bad.mech");
-    FAIL() << "was read";
-  } catch (const ParseError& e) {
-    EXPECT_EQ(e.pos().line, c.line) << e.what();
-    EXPECT_EQ(e.pos().column, c.column) << e.what();
-    EXPECT_THAT(e.what(), ::testing::StartsWith("bad.mech"));
-    EXPECT_THAT(e.what(), ::testing::HasSubstr(c.says));
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("expected"));
-  }
+  expectRefused(GetParam(), "bad.mech", parseMechanism, "expected");
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,37 +1,13 @@
 // Every mistake in a URDF is told with its place and with what was expected.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "core/base/error.hpp"
 #include "core/mechanism/srdf_file.hpp"
 #include "core/mechanism/urdf_file.hpp"
+#include "tests/core/mechanism/bad_case.hpp"
 
 namespace abstand {
 namespace {
 
-struct BadCase {
-  const char* name;
-  const char* text;
-  int line, column;
-  const char* says;
-};
-void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
-
-template <class Parse>
-void expectRefused(const BadCase& c, Parse parse) {
-  try {
-    parse(c.text, "bad.urdf");
-    FAIL() << "was read";
-  } catch (const ParseError& e) {
-    EXPECT_EQ(e.pos().line, c.line) << e.what();
-    EXPECT_EQ(e.pos().column, c.column) << e.what();
-    EXPECT_THAT(e.what(), ::testing::StartsWith("bad.urdf:"));
-    EXPECT_THAT(e.what(), ::testing::HasSubstr(c.says));
-  }
-}
-
 class BadUrdf : public ::testing::TestWithParam<BadCase> {};
-TEST_P(BadUrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), parseUrdf); }
+TEST_P(BadUrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), "bad.urdf", parseUrdf); }
 
 #define LINKS "<robot name='r'><link name='a'/><link name='b'/>\n"
 
@@ -132,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "scale of 0"}));
 
 class BadSrdf : public ::testing::TestWithParam<BadCase> {};
-TEST_P(BadSrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), parseSrdf); }
+TEST_P(BadSrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), "bad.urdf", parseSrdf); }
 
 INSTANTIATE_TEST_SUITE_P(
     Srdf, BadSrdf,
