@@ -1,0 +1,182 @@
+// Cutting the model into segments, and forward kinematics.
+#include "tracking/body/body_rig.hpp"
+
+namespace abstand {
+namespace {
+
+using enum RigSegment;
+
+constexpr std::array<std::string_view, kRigSegments> kNames{
+    "pelvis",       "chest",         "head",       "upper_arm_left", "upper_arm_right",
+    "forearm_left", "forearm_right", "hand_left",  "hand_right",     "thigh_left",
+    "thigh_right",  "calf_left",     "calf_right", "foot_left",      "foot_right"};
+
+// Where the trunk bends, as a share of the way from the middle of the hips to the neck: the joint between the
+// fourth and the fifth lumbar vertebra lies at 0.37 h above the hips' 0.53 h ... 0.63 h to 0.82 h.
+constexpr double kBendShare = 0.3;
+// The trunk as a camera sees it: its cross-section is an ellipse rather than a box. The box of the model
+// covers chest, waist and hips at their largest; the mean over the height is narrower.
+constexpr double kTrunkBreadth = 0.94, kTrunkDepth = 0.86;
+// An ellipsoid that is to look like a drum of half the height h has to be taller.
+constexpr double kDrum = 1.3;
+
+constexpr double kBack = unit::deg(40), kBackTwist = unit::deg(45);
+constexpr double kNeckCone = unit::deg(65), kNeckTwist = unit::deg(85);
+constexpr double kShoulderCone = unit::deg(130), kShoulderTwist = unit::deg(110);
+constexpr double kHipCone = unit::deg(95), kHipTwist = unit::deg(60);
+constexpr double kElbow = unit::deg(155), kKnee = unit::deg(155), kOverstretch = unit::deg(10);
+constexpr double kWristFlexion = unit::deg(80), kWristDeviation = unit::deg(35);
+constexpr double kAnkleDown = unit::deg(55), kAnkleUp = unit::deg(35), kAnkleRoll = unit::deg(30);
+
+RigSegment onSide(RigSegment left, int side) { return side > 0 ? left : segmentAt(index(left) + 1); }
+BodyPart onSide(BodyPart left, int side) { return static_cast<BodyPart>(index(left) + (side > 0 ? 0u : 1u)); }
+Joint jointOf(const HumanModel& model, BodyPart part) { return model.part(part).proximal; }
+
+/// World place of a part's centre in the rest pose.
+Vector3d centre(const HumanModel& model, BodyPart part) {
+  const HumanPart& p = model.part(part);
+  return model.rest[p.proximal] - p.p_proximal;
+}
+
+void addBall(RigPart& part, const Vector3d& along, const Vector3d& middle, double cone, double twist) {
+  part.joint = RigJoint::kBall;
+  part.freedoms = 3;
+  part.along = along;
+  part.middle = middle.normalized();
+  part.cone = cone;
+  part.twist = twist;
+}
+
+void addHinge(RigPart& part, int i, const Vector3d& axis, double least, double most) {
+  part.joint = RigJoint::kHinges;
+  part.freedoms = i + 1;
+  part.axis[static_cast<std::size_t>(i)] = axis;
+  part.least[static_cast<std::size_t>(i)] = least;
+  part.most[static_cast<std::size_t>(i)] = most;
+}
+
+}  // namespace
+
+std::string_view segmentName(RigSegment s) { return kNames[index(s)]; }
+
+BodyRig makeRig(const HumanModel& model) {
+  BodyRig rig;
+  rig.height = model.height;
+  std::array<Vector3d, kRigSegments> p_WS;  // origins in the rest pose
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+  const SkeletonFrame& rest = model.rest;
+  const auto hang = [&](RigSegment s, RigSegment parent, const Vector3d& p_W) -> RigPart& {
+    p_WS[index(s)] = p_W;
+    RigPart& part = rig.parts[index(s)];
+    part.parent = parent;
+    part.p_parent = p_W - p_WS[index(parent)];
+    return part;
+  };
+  const auto dress = [&](RigSegment s, BodyPart from) {
+    rig.parts[index(s)].shape = model.part(from).shape;
+    rig.parts[index(s)].p_shape = centre(model, from) - p_WS[index(s)];
+  };
+
+  const Vector3d pelvis = rest[Joint::kPelvis], neck = rest[Joint::kNeck];
+  const Vector3d bend = pelvis + kBendShare * (neck - pelvis);
+  RigPart& root = hang(kPelvis, kPelvis, pelvis);
+  root.joint = RigJoint::kFree;
+  root.freedoms = 6;
+  root.p_parent.setZero();
+  addBall(hang(kChest, kPelvis, bend), z, z, kBack, kBackTwist);
+  addBall(hang(kHead, kChest, neck), z, z, kNeckCone, kNeckTwist);
+  dress(kHead, BodyPart::kHead);
+  for (const int side : {1, -1}) {
+    const Vector3d out = side * y;
+    addBall(
+        hang(onSide(kUpperArmLeft, side), kChest, rest[jointOf(model, onSide(BodyPart::kBicepsLeft, side))]),
+        -z, x + 0.7 * out - 0.3 * z, kShoulderCone, kShoulderTwist);
+    addHinge(hang(onSide(kForearmLeft, side), onSide(kUpperArmLeft, side),
+                  rest[jointOf(model, onSide(BodyPart::kForearmLeft, side))]),
+             0, -y, -kOverstretch, kElbow);
+    RigPart& hand = hang(onSide(kHandLeft, side), onSide(kForearmLeft, side),
+                         rest[jointOf(model, onSide(BodyPart::kHandLeft, side))]);
+    addHinge(hand, 0, x, -kWristFlexion, kWristFlexion);
+    addHinge(hand, 1, y, -kWristDeviation, kWristDeviation);
+    addBall(hang(onSide(kThighLeft, side), kPelvis, rest[jointOf(model, onSide(BodyPart::kThighLeft, side))]),
+            -z, x + 0.3 * out - 0.8 * z, kHipCone, kHipTwist);
+    addHinge(hang(onSide(kCalfLeft, side), onSide(kThighLeft, side),
+                  rest[jointOf(model, onSide(BodyPart::kCalfLeft, side))]),
+             0, y, -kOverstretch, kKnee);
+    RigPart& foot = hang(onSide(kFootLeft, side), onSide(kCalfLeft, side),
+                         rest[jointOf(model, onSide(BodyPart::kFootLeft, side))]);
+    addHinge(foot, 0, y, -kAnkleUp, kAnkleDown);
+    addHinge(foot, 1, x, -kAnkleRoll, kAnkleRoll);
+    dress(onSide(kUpperArmLeft, side), onSide(BodyPart::kBicepsLeft, side));
+    dress(onSide(kForearmLeft, side), onSide(BodyPart::kForearmLeft, side));
+    dress(onSide(kHandLeft, side), onSide(BodyPart::kHandLeft, side));
+    dress(onSide(kThighLeft, side), onSide(BodyPart::kThighLeft, side));
+    dress(onSide(kCalfLeft, side), onSide(BodyPart::kCalfLeft, side));
+    dress(onSide(kFootLeft, side), onSide(BodyPart::kFootLeft, side));
+  }
+
+  const HumanPart& torso = model.part(BodyPart::kTorso);
+  const Vector3d trunk = centre(model, BodyPart::kTorso);
+  const double top = trunk.z() + 0.5 * torso.length, bottom = trunk.z() - 0.5 * torso.length;
+  const auto drum = [&](RigSegment s, double from, double to) {
+    const Vector3d middle{trunk.x(), trunk.y(), 0.5 * (from + to)};
+    rig.parts[index(s)].shape = Ellipsoid{
+        {0.5 * kTrunkDepth * torso.depth, 0.5 * kTrunkBreadth * torso.breadth, 0.5 * kDrum * (to - from)}};
+    rig.parts[index(s)].p_shape = middle - p_WS[index(s)];
+  };
+  drum(kPelvis, bottom, bend.z());
+  drum(kChest, bend.z(), top);
+
+  int column = 0;
+  for (RigPart& part : rig.parts) {
+    part.column = column;
+    column += part.freedoms;
+  }
+
+  const auto carry = [&](Joint j, RigSegment s) {
+    rig.carrier[static_cast<std::size_t>(j)] = s;
+    rig.p_joint[static_cast<std::size_t>(j)] = rest[j] - p_WS[index(s)];
+  };
+  using enum Joint;
+  for (const Joint j : {kPelvis, kHipLeft, kHipRight}) carry(j, RigSegment::kPelvis);
+  for (const Joint j : {kSpine, kThorax, kNeck, kShoulderLeft, kShoulderRight}) carry(j, kChest);
+  for (const Joint j : {Joint::kHead, kHeadTop}) carry(j, RigSegment::kHead);
+  carry(kElbowLeft, kUpperArmLeft);
+  carry(kElbowRight, kUpperArmRight);
+  carry(kWristLeft, kForearmLeft);
+  carry(kWristRight, kForearmRight);
+  carry(Joint::kHandLeft, RigSegment::kHandLeft);
+  carry(Joint::kHandRight, RigSegment::kHandRight);
+  carry(kKneeLeft, kThighLeft);
+  carry(kKneeRight, kThighRight);
+  carry(kAnkleLeft, kCalfLeft);
+  carry(kAnkleRight, kCalfRight);
+  carry(kToeLeft, kFootLeft);
+  carry(kToeRight, kFootRight);
+  return rig;
+}
+
+void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS) {
+  X_WS[0] = pose.X_WP;
+  for (std::size_t i = 1; i < kRigSegments; ++i) {
+    const RigPart& part = rig.parts[i];
+    Matrix3d R_PS;
+    if (part.joint == RigJoint::kBall) {
+      R_PS = pose.R_PS[i].toRotationMatrix();
+    } else {
+      R_PS = Eigen::AngleAxisd(pose.angle[i][0], part.axis[0]).toRotationMatrix();
+      if (part.freedoms > 1)
+        R_PS = R_PS * Eigen::AngleAxisd(pose.angle[i][1], part.axis[1]).toRotationMatrix();
+    }
+    const Transform& X_WP = X_WS[index(part.parent)];
+    X_WS[i].linear() = X_WP.linear() * R_PS;
+    X_WS[i].translation() = X_WP * part.p_parent;
+  }
+}
+
+void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, JointState state, SkeletonFrame& frame) {
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    frame.set(static_cast<Joint>(j), X_WS[index(rig.carrier[j])] * rig.p_joint[j], state);
+}
+
+}  // namespace abstand
