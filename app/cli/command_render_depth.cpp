@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "app/cli/command_line.hpp"
+#include "app/depth/clip_people.hpp"
 #include "app/depth/depth_clip.hpp"
 #include "core/base/error.hpp"
 
@@ -11,8 +12,10 @@ namespace {
 struct Arguments {
   std::filesystem::path scene, recording, camera, out;
   std::string eye, look, noise{"kinect"}, rate{"30"}, start, end;
-  std::uint64_t seed{1};
+  std::string body{"model"}, girth, clothing, height;
+  std::uint64_t seed{1}, body_seed{0};
   int width{640};
+  bool room{false};
   PackagePaths packages;
 };
 
@@ -43,6 +46,32 @@ DepthCamera cameraOf(const Arguments& args, Session& session) {
   return camera;
 }
 
+std::optional<SkinOptions> skinOf(const Arguments& args) {
+  if (args.body == "skin") {
+    SkinOptions skin;
+    if (!args.girth.empty()) skin.girth = number(args.girth, "--girth");
+    if (!args.clothing.empty()) skin.clothing = number(args.clothing, "--clothing");
+    skin.seed = args.body_seed;
+    return skin;
+  }
+  if (!args.girth.empty() || !args.clothing.empty() || args.body_seed != 0)
+    throw UsageError("found --girth, --clothing or --body-seed without --body skin, expected them with it");
+  return std::nullopt;
+}
+
+SceneDescription sceneOf(const Arguments& args) {
+  if (!args.scene.empty()) {
+    if (!args.height.empty())
+      throw UsageError(
+          "--height: found beside a scene, which says its people's heights; expected one of them");
+    return loadScene(args.scene, args.packages);
+  }
+  if (args.recording.empty()) throw UsageError("found neither SCENE nor --recording, expected one or both");
+  std::optional<double> height;
+  if (!args.height.empty()) height = number(args.height, "--height");
+  return abstand::sceneOf(args.recording, height);
+}
+
 int run(const CommandLine& line, const Arguments& args) {
   if (args.eye.empty() != args.look.empty())
     throw UsageError("found one of --eye and --look, expected both or none");
@@ -54,14 +83,16 @@ int run(const CommandLine& line, const Arguments& args) {
   if (!args.end.empty()) options.end = number(args.end, "--end");
   if (args.noise == "kinect") options.noise = KinectNoise{};
   options.seed = args.seed;
+  options.skin = skinOf(args);
+  options.room = args.room;
   options.progress = progressBar(line, "frames");
   options.interrupted = interrupted;
 
   SessionOptions session_options;
-  session_options.recording = args.recording;
+  if (!args.scene.empty()) session_options.recording = args.recording;
   session_options.cache = line.cache;
   session_options.monitor = buildMonitor(line);
-  Session session(loadScene(args.scene, args.packages), session_options);
+  Session session(sceneOf(args), session_options);
   options.camera = cameraOf(args, session);
 
   const auto begin = std::chrono::steady_clock::now();
@@ -85,7 +116,8 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
       addCommand(root, line, "render-depth", "what a depth camera would see of a scene, as a clip",
                  "abstand render-depth data/scenes/hug_boxing.yaml --out clip --end 2");
   auto args = std::make_shared<Arguments>();
-  command->add_option("SCENE", args->scene, "scene file (.yaml)")->required();
+  command->add_option("SCENE", args->scene,
+                      "scene file (.yaml); without one: the person of --recording alone");
   command->add_option("--out", args->out, "folder of the clip")->required();
   command->add_option("--recording", args->recording, "moves every person, instead of the scene's");
   command->add_option("--camera", args->camera, "camera file; default: a Kinect before the first person");
@@ -98,6 +130,15 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   command->add_option("--noise", args->noise, "kinect: of a Kinect of 2010; none: an ideal camera")
       ->check(CLI::IsMember({"kinect", "none"}));
   command->add_option("--seed", args->seed, "of the noise");
+  command
+      ->add_option("--body", args->body, "of people: model, as in the scene; skin: smooth, unlike the model")
+      ->check(CLI::IsMember({"model", "skin"}));
+  command->add_option("--girth", args->girth, "of a body of skin: factor of its thicknesses (1)");
+  command->add_option("--clothing", args->clothing, "m, on a body of skin (0)");
+  command->add_option("--body-seed", args->body_seed,
+                      "of a body of skin: thicknesses of its own, by 8 % (0: usual)");
+  command->add_option("--height", args->height, "m, without SCENE: the recording is scaled to that stature");
+  command->add_flag("--room", args->room, "adds a floor at z = 0 and a wall 1.5 m behind the people");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });

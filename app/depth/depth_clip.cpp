@@ -3,16 +3,76 @@
 
 #include <cstdio>
 
+#include "app/depth/clip_people.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
 #include "tracking/depth/depth_png.hpp"
 #include "tracking/depth/depth_render.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {
 namespace {
 
 constexpr double kSagitta = 5e-4;       // m, of the meshes of shapes
 constexpr double kUsualDistance = 2.8;  // m
+constexpr double kWallBehind = 1.5;     // m
+constexpr double kWallHeight = 3.0, kRoomBreadth = 8.0;
+
+TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// The scene's bodies that are drawn as they are, with their meshes.
+class Things {
+ public:
+  Things(const Session& session, bool with_people) : scene_(session.scene()) {
+    for (std::size_t k = 0; k < scene_.objects().size(); ++k) {
+      const Object& object = scene_.objects()[k];
+      bool is_person = false;
+      for (const auto& human : session.description().humans) is_person |= human.name == object.spec.group;
+      if (is_person && !with_people) continue;
+      meshes_.emplace_back(k, object.spec.structure->surface->mesh(kSagitta));
+    }
+  }
+  void draw(const Transform& X_CW, DepthRender& render) const {
+    for (const auto& [k, mesh] : meshes_) render.draw(mesh, X_CW * scene_.objects()[k].X_WB);
+  }
+
+ private:
+  const Scene& scene_;
+  std::vector<std::pair<std::size_t, TriangleMesh>> meshes_;
+};
+
+/// Floor and back wall, in world.
+std::vector<TriangleMesh> roomFor(const DepthCamera& camera, const ClipPeople& people,
+                                  std::span<const double> times) {
+  const Vector3d eye = camera.X_WC.translation();
+  Vector3d ahead = camera.X_WC.linear().col(2);
+  ahead.z() = 0.0;
+  if (!(ahead.norm() > 1e-6))
+    throw UsageError("--room: the camera looks straight down, expected one that sees a wall");
+  ahead.normalize();
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < people.size(); ++i)
+    for (const double t : times)
+      for (const Vector3d& p : people.at(i, t).p)
+        if (p.allFinite()) farthest = std::max(farthest, (p - eye).dot(ahead));
+  const Vector3d aside = 0.5 * kRoomBreadth * ahead.cross(Vector3d::UnitZ());
+  Vector3d near = eye - ahead, foot = eye + (farthest + kWallBehind) * ahead;
+  near.z() = foot.z() = 0.0;
+  const Vector3d up = kWallHeight * Vector3d::UnitZ();
+  return {rectangle(near - aside, near + aside, foot + aside),
+          rectangle(foot - aside, foot + aside, foot + aside + up)};
+}
+
+void writeTruth(const ClipPeople& people, std::span<const double> times,
+                const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    Recording truth;
+    for (const double t : times) truth.frames.push_back(people.at(i, t));
+    writeSkeletonCsv(folder / (i == 0 ? "truth.csv" : "truth_" + std::to_string(i + 1) + ".csv"), truth);
+  }
+}
 
 }  // namespace
 
@@ -25,9 +85,16 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   std::filesystem::create_directories(folder, ec);
   writeFile(folder / "camera.yaml", describeDepthCamera(options.camera));
 
-  std::vector<TriangleMesh> meshes;
-  for (const Object& object : session.scene().objects())
-    meshes.push_back(object.spec.structure->surface->mesh(kSagitta));
+  const Things things(session, !options.skin);
+  const ClipPeople people(session);
+  std::vector<SkinBody> skins;
+  for (std::size_t i = 0; options.skin && i < people.size(); ++i) {
+    SkinOptions own = *options.skin;
+    if (own.seed != 0) own.seed += i;
+    skins.emplace_back(people.stature(i), own);
+  }
+  const std::vector<TriangleMesh> room =
+      options.room ? roomFor(options.camera, people, times) : std::vector<TriangleMesh>{};
   const Transform X_CW = options.camera.X_WC.inverse();
   DepthClipSummary summary;
   std::size_t measured = 0;
@@ -39,8 +106,10 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
     }
     session.applyMotion(times[i]);
     render.clear();
-    for (std::size_t k = 0; k < meshes.size(); ++k)
-      render.draw(meshes[k], X_CW * session.scene().objects()[k].X_WB);
+    things.draw(X_CW, render);
+    for (std::size_t k = 0; k < skins.size(); ++k)
+      for (const SkinPart& part : skins[k].wrap(people.at(k, times[i]))) render.draw(part.mesh, X_CW);
+    for (const TriangleMesh& wall : room) render.draw(wall, X_CW);
     const DepthImage image =
         options.noise ? seenByKinect(render.image(), options.camera, *options.noise, options.seed, i)
                       : render.image();
@@ -54,6 +123,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
     if (options.progress) options.progress(i + 1, times.size());
   }
   writeFile(folder / "depth.txt", list);
+  if (summary.frames > 0) writeTruth(people, std::span(times).first(summary.frames), folder);
   const double pixels = static_cast<double>(summary.frames) * options.camera.width * options.camera.height;
   summary.measured = pixels > 0.0 ? static_cast<double>(measured) / pixels : 0.0;
   return summary;

@@ -8,11 +8,14 @@
 #include "app/session/session.hpp"
 #include "tracking/depth/depth_camera.hpp"
 #include "tracking/depth/kinect_noise.hpp"
+#include "tracking/depth/skin_body.hpp"
 
 namespace abstand {
 
 struct DepthClipOptions {
   DepthCamera camera;
+  std::optional<SkinOptions> skin;   ///< people are bodies of smooth skin; none: their parts in the scene
+  bool room{false};                  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
   std::optional<KinectNoise> noise;  ///< none: an ideal camera
   std::uint64_t seed{1};
   double rate{30.0};                 ///< frames a second
@@ -29,7 +32,9 @@ struct DepthClipSummary {
 };
 
 /// Writes into `folder`, which it makes: `camera.yaml`, `depth_000000.png` and so on (16 bits, in the
-/// camera's units), and `depth.txt`, a line `TIME FILE` for each (s, of the scene). Throws UsageError.
+/// camera's units), `depth.txt`, a line `TIME FILE` for each (s, of the scene), and of the first person
+/// `truth.csv`, a table of the joints that were shown (world, m); of the others `truth_2.csv` and so on.
+/// Throws UsageError.
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder);
 

@@ -484,5 +484,25 @@ TEST_F(Cli, RenderDepthWritesAClip) {
   EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
 }
 
+TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  const json j =
+      runJson("render-depth --recording " + bvh + " --out " + clip +
+              " --body skin --girth 1.1 --clothing 0.01 --body-seed 3 --room --height 1.8 --width 320 "
+              "--rate 2 --end 1 --no-cache");
+  EXPECT_EQ(j["frames"], 3);
+  EXPECT_GT(j["measured"], 0.5);  // the room fills the image
+  const json truth = runJson("skeleton " + clip + "/truth.csv");
+  EXPECT_EQ(truth["format"], "csv");
+  EXPECT_EQ(truth["frames"], 3);
+  EXPECT_EQ(truth["gaps"], 0);
+  EXPECT_TRUE(truth["missing_parts"].empty());
+  EXPECT_EQ(run("render-depth --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --girth 1.1 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --body skin --girth 9 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording none.bvh --out " + clip).code, 3);
+}
+
 }  // namespace
 }  // namespace abstand::testing
