@@ -1,0 +1,154 @@
+// Finding, following, losing.
+#include "tracking/tracker/body_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+constexpr double kHalfBody = 0.10;  // m, from the skin that is seen to the middle of the body
+constexpr double kDamp = 0.7;       // of the motion that is expected to go on
+constexpr double kMostGap = 0.25;   // s; over longer ones nothing is expected to go on
+constexpr std::size_t kFewestPoints = 60;
+constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
+constexpr int kBadImages = 5;
+constexpr double kSeen = 0.3;  // share of a segment's samples
+constexpr int kWideSteps = 4, kNarrowSteps = 4;
+
+BodySolver::Vector priors() {
+  BodySolver::Vector w;
+  const auto of = [&](RigSegment s, const BodyRig& rig, double v) {
+    w.segment(rig[s].column, rig[s].freedoms).setConstant(v);
+  };
+  static const BodyRig rig = makeRig(makeHuman({}));
+  using enum RigSegment;
+  of(kPelvis, rig, 3.0);
+  of(kChest, rig, 8.0);
+  of(kHead, rig, 6.0);
+  for (const RigSegment s : {kUpperArmLeft, kUpperArmRight, kForearmLeft, kForearmRight}) of(s, rig, 0.5);
+  for (const RigSegment s : {kHandLeft, kHandRight}) of(s, rig, 2.0);
+  for (const RigSegment s : {kThighLeft, kThighRight, kCalfLeft, kCalfRight}) of(s, rig, 1.0);
+  for (const RigSegment s : {kFootLeft, kFootRight}) of(s, rig, 4.0);
+  return w;
+}
+
+}  // namespace
+
+BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
+    : rig_{&rig}, fit_{rig}, limbs_{fit_}, random_{seed} {
+  wide_.prior = priors();
+  narrow_.prior = wide_.prior;
+  wide_.reach = 0.20;
+  narrow_.reach = 0.07;
+}
+
+void BodyTracker::reset() {
+  body_ = {};
+  velocity_.setZero();
+  last_t_ = kNaN;
+  badly_ = 0;
+}
+
+const TrackedBody& BodyTracker::track(double t, const DepthImage& image, const DepthCamera& camera,
+                                      std::span<const std::uint8_t> is_person) {
+  seen_.look(image, camera, is_person);
+  const double dt = t - last_t_;
+  last_t_ = t;
+  if (seen_.points().count < kFewestPoints) {
+    body_.found = false;
+  } else if (body_.found) {
+    follow(dt);
+    badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;
+    if (badly_ >= kBadImages) body_.found = false;
+  }
+  if (!body_.found && seen_.points().count >= kFewestPoints) find();
+  finish(t);
+  return body_;
+}
+
+void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
+  bool found = false;
+  RigPose other = body_.pose;
+  for (std::size_t k = 0; k < kLimbs.size(); ++k) {
+    const bool arm = k < 2;
+    found |= limbs_.search(seen_, kLimbs[k], arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread, random_, other);
+  }
+  if (!found) return;
+  fit_.refine(seen_, other, narrow_, kNarrowSteps, other);
+  RigPlacement X_WS;
+  place(*rig_, body_.pose, X_WS);
+  const double before = fit_.misfit(seen_, X_WS).cost;
+  place(*rig_, other, X_WS);
+  if (fit_.misfit(seen_, X_WS).cost < before) body_.pose = other;
+}
+
+void BodyTracker::follow(double dt) {
+  const RigPose last = body_.pose;
+  RigPose expected = last;
+  const bool continues = dt > 0.0 && dt < kMostGap;
+  if (continues) advance(*rig_, kDamp * dt * velocity_, expected);
+  body_.pose = expected;
+  fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
+  fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
+  searchLimbs(20, 0.12, 8, 0.08);
+  velocity_ = continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
+  place(*rig_, body_.pose, body_.X_WS);
+  body_.misfit = fit_.misfit(seen_, body_.X_WS);
+}
+
+void BodyTracker::find() {
+  const SeenPoints& points = seen_.points();
+  Vector3d mean = Vector3d::Zero();
+  double top = -kInfinity;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    mean += points.point(i);
+    top = std::max(top, static_cast<double>(points.z[i]));
+  }
+  mean /= static_cast<double>(points.count);
+  Vector3d away = mean - seen_.eye();
+  away.z() = 0.0;
+  if (away.norm() < 1e-6) away = Vector3d::UnitX();
+  away.normalize();
+  const double facing = std::atan2(-away.y(), -away.x());
+  RigPlacement X_WS;
+  place(*rig_, RigPose{}, X_WS);
+  const std::size_t vertex = static_cast<std::size_t>(Joint::kHeadTop);
+  const double above = (X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex]).z();
+
+  TrackedBody best;
+  for (const double lower : {0.0, 0.25}) {
+    for (const double yaw : {0.0, 0.7, -0.7}) {
+      RigPose pose;
+      pose.X_WP.translation() = mean + kHalfBody * away;
+      pose.X_WP.translation().z() = top - above - lower;
+      pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
+      body_.pose = pose;
+      for (int round = 0; round < 3; ++round) {
+        fit_.refine(seen_, body_.pose, wide_, 6, body_.pose);
+        searchLimbs(120, 0.3, 40, 0.2);
+      }
+      fit_.refine(seen_, body_.pose, narrow_, 10, body_.pose);
+      place(*rig_, body_.pose, body_.X_WS);
+      body_.misfit = fit_.misfit(seen_, body_.X_WS);
+      if (body_.misfit.cost < best.misfit.cost) best = body_;
+    }
+  }
+  body_ = best;
+  body_.found = body_.misfit.explained > kFoundAbove;
+  velocity_.setZero();
+  badly_ = 0;
+}
+
+void BodyTracker::finish(double t) {
+  body_.frame = SkeletonFrame{};
+  body_.frame.t = t;
+  body_.visible.fill(0.0);
+  if (!body_.found) return;
+  fit_.visibility(seen_, body_.X_WS, body_.visible);
+  jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
+  for (std::size_t j = 0; j < kJointCount; ++j)
+    if (body_.visible[index(rig_->carrier[j])] < kSeen) body_.frame.state[j] = JointState::kInferred;
+}
+
+}  // namespace abstand

@@ -1,0 +1,58 @@
+// Follows one person through depth images.
+#pragma once
+
+#include <random>
+
+#include "tracking/tracker/limb_search.hpp"
+
+namespace abstand {
+
+/// What is known of the person after an image.
+struct TrackedBody {
+  bool found{false};
+  RigPose pose;
+  RigPlacement X_WS;
+  DepthMisfit misfit;
+  std::array<double, kRigSegments> visible{};  ///< share of each segment that was seen where it is
+  SkeletonFrame frame;  ///< joints in the world; inferred where little of their segment was seen, missing when lost
+};
+
+/// Expectation from the last two poses, fit, search for limbs that were left behind, fit again. A person is
+/// first looked for upright, in front of the camera and facing it; turned up to 60 degrees away is found
+/// too, the back is not told from the front. After that left stays left, as nothing moves far between two
+/// images. Lost when more than a third of the person's points lie far from the body for some images; then
+/// looked for anew.
+///
+/// One tracker follows one person, on one thread. The rig must outlive it. track() allocates nothing after
+/// the first image; it does not throw.
+class BodyTracker {
+ public:
+  explicit BodyTracker(const BodyRig& rig, std::uint64_t seed = 1);
+
+  /// `t` (s) rises. `is_person` of every pixel; with no pixel set the person is not in view, and lost.
+  const TrackedBody& track(double t, const DepthImage& image, const DepthCamera& camera,
+                           std::span<const std::uint8_t> is_person);
+  const TrackedBody& body() const { return body_; }
+  const SeenBody& seen() const { return seen_; }
+  /// Forgets the person.
+  void reset();
+
+ private:
+  void find();
+  void follow(double dt);
+  void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
+  void finish(double t);
+
+  const BodyRig* rig_;
+  DepthFit fit_;
+  LimbSearch limbs_;
+  SeenBody seen_;
+  std::mt19937_64 random_;
+  TrackedBody body_;
+  BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
+  DepthFit::Weights wide_, narrow_;
+  double last_t_{kNaN};
+  int badly_{0};  ///< images in a row that the body did not explain
+};
+
+}  // namespace abstand

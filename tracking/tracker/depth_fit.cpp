@@ -1,0 +1,168 @@
+// Association of points, rows for the solver, and the cost of a pose.
+#include "tracking/tracker/depth_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+constexpr float kNormalWeight = 0.03f;  // m for a normal at right angles
+// m: beyond it a point is an outlier of the cost. Wider than a wrist, narrower than a torso.
+constexpr float kCostReach = 0.08f;
+constexpr double kExplained = 0.05;   // m
+constexpr double kRows = 1000.0;      // all points together weigh as so many
+constexpr double kSampleWeight = 6.0; // a sample in free space counts as so many points
+constexpr double kBefore = 0.04;      // m, that a sample may lie before what was measured
+constexpr double kMostViolation = 0.3;  // m
+constexpr double kLimitWeight = 20.0;  // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
+constexpr double kDamping = 1e-3;
+constexpr double kMostTurn = 0.35;  // rad, m, a step
+constexpr double kSeenWithin = 0.08;  // m
+
+}  // namespace
+
+DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}, solver_{rig} {
+  for (std::size_t i = 0; i < kRigSegments; ++i) {
+    const RigSegment s = segmentAt(i);
+    const Vector3d c = surfaces_[i].centre.cast<double>(), r = surfaces_[i].semi.cast<double>();
+    const double radius = std::min(r.x(), r.y());
+    if (i < 2) {
+      for (const double side : {-0.7, 0.0, 0.7})
+        for (const double up : {-0.4, 0.0, 0.4})
+          samples_.push_back({s, c + Vector3d{0.0, side * r.y(), up * r.z()}, r.x()});
+    } else if (s == RigSegment::kFootLeft || s == RigSegment::kFootRight) {
+      for (const double along : {-0.6, 0.0, 0.6})
+        samples_.push_back({s, c + Vector3d{along * r.x(), 0.0, 0.0}, r.z()});
+    } else {
+      for (const double along : {-0.75, -0.4, 0.0, 0.4, 0.75})
+        samples_.push_back({s, c + Vector3d{0.0, 0.0, along * r.z()}, radius});
+    }
+  }
+}
+
+DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& sample, const Vector3d& p_W) const {
+  Violation v{Vector3d::Zero(), 0.0};
+  const Vector3d p_C = seen.X_CW() * p_W;
+  const SeenBody::Look look = seen.at(p_C);
+  if (look.state == CellState::kEmpty) {
+    if (look.z > 0.0 && look.z < p_C.z()) return v;  // behind what is there: hidden, not refuted
+    const double out = look.to_person.norm();
+    if (out <= 0.0) return v;
+    v.n = -(seen.X_CW().linear().transpose() * look.to_person) / out;
+    v.depth = std::min(out, kMostViolation);
+  } else if (look.state == CellState::kPerson && look.z > 0.0) {
+    const double before = look.z - p_C.z() - kBefore + 0.5 * sample.radius;
+    if (before <= 0.0) return v;
+    v.n = -(p_W - seen.eye()).normalized();
+    v.depth = std::min(before, kMostViolation);
+  }
+  return v;
+}
+
+void DepthFit::assign(const SeenPoints& points, const RigPlacement& X_WS) {
+  std::fill_n(best_.begin(), points.count, std::numeric_limits<float>::max());
+  for (std::size_t s = 0; s < kRigSegments; ++s) {
+    scoreOf(surfaces_[s], X_WS[s], points, kNormalWeight, score_.data());
+    for (std::size_t i = 0; i < points.count; ++i) {
+      if (score_[i] >= best_[i]) continue;
+      best_[i] = score_[i];
+      segment_[i] = static_cast<std::uint8_t>(s);
+    }
+  }
+}
+
+void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
+                      float* best) const {
+  std::fill_n(best, points.count, std::numeric_limits<float>::max());
+  for (std::size_t s = 0; s < kRigSegments; ++s) {
+    if ((segments >> s & 1u) == 0) continue;
+    scoreOf(surfaces_[s], X_WS[s], points, kNormalWeight, score_.data());
+    for (std::size_t i = 0; i < points.count; ++i) best[i] = std::min(best[i], score_[i]);
+  }
+}
+
+double DepthFit::robustMean(const float* score, std::size_t count) {
+  constexpr float c2 = kCostReach * kCostReach;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float s2 = score[i] * score[i];
+    sum += c2 * s2 / (c2 + s2);
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+double DepthFit::freeSpaceCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const {
+  double sum = 0.0;
+  for (const Sample& sample : samples_) {
+    if ((segments & bit(sample.segment)) == 0) continue;
+    const double v = violation(seen, sample, X_WS[index(sample.segment)] * sample.p_S).depth;
+    sum += v * v;
+  }
+  return sum * kSampleWeight / kRows;
+}
+
+DepthMisfit DepthFit::misfit(const SeenBody& seen, const RigPlacement& X_WS) {
+  const SeenPoints& points = seen.points();
+  DepthMisfit m;
+  if (points.count == 0) return m;
+  assign(points, X_WS);
+  m.cost = robustMean(best_.data(), points.count) + freeSpaceCost(seen, X_WS, kAll);
+  double sum = 0.0;
+  std::size_t explained = 0;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const std::size_t s = segment_[i];
+    const double d = seenDistance(surfaces_[s], X_WS[s], points.point(i), seen.eye()).d;
+    if (std::abs(d) > kExplained) continue;
+    ++explained;
+    sum += d * d;
+  }
+  m.explained = static_cast<double>(explained) / static_cast<double>(points.count);
+  if (explained > 0) m.residual = std::sqrt(sum / static_cast<double>(explained));
+  return m;
+}
+
+void DepthFit::refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
+                      RigPose& pose) {
+  const SeenPoints& points = seen.points();
+  if (points.count == 0) return;
+  const double share = kRows / static_cast<double>(points.count);
+  const double c2 = weights.reach * weights.reach;
+  for (int k = 0; k < steps; ++k) {
+    solver_.begin(pose);
+    const RigPlacement& X_WS = solver_.placement();
+    assign(points, X_WS);
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const std::size_t s = segment_[i];
+      const Vector3d p = points.point(i);
+      const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eye());
+      const double robust = c2 / (c2 + hit.d * hit.d);
+      // The body's surface moves towards the point: a point of the segment moved by v along n nears it by n.v.
+      solver_.addPlane(segmentAt(s), p, -hit.n, hit.d, share * robust * robust);
+    }
+    for (const Sample& sample : samples_) {
+      const Vector3d p_W = X_WS[index(sample.segment)] * sample.p_S;
+      const Violation v = violation(seen, sample, p_W);
+      if (v.depth > 0.0) solver_.addPlane(sample.segment, p_W, v.n, v.depth, kSampleWeight);
+    }
+    solver_.addPrior(expected, weights.prior);
+    solver_.addLimits(kLimitWeight);
+    solver_.step(kDamping, kMostTurn);
+    pose = solver_.pose();
+  }
+}
+
+void DepthFit::visibility(const SeenBody& seen, const RigPlacement& X_WS,
+                          std::array<double, kRigSegments>& share) const {
+  std::array<int, kRigSegments> all{}, visible{};
+  for (const Sample& sample : samples_) {
+    const std::size_t s = index(sample.segment);
+    const Vector3d p_C = seen.X_CW() * (X_WS[s] * sample.p_S);
+    const SeenBody::Look look = seen.at(p_C);
+    ++all[s];
+    visible[s] += look.state == CellState::kPerson && std::abs(look.z - (p_C.z() - sample.radius)) < kSeenWithin;
+  }
+  for (std::size_t s = 0; s < kRigSegments; ++s) share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);
+}
+
+}  // namespace abstand

@@ -1,0 +1,71 @@
+// The fit of the rig to what a depth camera sees of a person.
+#pragma once
+
+#include <vector>
+
+#include "tracking/body/body_solver.hpp"
+#include "tracking/tracker/fit_surface.hpp"
+
+namespace abstand {
+
+/// How well a pose explains an image.
+struct DepthMisfit {
+  double cost{kInfinity};    ///< m^2: mean over points and over samples in free space, robust
+  double explained{0.0};     ///< share of the points within 5 cm of the segment that they lie on
+  double residual{kNaN};     ///< m, root mean square of those
+};
+
+/// Points of the image are to lie on the surface of the segment that explains them best, by distance and
+/// normal, on its side that faces the camera (Ganapathi and others, ECCV 2012). Points on the axes of the
+/// segments are not to lie where the camera looks past the person, nor before what it measured. Not shared
+/// between threads; no allocation, no throw.
+class DepthFit {
+ public:
+  explicit DepthFit(const BodyRig& rig);
+
+  const BodyRig& rig() const { return *rig_; }
+  const FitSurfaces& surfaces() const { return surfaces_; }
+
+  struct Weights {
+    BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< towards the pose that is expected
+    double reach{0.10};  ///< m, residuals beyond it lose their weight (Geman, McClure 1985)
+  };
+  /// `steps` of Gauss-Newton from `pose`, which is made better.
+  void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps, RigPose& pose);
+
+  DepthMisfit misfit(const SeenBody& seen, const RigPlacement& X_WS);
+
+  /// Of every point, how ill the best segment fits among those of the mask; after refine() or misfit().
+  void scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments, float* best) const;
+  /// Robust mean square of scores.
+  static double robustMean(const float* score, std::size_t count);
+  /// Cost of the samples of these segments in free space, a share of all samples.
+  double freeSpaceCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
+  /// Share of the samples of each segment that the camera sees where the pose has them.
+  void visibility(const SeenBody& seen, const RigPlacement& X_WS, std::array<double, kRigSegments>& share) const;
+
+  static constexpr std::uint32_t kAll = (1u << kRigSegments) - 1u;
+  static constexpr std::uint32_t bit(RigSegment s) { return 1u << index(s); }
+
+ private:
+  struct Sample {
+    RigSegment segment;
+    Vector3d p_S;
+    double radius;  ///< m, of the segment there
+  };
+  struct Violation {
+    Vector3d n;  ///< world; against the way out
+    double depth{0.0};
+  };
+  Violation violation(const SeenBody& seen, const Sample& sample, const Vector3d& p_W) const;
+  void assign(const SeenPoints& points, const RigPlacement& X_WS);
+
+  const BodyRig* rig_;
+  FitSurfaces surfaces_;
+  std::vector<Sample> samples_;
+  BodySolver solver_;
+  std::array<std::uint8_t, SeenPoints::kMost> segment_{};
+  mutable std::array<float, SeenPoints::kMost> best_{}, score_{};
+};
+
+}  // namespace abstand

@@ -1,0 +1,122 @@
+// Two bones that reach for a point, and the search over points.
+#include "tracking/tracker/limb_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+constexpr double kBetter = 0.97;      // a place has to cost less than this share of the old one's
+constexpr float kUnexplained = 0.05f; // m
+constexpr int kUnexplainedTries = 10;
+constexpr double kUnderSkin = 0.03;  // m, a joint lies behind the surface that is seen
+// m^2 a rad^2: a place that needs a far turn has to explain more.
+constexpr double kTurnCost = 2e-6;
+constexpr double kLimitCost = 2e-3;
+constexpr std::size_t kPoints = 400;
+
+double uniform(std::mt19937_64& random, double least, double most) {
+  return least + (most - least) * (static_cast<double>(random() >> 11) * 0x1p-53);
+}
+Vector3d normal(std::mt19937_64& random, double sigma) {
+  Vector3d v;
+  for (int k = 0; k < 3; ++k) {
+    double sum = -6.0;  // of twelve uniform numbers: nearly normal, the same on every machine
+    for (int i = 0; i < 12; ++i) sum += uniform(random, 0.0, 1.0);
+    v[k] = sigma * sum;
+  }
+  return v;
+}
+
+}  // namespace
+
+void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, const Vector3d& goal,
+              double swivel, RigPose& pose) {
+  const std::size_t upper = index(limb.upper), lower = index(limb.lower);
+  const RigPart& part = rig.parts[upper];
+  const Transform& X_WP = X_WS[index(part.parent)];
+  const Vector3d shoulder = X_WP * part.p_parent;
+  const double a = rig[limb.lower].p_parent.norm(), b = rig[limb.end].p_parent.norm();
+  const double reach = std::clamp((goal - shoulder).norm(), std::abs(a - b) + 0.02, a + b - 1e-3);
+  const Vector3d line = (goal - shoulder).norm() > 1e-6 ? Vector3d((goal - shoulder).normalized())
+                                                        : Vector3d(-X_WP.linear().col(2));
+  // Angle at the shoulder by the law of cosines.
+  const double cosine = std::clamp((a * a + reach * reach - b * b) / (2.0 * a * reach), -1.0, 1.0);
+  const Vector3d out = limb.bend > 0.0 ? Vector3d(-X_WP.linear().col(2)) : Vector3d(X_WP.linear().col(0));
+  Vector3d side = out - out.dot(line) * line;
+  if (side.norm() < 1e-3) side = line.unitOrthogonal();
+  side = Eigen::AngleAxisd(swivel, line) * side.normalized();
+  const Vector3d elbow = shoulder + a * (cosine * line + std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) * side);
+  const Vector3d u = (elbow - shoulder).normalized();
+  const Vector3d f = (shoulder + reach * line - elbow).normalized();
+  Vector3d x = limb.bend * (f - f.dot(u) * u);
+  if (x.norm() < 1e-6) x = -limb.bend * (side - side.dot(u) * u);
+  if (x.norm() < 1e-6) x = u.unitOrthogonal();
+  Matrix3d R_WS;
+  R_WS.col(2) = -u;
+  R_WS.col(0) = x.normalized();
+  R_WS.col(1) = R_WS.col(2).cross(R_WS.col(0));
+  pose.R_PS[upper] = Quaterniond(Matrix3d(X_WP.linear().transpose() * R_WS)).normalized();
+  pose.angle[lower][0] =
+      std::clamp(std::acos(std::clamp(f.dot(u), -1.0, 1.0)), rig.parts[lower].least[0], rig.parts[lower].most[0]);
+}
+
+double LimbSearch::costOf(const SeenBody& seen, const Limb& limb, const RigPose& pose, const RigPose& start) {
+  const BodyRig& rig = fit_->rig();
+  place(rig, pose, X_WS_);
+  const std::uint32_t segments = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
+  fit_->scores(points_, X_WS_, segments, scores_.data());
+  for (std::size_t i = 0; i < points_.count; ++i) scores_[i] = std::min(scores_[i], others_[i]);
+  const RigPart& part = rig[limb.upper];
+  const Vector3d points = pose.R_PS[index(limb.upper)] * part.along;
+  const double beyond =
+      std::max(0.0, std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0)) - part.cone);
+  const double turned = pose.R_PS[index(limb.upper)].angularDistance(start.R_PS[index(limb.upper)]);
+  const double bent = pose.angle[index(limb.lower)][0] - start.angle[index(limb.lower)][0];
+  return DepthFit::robustMean(scores_.data(), points_.count) + fit_->freeSpaceCost(seen, X_WS_, segments) +
+         kTurnCost * (turned * turned + bent * bent) + kLimitCost * beyond * beyond;
+}
+
+bool LimbSearch::search(const SeenBody& seen, const Limb& limb, int tries, double spread,
+                        std::mt19937_64& random, RigPose& pose) {
+  const SeenPoints& all = seen.points();
+  const std::size_t stride = std::max<std::size_t>(1, all.count / kPoints);
+  points_.count = 0;
+  for (std::size_t i = 0; i < all.count; i += stride) {
+    const std::size_t k = points_.count++;
+    points_.x[k] = all.x[i], points_.y[k] = all.y[i], points_.z[k] = all.z[i];
+    points_.nx[k] = all.nx[i], points_.ny[k] = all.ny[i], points_.nz[k] = all.nz[i];
+  }
+  const RigPose start = pose;
+  place(fit_->rig(), start, X_WS_);
+  const RigPlacement X_WS = X_WS_;
+  const std::uint32_t mine = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
+  fit_->scores(points_, X_WS, DepthFit::kAll & ~mine, others_.data());
+  const Vector3d wrist = X_WS[index(limb.end)].translation();
+
+  const double before = costOf(seen, limb, start, start);
+  double least = before * kBetter;
+  bool found = false;
+  const auto attempt = [&](const Vector3d& goal, double swivel) {
+    RigPose other = start;
+    reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
+    const double cost = costOf(seen, limb, other, start);
+    if (cost >= least) return;
+    least = cost;
+    pose = other;
+    found = true;
+  };
+  for (int k = 0; k < tries; ++k)
+    attempt(wrist + normal(random, spread), uniform(random, -1.5, 1.5));
+  for (int k = 0, picked = 0; k < 40 && picked < kUnexplainedTries && points_.count > 0; ++k) {
+    const std::size_t i = random() % points_.count;
+    if (others_[i] < kUnexplained) continue;
+    ++picked;
+    const Vector3d p = points_.point(i);
+    attempt(p + kUnderSkin * (p - seen.eye()).normalized(), uniform(random, -1.5, 1.5));
+  }
+  return found;
+}
+
+}  // namespace abstand
