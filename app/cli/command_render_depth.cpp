@@ -81,7 +81,6 @@ int run(const CommandLine& line, const Arguments& args) {
     throw UsageError("--rate: found " + args.rate + ", expected above 0, at most 1000 frames a second");
   if (!args.start.empty()) options.start = number(args.start, "--start");
   if (!args.end.empty()) options.end = number(args.end, "--end");
-  if (args.noise == "kinect") options.noise = KinectNoise{};
   options.seed = args.seed;
   options.skin = skinOf(args);
   options.room = args.room;
@@ -94,6 +93,7 @@ int run(const CommandLine& line, const Arguments& args) {
   session_options.monitor = buildMonitor(line);
   Session session(sceneOf(args), session_options);
   options.camera = cameraOf(args, session);
+  if (args.noise == "kinect") options.noise = kinectNoiseIn(options.camera);
 
   const auto begin = std::chrono::steady_clock::now();
   const DepthClipSummary summary = writeDepthClip(session, options, args.out);

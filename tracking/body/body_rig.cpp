@@ -25,7 +25,7 @@ constexpr double kNeckCone = unit::deg(65), kNeckTwist = unit::deg(85);
 constexpr double kShoulderCone = unit::deg(130), kShoulderTwist = unit::deg(110);
 constexpr double kHipCone = unit::deg(95), kHipTwist = unit::deg(60);
 constexpr double kElbow = unit::deg(155), kKnee = unit::deg(155), kOverstretch = unit::deg(10);
-constexpr double kWristFlexion = unit::deg(80), kWristDeviation = unit::deg(35);
+constexpr double kWristFlexion = unit::deg(70), kWristDeviation = unit::deg(35);
 constexpr double kAnkleDown = unit::deg(55), kAnkleUp = unit::deg(35), kAnkleRoll = unit::deg(30);
 
 RigSegment onSide(RigSegment left, int side) { return side > 0 ? left : segmentAt(index(left) + 1); }

@@ -76,6 +76,14 @@ double facing(const DepthImage& image, const DepthCamera& camera, int u, int v) 
 
 }  // namespace
 
+KinectNoise kinectNoiseIn(const DepthCamera& camera) {
+  constexpr double kMeasuredAt = 580.0;  // pixels, focal length
+  KinectNoise noise;
+  noise.across *= camera.fx / kMeasuredAt;
+  noise.disparity_step *= camera.fx / kMeasuredAt;
+  return noise;
+}
+
 DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, const KinectNoise& noise,
                         std::uint64_t seed, std::uint64_t frame) {
   DepthImage lit(ideal.width, ideal.height), seen(ideal.width, ideal.height);

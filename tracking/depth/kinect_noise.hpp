@@ -21,6 +21,10 @@ struct KinectNoise {
   double grazing{0.14};  ///< cosine of the angle to the surface's normal; flatter ones are not seen
 };
 
+/// The same camera's noise in images of another size: `across` and `disparity_step` are measured in pixels of
+/// 640 columns, of which a smaller image, as the driver makes it, has fewer.
+KinectNoise kinectNoiseIn(const DepthCamera& camera);
+
 /// Shadows where the projector does not reach, edges that fray, noise, steps, and pixels missing where the
 /// surface is seen too flat, too near or too far. The same numbers for the same seed and frame.
 DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, const KinectNoise& noise,

@@ -7,9 +7,10 @@
 namespace abstand {
 namespace {
 
-constexpr double kHalfBody = 0.10;  // m, from the skin that is seen to the middle of the body
-constexpr double kDamp = 0.7;       // of the motion that is expected to go on
-constexpr double kMostGap = 0.25;   // s; over longer ones nothing is expected to go on
+constexpr double kHalfBody = 0.10;    // m, from the skin that is seen to the middle of the body
+constexpr double kDamp = 0.7;         // of the motion that is expected to go on
+constexpr double kHandRelaxes = 0.8;  // an image; a hand goes on straight where nothing shows how it is bent
+constexpr double kMostGap = 0.25;     // s; over longer ones nothing is expected to go on
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;
@@ -72,7 +73,8 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
   RigPose other = body_.pose;
   for (std::size_t k = 0; k < kLimbs.size(); ++k) {
     const bool arm = k < 2;
-    found |= limbs_.search(seen_, kLimbs[k], arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread, random_, other);
+    found |= limbs_.search(seen_, kLimbs[k], arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread,
+                           random_, other);
   }
   if (!found) return;
   fit_.refine(seen_, other, narrow_, kNarrowSteps, other);
@@ -88,11 +90,14 @@ void BodyTracker::follow(double dt) {
   RigPose expected = last;
   const bool continues = dt > 0.0 && dt < kMostGap;
   if (continues) advance(*rig_, kDamp * dt * velocity_, expected);
+  for (const RigSegment hand : {RigSegment::kHandLeft, RigSegment::kHandRight})
+    for (double& angle : expected.angle[index(hand)]) angle *= kHandRelaxes;
   body_.pose = expected;
   fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
   fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
-  searchLimbs(20, 0.12, 8, 0.08);
-  velocity_ = continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
+  searchLimbs(100, 0.2, 30, 0.12);
+  velocity_ =
+      continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
 }

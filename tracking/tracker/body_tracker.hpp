@@ -14,7 +14,8 @@ struct TrackedBody {
   RigPlacement X_WS;
   DepthMisfit misfit;
   std::array<double, kRigSegments> visible{};  ///< share of each segment that was seen where it is
-  SkeletonFrame frame;  ///< joints in the world; inferred where little of their segment was seen, missing when lost
+  SkeletonFrame
+      frame;  ///< joints in the world; inferred where little of their segment was seen, missing when lost
 };
 
 /// Expectation from the last two poses, fit, search for limbs that were left behind, fit again. A person is

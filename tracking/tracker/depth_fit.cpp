@@ -10,15 +10,38 @@ namespace {
 constexpr float kNormalWeight = 0.03f;  // m for a normal at right angles
 // m: beyond it a point is an outlier of the cost. Wider than a wrist, narrower than a torso.
 constexpr float kCostReach = 0.08f;
-constexpr double kExplained = 0.05;   // m
-constexpr double kRows = 1000.0;      // all points together weigh as so many
-constexpr double kSampleWeight = 6.0; // a sample in free space counts as so many points
-constexpr double kBefore = 0.04;      // m, that a sample may lie before what was measured
+constexpr double kExplained = 0.05;     // m
+constexpr double kRows = 1000.0;        // all points together weigh as so many
+constexpr double kSampleWeight = 0.6;   // a sample in free space counts as so many points
+constexpr double kBefore = 0.04;        // m, that a sample may lie before what was measured
 constexpr double kMostViolation = 0.3;  // m
-constexpr double kLimitWeight = 20.0;  // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
+constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
 constexpr double kDamping = 1e-3;
-constexpr double kMostTurn = 0.35;  // rad, m, a step
+constexpr double kMostTurn = 0.35;    // rad, m, a step
 constexpr double kSeenWithin = 0.08;  // m
+// A sample on the axis of a limb stays out of the trunk by this share of its own radius; the rest is flesh.
+constexpr double kKeepOut = 0.5;
+
+/// The segments that a segment's samples must stay out of: bits.
+std::uint32_t foes(RigSegment s) {
+  using enum RigSegment;
+  constexpr std::uint32_t kTrunk = DepthFit::bit(kPelvis) | DepthFit::bit(kChest) | DepthFit::bit(kHead);
+  switch (s) {
+    case kForearmLeft:
+    case kForearmRight:
+    case kHandLeft:
+    case kHandRight:
+      return kTrunk;
+    case kCalfLeft:
+    case kFootLeft:
+      return DepthFit::bit(kCalfRight) | DepthFit::bit(kThighRight);
+    case kCalfRight:
+    case kFootRight:
+      return DepthFit::bit(kCalfLeft) | DepthFit::bit(kThighLeft);
+    default:
+      return 0;
+  }
+}
 
 }  // namespace
 
@@ -41,7 +64,8 @@ DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}
   }
 }
 
-DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& sample, const Vector3d& p_W) const {
+DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& sample,
+                                        const Vector3d& p_W) const {
   Violation v{Vector3d::Zero(), 0.0};
   const Vector3d p_C = seen.X_CW() * p_W;
   const SeenBody::Look look = seen.at(p_C);
@@ -57,6 +81,20 @@ DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& samp
     v.n = -(p_W - seen.eye()).normalized();
     v.depth = std::min(before, kMostViolation);
   }
+  return v;
+}
+
+DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
+                                      const Transform& X_WS) const {
+  const FitSurface& surface = surfaces_[other];
+  const Vector3d r = surface.semi.cast<double>().array() + kKeepOut * sample.radius;
+  const Vector3d g = (X_WS.inverse() * p_W - surface.centre.cast<double>()).cwiseQuotient(r);
+  const double level = g.norm();
+  Violation v{Vector3d::Zero(), 0.0};
+  if (level >= 1.0 || level < 1e-6) return v;
+  const Vector3d slope = g.cwiseQuotient(r);
+  v.n = -(X_WS.linear() * slope) / slope.norm();
+  v.depth = std::min(level * (1.0 - level) / slope.norm(), kMostViolation);
   return v;
 }
 
@@ -92,12 +130,19 @@ double DepthFit::robustMean(const float* score, std::size_t count) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-double DepthFit::freeSpaceCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const {
+double DepthFit::placeCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const {
+  constexpr double c2 = kCostReach * kCostReach;
+  const auto robust = [](double v) { return c2 * v * v / (c2 + v * v); };
   double sum = 0.0;
   for (const Sample& sample : samples_) {
     if ((segments & bit(sample.segment)) == 0) continue;
-    const double v = violation(seen, sample, X_WS[index(sample.segment)] * sample.p_S).depth;
-    sum += v * v;
+    const Vector3d p_W = X_WS[index(sample.segment)] * sample.p_S;
+    sum += robust(violation(seen, sample, p_W).depth);
+    const std::uint32_t others = foes(sample.segment);
+    for (std::size_t k = 0; k < kRigSegments; ++k) {
+      if ((others >> k & 1u) == 0) continue;
+      sum += robust(overlap(sample, p_W, k, X_WS[k]).depth);
+    }
   }
   return sum * kSampleWeight / kRows;
 }
@@ -107,7 +152,7 @@ DepthMisfit DepthFit::misfit(const SeenBody& seen, const RigPlacement& X_WS) {
   DepthMisfit m;
   if (points.count == 0) return m;
   assign(points, X_WS);
-  m.cost = robustMean(best_.data(), points.count) + freeSpaceCost(seen, X_WS, kAll);
+  m.cost = robustMean(best_.data(), points.count) + placeCost(seen, X_WS, kAll);
   double sum = 0.0;
   std::size_t explained = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
@@ -137,13 +182,20 @@ void DepthFit::refine(const SeenBody& seen, const RigPose& expected, const Weigh
       const Vector3d p = points.point(i);
       const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eye());
       const double robust = c2 / (c2 + hit.d * hit.d);
-      // The body's surface moves towards the point: a point of the segment moved by v along n nears it by n.v.
+      // The body's surface moves towards the point: a point of the segment moved by v along n nears it by
+      // n.v.
       solver_.addPlane(segmentAt(s), p, -hit.n, hit.d, share * robust * robust);
     }
     for (const Sample& sample : samples_) {
       const Vector3d p_W = X_WS[index(sample.segment)] * sample.p_S;
       const Violation v = violation(seen, sample, p_W);
       if (v.depth > 0.0) solver_.addPlane(sample.segment, p_W, v.n, v.depth, kSampleWeight);
+      const std::uint32_t others = foes(sample.segment);
+      for (std::size_t o = 0; o < kRigSegments; ++o) {
+        if ((others >> o & 1u) == 0) continue;
+        const Violation in = overlap(sample, p_W, o, X_WS[o]);
+        if (in.depth > 0.0) solver_.addPlane(sample.segment, p_W, in.n, in.depth, kSampleWeight);
+      }
     }
     solver_.addPrior(expected, weights.prior);
     solver_.addLimits(kLimitWeight);
@@ -160,9 +212,11 @@ void DepthFit::visibility(const SeenBody& seen, const RigPlacement& X_WS,
     const Vector3d p_C = seen.X_CW() * (X_WS[s] * sample.p_S);
     const SeenBody::Look look = seen.at(p_C);
     ++all[s];
-    visible[s] += look.state == CellState::kPerson && std::abs(look.z - (p_C.z() - sample.radius)) < kSeenWithin;
+    visible[s] +=
+        look.state == CellState::kPerson && std::abs(look.z - (p_C.z() - sample.radius)) < kSeenWithin;
   }
-  for (std::size_t s = 0; s < kRigSegments; ++s) share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);
+  for (std::size_t s = 0; s < kRigSegments; ++s)
+    share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);
 }
 
 }  // namespace abstand

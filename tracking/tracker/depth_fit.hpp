@@ -10,15 +10,15 @@ namespace abstand {
 
 /// How well a pose explains an image.
 struct DepthMisfit {
-  double cost{kInfinity};    ///< m^2: mean over points and over samples in free space, robust
-  double explained{0.0};     ///< share of the points within 5 cm of the segment that they lie on
-  double residual{kNaN};     ///< m, root mean square of those
+  double cost{kInfinity};  ///< m^2: mean over points and over samples in free space, robust
+  double explained{0.0};   ///< share of the points within 5 cm of the segment that they lie on
+  double residual{kNaN};   ///< m, root mean square of those
 };
 
 /// Points of the image are to lie on the surface of the segment that explains them best, by distance and
 /// normal, on its side that faces the camera (Ganapathi and others, ECCV 2012). Points on the axes of the
-/// segments are not to lie where the camera looks past the person, nor before what it measured. Not shared
-/// between threads; no allocation, no throw.
+/// segments are not to lie where the camera looks past the person, nor before what it measured, nor inside
+/// the trunk, the head or the other leg. Not shared between threads; no allocation, no throw.
 class DepthFit {
  public:
   explicit DepthFit(const BodyRig& rig);
@@ -31,7 +31,8 @@ class DepthFit {
     double reach{0.10};  ///< m, residuals beyond it lose their weight (Geman, McClure 1985)
   };
   /// `steps` of Gauss-Newton from `pose`, which is made better.
-  void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps, RigPose& pose);
+  void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
+              RigPose& pose);
 
   DepthMisfit misfit(const SeenBody& seen, const RigPlacement& X_WS);
 
@@ -39,10 +40,11 @@ class DepthFit {
   void scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments, float* best) const;
   /// Robust mean square of scores.
   static double robustMean(const float* score, std::size_t count);
-  /// Cost of the samples of these segments in free space, a share of all samples.
-  double freeSpaceCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
+  /// Cost of the samples of these segments in free space and in other segments, m^2.
+  double placeCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
   /// Share of the samples of each segment that the camera sees where the pose has them.
-  void visibility(const SeenBody& seen, const RigPlacement& X_WS, std::array<double, kRigSegments>& share) const;
+  void visibility(const SeenBody& seen, const RigPlacement& X_WS,
+                  std::array<double, kRigSegments>& share) const;
 
   static constexpr std::uint32_t kAll = (1u << kRigSegments) - 1u;
   static constexpr std::uint32_t bit(RigSegment s) { return 1u << index(s); }
@@ -58,6 +60,9 @@ class DepthFit {
     double depth{0.0};
   };
   Violation violation(const SeenBody& seen, const Sample& sample, const Vector3d& p_W) const;
+  /// Of a sample in a segment that it must not be in.
+  Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
+                    const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
 
   const BodyRig* rig_;

@@ -10,8 +10,8 @@ namespace abstand {
 
 /// One segment's surface. A cuboid (foot) counts as the ellipsoid of its size.
 struct FitSurface {
-  Vector3f centre{Vector3f::Zero()};   ///< in the segment's frame
-  Vector3f semi{Vector3f::Ones()};     ///< m
+  Vector3f centre{Vector3f::Zero()};  ///< in the segment's frame
+  Vector3f semi{Vector3f::Ones()};    ///< m
 };
 using FitSurfaces = std::array<FitSurface, kRigSegments>;
 FitSurfaces fitSurfaces(const BodyRig& rig);

@@ -7,8 +7,8 @@
 namespace abstand {
 namespace {
 
-constexpr double kBetter = 0.97;      // a place has to cost less than this share of the old one's
-constexpr float kUnexplained = 0.05f; // m
+constexpr double kBetter = 0.97;       // a place has to cost less than this share of the old one's
+constexpr float kUnexplained = 0.05f;  // m
 constexpr int kUnexplainedTries = 10;
 constexpr double kUnderSkin = 0.03;  // m, a joint lies behind the surface that is seen
 // m^2 a rad^2: a place that needs a far turn has to explain more.
@@ -47,7 +47,8 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
   Vector3d side = out - out.dot(line) * line;
   if (side.norm() < 1e-3) side = line.unitOrthogonal();
   side = Eigen::AngleAxisd(swivel, line) * side.normalized();
-  const Vector3d elbow = shoulder + a * (cosine * line + std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) * side);
+  const Vector3d elbow =
+      shoulder + a * (cosine * line + std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) * side);
   const Vector3d u = (elbow - shoulder).normalized();
   const Vector3d f = (shoulder + reach * line - elbow).normalized();
   Vector3d x = limb.bend * (f - f.dot(u) * u);
@@ -58,23 +59,23 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
   R_WS.col(0) = x.normalized();
   R_WS.col(1) = R_WS.col(2).cross(R_WS.col(0));
   pose.R_PS[upper] = Quaterniond(Matrix3d(X_WP.linear().transpose() * R_WS)).normalized();
-  pose.angle[lower][0] =
-      std::clamp(std::acos(std::clamp(f.dot(u), -1.0, 1.0)), rig.parts[lower].least[0], rig.parts[lower].most[0]);
+  pose.angle[lower][0] = std::clamp(std::acos(std::clamp(f.dot(u), -1.0, 1.0)), rig.parts[lower].least[0],
+                                    rig.parts[lower].most[0]);
 }
 
 double LimbSearch::costOf(const SeenBody& seen, const Limb& limb, const RigPose& pose, const RigPose& start) {
   const BodyRig& rig = fit_->rig();
   place(rig, pose, X_WS_);
-  const std::uint32_t segments = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
+  const std::uint32_t segments =
+      DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
   fit_->scores(points_, X_WS_, segments, scores_.data());
   for (std::size_t i = 0; i < points_.count; ++i) scores_[i] = std::min(scores_[i], others_[i]);
   const RigPart& part = rig[limb.upper];
   const Vector3d points = pose.R_PS[index(limb.upper)] * part.along;
-  const double beyond =
-      std::max(0.0, std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0)) - part.cone);
+  const double beyond = std::max(0.0, std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0)) - part.cone);
   const double turned = pose.R_PS[index(limb.upper)].angularDistance(start.R_PS[index(limb.upper)]);
   const double bent = pose.angle[index(limb.lower)][0] - start.angle[index(limb.lower)][0];
-  return DepthFit::robustMean(scores_.data(), points_.count) + fit_->freeSpaceCost(seen, X_WS_, segments) +
+  return DepthFit::robustMean(scores_.data(), points_.count) + fit_->placeCost(seen, X_WS_, segments) +
          kTurnCost * (turned * turned + bent * bent) + kLimitCost * beyond * beyond;
 }
 
@@ -107,8 +108,7 @@ bool LimbSearch::search(const SeenBody& seen, const Limb& limb, int tries, doubl
     pose = other;
     found = true;
   };
-  for (int k = 0; k < tries; ++k)
-    attempt(wrist + normal(random, spread), uniform(random, -1.5, 1.5));
+  for (int k = 0; k < tries; ++k) attempt(wrist + normal(random, spread), uniform(random, -1.5, 1.5));
   for (int k = 0, picked = 0; k < 40 && picked < kUnexplainedTries && points_.count > 0; ++k) {
     const std::size_t i = random() % points_.count;
     if (others_[i] < kUnexplained) continue;

@@ -19,8 +19,8 @@ inline constexpr std::array<Limb, 4> kLimbs{{
     {RigSegment::kThighRight, RigSegment::kCalfRight, RigSegment::kFootRight, -1.0},
 }};
 
-/// Puts the end joint (wrist, ankle) of a limb at `goal` (world), or as near as it reaches, its bend turned by
-/// `swivel` (rad) about the line from shoulder to wrist, from where it points down (arm) or forward (leg).
+/// Puts the end joint (wrist, ankle) of a limb at `goal` (world), or as near as it reaches, its bend turned
+/// by `swivel` (rad) about the line from shoulder to wrist, from where it points down (arm) or forward (leg).
 void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, const Vector3d& goal,
               double swivel, RigPose& pose);
 

@@ -54,7 +54,8 @@ void SeenBody::coarsen(const DepthImage& image, std::span<const std::uint8_t> is
           if (is_person[static_cast<std::size_t>(y * image.width + x)] != 0 && z > 0.0f) {
             // The nearer surface counts where a cell holds two.
             if (persons > 0 && z > person / static_cast<float>(persons) + kSameSurface) continue;
-            if (persons > 0 && z < person / static_cast<float>(persons) - kSameSurface) person = 0.0f, persons = 0;
+            if (persons > 0 && z < person / static_cast<float>(persons) - kSameSurface)
+              person = 0.0f, persons = 0;
             person += z;
             ++persons;
           } else if (z > 0.0f) {
@@ -82,8 +83,8 @@ void SeenBody::coarsen(const DepthImage& image, std::span<const std::uint8_t> is
       if (s == CellState::kUnknown) s = CellState::kEmpty;
 }
 
-// Danielsson 1980, four neighbours in two sweeps of two passes: the way to the nearest cell of the person, off
-// by less than a cell.
+// Danielsson 1980, four neighbours in two sweeps of two passes: the way to the nearest cell of the person,
+// off by less than a cell.
 void SeenBody::spreadPerson() {
   way_.resize(state_.size());
   for (std::size_t c = 0; c < state_.size(); ++c)

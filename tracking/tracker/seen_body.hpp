@@ -32,8 +32,8 @@ class SeenBody {
   /// `cells`: the most cells of the person that the grid is made for; its step is as many pixels as needed.
   explicit SeenBody(std::size_t cells = 1200) : most_cells_{cells} {}
 
-  /// `is_person`: of every pixel of `image`. Of the pixels that hold nothing (0) nothing is known, except where
-  /// the image holds nothing but the person: then its background was taken away, and they are empty.
+  /// `is_person`: of every pixel of `image`. Of the pixels that hold nothing (0) nothing is known, except
+  /// where the image holds nothing but the person: then its background was taken away, and they are empty.
   void look(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
 
   const SeenPoints& points() const { return points_; }
@@ -57,7 +57,7 @@ class SeenBody {
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(v * width_ + u); }
 
   std::size_t most_cells_;
-  int step_{1}, width_{0}, height_{0};  ///< pixels a cell; cells
+  int step_{1}, width_{0}, height_{0};            ///< pixels a cell; cells
   double fx_{1.0}, fy_{1.0}, cx_{0.0}, cy_{0.0};  ///< of the grid
   Transform X_WC_, X_CW_;
   Vector3d p_WE_{Vector3d::Zero()};

@@ -122,6 +122,17 @@ TEST(KinectNoise, ShadowsAreAsWideAsTheProjectorIsAway) {
   EXPECT_EQ(left, dark);
 }
 
+TEST(KinectNoise, OfAHalvedImageIsAsDeepInMetres) {
+  DepthCamera half;
+  half.width = 320, half.height = 240;
+  half.fx = half.fy = 290.0;
+  const KinectNoise whole, scaled = kinectNoiseIn(half);
+  EXPECT_DOUBLE_EQ(scaled.across, 0.5 * whole.across);
+  // z^2 / (f b) times the step of the disparity.
+  EXPECT_DOUBLE_EQ(scaled.disparity_step / half.fx, whole.disparity_step / 580.0);
+  EXPECT_DOUBLE_EQ(scaled.along, whole.along);
+}
+
 TEST(KinectNoise, IsTheSameForTheSameSeed) {
   const DepthCamera camera;
   DepthRender render(camera);

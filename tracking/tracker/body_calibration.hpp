@@ -1,0 +1,37 @@
+// The size of a person from the first seconds of depth.
+#pragma once
+
+#include <vector>
+
+#include "tracking/tracker/body_tracker.hpp"
+
+namespace abstand {
+
+/// Collects images of one person together with the poses that a tracker found in them, and looks for the body
+/// that explains them best. May allocate.
+class BodyCalibration {
+ public:
+  static constexpr std::size_t kMostImages = 8;
+
+  /// Keeps images that are explained well, at least 0.2 s apart, until there are kMostImages.
+  void add(double t, const BodyTracker& tracker);
+  bool complete() const { return images_.size() == kMostImages; }
+  std::size_t images() const { return images_.size(); }
+
+  /// Height, lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image
+  /// fitted anew, as long as the images are explained better. What `start` fixes (overrides of a part) stays,
+  /// and its height with `keep_height`. Without images `start` itself.
+  HumanOptions fit(const HumanOptions& start, bool keep_height) const;
+
+ private:
+  struct Image {
+    double t;
+    SeenBody seen;
+    RigPose pose;
+  };
+  double costOf(const HumanOptions& options, std::vector<RigPose>& poses) const;
+
+  std::vector<Image> images_;
+};
+
+}  // namespace abstand
