@@ -17,8 +17,8 @@ constexpr double kBendShare = 0.3;
 // The trunk as a camera sees it: its cross-section is an ellipse rather than a box. The box of the model
 // covers chest, waist and hips at their largest; the mean over the height is narrower.
 constexpr double kTrunkBreadth = 0.94, kTrunkDepth = 0.86;
-// An ellipsoid that is to look like a drum of half the height h has to be taller.
-constexpr double kDrum = 1.3;
+// The two pieces of the trunk overlap, so that no gap opens at the back when it bends.
+constexpr double kDrum = 1.15;
 
 constexpr double kBack = unit::deg(40), kBackTwist = unit::deg(45);
 constexpr double kNeckCone = unit::deg(65), kNeckTwist = unit::deg(85);

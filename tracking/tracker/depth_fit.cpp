@@ -87,14 +87,15 @@ DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& samp
 DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                                       const Transform& X_WS) const {
   const FitSurface& surface = surfaces_[other];
-  const Vector3d r = surface.semi.cast<double>().array() + kKeepOut * sample.radius;
-  const Vector3d g = (X_WS.inverse() * p_W - surface.centre.cast<double>()).cwiseQuotient(r);
-  const double level = g.norm();
+  Vector3d g;
+  const double level = surface.level(X_WS.inverse() * p_W - surface.centre.cast<double>(), g);
+  const double slope = g.norm();
   Violation v{Vector3d::Zero(), 0.0};
-  if (level >= 1.0 || level < 1e-6) return v;
-  const Vector3d slope = g.cwiseQuotient(r);
-  v.n = -(X_WS.linear() * slope) / slope.norm();
-  v.depth = std::min(level * (1.0 - level) / slope.norm(), kMostViolation);
+  if (slope < 1e-6) return v;
+  const double out = (level - 1.0) / slope - kKeepOut * sample.radius;
+  if (out >= 0.0) return v;
+  v.n = -(X_WS.linear() * g) / slope;
+  v.depth = std::min(-out, kMostViolation);
   return v;
 }
 

@@ -1,4 +1,4 @@
-// The rig's shapes as the depth fit sees them: ellipsoids, and how far many points are from them.
+// The rig's shapes as the depth fit sees them, and how far many points are from them.
 #pragma once
 
 #include <array>
@@ -8,16 +8,22 @@
 
 namespace abstand {
 
-/// One segment's surface. A cuboid (foot) counts as the ellipsoid of its size.
+/// One segment's surface: the points whose level is 1. An ellipsoid has the level |q|, q = p / semi; a drum,
+/// round across and blunt along z, ((qx^2 + qy^2)^2 + qz^4)^(1/4). The trunk is two drums. A cuboid (foot)
+/// counts as the ellipsoid of its size.
 struct FitSurface {
   Vector3f centre{Vector3f::Zero()};  ///< in the segment's frame
   Vector3f semi{Vector3f::Ones()};    ///< m
+  bool drum{false};
+
+  /// The level of p (from the centre, axes of the segment), and its gradient.
+  double level(const Vector3d& p, Vector3d& gradient) const;
 };
 using FitSurfaces = std::array<FitSurface, kRigSegments>;
 FitSurfaces fitSurfaces(const BodyRig& rig);
 
-/// Signed distance to first order, n the outward normal: d = k (k - 1) / |grad|, k the level of the ellipsoid
-/// through the point; exact on the surface, its sign exact everywhere.
+/// Signed distance to first order, n the outward normal: d = (level - 1) / |gradient|; exact on the surface,
+/// its sign exact everywhere.
 struct SurfaceDistance {
   double d{0.0};
   Vector3d n{Vector3d::UnitZ()};
