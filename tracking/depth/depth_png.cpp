@@ -9,6 +9,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
 #include "tracking/depth/depth_camera.hpp"
+#include "tracking/depth/depth_decode.hpp"
 
 namespace abstand {
 namespace {
@@ -64,6 +65,10 @@ void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::
 DepthImage loadDepthPng(const std::filesystem::path& file, double scale) {
   const std::string bytes = readFile(file, kMostBytes);
   checkHeader(bytes, file.string());
+  return decodeGrey16(bytes, scale, file.string(), "PNG");
+}
+
+DepthImage decodeGrey16(const std::string& bytes, double scale, const std::string& file, const char* kind) {
   cv::Mat grey;
   try {
     grey = cv::imdecode(std::vector<unsigned char>(bytes.begin(), bytes.end()), cv::IMREAD_UNCHANGED);
@@ -71,7 +76,8 @@ DepthImage loadDepthPng(const std::filesystem::path& file, double scale) {
     grey.release();
   }
   if (grey.empty() || grey.type() != CV_16UC1)
-    throw ParseError(SourcePos{file.string()}, "found a damaged PNG, expected a depth image (grey, 16 bits)");
+    throw ParseError(SourcePos{file},
+                     std::string("found a damaged ") + kind + ", expected a depth image (grey, 16 bits)");
   DepthImage image(grey.cols, grey.rows);
   for (int v = 0; v < image.height; ++v)
     for (int u = 0; u < image.width; ++u)
