@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   cli::addSkeleton(app, line);
   cli::addPairs(app, line);
   cli::addRenderDepth(app, line);
+  cli::addTrack(app, line);
   cli::addRun(app, line);
   cli::addServe(app, line);
   cli::addCheck(app, line);

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "humanmodel/recording_lengths.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand {
 namespace {
@@ -37,7 +38,7 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
   o.format = d.recording.format;
   o.units = d.recording.units;
   o.up = d.recording.up;
-  Recording recording = openRecording(d.recording.file, o);
+  Recording recording = openAnyRecording(d.recording.file, o, std::nullopt);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",

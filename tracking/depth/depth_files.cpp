@@ -227,6 +227,8 @@ DepthSource openDepthMat(const Path& file, const DepthStreamOptions& options) {
                static_cast<int>(rows), file.string());
   countTimes(source, depth->values.size() / (rows * columns), options);
   source.facts.notes.push_back("people are cut out already in this set: there is no background");
+  // A left hand is on the left of its images, as the set's own skeletons project into them.
+  source.mirrored = true;
   source.load = [depth, rows, columns, scale = source.camera.depth_scale](std::size_t frame) {
     DepthImage image(static_cast<int>(columns), static_cast<int>(rows));
     const double* first = depth->values.data() + frame * rows * columns;

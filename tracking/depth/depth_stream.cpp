@@ -76,10 +76,12 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
 DepthStream::DepthStream(DepthSource source) : source_(std::move(source)), camera_(source_.camera) {
   ABSTAND_CHECK(!source_.t.empty() && source_.load);
   source_.facts.rate = medianRate(source_.t);
-  if (camera_.distortion.isZero(0.0)) return;
-  from_ = pixelsWithDistortion(camera_);
-  camera_.distortion.setZero();
-  source_.facts.notes.push_back("the camera's distortion is taken out of the images, by the nearest pixel");
+  if (!camera_.distortion.isZero(0.0)) {
+    from_ = pixelsWithDistortion(camera_);
+    camera_.distortion.setZero();
+    source_.facts.notes.push_back("the camera's distortion is taken out of the images, by the nearest pixel");
+  }
+  if (source_.mirrored) camera_.cx = camera_.width - 1 - camera_.cx;
 }
 
 bool DepthStream::next(DepthFrame& frame) {
@@ -91,11 +93,15 @@ bool DepthStream::next(DepthFrame& frame) {
   // Written so that NaN is not measured.
   for (float& z : frame.image.z)
     if (!(z > 0.0f && z <= kFarthest)) z = 0.0f;
-  if (from_.empty()) return true;
-  DepthImage straight(camera_.width, camera_.height);
-  for (std::size_t i = 0; i < from_.size(); ++i)
-    if (from_[i] >= 0) straight.z[i] = frame.image.z[static_cast<std::size_t>(from_[i])];
-  frame.image = std::move(straight);
+  if (!from_.empty()) {
+    DepthImage straight(camera_.width, camera_.height);
+    for (std::size_t i = 0; i < from_.size(); ++i)
+      if (from_[i] >= 0) straight.z[i] = frame.image.z[static_cast<std::size_t>(from_[i])];
+    frame.image = std::move(straight);
+  }
+  if (source_.mirrored)
+    for (int v = 0; v < camera_.height; ++v)
+      std::reverse(&frame.image.at(0, v), &frame.image.at(0, v) + camera_.width);
   return true;
 }
 
@@ -104,7 +110,10 @@ std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
   // Written so that NaN fails.
   if (!(options.rate >= 0.0 && options.rate <= 1000.0))
     throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames a second");
-  return std::make_unique<DepthStream>(openSource(path, options));
+  DepthSource source = openSource(path, options);
+  if (options.mirror) source.mirrored = !source.mirrored;
+  if (source.mirrored) source.facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
+  return std::make_unique<DepthStream>(std::move(source));
 }
 
 }  // namespace abstand

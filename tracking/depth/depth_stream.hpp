@@ -33,12 +33,14 @@ struct DepthStreamOptions {
   std::filesystem::path
       camera;        ///< a camera file; its depth_scale counts where a format does not say its own
   double rate{0.0};  ///< Hz; 0: what the files say; else frame i lies at i / rate
+  bool mirror{false};  ///< the images are those of a mirror, as some drivers make them: exchange left and right
 };
 
 /// What a format hands over: times that rise, and how to read the frame of each.
 struct DepthSource {
   DepthCamera camera;
   DepthFacts facts;
+  bool mirrored{false};   ///< the format's images are known to be a mirror's
   std::vector<double> t;  ///< s
   /// Reads frame i. Throws ParseError.
   std::function<DepthImage(std::size_t)> load;
@@ -49,7 +51,8 @@ class DepthStream {
  public:
   explicit DepthStream(DepthSource source);
 
-  /// Without distortion: where the file's camera has one, next() takes it out of the images.
+  /// Without distortion: where the file's camera has one, next() takes it out of the images. Of mirrored
+  /// images: after they were turned back.
   const DepthCamera& camera() const { return camera_; }
   const DepthFacts& facts() const { return source_.facts; }
   std::size_t size() const { return source_.t.size(); }

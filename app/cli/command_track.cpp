@@ -1,0 +1,97 @@
+// abstand track: a person in a depth recording becomes a recording of a skeleton.
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "tracking/table/skeleton_csv.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
+
+namespace abstand::cli {
+namespace {
+
+struct Arguments {
+  std::filesystem::path depth, camera, out;
+  std::string height, rate;
+  int person{1};
+  bool usual_body{false}, mirror{false};
+  std::uint64_t seed{1};
+};
+
+double positive(const std::string& text, const std::string& option, double least, double most) {
+  const double value = number(text, option);
+  if (!(value >= least && value <= most))
+    throw UsageError(option + ": found " + text + ", expected " + format("%g to %g", least, most));
+  return value;
+}
+
+int run(const CommandLine& line, const Arguments& args) {
+  DepthStreamOptions stream_options;
+  stream_options.camera = args.camera;
+  if (!args.rate.empty()) stream_options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
+  stream_options.mirror = args.mirror;
+  ClipTrackerOptions options;
+  if (!args.height.empty()) options.person.height = positive(args.height, "--height", 0.5, 2.5);
+  options.person.fit_body = !args.usual_body;
+  options.person.seed = args.seed;
+  options.progress = progressBar(line, "images");
+  options.interrupted = interrupted;
+  const auto stream = openDepthStream(args.depth, stream_options);
+  const ClipTrack track = trackClip(*stream, options);
+  if (track.people.empty())
+    throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
+  const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
+  const Recording recording = recordingOf(track, stream->facts(), chosen);
+  if (!args.out.empty()) writeSkeletonCsv(args.out, recording);
+
+  const ClipPerson& person = track.people[chosen];
+  const DepthFacts& facts = stream->facts();
+  auto others = nlohmann::ordered_json::array();
+  for (const ClipPerson& p : track.people)
+    others.push_back({{"id", p.id}, {"tracked", p.found}, {"height_estimate", p.body.height},
+                      {"residual_mm", 1e3 * p.residual}});
+  const double fps = track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0;
+  const nlohmann::ordered_json document{{"format", facts.format},
+                                        {"frames", track.images},
+                                        {"tracked", person.found},
+                                        {"lost", track.images - person.found},
+                                        {"fps", fps},
+                                        {"height_estimate", person.body.height},
+                                        {"residual_mm", 1e3 * person.residual},
+                                        {"people", others},
+                                        {"rate", facts.rate},
+                                        {"rate_reason", facts.rate_reason},
+                                        {"camera_reason", facts.camera_reason},
+                                        {"world", track.world},
+                                        {"notes", recording.report.notes}};
+  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(), facts.format.c_str(),
+                            track.images, track.camera.width, track.camera.height);
+  text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
+  text += "world: " + track.world + "\n";
+  text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
+  text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
+  text += format("height: %.2f m (--height), %.1f mm from the body on the mean, %.0f images a second of processor time\n",
+                 person.body.height, 1e3 * person.residual, fps);
+  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  line.print(document, text);
+  return track.interrupted ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void addTrack(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "track", "finds and follows a person in a depth recording",
+                             "abstand track clip --out person.csv");
+  auto args = std::make_shared<Arguments>();
+  command->add_option("DEPTH", args->depth, "folder or file of depth images; docs/recordings.md lists them")
+      ->required();
+  command->add_option("--camera", args->camera, "camera file (.yaml)");
+  command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
+  command->add_option("--out", args->out, "CSV of the joints (m, z up)");
+  command->add_option("--person", args->person, "1 is who was found in most images")->check(CLI::Range(1, 64));
+  command->add_option("--rate", args->rate, "Hz: image i lies at t = i / rate");
+  command->add_flag("--usual-body", args->usual_body,
+                    "lengths and girths usual for the height, instead of fitted to the first seconds");
+  command->add_flag("--mirror", args->mirror, "the images are those of a mirror");
+  command->add_option("--seed", args->seed, "of the search for limbs");
+  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+}
+
+}  // namespace abstand::cli

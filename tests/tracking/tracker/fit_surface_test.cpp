@@ -1,0 +1,91 @@
+// Surfaces of the fit against points that lie on them, differences and each other.
+#include "tracking/tracker/fit_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/random_pose.hpp"
+#include "tests/tracking/body/random_rig_pose.hpp"
+
+namespace abstand {
+namespace {
+
+FitSurface surfaceOf(bool drum) {
+  FitSurface s;
+  s.centre = {0.01f, -0.02f, -0.15f};
+  s.semi = {0.06f, 0.09f, 0.2f};
+  s.drum = drum;
+  return s;
+}
+
+class SurfaceKinds : public ::testing::TestWithParam<bool> {};
+
+TEST_P(SurfaceKinds, LevelGrowsAsItsGradientSays) {
+  constexpr double kStep = 1e-6, kTolerance = 1e-3;  // 1/m; the gradient is some 10/m
+  const FitSurface s = surfaceOf(GetParam());
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Vector3d p = testing::randomPose(seed, 0.15).translation();
+    Vector3d gradient, other;
+    s.level(p, gradient);
+    for (int k = 0; k < 3; ++k) {
+      const double up = s.level(p + kStep * Vector3d::Unit(k), other);
+      const double down = s.level(p - kStep * Vector3d::Unit(k), other);
+      EXPECT_NEAR((up - down) / (2.0 * kStep), gradient[k], kTolerance);
+    }
+  }
+}
+
+TEST_P(SurfaceKinds, PointsOfTheSurfaceThatFaceTheCameraAreAtNoDistance) {
+  const FitSurface s = surfaceOf(GetParam());
+  const Transform X_WS = testing::randomPose(5, 1.0);
+  const Vector3d eye = X_WS * Vector3d(3.0, 0.5, 0.2);
+  int facing = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Vector3d gradient;
+    const Vector3d way = testing::randomPose(seed, 1.0).translation().normalized() * 0.1;
+    const Vector3d p = way / s.level(way, gradient);
+    s.level(p, gradient);
+    const Vector3d p_W = X_WS * (s.centre.cast<double>() + p), n = X_WS.linear() * gradient.normalized();
+    const SurfaceDistance hit = seenDistance(s, X_WS, p_W, eye);
+    if (n.dot((p_W - eye).normalized()) > 0.0) {
+      // The far side is not what the camera sees: the near side has to come back to the point.
+      if (n.dot((p_W - eye).normalized()) > 0.2) EXPECT_LT(hit.d, -0.02);
+      continue;
+    }
+    ++facing;
+    EXPECT_NEAR(hit.d, 0.0, 1e-7);
+    EXPECT_GT(hit.n.dot(n), 0.9999);
+    // Half a millimetre outwards is half a millimetre away, to first order.
+    EXPECT_NEAR(seenDistance(s, X_WS, p_W + 5e-4 * n, eye).d, 5e-4, 2e-5);
+  }
+  EXPECT_GT(facing, 20);
+}
+
+TEST_P(SurfaceKinds, ManyAtOnceAreAsOneByOne) {
+  constexpr float kNormalWeight = 0.03f;
+  const FitSurface s = surfaceOf(GetParam());
+  const Transform X_WS = testing::randomPose(9, 1.0);
+  static SeenPoints points;
+  points.count = 300;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Vector3d p = X_WS * Vector3d(testing::randomPose(i + 1, 0.4).translation());
+    const Vector3d n = testing::randomPose(i + 1000, 1.0).translation().normalized();
+    points.x[i] = static_cast<float>(p.x()), points.nx[i] = static_cast<float>(n.x());
+    points.y[i] = static_cast<float>(p.y()), points.ny[i] = static_cast<float>(n.y());
+    points.z[i] = static_cast<float>(p.z()), points.nz[i] = static_cast<float>(n.z());
+  }
+  static std::array<float, SeenPoints::kMost> score;
+  scoreOf(s, X_WS, points, kNormalWeight, score.data());
+  for (std::size_t i = 0; i < points.count; ++i) {
+    Vector3d g;
+    const double level = s.level(X_WS.inverse() * points.point(i) - s.centre.cast<double>(), g);
+    const double expected = std::abs((level - 1.0) / g.norm()) +
+                            kNormalWeight * (1.0 - (X_WS.linear() * g.normalized()).dot(points.normal(i)));
+    EXPECT_NEAR(score[i], expected, 1e-5);  // m; float against double
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceKinds, ::testing::Bool(),
+                         [](const auto& one) { return one.param ? "drum" : "ellipsoid"; });
+
+}  // namespace
+}  // namespace abstand

@@ -1,0 +1,43 @@
+// Depth recordings made in memory: a body of skin that moves as somebody did, seen by a Kinect.
+#pragma once
+
+#include <filesystem>
+
+#include "tracking/depth/depth_stream.hpp"
+#include "tracking/recording.hpp"
+
+namespace abstand::testing {
+
+/// Where a clip comes from and how it is seen. Lengths in m; world: the floor is z = 0, the person stands over
+/// the origin in the clip's first frame and faces +x.
+struct ClipPlan {
+  std::filesystem::path recording;
+  double start{0.0}, end{3.0};  ///< s
+  Vector3d eye{2.8, 0.0, 1.2}, look{0.0, 0.0, 0.9};
+  double turn{0.0};  ///< rad/s, that the whole person turns about its first place
+  double clothing{0.0};
+  std::uint64_t body_seed{0};
+  bool room{false};  ///< a floor, and a wall 1.5 m behind the origin
+  int width{320};
+};
+
+struct SimulatedClip {
+  std::unique_ptr<DepthStream> stream;  ///< 30 Hz, the camera's pose known
+  std::vector<SkeletonFrame> truth;     ///< joints as recorded, world, one for each image
+};
+
+SimulatedClip simulate(const ClipPlan& plan);
+
+/// Distances (m) of joints that both have, without spine and thorax, which every recording has elsewhere.
+struct JointErrors {
+  std::vector<double> raw;      ///< sorted
+  std::vector<double> aligned;  ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
+  double longest_swap{0.0};     ///< s for which the body would fit better with left and right exchanged
+  std::size_t lost{0};          ///< images without the body
+
+  static double mean(const std::vector<double>& errors);
+  static double quantile(const std::vector<double>& errors, double share);
+};
+JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector<SkeletonFrame>& truth);
+
+}  // namespace abstand::testing

@@ -1,0 +1,60 @@
+// Real captures, worn by a body that is not the model, seen by a simulated Kinect, and tracked.
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.hpp"
+#include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tracking/tracker/clip_tracker.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::ClipPlan;
+using testing::JointErrors;
+
+struct Case {
+  const char* name;
+  ClipPlan plan;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+std::vector<Case> cases() {
+  const auto mocap = [](const char* file) { return testing::sharedData(std::string("mocap/") + file); };
+  const auto cmu = [](const char* file) { return testing::debianBvh(file); };
+  const auto reach = testing::projectFile("data/scenes/hug_reach.bvh");
+  return {
+      {"boxing", {.recording = cmu("Boxing_Toes.bvh"), .start = 2.0, .end = 4.5}},
+      {"boxing_in_a_room", {.recording = cmu("Boxing_Toes.bvh"), .start = 12.0, .end = 14.0, .room = true}},
+      {"reaching", {.recording = reach, .end = 2.0}},
+      {"turning_round", {.recording = reach, .end = 4.0, .turn = 0.5 * kPi}},
+      {"walking_up",
+       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"), .end = 1.6, .eye = {4.2, 0.4, 1.2}, .look = {1.0, 0.0, 0.9}}},
+      {"walking_by",
+       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"), .end = 2.2, .eye = {3.2, -2.2, 1.4}, .look = {1.5, 0.0, 0.9}}},
+      {"waving_in_thick_clothes",
+       {.recording = mocap("bvh/fair1_wave_hello.bvh"), .end = 2.0, .clothing = 0.015, .body_seed = 3}},
+      {"jumping_jacks", {.recording = mocap("bvh/cmu_jumping_jacks_3dsmax_names.bvh"), .end = 2.5}},
+      {"going_down", {.recording = mocap("bvh/mocapbank_test.bvh"), .end = 4.0, .eye = {3.2, 0.0, 1.2}}},
+      {"sit_to_stand",
+       {.recording = testing::sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), .end = 4.0}},
+      {"dancing", {.recording = mocap("bvh/rokoko_jesse_dance.bvh"), .end = 3.0, .eye = {3.2, 0.0, 1.2}}},
+  };
+}
+
+class SimulatedPeople : public ::testing::TestWithParam<Case> {};
+
+TEST_P(SimulatedPeople, AreFollowed) {
+  if (!exists(GetParam().plan.recording)) GTEST_SKIP() << GetParam().plan.recording;
+  auto clip = testing::simulate(GetParam().plan);
+  const ClipTrack track = trackClip(*clip.stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
+  std::printf("%s: aligned %.0f mm mean, %.0f p95; raw %.0f, %.0f; swapped %.2f s; lost %zu; height %.2f; %.0f fps\n", GetParam().name,
+              1e3 * JointErrors::mean(errors.aligned), 1e3 * JointErrors::quantile(errors.aligned, 0.95),
+              1e3 * JointErrors::mean(errors.raw), 1e3 * JointErrors::quantile(errors.raw, 0.95), errors.longest_swap, errors.lost, track.people[0].body.height, static_cast<double>(track.images) / track.seconds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Captures, SimulatedPeople, ::testing::ValuesIn(cases()),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace abstand

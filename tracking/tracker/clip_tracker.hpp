@@ -1,0 +1,43 @@
+// People of a depth recording as recordings of skeletons.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "tracking/depth/depth_stream.hpp"
+#include "tracking/recording.hpp"
+#include "tracking/tracker/tracked_person.hpp"
+
+namespace abstand {
+
+struct ClipTrackerOptions {
+  TrackedPerson::Options person;
+  std::function<void(std::size_t, std::size_t)> progress;  ///< images done, and all; may be empty
+  std::function<bool()> interrupted;                       ///< may be empty
+};
+
+/// What became of one person.
+struct ClipPerson {
+  int id{0};
+  HumanOptions body;
+  std::vector<SkeletonFrame> frames;  ///< of every image from the first that shows the person to the last
+  std::size_t found{0};               ///< images in which the body was found
+  double residual{kNaN};              ///< m, mean over these of the root mean square distance to the body
+};
+
+struct ClipTrack {
+  DepthCamera camera;              ///< with the pose that the skeletons' world is given by
+  std::string world;               ///< where that pose comes from
+  std::vector<ClipPerson> people;  ///< who was found in most images first
+  std::size_t images{0};
+  double seconds{0.0};  ///< of processor time, for all images, without reading them
+  bool interrupted{false};
+};
+
+/// Two walks through the stream: the first seconds to learn the sizes of the people, then all of it. People
+/// who come later are measured when they come. Where the recording does not say how the camera stands, its
+/// floor does; without a floor in sight the camera is taken to be level, over a floor on which the lowest
+/// person stands. Throws ParseError for images that cannot be read.
+ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
+
+}  // namespace abstand

@@ -1,0 +1,92 @@
+// Choosing the reader, and what a track says as a recording.
+#include "tracking/tracker/tracked_recording.hpp"
+
+#include <fstream>
+
+#include "core/base/error.hpp"
+#include "tracking/part_joints.hpp"
+
+namespace abstand {
+namespace {
+
+std::string metres(double m) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f m", m);
+  return text;
+}
+
+/// The beginning of a file; empty where it cannot be read.
+std::string beginning(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(512, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return bytes;
+}
+
+}  // namespace
+
+Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person) {
+  if (person >= track.people.size())
+    throw UsageError("found " + std::to_string(track.people.size()) + " people in the depth recording, expected " +
+                     std::to_string(person + 1) + " or more");
+  const ClipPerson& tracked = track.people[person];
+  Recording recording;
+  recording.frames = tracked.frames;
+  RecordingReport& r = recording.report;
+  r.format = "depth-" + facts.format;
+  r.rate = facts.rate;
+  r.rate_reason = facts.rate_reason;
+  r.duration = recording.frames.empty() ? 0.0 : recording.frames.back().t - recording.frames.front().t;
+  r.units_guess = "m";
+  r.units_reason = "of the depth camera: " + facts.camera_reason;
+  r.up = "z";
+  r.up_reason = track.world;
+  r.sides = "agree";
+  r.sides_reason = "who is found first is taken to face the camera";
+  r.stature = tracked.body.height;
+  r.joint_map = "tracked";
+  for (std::size_t j = 0; j < kJointCount; ++j) r.joints.emplace_back(jointName(static_cast<Joint>(j)));
+  for (const PartJoints& part : partJoints())
+    for (const Joint j : part.joints) r.mapped[std::string(part.part)].emplace_back(jointName(j));
+  for (const SkeletonFrame& frame : recording.frames) r.gaps += !frame.has(Joint::kPelvis);
+  r.notes = facts.notes;
+  r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
+                    ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
+                    " images, " + metres(tracked.residual) + " from the body on the mean");
+  return recording;
+}
+
+bool isDepthRecording(const std::filesystem::path& path) {
+  std::error_code ec;
+  if (std::filesystem::is_directory(path, ec)) return true;
+  const std::string bytes = beginning(path);
+  const auto begins = [&](std::string_view sign) { return std::string_view(bytes).starts_with(sign); };
+  if (begins("MATLAB ")) {
+    try {
+      openDepthStream(path);
+      return true;
+    } catch (const ParseError&) {
+      return false;  // holds a skeleton, or its reader says what is wrong
+    }
+  }
+  return begins("\x89PNG") || begins("# .PCD") || begins("VERSION ") || begins("\x93NUMPY") ||
+         begins(std::string_view("II*\0", 4)) || begins(std::string_view("MM\0*", 4)) || begins("P5");
+}
+
+Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
+                           std::optional<double> height) {
+  if (!isDepthRecording(path)) return openRecording(path, options);
+  DepthStreamOptions stream_options;
+  stream_options.rate = options.rate;
+  stream_options.mirror = options.mirror != "none";
+  const auto stream = openDepthStream(path, stream_options);
+  ClipTrackerOptions tracker;
+  tracker.person.height = height;
+  const ClipTrack track = trackClip(*stream, tracker);
+  if (track.people.empty())
+    throw ParseError({path.string()}, "found nobody in the depth recording, expected a person");
+  return recordingOf(track, stream->facts(), 0);
+}
+
+}  // namespace abstand
