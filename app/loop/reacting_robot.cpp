@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abstand {
 namespace {
@@ -31,7 +32,7 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
       hold_(description.reaction->hold),
       reaction_(*description.reaction, driver.dof(), scene.pairs().size()),
       pairs_(driver, scene, people, *description.reaction),
-      plan_(driver.motion() ? &*driver.motion() : nullptr, driver.q(), t),
+      plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
       tree_(makeRigidTree(driver.mechanism())),
       gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
   const auto n = static_cast<std::size_t>(driver.dof());
@@ -79,6 +80,7 @@ void ReactingRobot::react(double t, double h, double person_age, const Scene& sc
   input.person_age = person_age;
   driver_.efforts(scene, efforts_);
   input.efforts = efforts_;
+  input.reset = std::exchange(reset_, false);
   look(t, h, input.pairs, scene);
 
   placeBodies(tree_, q_, tree_state_);

@@ -34,6 +34,8 @@ class ReactingRobot {
   ReactingRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
                 const std::vector<bool>& people, PhysicsWorld& world, double t);
 
+  /// A person lets it go on, in the next react().
+  void reset() { reset_ = true; }
   /// Puts the links where they are now.
   void place(double t, Scene& scene);
   /// After the scene's step: looks at its pairs, and tells its motors what to do during the next `h` seconds.
@@ -72,7 +74,7 @@ class ReactingRobot {
   int number_{-1};
   std::vector<double> q_, qd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
   double scale_{1.0};
-  bool braked_{false};
+  bool braked_{false}, reset_{false};
   RobotRecord record_;
 };
 
