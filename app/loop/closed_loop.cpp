@@ -65,13 +65,13 @@ void ClosedLoop::move() {
   session_.applyPoses(t_);
 }
 
-void ClosedLoop::react() {
+void ClosedLoop::react(double age) {
   session_.sumEfforts();
   double person_age = 0.0;
   for (const auto& human : session_.humans()) person_age = std::max(person_age, human->missing());
   const Scene& scene = session_.scene();
   for (const auto& robot : robots_)
-    if (robot) robot->react(t_, kStep, person_age, scene);
+    if (robot) robot->react({t_, kStep, person_age, age}, scene);
   for (const PairId id : scene.touching()) push(id);
   world_.step(kStep);
   for (const auto& robot : robots_)

@@ -25,7 +25,9 @@ class ClosedLoop {
   /// Its two halves, for those who query the pairs in between: everything to where it is at time(), and, the
   /// scene's pairs being brought up, reactions and physics.
   void move();
-  void react();
+  void react() { react(0.0); }
+  /// `age`: s, of the oldest result of a pair; beyond `stop.input_age` robots stop for stale input.
+  void react(double age);
   /// Shows the moment time() without going on: poses, pairs, joint efforts. step() does it again.
   void look();
   /// A person lets every robot that waits for it go on, in the next cycle.

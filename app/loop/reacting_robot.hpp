@@ -38,9 +38,13 @@ class ReactingRobot {
   void reset() { reset_ = true; }
   /// Puts the links where they are now.
   void place(double t, Scene& scene);
-  /// After the scene's step: looks at its pairs, and tells its motors what to do during the next `h` seconds.
-  /// `person_age`: s, of the person least known.
-  void react(double t, double h, double person_age, const Scene& scene);
+  /// A cycle: its time and how long it lasts, and how old (s) the person least known and the oldest result of
+  /// a pair are.
+  struct Cycle {
+    double t, h, person_age, result_age;
+  };
+  /// After the scene's step: looks at its pairs, and tells its motors what to do until the next cycle.
+  void react(const Cycle& cycle, const Scene& scene);
   /// After the world's step.
   void follow();
 

@@ -261,7 +261,7 @@ TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
   key(Qt::Key_R);
   EXPECT_EQ(session.log, std::vector<std::string>{"react off"});
   const auto* bar = window.findChild<QLabel*>("robots");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return bar->text() == "Robots do not react"; }, kWaitMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar->text() == "React: off"; }, kWaitMs));
   FakeSession next;
   window.setSession(&next);
   EXPECT_EQ(next.log, std::vector<std::string>{"react off"});

@@ -133,7 +133,7 @@ void StatusPanel::showRobots(const SceneOutline& outline, const SceneSnapshot& s
   bool alarm = false;
   const QString text = worstText(snapshot, outline, &alarm);
   if (snapshot.robots.empty()) {
-    setText(robots_, tr("Robots do not react"));
+    setText(robots_, tr("React: off"));
     robots_->setToolTip(tr("Robots follow their recorded motion (React is off)"));
   } else {
     setText(robots_, (alarm ? QStringLiteral("⚠ ") : QString()) + text);

@@ -151,8 +151,29 @@ TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
   ASSERT_EQ(reacting.robots.size(), 1u);
   EXPECT_EQ(reacting.robots[0].nearest->value, reacting.min_distance->value);
   EXPECT_FALSE(reacting.robots[0].nearest_person);
-  options.mode = RunMode::kLive;
-  EXPECT_THROW(runScene(*s.session, options), UsageError);
+}
+
+TEST(ClosedLoop, ACheckSeesEveryCycle) {
+  SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
+  RunOptions options;
+  options.end = 2.0;
+  options.rate = 10.0;
+  int cycles = 0;
+  double least = kInfinity;
+  options.on_cycle = [&](double t, const std::vector<PairResult>& results) {
+    EXPECT_NEAR(t, 1e-3 * cycles, 1e-9);
+    ++cycles;
+    least = std::min(least, results[0].distance);
+  };
+  options.react = true;
+  const RunSummary reacting = runScene(*s.session, options);
+  EXPECT_EQ(cycles, 2001);
+  EXPECT_EQ(least, reacting.min_distance->value);
+  cycles = 0;
+  options.react = false;
+  options.on_cycle = [&](double, const std::vector<PairResult>&) { ++cycles; };
+  runScene(*s.session, options);
+  EXPECT_EQ(cycles, 21) << "frames alone";
 }
 
 TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
