@@ -11,6 +11,7 @@ namespace {
 
 struct Arguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
+  std::string gain, person_speed;
   SessionOptions session;
   RunOptions run;
   PackagePaths packages;
@@ -125,7 +126,15 @@ int run(const CommandLine& line, Arguments& args) {
   args.run.interrupted = interrupted;
   args.session.cache = line.cache;
   args.session.monitor = buildMonitor(line);
-  Session session(loadScene(args.scene, args.packages), args.session);
+  if (!args.person_speed.empty())
+    args.session.person_speed = numberWithin(args.person_speed, "--person-speed", 0.01, 100.0, "");
+  SceneDescription scene = loadScene(args.scene, args.packages);
+  if (!args.gain.empty()) {
+    const double gain = numberWithin(args.gain, "--gain", 0.0, 100.0, "");
+    for (auto& m : scene.mechanisms)
+      if (m.reaction) scaleGains(*m.reaction, gain);
+  }
+  Session session(std::move(scene), args.session);
   const RunSummary summary = runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
   return summary.interrupted ? kInterrupted : kDone;
@@ -153,6 +162,10 @@ void addRun(CLI::App& root, CommandLine& line) {
       ->add_option("--react", args->react,
                    "on: mechanisms with a reaction move away (closed loop); off: they follow their motion")
       ->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--gain", args->gain,
+                      "what if the laws pushed with this share of their forces (0 to 100)");
+  command->add_option("--person-speed", args->person_speed,
+                      "what if people moved this much faster than recorded (0.01 to 100)");
   command->add_option(
       "--rest", args->rest,
       "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");

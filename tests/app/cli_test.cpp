@@ -360,6 +360,14 @@ TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
   EXPECT_EQ(live["robots"].at(0)["stops"].at(0)["reason"], "distance");
   EXPECT_EQ(run(command + " --react maybe").code, 2);
 
+  // What if: the potential pushes with half the force, and with none.
+  const double whole = on["robots"][0]["peak_torque"];
+  const json half = runJson(command + " --gain 0.5"), none = runJson(command + " --gain 0");
+  EXPECT_NEAR(half["robots"][0]["peak_torque"].get<double>(), 0.5 * whole, 1e-9 * whole);
+  EXPECT_EQ(none["robots"][0]["peak_torque"], 0.0);
+  EXPECT_EQ(run(command + " --gain -1").code, 2);
+  EXPECT_EQ(run(command + " --person-speed 0").code, 2);
+
   // The gate sees every millisecond: nearer than 2 cm at first only, or all the time.
   const std::string gate = "check " + scene + " --no-cache --min-distance 0.02 --json --poses " + poses;
   const auto moves = run(gate), stands = run(gate + " --react off");
