@@ -145,10 +145,10 @@ TEST_F(Served, AnAdmittanceTellsPositions) {
   reaction.repulsion->force = 100.0;
   reaction.repulsion->damping = 0.0;
   reaction.admittance.emplace();
-  reaction.admittance->inertia = JointNumbers(1.0);
-  reaction.admittance->damping = JointNumbers(50.0);
-  reaction.admittance->stiffness = JointNumbers(500.0);
-  reaction.admittance->offset = JointNumbers(1.0);
+  reaction.admittance->inertia = {1.0};
+  reaction.admittance->damping = {50.0};
+  reaction.admittance->stiffness = {500.0};
+  reaction.admittance->offset = {1.0};
   open(false, reaction);
   ASSERT_EQ(scene->report().offset.size(), 1u);
   // The ball is kept 0.1 m over the plate, so the push is 100 N (0.1 / 0.2)^2 = 25 N, and its offset at rest
@@ -185,8 +185,8 @@ TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
     }
     if (i > 1) {
       ASSERT_EQ(robot().state, StopState::kEmergencyStop) << t;
+      ASSERT_EQ(scene->report().torque[0], 0.0) << t;
     }
-    EXPECT_EQ(scene->report().torque[0], 0.0);
   }
   const StopLog& log = scene->robots()[0]->stops();
   ASSERT_EQ(log.count(), 1u) << "one stop, however often it could have been left";
