@@ -99,6 +99,11 @@ const Spec kSpecs[] = {
     {Id::kSlower, In::kPlayback, TEXT("S&lower"), TEXT("The next lower speed"), "-"},
     {Id::kLoop, In::kPlayback, TEXT("Loo&p"), TEXT("Begin again at the end"), "Ctrl+L", Kind::kOff,
      Glyph::kLoop},
+    {Id::kReact, In::kPlayback, TEXT("&React"),
+     TEXT("Let robots with a reaction move away from people; off: they follow their motion"), "R", Kind::kOn,
+     Glyph::kReact},
+    {Id::kResetStops, In::kPlayback, TEXT("Reset st&ops"), TEXT("Let every robot that waits for it go on"),
+     "Shift+R"},
 
     {Id::kShortcuts, In::kHelp, TEXT("&Shortcuts"), TEXT("All keys on one page"), "F1", Kind::kPlain,
      Glyph::kHelp},

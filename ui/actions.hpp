@@ -53,6 +53,8 @@ enum class ActionId {
   kFaster,
   kSlower,
   kLoop,
+  kReact,
+  kResetStops,
   kResetMargins,
   kShortcuts,
   kAbout,

@@ -99,6 +99,12 @@ void showing(QPainter& p, Glyph glyph) {
       p.drawEllipse(QPointF(12, 8.5), 5, 5);
       p.setBrush(p.pen().color()), p.drawEllipse(QPointF(13, 19), 7, 1.6);
       break;
+    case Glyph::kReact:
+      // What comes, and what goes away from it.
+      p.setBrush(p.pen().color()), p.drawEllipse(QPointF(5.5, 12), 2.6, 2.6), p.setBrush(Qt::NoBrush);
+      p.drawArc(QRectF(-1, 5.5, 13, 13), -50 * 16, 100 * 16);
+      p.drawLine(QPointF(14.5, 12), QPointF(17, 12)), arrowHead(p, {22.5, 12}, {1, 0}, 7);
+      break;
     default:
       p.drawEllipse(QPointF(12, 6), 3, 3);
       p.drawPath([] {

@@ -26,6 +26,7 @@ enum class Glyph {
   kLabel,
   kFloor,
   kShadow,
+  kReact,
   kBody,
   kFit,
   kIso,

@@ -9,10 +9,12 @@
 #include <QSettings>
 #include <QSlider>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTimer>
 
 #include "ui/actions.hpp"
 #include "ui/file_kinds.hpp"
+#include "ui/format.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/run_history.hpp"
@@ -20,6 +22,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
@@ -34,8 +37,9 @@ namespace {
 
 constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
+constexpr int kMessageMs = 3000;
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 using Id = ActionId;
 
@@ -96,6 +100,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::buildDocks() {
   tree_ = new SceneTreePanel(*tree_model_, *selection_, this);
   margins_ = new MarginPanel(this);
+  robots_ = new RobotPanel(this);
   plots_ = new PlotPanel(this);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, this);
@@ -106,7 +111,9 @@ void MainWindow::buildDocks() {
               timeline_),
       addDock("plots", tr("Plots"), tr("Show or hide the plots"), QStringLiteral("Ctrl+4"), plots_),
       addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"),
-              margins_)};
+              margins_),
+      addDock("robots", tr("Robots"), tr("Show or hide the robots that react"), QStringLiteral("Ctrl+6"),
+              robots_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -119,8 +126,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins] =
-      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4]);
+  auto [scene, pairs, timeline, plots, margins, robots] =
+      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -131,6 +138,10 @@ void MainWindow::arrangeDocks() {
   addDockWidget(Qt::RightDockWidgetArea, plots);
   addDockWidget(Qt::RightDockWidgetArea, margins);
   splitDockWidget(plots, margins, Qt::Vertical);
+  tabifyDockWidget(margins, robots);
+  margins->raise();
+  for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    tabs->setAccessibleName(tr("Panels"));
   addDockWidget(Qt::BottomDockWidgetArea, timeline);
   addDockWidget(Qt::BottomDockWidgetArea, pairs);
   splitDockWidget(timeline, pairs, Qt::Vertical);
@@ -154,6 +165,9 @@ void MainWindow::setSession(SessionPort* session) {
   tree_model_->open(outline);
   pairs_->open(outline);
   margins_->open(outline, margins);
+  robots_->open(outline);
+  loops_ = snapshot_.loops;
+  docks_[outline.reacting.empty() ? 4 : 5]->raise();
   timeline_->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
   plots_->setSeries(&history_->distance(), &history_->force(), &history_->effort(), outline.start,
                     outline.end);
@@ -161,6 +175,8 @@ void MainWindow::setSession(SessionPort* session) {
   status_->clear();
   for (const auto& entry : actions_->all())
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
+  for (const Id id : {Id::kReact, Id::kResetStops}) (*actions_)[id]->setEnabled(!outline.reacting.empty());
+  if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
 
   if (session_) {
     viewport_->open(outline, snapshot_);
@@ -197,6 +213,11 @@ void MainWindow::refreshSlow() {
     pairs_->refresh(snapshot_);
     tree_model_->refresh(outline, snapshot_);
     status_->refresh(outline, snapshot_);
+    robots_->refresh(outline, snapshot_);
+    if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
+      statusBar()->showMessage(tr("Robots were put on their plans at %1, and react from there")
+                                   .arg(secondsWithUnit(snapshot_.loop_start)),
+                               kMessageMs);
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
     plots_->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size()
                           ? snapshot_.pairs[nearest].margin

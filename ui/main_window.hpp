@@ -18,6 +18,7 @@ class MarginPanel;
 class PairPanel;
 class Playback;
 class PlotPanel;
+class RobotPanel;
 class RunHistory;
 class SceneTreeModel;
 class SceneTreePanel;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   MarginPanel& marginPanel() const { return *margins_; }
   PairPanel& pairPanel() const { return *pairs_; }
   TimelinePanel& timelinePanel() const { return *timeline_; }
+  RobotPanel& robotPanel() const { return *robots_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers scenes.
@@ -99,6 +101,7 @@ class MainWindow : public QMainWindow {
   PairPanel* pairs_;
   PlotPanel* plots_;
   MarginPanel* margins_;
+  RobotPanel* robots_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;
@@ -106,6 +109,7 @@ class MainWindow : public QMainWindow {
   QTimer* slow_timer_;
   std::vector<QDockWidget*> docks_;
   bool news_{false};
+  long loops_{0};  // SceneSnapshot::loops that was shown last
 };
 
 }  // namespace abstand::ui

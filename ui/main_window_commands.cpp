@@ -21,6 +21,7 @@
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/robot_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -102,6 +103,13 @@ void MainWindow::connectPlayback() {
   on(Id::kPreviousContact, [this] { goToContact(false); });
   on(Id::kResetMargins, [this] { margins_->reset(); });
   connect((*actions_)[Id::kLoop], &QAction::toggled, playback_, &Playback::setLoop);
+  connect((*actions_)[Id::kReact], &QAction::toggled, this, [this](bool react) {
+    if (session_) session_->setReact(react);
+  });
+  on(Id::kResetStops, [this] {
+    if (session_) session_->resetStops();
+  });
+  connect(robots_, &RobotPanel::resetRequested, (*actions_)[Id::kResetStops], &QAction::trigger);
 }
 
 void MainWindow::connectPanels() {

@@ -82,6 +82,8 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   opacity->setToolTip(Actions::tr("How solid people are drawn"));
   tools->addWidget(opacity);
   tools->addSeparator();
+  tools->addAction(actions[Id::kReact]);
+  tools->addSeparator();
   for (const Id id : {Id::kIso, Id::kFront, Id::kSide, Id::kTop, Id::kFit}) tools->addAction(actions[id]);
   auto* space = new QWidget(tools);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);

@@ -28,6 +28,10 @@ class SessionPort {
   /// 1: as recorded.
   virtual void setSpeed(double factor) = 0;
   virtual void setLoop(bool on) = 0;
+  /// Robots with a reaction react, from the present time on; off: they follow their motion. At first: on.
+  virtual void setReact(bool on) = 0;
+  /// Lets every robot that waits for a reset go on, if nothing asks it to stop.
+  virtual void resetStops() = 0;
   /// Safety margin of one object (index of the outline), metres.
   virtual void setMargin(int object, double metres) = 0;
 };

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/robot_texts.hpp"
 #include "app/run/check_report.hpp"
 #include "app/run/distance_check.hpp"
 #include "app/run/run_scene.hpp"
@@ -13,7 +14,7 @@ namespace {
 struct Arguments {
   std::string scene, min_distance, margins, junit, report;
   std::vector<std::string> recordings;
-  std::string poses;
+  std::string poses, react{"on"};
   bool dry_run{false}, strict{false};
   PackagePaths packages;
 };
@@ -39,6 +40,8 @@ int run(const CommandLine& line, const Arguments& args) {
   const double limit = number(args.min_distance, "--min-distance");
 
   CheckResult all;
+  auto reactions = nlohmann::ordered_json::array();
+  std::string robots_text;
   std::vector<std::string> recordings = args.recordings;
   if (recordings.empty()) recordings.emplace_back();
   for (const auto& recording : recordings) {
@@ -57,9 +60,14 @@ int run(const CommandLine& line, const Arguments& args) {
     RunOptions run;
     run.progress = progressBar(line, recording.empty() ? "check" : recording);
     run.interrupted = interrupted;
-    run.on_frame = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
+    run.react = args.react == "on";
+    run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
     const RunSummary summary = runScene(session, run);
     check.finish(summary, all);
+    if (summary.cycles > 0) {
+      reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
+      robots_text += (recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);
+    }
     if (summary.interrupted) return kInterrupted;
   }
   const bool passed = all.violations.empty() && (!args.strict || all.unproven.empty());
@@ -76,6 +84,8 @@ int run(const CommandLine& line, const Arguments& args) {
     document[list == &all.violations ? "violations" : "unproven"] = rows;
   }
   document["stale"] = all.stale;
+  if (!reactions.empty()) document["reactions"] = reactions;
+  text += robots_text;
   for (const auto& name : all.stale)
     line.warn(name + " was stale or refused at some time: its distances are not proven");
   text += passed ? "passed\n" : "not passed\n";
@@ -100,6 +110,11 @@ void addCheck(CLI::App& root, CommandLine& line) {
                       "YAML, NAME: metres; a pair then needs the sum of its margins too");
   command->add_option("--junit", args->junit, "JUnit XML");
   command->add_option("--report", args->report, "HTML page");
+  command
+      ->add_option("--react", args->react,
+                   "on: mechanisms with a reaction move away, and every millisecond is checked; off: they "
+                   "follow their motion")
+      ->check(CLI::IsMember({"on", "off"}));
   command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
   command->add_flag("--strict", args->strict,
                     "fail also where distance minus its error bound is below the limit");

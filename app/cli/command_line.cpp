@@ -63,6 +63,15 @@ double number(const std::string& text, const std::string& option) {
   return *v;
 }
 
+double numberWithin(const std::string& text, const std::string& option, double least, double most,
+                    const std::string& unit) {
+  const double v = number(text, option);
+  if (v < least || v > most)
+    throw UsageError(option + ": found " + text + ", expected " + format("%g to %g", least, most) +
+                     (unit.empty() ? "" : " " + unit));
+  return v;
+}
+
 std::vector<double> numberList(const std::string& text, const std::string& option) {
   std::vector<double> values;
   std::size_t begin = 0;

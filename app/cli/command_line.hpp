@@ -67,6 +67,9 @@ void addVerify(CLI::App& root, CommandLine& line);
 std::vector<double> numberList(const std::string& text, const std::string& option);
 /// A finite number. Throws UsageError that names `option`.
 double number(const std::string& text, const std::string& option);
+/// The same from `least` to `most`; `unit` is for the error's text.
+double numberWithin(const std::string& text, const std::string& option, double least, double most,
+                    const std::string& unit);
 
 nlohmann::ordered_json toJson(const Eigen::Vector3d& v);
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& X);  ///< 3 rows of 4

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/robot_texts.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 struct Arguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
+  std::string gain, person_speed;
   SessionOptions session;
   RunOptions run;
   PackagePaths packages;
@@ -31,56 +33,6 @@ nlohmann::ordered_json skippingJson(const RunSummary& s) {
           {"longest_wait_cycles", s.work.longest_wait},
           {"breach_count", s.breach_count},
           {"breaches", breaches}};
-}
-
-nlohmann::ordered_json extremeJson(const std::optional<ReactionReport::Extreme>& e) {
-  if (!e) return nullptr;
-  return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
-}
-
-/// How far inside, m; 0: they did not touch.
-double depthOf(const std::optional<ReactionReport::Extreme>& e) { return e ? std::max(0.0, -e->value) : 0.0; }
-
-nlohmann::ordered_json robotJson(const ReactionReport& r) {
-  auto stops = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < r.stops.size(); ++i) {
-    const StopEntry& e = r.stops[i];
-    stops.push_back({{"t", e.t},
-                     {"from", stateName(e.from)},
-                     {"to", stateName(e.to)},
-                     {"reason", reasonName(e.cause.reason)},
-                     {"text", r.lines[i]}});
-  }
-  return {{"mechanism", r.name},
-          {"control", r.positioned ? "position" : "torque"},
-          {"min_distance", extremeJson(r.nearest)},
-          {"min_distance_person", extremeJson(r.nearest_person)},
-          {"deepest_person", depthOf(r.nearest_person)},
-          {"peak_torque", r.record.most_torque},
-          {"most_off_plan", r.record.most_off_plan},
-          {"behind_plan", r.record.lost_time},
-          {"slowed", r.record.slowed},
-          {"stopped", r.record.stopped},
-          {"state", stateName(r.state)},
-          {"stop_count", r.stop_count},
-          {"stops", stops}};
-}
-
-std::string robotText(const ReactionReport& r) {
-  std::string text = r.name + ": ";
-  if (r.nearest_person)
-    text += format("closest to a person %.1f mm, %s to %s at %.3f s; deepest inside %.1f mm\n",
-                   1e3 * r.nearest_person->value, r.nearest_person->a.c_str(), r.nearest_person->b.c_str(),
-                   r.nearest_person->t, 1e3 * depthOf(r.nearest_person));
-  else if (r.nearest)
-    text += format("closest %.1f mm, %s to %s at %.3f s\n", 1e3 * r.nearest->value, r.nearest->a.c_str(),
-                   r.nearest->b.c_str(), r.nearest->t);
-  text += format(
-      "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
-      "state\n",
-      r.record.most_off_plan, r.record.most_torque, r.record.slowed, r.record.stopped, r.stop_count);
-  for (const auto& line : r.lines) text += "  " + line + "\n";
-  return text;
 }
 
 nlohmann::ordered_json timesJson(const CycleStatistics& s) {
@@ -112,8 +64,7 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   j["skipping"] = skippingJson(s);
   if (s.cycles > 0) {
     j["cycles"] = s.cycles;
-    j["robots"] = nlohmann::ordered_json::array();
-    for (const ReactionReport& r : s.robots) j["robots"].push_back(robotJson(r));
+    j["robots"] = robotsJson(s.robots);
   }
   j["build_ms"] = s.build_ms;
   j["cached_structures"] = session.cachedStructures();
@@ -145,7 +96,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
                    s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,
                    s.contacts);
-  for (const ReactionReport& r : s.robots) text += robotText(r);
+  text += robotsText(s.robots);
   if (s.work.rested + s.work.beyond + s.work.put_off > 0)
     text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
                    s.work.checked, s.work.rested, s.work.beyond, s.work.put_off);
@@ -175,7 +126,15 @@ int run(const CommandLine& line, Arguments& args) {
   args.run.interrupted = interrupted;
   args.session.cache = line.cache;
   args.session.monitor = buildMonitor(line);
-  Session session(loadScene(args.scene, args.packages), args.session);
+  if (!args.person_speed.empty())
+    args.session.person_speed = numberWithin(args.person_speed, "--person-speed", 0.01, 100.0, "");
+  SceneDescription scene = loadScene(args.scene, args.packages);
+  if (!args.gain.empty()) {
+    const double gain = numberWithin(args.gain, "--gain", 0.0, 100.0, "");
+    for (auto& m : scene.mechanisms)
+      if (m.reaction) scaleGains(*m.reaction, gain);
+  }
+  Session session(std::move(scene), args.session);
   const RunSummary summary = runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
   return summary.interrupted ? kInterrupted : kDone;
@@ -203,6 +162,10 @@ void addRun(CLI::App& root, CommandLine& line) {
       ->add_option("--react", args->react,
                    "on: mechanisms with a reaction move away (closed loop); off: they follow their motion")
       ->check(CLI::IsMember({"on", "off"}));
+  command->add_option("--gain", args->gain,
+                      "what if the laws pushed with this share of their forces (0 to 100)");
+  command->add_option("--person-speed", args->person_speed,
+                      "what if people moved this much faster than recorded (0.01 to 100)");
   command->add_option(
       "--rest", args->rest,
       "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");

@@ -20,20 +20,16 @@ struct Arguments {
   bool layout{false};
 };
 
-double numberWithin(const std::string& text, const std::string& option, double least, double most,
-                    const std::string& unit) {
-  const double v = number(text, option);
-  if (v < least || v > most)
-    throw UsageError(option + ": found " + text + ", expected " + format("%g to %g ", least, most) + unit);
-  return v;
-}
-
 ReactionDescription reactionOf(const Arguments& args) {
   ReactionDescription reaction = usualReaction();
   if (!args.reaction.empty()) {
     constexpr std::size_t kMostBytes = 1u << 20;
     const YamlNode document = parseYaml(readFile(args.reaction, kMostBytes), args.reaction);
     reaction = readReaction(document, args.reaction);
+    if (reaction.proxy)
+      throw ParseError({args.reaction, document.line, document.column},
+                       "found `proxy`, expected laws for what holds nothing",
+                       "it is for programs that say what the hand holds");
   }
   if (args.reaction.empty() || !args.stale.empty()) {
     const double stale = args.stale.empty() ? 0.1 : numberWithin(args.stale, "--stale", 0.001, 3600.0, "s");

@@ -53,13 +53,9 @@ void ClosedLoop::push(PairId id) {
   world_.applyContact(bodies_[a], bodies_[b], contact, contact_, kStep);
 }
 
-void ClosedLoop::step() {
+void ClosedLoop::move() {
   Scene& scene = session_.scene();
-  double person_age = 0.0;
-  for (const auto& human : session_.humans()) {
-    human->glide(t_, scene);
-    person_age = std::max(person_age, human->missing());
-  }
+  for (const auto& human : session_.humans()) human->glide(t_, scene);
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     if (robots_[m])
       robots_[m]->place(t_, scene);
@@ -67,17 +63,56 @@ void ClosedLoop::step() {
       session_.mechanisms()[m]->apply(t_, scene);
   }
   session_.applyPoses(t_);
-  scene.step();
-  session_.sumEfforts();
+}
 
+void ClosedLoop::react(double age) {
+  session_.sumEfforts();
+  double person_age = 0.0;
+  for (const auto& human : session_.humans()) person_age = std::max(person_age, human->missing());
+  const Scene& scene = session_.scene();
   for (const auto& robot : robots_)
-    if (robot) robot->react(t_, kStep, person_age, scene);
+    if (robot) robot->react({t_, kStep, person_age, age}, scene);
   for (const PairId id : scene.touching()) push(id);
   world_.step(kStep);
   for (const auto& robot : robots_)
     if (robot) robot->follow();
   // From the start, so that roundings do not add up.
   t_ = start_ + kStep * static_cast<double>(++cycles_);
+}
+
+void ClosedLoop::step() {
+  move();
+  session_.scene().step();
+  react();
+}
+
+void ClosedLoop::look() {
+  move();
+  session_.scene().step();
+  session_.sumEfforts();
+}
+
+void ClosedLoop::resetStops() {
+  for (const auto& robot : robots_)
+    if (robot) robot->reset();
+}
+
+void ClosedLoop::capture(SceneSnapshot& out) const {
+  out.loop_start = start_;
+  std::size_t n = 0;
+  for (const auto& robot : robots_) n += robot ? 1 : 0;
+  out.robots.resize(n);
+  n = 0;
+  for (const auto& robot : robots_) {
+    if (!robot) continue;
+    const StopMachine& stops = robot->stops();
+    RobotSnapshot& r = out.robots[n++];
+    r.state = stops.state();
+    r.cause = stops.cause();
+    r.since = stops.since();
+    r.speed_scale = robot->speedScale();
+    r.log = stops.log();
+  }
 }
 
 }  // namespace abstand

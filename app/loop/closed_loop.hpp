@@ -22,7 +22,20 @@ class ClosedLoop {
 
   /// The cycle at time().
   void step();
-  double time() const { return t_; }  ///< s, of the next cycle
+  /// Its two halves, for those who query the pairs in between: everything to where it is at time(), and, the
+  /// scene's pairs being brought up, reactions and physics.
+  void move();
+  void react() { react(0.0); }
+  /// `age`: s, of the oldest result of a pair; beyond `stop.input_age` robots stop for stale input.
+  void react(double age);
+  /// Shows the moment time() without going on: poses, pairs, joint efforts. step() does it again.
+  void look();
+  /// A person lets every robot that waits for it go on, in the next cycle.
+  void resetStops();
+  /// Fills robots and loop_start. No allocation once `out` has its sizes.
+  void capture(SceneSnapshot& out) const;
+  double start() const { return start_; }  ///< s, of the first cycle
+  double time() const { return t_; }       ///< s, of the next cycle
   /// A null for a mechanism without a reaction; in the order of the session.
   const std::vector<std::unique_ptr<ReactingRobot>>& robots() const { return robots_; }
   const Session& session() const { return session_; }

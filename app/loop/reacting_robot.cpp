@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace abstand {
 namespace {
@@ -31,7 +32,7 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
       hold_(description.reaction->hold),
       reaction_(*description.reaction, driver.dof(), scene.pairs().size()),
       pairs_(driver, scene, people, *description.reaction),
-      plan_(driver.motion() ? &*driver.motion() : nullptr, driver.q(), t),
+      plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
       tree_(makeRigidTree(driver.mechanism())),
       gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
   const auto n = static_cast<std::size_t>(driver.dof());
@@ -69,17 +70,20 @@ void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs
   if (scale_ < 1.0) record_.slowed += h;
 }
 
-void ReactingRobot::react(double t, double h, double person_age, const Scene& scene) {
+void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
+  const double h = cycle.h;
   ReactionInput input;
-  input.t = t;
+  input.t = cycle.t;
   input.dt = h;
   input.qd = qd_;
   input.planned = plan_.fullSpeed();
   input.pairs = pairs_.gather(scene, input.planned);
-  input.person_age = person_age;
+  input.person_age = cycle.person_age;
+  input.input_age = cycle.result_age;
   driver_.efforts(scene, efforts_);
   input.efforts = efforts_;
-  look(t, h, input.pairs, scene);
+  input.reset = std::exchange(reset_, false);
+  look(cycle.t, h, input.pairs, scene);
 
   placeBodies(tree_, q_, tree_state_);
   massMatrix(tree_, tree_state_, mass_);

@@ -34,11 +34,17 @@ class ReactingRobot {
   ReactingRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
                 const std::vector<bool>& people, PhysicsWorld& world, double t);
 
+  /// A person lets it go on, in the next react().
+  void reset() { reset_ = true; }
   /// Puts the links where they are now.
   void place(double t, Scene& scene);
-  /// After the scene's step: looks at its pairs, and tells its motors what to do during the next `h` seconds.
-  /// `person_age`: s, of the person least known.
-  void react(double t, double h, double person_age, const Scene& scene);
+  /// A cycle: its time and how long it lasts, and how old (s) the person least known and the oldest result of
+  /// a pair are.
+  struct Cycle {
+    double t, h, person_age, result_age;
+  };
+  /// After the scene's step: looks at its pairs, and tells its motors what to do until the next cycle.
+  void react(const Cycle& cycle, const Scene& scene);
   /// After the world's step.
   void follow();
 
@@ -72,7 +78,7 @@ class ReactingRobot {
   int number_{-1};
   std::vector<double> q_, qd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
   double scale_{1.0};
-  bool braked_{false};
+  bool braked_{false}, reset_{false};
   RobotRecord record_;
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/run/live_loop.hpp"
 #include "app/run/session_log.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/error.hpp"
@@ -164,6 +165,7 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
   const auto done = [&](double t, double worked) {
     statistics.add(worked);
     extremes.frame(t, results, first ? all : renewed, summary);
+    if (last && options.on_cycle) options.on_cycle(t, results);
     first = false;
   };
   for (const double t : times) {
@@ -175,7 +177,6 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
     pair_clock.sample(session.scene());
     csv.write(t, session, results);
     if (log) log->write(t, session, results);
-    if (last && options.on_frame) options.on_frame(t, results);
     ++summary.frames;
     if (options.progress) options.progress(summary.frames, times.size());
   }
@@ -189,9 +190,6 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
 
 RunSummary runScene(Session& session, const RunOptions& options) {
   const bool react = options.react && session.reacts();
-  if (react && options.mode == RunMode::kLive)
-    throw UsageError(
-        "live: found mechanisms with a `reaction`, expected lockstep, or a run without reacting");
   const std::vector<double> times = timesOf(session, options);
   Scene& scene = session.scene();
   RunSummary summary;
@@ -217,7 +215,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
     summary.profile.emplace(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
-    if (react) {
+    if (react && options.mode == RunMode::kLockstep) {
       ClosedLoop loop(session, times.front());
       summary.cycles = 0;
       runFrames(session, &loop, times, options, last, summary, statistics, results, all, scene.renewed(),
@@ -251,6 +249,21 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   add(scene.counts(), summary.work);
                   done(t, worked);
                 });
+    } else if (react) {
+      LiveLoop live(session, times.front(), liveGroups(session));
+      summary.cycles = 0;
+      runFrames(session, &live.loop(), times, options, last, summary, statistics, results, all, all,
+                [&](double t, const auto& done) {
+                  while (live.loop().time() <= t + 0.5 * ClosedLoop::kStep) {
+                    const double at = live.loop().time();
+                    const double worked = live.cycle(results);
+                    watch();
+                    ++summary.cycles;
+                    done(at, worked);
+                  }
+                });
+      add(live.counts(), summary.work);
+      summary.robots = reportOf(live.loop());
     } else {
       PairThreads threads(scene);
       for (auto& group : liveGroups(session)) threads.start(threads.addGroup(std::move(group)));

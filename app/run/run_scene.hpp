@@ -19,7 +19,8 @@ struct RunOptions {
   std::optional<double> rate;        ///< Hz; without: the frames of the recording
   RunMode mode{RunMode::kLockstep};
   /// Mechanisms with a `reaction` react: the closed loop runs a cycle a millisecond, frames are the cycles at
-  /// their times. Without, they follow their motion as all others.
+  /// their times. In live mode they react to the newest results there are, a cycle old or more. Without, they
+  /// follow their motion as all others.
   bool react{false};
   int repeat{1};
   bool profile{false};  ///< of the cycles of lock step and of the closed loop; doubles the time of a run
@@ -27,8 +28,9 @@ struct RunOptions {
   std::filesystem::path session_log;  ///< HDF5; empty: none
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> interrupted;  ///< asked once a frame
-  /// Called once a frame with the results in scene order; the last repeat only.
-  std::function<void(double t, const std::vector<PairResult>&)> on_frame;
+  /// Called once a frame, in the closed loop once a cycle up to a frame, with the results in scene order; the
+  /// last repeat only.
+  std::function<void(double t, const std::vector<PairResult>&)> on_cycle;
 };
 
 struct RunSummary {
@@ -64,8 +66,8 @@ struct RunSummary {
   static constexpr double kPeriodUs = 1000.0;
 };
 
-/// Throws UsageError for a range without a frame, for files that cannot be written and for a closed loop in
-/// live mode; ParseError for a robot that cannot react.
+/// Throws UsageError for a range without a frame and for files that cannot be written; ParseError for a robot
+/// that cannot react.
 RunSummary runScene(Session& session, const RunOptions& options);
 
 }  // namespace abstand

@@ -28,6 +28,7 @@ enum class PacketType : std::uint16_t { kJoints = 1, kSkeleton = 2, kState = 3 }
 /// Bits of the header's flags.
 inline constexpr std::uint32_t kFlagReset = 1;    ///< joints: a person lets a stopped robot go on
 inline constexpr std::uint32_t kFlagUnasked = 2;  ///< state: answers no packet
+inline constexpr std::uint32_t kFlagRefused = 4;  ///< state: a reset was refused in this cycle
 
 /// What is not the same in every scene, and does not change while one is served.
 struct PacketFormat {

@@ -42,7 +42,7 @@ void ServedRobot::grow(double t, double stale, Scene& scene) {
 }
 
 void ServedRobot::react(double t, double person_age, const Scene& scene, RobotReport& report,
-                        std::span<double> torque) {
+                        std::span<double> torque, std::span<double> offset) {
   report.input_age = age(t);
   if (!started_) return;
   // Of a robot whose joint values are stale it is not known that it stands.
@@ -61,12 +61,14 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   const ReactionOutput out = reaction_.update(input, no_mass_);
   for (std::size_t i = 0; i < torque.size(); ++i)
     torque[i] = stale_ || !std::isfinite(out.torque[i]) ? 0.0 : out.torque[i];
+  if (!out.offset.empty() && !offset.empty()) std::copy(out.offset.begin(), out.offset.end(), offset.begin());
   const StopMachine& stops = reaction_.stops();
   report.speed_scale = out.speed_scale;
   report.state = out.state;
   report.since = stops.since();
   report.has_reason = out.state != StopState::kRunning;
   report.reason = stops.cause().reason;
+  report.refusal = stops.refusal();
 }
 
 }  // namespace abstand::serve

@@ -23,8 +23,10 @@ class ServedRobot {
   void reset() { reset_ = true; }
   /// Marks the links as stale when the joint values are older than `stale` s.
   void grow(double t, double stale, Scene& scene);
-  /// After the scene's step. `person_age`: s, of the person least known. `torque`: of its own joints.
-  void react(double t, double person_age, const Scene& scene, RobotReport& report, std::span<double> torque);
+  /// After the scene's step. `person_age`: s, of the person least known. `torque`, `offset`: of its own
+  /// joints; the latter may be empty.
+  void react(double t, double person_age, const Scene& scene, RobotReport& report, std::span<double> torque,
+             std::span<double> offset);
 
   double age(double t) const { return t - last_t_; }  ///< s, infinite before the first joint values
   bool stale() const { return stale_; }

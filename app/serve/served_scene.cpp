@@ -40,6 +40,7 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
 
   std::vector<bool> people(scene.objectCount());
   for (std::size_t i = 0; i < people.size(); ++i) people[i] = person_of[i] >= 0;
+  bool offsets = false;
   for (std::size_t m = 0; m < d.mechanisms.size(); ++m) {
     ReactionDescription reaction = options.reaction;
     if (options.scene_first && d.mechanisms[m].reaction) {
@@ -49,6 +50,7 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
       if (std::isfinite(options.reaction.stop.resume_after))
         reaction.stop.resume_after = options.reaction.stop.resume_after;
     }
+    offsets = offsets || reaction.admittance;
     robots_.push_back(std::make_unique<ServedRobot>(*session_->mechanisms()[m], scene, people, reaction));
   }
   people_.resize(d.humans.size());
@@ -66,6 +68,7 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
   report_.person_age.assign(people_.size(), kInfinity);
   report_.robots.resize(robots_.size());
   report_.torque.assign(format_.dof(), 0.0);
+  report_.offset.assign(offsets ? format_.dof() : 0, 0.0);
   report_.links.resize(links_.size());
   report_.separation.resize(separations);
   report_.nearest.resize(options.nearest);
@@ -123,7 +126,10 @@ void ServedScene::cycle(double t) {
   std::size_t first = 0;
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     const std::size_t n = robots_[m]->dof();
-    robots_[m]->react(t, person_age, scene, report_.robots[m], std::span(report_.torque).subspan(first, n));
+    const auto own = [&](std::vector<double>& all) {
+      return all.empty() ? std::span<double>() : std::span(all).subspan(first, n);
+    };
+    robots_[m]->react(t, person_age, scene, report_.robots[m], own(report_.torque), own(report_.offset));
     first += n;
   }
   reportLinks();

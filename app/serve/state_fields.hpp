@@ -37,7 +37,10 @@ void eachField(const StateReport& r, const ReplyTo& to, std::uint32_t bytes, Vis
   packet("sequence number of the packet answered", to.sequence);
   packet("its index", to.index);
   packet("its time stamp, us", to.time_us);
-  packet("flags; 2: unasked", to.unasked ? kFlagUnasked : std::uint32_t{0});
+  std::uint32_t flags = to.unasked ? kFlagUnasked : 0;
+  for (const RobotReport& m : r.robots)
+    if (m.refusal != ResetRefusal::kNone) flags |= kFlagRefused;
+  packet("flags; 2: unasked, 4: a reset was refused", flags);
   packet("bytes of this packet", bytes);
   packet("time of the server, us", r.time_us);
   packet("last cycle, us", r.cycle_us);
@@ -64,6 +67,8 @@ void eachField(const StateReport& r, const ReplyTo& to, std::uint32_t bytes, Vis
   }
   for (std::size_t i = 0; i < r.separation.size(); ++i) pair(Of::kSeparation, i, r.separation[i]);
   for (std::size_t i = 0; i < r.nearest.size(); ++i) pair(Of::kNearest, i, r.nearest[i]);
+  for (std::size_t i = 0; i < r.offset.size(); ++i)
+    visit(FieldLabel{Of::kJoint, i, "offset, rad or m"}, r.offset[i]);
 }
 
 }  // namespace abstand::serve

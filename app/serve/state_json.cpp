@@ -72,9 +72,12 @@ void writeRobot(Line& out, const RobotReport& r, std::string_view name) {
   out.text(",\"since\":").number(r.since);
   out.text(",\"state\":\"").text(stateName(r.state)).text("\",\"reason\":");
   if (r.has_reason)
-    out.text("\"").text(reasonName(r.reason)).text("\"}");
+    out.text("\"").text(reasonName(r.reason)).text("\"");
   else
-    out.text("null}");
+    out.text("null");
+  if (r.refusal != ResetRefusal::kNone)
+    out.text(",\"reset_refused\":\"").text(refusalName(r.refusal)).text("\"");
+  out.text("}");
 }
 
 std::string quote(const std::string& name) {
@@ -129,6 +132,8 @@ std::size_t writeStateJson(const StateReport& r, const ReplyTo& to, const Packet
     writePair(out, r.nearest[i], names);
     out.text("}");
   });
+  if (!r.offset.empty())
+    out.text(",\"offset\":").list(r.offset.size(), [&](std::size_t i) { out.number(r.offset[i]); });
   return out.text("}\n").size();
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/serve/packet.hpp"
-#include "core/safety/stop_log.hpp"
+#include "core/safety/stop_machine.hpp"
 
 namespace abstand::serve {
 
@@ -20,6 +20,7 @@ struct RobotReport {
   StopState state{StopState::kProtectiveStop};
   bool has_reason{true};
   StopReason reason{StopReason::kStaleInput};
+  ResetRefusal refusal{ResetRefusal::kNone};  ///< of a reset in this cycle
 };
 
 /// The nearest pair of a person and a robot (then no pair of them is nearer than distance - bound), or one of
@@ -37,9 +38,12 @@ struct StateReport {
   std::uint64_t time_us{0};  ///< clock of the server, 0 at its start
   double cycle_us{0.0};      ///< of the cycle before this one
   std::uint32_t bad{0}, late{0}, lost{0}, duplicates{0};
-  std::vector<double> person_age;      ///< s, of each person's least known part; infinite: never seen
-  std::vector<RobotReport> robots;     ///< of each mechanism
-  std::vector<double> torque;          ///< N m or N, of all joints, to be added to the robot's own
+  std::vector<double> person_age;   ///< s, of each person's least known part; infinite: never seen
+  std::vector<RobotReport> robots;  ///< of each mechanism
+  std::vector<double> torque;       ///< N m or N, of all joints, to be added to the robot's own
+  /// rad or m, of all joints, to be added to the commanded positions: of the law `admittance`, 0 for joints
+  /// of mechanisms without it; empty where none has it.
+  std::vector<double> offset;
   std::vector<Wrench> links;           ///< contact of each link about its centre of mass, world axes
   std::vector<PairReport> separation;  ///< of person p and mechanism m at p * mechanisms + m
   std::vector<PairReport> nearest;     ///< of all pairs, by rising distance as far as it is known

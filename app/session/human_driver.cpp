@@ -43,6 +43,8 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
                      "abstand skeleton says what was understood of the file");
+  const double start = recording.frames.front().t;
+  for (auto& frame : recording.frames) frame.t = start + (frame.t - start) / d.recording.speed;
   return recording;
 }
 

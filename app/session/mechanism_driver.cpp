@@ -8,13 +8,14 @@
 namespace abstand {
 
 MechanismDriver::MechanismDriver(const MechanismDescription& description)
-    : mechanism_(loadRobot(description.file).mechanism), X_WB_(description.X_WB), q_(description.q) {
+    : mechanism_(loadRobot(description.file).mechanism), X_WB_(description.X_WB), home_(description.q) {
   const auto dof = static_cast<std::size_t>(mechanism_.dof);
-  if (q_.empty()) q_.assign(dof, 0.0);
-  if (q_.size() != dof)
-    throw ParseError(description.pos, "found " + std::to_string(q_.size()) + " values in q of '" +
+  if (home_.empty()) home_.assign(dof, 0.0);
+  if (home_.size() != dof)
+    throw ParseError(description.pos, "found " + std::to_string(home_.size()) + " values in q of '" +
                                           description.name + "', expected " + std::to_string(dof) +
                                           ", one a degree of freedom");
+  q_ = home_;
   if (!description.motion.empty()) motion_ = loadMotion(description.motion, mechanism_.dof);
   for (const auto& link : description.links) {
     const int frame = mechanism_.indexOf(link.frame);
@@ -58,7 +59,10 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
 }
 
 void MechanismDriver::apply(double t, Scene& scene) {
-  if (motion_) motion_->at(t, q_);
+  if (motion_)
+    motion_->at(t, q_);
+  else
+    std::copy(home_.begin(), home_.end(), q_.begin());
   place(t, scene);
 }
 

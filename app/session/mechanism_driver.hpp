@@ -23,7 +23,8 @@ class MechanismDriver {
   /// and those that no joint moves against each other.
   std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
 
-  /// Joint values at time t, forward kinematics, poses of all links. No allocation, no throw.
+  /// Joint values at time t (home() without a motion), forward kinematics, poses of all links. No allocation,
+  /// no throw.
   void apply(double t, Scene& scene);
   /// The same for joint values from outside (rad, m; size dof()).
   void moveTo(std::span<const double> q, double t, Scene& scene);
@@ -42,6 +43,7 @@ class MechanismDriver {
   int dof() const { return mechanism_.dof; }
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
+  const std::vector<double>& home() const { return home_; }  ///< as the scene says
   const std::optional<MotionTable>& motion() const { return motion_; }
   const MechanismState& state() const { return state_; }  ///< at q()
 
@@ -52,7 +54,7 @@ class MechanismDriver {
   Mechanism mechanism_;
   MechanismState state_;
   Transform X_WB_;
-  std::vector<double> q_;
+  std::vector<double> home_, q_;
   std::optional<MotionTable> motion_;
   std::vector<Link> links_;
 };

@@ -18,7 +18,9 @@ SceneOutline Session::outline() const {
     if (!h.recording.file.empty()) movers.insert(h.name);
   }
   for (const auto& m : description_.mechanisms)
-    if (!m.motion.empty()) movers.insert(m.name);
+    if (!m.motion.empty() || m.reaction) movers.insert(m.name);
+  for (const auto& m : description_.mechanisms)
+    if (m.reaction) outline.reacting.push_back(m.name);
   for (const Object& o : scene_.objects()) {
     outline.objects.push_back(
         {o.spec.name, o.spec.group, people.contains(o.spec.group), movers.contains(o.spec.group)});

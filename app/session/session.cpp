@@ -17,8 +17,10 @@ Session::Session(SceneDescription description, const SessionOptions& options)
     : description_(std::move(description)),
       library_(options.cache ? userCacheFolder() : std::filesystem::path()),
       remarks_(description_.remarks) {
-  if (!options.recording.empty())
-    for (auto& human : description_.humans) human.recording.file = options.recording;
+  for (auto& human : description_.humans) {
+    if (!options.recording.empty()) human.recording.file = options.recording;
+    human.recording.speed *= options.person_speed;
+  }
 
   // Everything that can fail by a bad file is read before anything costly is built.
   std::vector<Planned> plan;

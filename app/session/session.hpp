@@ -15,6 +15,7 @@ namespace abstand {
 
 struct SessionOptions {
   std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
+  double person_speed{1.0};         ///< people move this much faster than recorded
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/session/live_session.hpp"
+#include "app/loop/live_session.hpp"
 #include "ui/session_port.hpp"
 
 namespace abstand {
@@ -21,6 +21,8 @@ class LivePort final : public ui::SessionPort {
   void seek(double t) override { live_->send(command::Seek{t}); }
   void setSpeed(double factor) override { live_->send(command::Speed{factor}); }
   void setLoop(bool on) override { live_->send(command::Loop{on}); }
+  void setReact(bool on) override { live_->send(command::React{on}); }
+  void resetStops() override { live_->send(command::ResetStops{}); }
   void setMargin(int object, double metres) override { live_->send(command::Margin{object, metres}); }
 
  private:

@@ -10,6 +10,7 @@
 #include "app/cli/version.hpp"
 #include "app/studio/studio.hpp"
 #include "core/base/number.hpp"
+#include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/opengl.hpp"
@@ -30,6 +31,7 @@ int fail(int code, const QString& text) {
 
 struct Arguments {
   QString scene, recording, screenshot;
+  bool react{true};
   QSize size{kDefaultSize};
   double at{0.0};
   double play_s{0.0};
@@ -48,6 +50,9 @@ bool parse(const QApplication& app, Arguments& args) {
   parser.addOption(
       {"recording", QCoreApplication::translate("main", "recording that replaces the scene's"), "FILE"});
   parser.addOption({"at", QCoreApplication::translate("main", "start at this time"), "SECONDS"});
+  parser.addOption({"react",
+                    QCoreApplication::translate("main", "off: robots follow their motion whoever is there"),
+                    "on|off", "on"});
   parser.addOption({"screenshot", QCoreApplication::translate("main", "save a picture of the window and end"),
                     "FILE.png"});
   parser.addOption({"size", QCoreApplication::translate("main", "size of the window"), "WxH"});
@@ -77,6 +82,12 @@ bool parse(const QApplication& app, Arguments& args) {
       return false;
     }
   }
+  const QString react = parser.value("react");
+  if (react != "on" && react != "off") {
+    fail(kWrongUsage, QString("abstand-studio: error: --react: found '%1', expected on or off").arg(react));
+    return false;
+  }
+  args.react = react == "on";
   args.scene = parser.positionalArguments().value(0);
   args.recording = parser.value("recording");
   args.screenshot = parser.value("screenshot");
@@ -125,6 +136,7 @@ int main(int argc, char** argv) {
   ui::MainWindow window;
   window.resize(args.size);
   window.show();
+  window.actions()[ui::ActionId::kReact]->setChecked(args.react);
   Studio studio(window);
   if (!args.scene.isEmpty()) studio.openScene(args.scene, args.recording, args.at);
   if (!args.screenshot.isEmpty()) {

@@ -12,8 +12,7 @@ namespace abstand {
 struct Studio::Loaded {
   int request{0};
   QString scene;
-  double t{0.0};
-  std::unique_ptr<Session> session;
+  std::unique_ptr<LiveSession> live;
   QString problem;
 };
 
@@ -43,7 +42,6 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
     auto loaded = std::make_shared<Loaded>();
     loaded->request = request;
     loaded->scene = scene;
-    loaded->t = t;
     try {
       SessionOptions options;
       options.recording = recording.toStdString();
@@ -60,7 +58,8 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
         progress.hear(fraction, name);
       };
       options.monitor.cancelled = [this] { return cancelled_.load(); };
-      loaded->session = std::make_unique<Session>(loadScene(scene.toStdString()), options);
+      loaded->live = std::make_unique<LiveSession>(
+          std::make_unique<Session>(loadScene(scene.toStdString()), options), t);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
     }
@@ -81,13 +80,13 @@ void Studio::take(std::shared_ptr<Loaded> loaded) {
   QApplication::restoreOverrideCursor();
   if (loaded->request != request_) return;
   window_.hideOpening();
-  if (!loaded->session) {
+  if (!loaded->live) {
     window_.showProblem(tr("Cannot open"), loaded->problem);
     Q_EMIT failed(loaded->problem);
     return;
   }
   window_.setSession(nullptr);
-  port_ = std::make_unique<LivePort>(std::make_unique<LiveSession>(std::move(loaded->session), loaded->t));
+  port_ = std::make_unique<LivePort>(std::move(loaded->live));
   scene_ = loaded->scene;
   window_.setSession(port_.get());
   Q_EMIT ready();

@@ -19,6 +19,11 @@ double product(std::span<const double> row, std::span<const double> x) {
 
 }  // namespace
 
+void scaleGains(ReactionDescription& reaction, double factor) {
+  if (reaction.torque) reaction.torque->gain *= factor;
+  if (reaction.repulsion) reaction.repulsion->force *= factor;
+}
+
 Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs)
     : description_(description), stops_(description.stop), mass_(dof) {
   if (description.torque) limit_.emplace(*description.torque, dof);

@@ -45,4 +45,8 @@ struct ReactionDescription {
   StopOptions stop;
 };
 
+/// What would happen with weaker or stronger laws: the forces and the gain that push a robot away, times
+/// `factor`; limits, damping ratios, speeds and stops stay.
+void scaleGains(ReactionDescription& reaction, double factor);
+
 }  // namespace abstand

@@ -21,6 +21,11 @@ constexpr std::array<StopEvent, kStopResponses> kEventOf{StopEvent::kFree, StopE
 
 }  // namespace
 
+std::string_view refusalName(ResetRefusal refusal) {
+  constexpr std::array<std::string_view, 3> kNames{"", "a cause asks for a stop", "it does not stand yet"};
+  return kNames[static_cast<std::size_t>(refusal)];
+}
+
 StopState nextState(StopState state, StopEvent event) {
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
 }
@@ -36,7 +41,7 @@ void StopMachine::go(StopState to, double t) noexcept {
 
 StopState StopMachine::update(double t, std::span<const StopCause> causes, double fastest,
                               bool reset) noexcept {
-  if (!started_) since_ = asked_ = t;
+  if (!started_) since_ = asked_ = moved_ = t;
   started_ = true;
 
   StopResponse response = StopResponse::kNone;
@@ -47,6 +52,7 @@ StopState StopMachine::update(double t, std::span<const StopCause> causes, doubl
   }
   const bool asks_stop = response >= StopResponse::kProtective;
   if (asks_stop) asked_ = t;
+  if (response >= StopResponse::kEmergency) emergency_asked_ = t;
 
   const StopState next = nextState(state_, kEventOf[static_cast<std::size_t>(response)]);
   // The cause of what is to come, and of what holds as long as it lasts.
@@ -54,18 +60,28 @@ StopState StopMachine::update(double t, std::span<const StopCause> causes, doubl
   go(next, t);
 
   const bool stands = fastest <= options_.standstill;
+  if (!stands) moved_ = t;
+  const bool settled = stands && t - moved_ >= options_.settle;
   if (state_ == S::kProtectiveStop && stands && options_.resume_after < kInfinity) {
     if (!asks_stop && t - asked_ >= options_.resume_after) go(nextState(state_, StopEvent::kResume), t);
-  } else if (stands && (state_ == S::kProtectiveStop ||
-                        (state_ == S::kEmergencyStop && response < StopResponse::kEmergency))) {
+  } else if (settled && (state_ == S::kProtectiveStop ||
+                         (state_ == S::kEmergencyStop && t - emergency_asked_ >= options_.settle))) {
     // An emergency lasts as long as its cause, even at rest.
     go(nextState(state_, StopEvent::kStandstill), t);
   }
-  if (reset && state_ == S::kWaitingForReset && !asks_stop)
-    go(nextState(state_, StopEvent::kReset), t);
-  else if (reset)
-    ++refused_resets_;
+  refusal_ = ResetRefusal::kNone;
+  if (reset && !moving()) takeReset(t, asks_stop, settled);
   return state_;
+}
+
+void StopMachine::takeReset(double t, bool asks_stop, bool settled) noexcept {
+  if (asks_stop)
+    refusal_ = ResetRefusal::kCause;
+  else if (!settled || state_ != S::kWaitingForReset)
+    refusal_ = ResetRefusal::kTooEarly;
+  else
+    return go(nextState(state_, StopEvent::kReset), t);
+  ++refused_resets_;
 }
 
 }  // namespace abstand

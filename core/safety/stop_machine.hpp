@@ -17,6 +17,10 @@ inline constexpr std::size_t kStopEvents = 7;
 /// The table of transitions; every state has an answer to every event.
 StopState nextState(StopState state, StopEvent event);
 
+/// Why a reset was not heeded: a cause asks for a stop, or it has not stood for StopOptions::settle yet.
+enum class ResetRefusal : std::uint8_t { kNone, kCause, kTooEarly };
+std::string_view refusalName(ResetRefusal refusal);
+
 struct StopOptions {
   static constexpr const char* kName = "stop";
   /// s. A protective stop ends by itself when no cause asked for it for so long [ISO/TS 15066 5.5.4 lets
@@ -25,6 +29,10 @@ struct StopOptions {
   double resume_after{kInfinity};
   /// rad/s or m/s: with no joint faster, the robot stands.
   double standstill{1e-3};
+  /// s. For so long without a break it has to stand, and no cause to ask for an emergency stop, before a stop
+  /// waits for its reset, and before the reset: a moment of rest at a turning point is no standstill, and who
+  /// ignores an emergency stop stays in one.
+  double settle{0.1};
   /// Share of the planned speed while a cause asks to slow down that names no speed itself.
   double slow_to{0.25};
   StopPolicy policy;
@@ -33,6 +41,7 @@ struct StopOptions {
   static void eachNumber(Self& o, Visit visit) {
     visit("resume_after", o.resume_after, NumberRule{0.0, kInfinity, "s"});
     visit("standstill", o.standstill, NumberRule{0.0, 1.0, "rad/s or m/s"});
+    visit("settle", o.settle, NumberRule{0.0, 60.0, "s"});
     visit("slow_to", o.slow_to, NumberRule{0.0, 1.0});
   }
   void validate() const { requireNumbers(*this); }  ///< throws UsageError
@@ -47,8 +56,8 @@ class StopMachine {
   /// @param t        s, not falling
   /// @param causes   that hold in this cycle
   /// @param fastest  rad/s or m/s, the largest joint velocity, of its size; not finite: it does not stand
-  /// @param reset    a person asks to go on. Heeded when waiting and no cause asks for a stop; else it is
-  ///                 counted in refusedResets(). It is an edge: pass true in one cycle.
+  /// @param reset    a person asks to go on. Heeded when waiting, standing, and no cause asks for a stop; in
+  ///                 any other stop it is refused. It is an edge: pass true in one cycle.
   StopState update(double t, std::span<const StopCause> causes, double fastest, bool reset) noexcept;
 
   StopState state() const { return state_; }
@@ -58,17 +67,22 @@ class StopMachine {
   /// Motion is allowed, perhaps slowly.
   bool moving() const { return state_ == StopState::kRunning || state_ == StopState::kSlowing; }
   const StopLog& log() const { return log_; }
-  long refusedResets() const { return refused_resets_; }
+  long refusedResets() const { return refused_resets_; }  ///< ever
+  ResetRefusal refusal() const { return refusal_; }       ///< of the last update()
 
  private:
   void go(StopState to, double t) noexcept;
+  void takeReset(double t, bool asks_stop, bool settled) noexcept;
 
   StopOptions options_;
   StopState state_{StopState::kRunning};
   StopCause cause_;
-  double since_{0.0}, asked_{0.0};  ///< s; asked_: when a protective stop was last asked for
+  double since_{0.0};  ///< s
+  double asked_{0.0};  ///< s, when a protective stop was last asked for; likewise:
+  double emergency_asked_{-kInfinity}, moved_{0.0};
   bool started_{false};
   long refused_resets_{0};
+  ResetRefusal refusal_{ResetRefusal::kNone};
   StopLog log_;
 };
 

@@ -282,6 +282,20 @@ void Scene::step() {
   addUp();
 }
 
+void Scene::take(const std::vector<PairResult>& results) {
+  ABSTAND_CHECK(results.size() == pairs_.size());
+  ++steps_;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
+  enqueueMoved();
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    pairs_[i].result = results[i];
+    pairs_[i].outcome = PairOutcome::kChecked;
+    pairs_[i].rest.forget();
+  }
+  takeStock();
+  addUp();
+}
+
 void Scene::count(Pair& pair) {
   switch (pair.outcome) {
     case PairOutcome::kChecked:

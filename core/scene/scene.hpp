@@ -123,6 +123,8 @@ class Scene {
 
   /// Brings every pair's result up to the present poses and sums the totals of the objects.
   void step();
+  /// In the place of step() where others query the pairs (live mode): takes a result for each pair, in order.
+  void take(const std::vector<PairResult>& results);
   /// Steps so far.
   long steps() const { return steps_; }
   const StepCounts& counts() const { return counts_; }  ///< of the last step()

@@ -57,6 +57,7 @@ struct RecordingDescription {
   std::string format{"auto"}, units{"auto"}, up{"auto"};
   Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
   double place_yaw{0.0};                 ///< rad, about world z
+  double speed{1.0};                     ///< 2: twice as fast as recorded, from its first frame on
   SourcePos pos;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/safety/stop_log.hpp"
 #include "core/scene/scene.hpp"
 
 namespace abstand {
@@ -23,6 +24,15 @@ struct PairSnapshot {
   double margin{0.0};
 };
 
+/// A robot that reacts, as of the last cycle.
+struct RobotSnapshot {
+  StopState state{StopState::kRunning};
+  StopCause cause;          ///< of the present state; while it runs: of the last one before
+  double since{0.0};        ///< s, when the state began
+  double speed_scale{1.0};  ///< 0 to 1, share of the planned speed
+  StopLog log;              ///< of what came before, since SceneSnapshot::loop_start
+};
+
 /// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
 struct SceneSnapshot {
   long step{0};
@@ -37,6 +47,10 @@ struct SceneSnapshot {
   long overruns{0};  ///< cycles longer than the period
   StepCounts work;   ///< how the pairs of the last step came to their results
   double real_time_factor{0.0};
+  /// Those of SceneOutline::reacting, in its order; empty while nothing reacts.
+  std::vector<RobotSnapshot> robots;
+  double loop_start{kNaN};  ///< s, when they were put on their plans, with nothing behind them; NaN: never
+  long loops{0};            ///< grows whenever that happens
   bool playing{false};
   int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
@@ -60,9 +74,10 @@ struct SceneOutline {
   std::vector<ObjectInfo> objects;
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
-  std::vector<TriangleMesh> meshes;  ///< one an object, body frame, for drawing
-  double start{0.0}, end{0.0};       ///< s
-  double frame_period{0.01};         ///< s, one step of the timeline
+  std::vector<std::string> reacting;  ///< mechanisms with a `reaction`
+  std::vector<TriangleMesh> meshes;   ///< one an object, body frame, for drawing
+  double start{0.0}, end{0.0};        ///< s
+  double frame_period{0.01};          ///< s, one step of the timeline
   std::string title;
 };
 

@@ -355,8 +355,31 @@ TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
   EXPECT_NE(readFile(joints, 1 << 20, true)
                 .find("slide.q0,slide.effort0,slide.planned0,slide.torque0,slide.speed_scale,slide.state\n"),
             std::string::npos);
-  EXPECT_EQ(run(command + " --mode live").code, 2);
+  const json live = runJson(command + " --mode live");
+  EXPECT_EQ(live["cycles"], 501);
+  EXPECT_EQ(live["robots"].at(0)["stops"].at(0)["reason"], "distance");
   EXPECT_EQ(run(command + " --react maybe").code, 2);
+
+  // What if: the potential pushes with half the force, and with none.
+  const double whole = on["robots"][0]["peak_torque"];
+  const json half = runJson(command + " --gain 0.5"), none = runJson(command + " --gain 0");
+  EXPECT_NEAR(half["robots"][0]["peak_torque"].get<double>(), 0.5 * whole, 1e-9 * whole);
+  EXPECT_EQ(none["robots"][0]["peak_torque"], 0.0);
+  EXPECT_EQ(run(command + " --gain -1").code, 2);
+  EXPECT_EQ(run(command + " --person-speed 0").code, 2);
+
+  // The gate sees every millisecond: nearer than 2 cm at first only, or all the time.
+  const std::string gate = "check " + scene + " --no-cache --min-distance 0.02 --json --poses " + poses;
+  const auto moves = run(gate), stands = run(gate + " --react off");
+  EXPECT_EQ(moves.code, 1);
+  EXPECT_EQ(stands.code, 1);
+  const json moved = json::parse(moves.out), stood = json::parse(stands.out);
+  EXPECT_EQ(stood["violations"].at(0)["end"], 0.5);
+  EXPECT_FALSE(stood.contains("reactions"));
+  EXPECT_LT(moved["violations"].at(0)["end"], 0.3);
+  EXPECT_EQ(moved["frames"], 2);
+  EXPECT_EQ(moved["reactions"].at(0)["robots"].at(0)["mechanism"], "slide");
+  EXPECT_EQ(run(gate + " --react maybe").code, 2);
 }
 
 const char* kDynamics =

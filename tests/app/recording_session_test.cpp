@@ -16,7 +16,8 @@ constexpr double kSame = 1e-9;  // m at the far end of a part; a table keeps eve
 constexpr double kRounded = 2e-3;
 
 /// One person alone, in structures as coarse as may be: only poses are looked at.
-std::unique_ptr<Session> openPerson(const ScratchFolder& folder, const std::filesystem::path& recording) {
+std::unique_ptr<Session> openPerson(const ScratchFolder& folder, const std::filesystem::path& recording,
+                                    double speed = 1.0) {
   const auto scene = folder.write("scene.yaml",
                                   "abstand: 1\n"
                                   "defaults: {voxel: 0.05, point: 0.05, outer_layers: 1}\n"
@@ -24,6 +25,7 @@ std::unique_ptr<Session> openPerson(const ScratchFolder& folder, const std::file
                                   "  - {name: someone, height: 1.75, recording: {file: " +
                                       recording.string() + "}}\npairs: {default: none}\n");
   SessionOptions options;
+  options.person_speed = speed;
   options.threads = 1;
   options.cache = false;
   return std::make_unique<Session>(loadScene(scene), options);
@@ -52,6 +54,21 @@ TEST(RecordingSession, APersonMovesTheSameAfterBvhTableAndCompact) {
       moved = std::max(moved, session->scene().objects()[0].X_WB.translation().norm());
     }
     EXPECT_GT(moved, 0.1) << "the person stands somewhere";
+  }
+}
+
+TEST(RecordingSession, APersonMayMoveFasterThanRecorded) {
+  const ScratchFolder folder;
+  const auto bvh = projectFile("data/scenes/hug_reach.bvh");
+  const auto slow = openPerson(folder, bvh), fast = openPerson(folder, bvh, 2.0);
+  EXPECT_EQ(fast->frameTimes().size(), slow->frameTimes().size());
+  EXPECT_NEAR(fast->frameTimes().back(), 0.5 * slow->frameTimes().back(), 1e-12);
+  for (std::size_t frame = 0; frame < slow->frameTimes().size(); frame += 10) {
+    slow->applyMotion(slow->frameTimes()[frame]);
+    fast->applyMotion(fast->frameTimes()[frame]);
+    for (std::size_t i = 0; i < 14; ++i)
+      EXPECT_EQ(slow->scene().objects()[i].X_WB.matrix(), fast->scene().objects()[i].X_WB.matrix())
+          << frame << " part " << i;
   }
 }
 

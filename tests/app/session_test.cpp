@@ -5,8 +5,8 @@
 
 #include <chrono>
 
+#include "app/loop/live_session.hpp"
 #include "app/run/run_scene.hpp"
-#include "app/session/live_session.hpp"
 #include "core/base/state_hash.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"

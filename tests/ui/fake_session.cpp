@@ -68,6 +68,9 @@ FakeSession::FakeSession() {
           outline_.objects[static_cast<std::size_t>(b)].group)
         outline_.pairs.emplace_back(a, b);
   for (int j = 0; j < kLinks; ++j) outline_.joints.push_back({"arm", "joint" + std::to_string(j + 1), false});
+  outline_.reacting = {"arm"};
+  snapshot_.robots.resize(1);
+  snapshot_.loop_start = 0.0;
   snapshot_.objects.resize(outline_.objects.size());
   for (std::size_t i = 0; i < snapshot_.objects.size(); ++i)
     snapshot_.objects[i].margin = outline_.objects[i].human ? 0.04 : 0.01;
@@ -236,6 +239,14 @@ void FakeSession::seek(double t) {
   log.push_back(line("seek", t));
   compute(std::clamp(t, 0.0, kEnd));
 }
+
+void FakeSession::setReact(bool on) {
+  log.push_back(on ? "react on" : "react off");
+  snapshot_.robots.resize(on ? 1 : 0);
+  fresh_ = true;
+}
+
+void FakeSession::resetStops() { log.push_back("reset stops"); }
 
 void FakeSession::setMargin(int object, double metres) {
   log.push_back(line(("margin " + std::to_string(object)).c_str(), metres));

@@ -22,6 +22,8 @@ class FakeSession : public SessionPort {
   void seek(double t) override;
   void setSpeed(double factor) override { speed = factor; }
   void setLoop(bool on) override { loop = on; }
+  void setReact(bool on) override;
+  void resetStops() override;
   void setMargin(int object, double metres) override;
 
   /// Computes every frame of `seconds` of wall time, when playing.
@@ -31,6 +33,13 @@ class FakeSession : public SessionPort {
   int indexOf(const std::string& name) const;
   void setPoseState(int object, PoseState state);
   void setWork(const StepCounts& work);
+  /// Lets the arm react; `update` may change what is said of it.
+  template <class Update>
+  void setRobot(Update update) {
+    snapshot_.robots.resize(1);
+    update(snapshot_, snapshot_.robots[0]);
+    fresh_ = true;
+  }
 
   double speed{1.0};
   bool loop{false};

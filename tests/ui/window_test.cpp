@@ -10,19 +10,24 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTest>
 
 #include "tests/ui/fake_session.hpp"
 #include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
@@ -183,6 +188,102 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
   EXPECT_TRUE(shows("Checked 3 of " + pairs)) << label->text().toStdString();
   window.setSession(nullptr);
   EXPECT_TRUE(label->text().isEmpty());
+}
+
+TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
+  auto* panel = &window.robotPanel();
+  const auto* head = panel->findChild<QLabel*>("robots_head");
+  const auto* state = panel->findChild<QLabel*>("state arm");
+  const auto* reason = panel->findChild<QLabel*>("reason arm");
+  const auto* bar = window.findChild<QLabel*>("robots");
+  auto* reset = panel->findChild<QPushButton*>("reset_stops");
+  ASSERT_TRUE(head && state && reason && bar && reset);
+  const auto shows = [&](const QLabel* label, const QString& text) {
+    window.pull();
+    return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
+  };
+  EXPECT_TRUE(shows(head, "On their plans at 0.000 s, reacting since"));
+  EXPECT_TRUE(shows(state, "arm: running since 0.000 s, speed 100 %"));
+  EXPECT_TRUE(reason->text().isEmpty());
+  EXPECT_EQ(bar->text(), "Robots: running");
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_FALSE(reset->isEnabled());
+
+  StopCause cause{StopReason::kDistance, 0.0398, 0.04, 0, -1};
+  const auto [a, b] = session.outline().pairs[0];
+  const QString pair =
+      QString::fromStdString(session.outline().objects[static_cast<std::size_t>(a)].name + " – " +
+                             session.outline().objects[static_cast<std::size_t>(b)].name);
+  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
+    robot.state = StopState::kProtectiveStop;
+    robot.cause = cause;
+    robot.since = 6.574;
+    robot.speed_scale = 0.0;
+    robot.log.add({6.574, StopState::kRunning, StopState::kProtectiveStop, cause, 6.574});
+  });
+  EXPECT_TRUE(shows(state, "⚠ arm: protective stop since 6.574 s, speed 0 %")) << state->text().toStdString();
+  EXPECT_EQ(reason->text(), "distance 39.8 mm, limit 40.0 mm, " + pair);
+  EXPECT_EQ(bar->text(), "⚠ arm: protective stop");
+  EXPECT_EQ(panel->log()->toPlainText(),
+            "6.574 s  arm: running → protective stop: distance 39.8 mm, limit 40.0 mm, " + pair);
+
+  // One line more for each change, and none twice.
+  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
+    robot.state = StopState::kWaitingForReset;
+    robot.since = 7.0;
+    robot.log.add({7.0, StopState::kProtectiveStop, StopState::kWaitingForReset, cause, 0.426});
+  });
+  EXPECT_TRUE(shows(bar, "⚠ arm: waiting for reset"));
+  EXPECT_EQ(panel->log()->blockCount(), 2);
+  ASSERT_TRUE(reset->isEnabled());
+  session.log.clear();
+  reset->click();
+  EXPECT_EQ(session.log, std::vector<std::string>{"reset stops"});
+
+  // A new beginning: nothing is behind them.
+  session.setRobot([&](SceneSnapshot& snapshot, RobotSnapshot& robot) {
+    robot = {};
+    snapshot.loop_start = 3.2;
+    ++snapshot.loops;
+  });
+  EXPECT_TRUE(shows(head, "On their plans at 3.200 s, reacting since"));
+  EXPECT_TRUE(panel->log()->toPlainText().isEmpty());
+  EXPECT_TRUE(window.statusBar()->currentMessage().contains("3.200 s"));
+
+  window.setSession(nullptr);
+  EXPECT_FALSE(panel->findChild<QLabel*>("state arm"));
+}
+
+TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
+  QAction* react = window.actions()[ActionId::kReact];
+  EXPECT_TRUE(react->isEnabled());
+  EXPECT_TRUE(react->isChecked());
+  key(Qt::Key_R);
+  EXPECT_EQ(session.log, std::vector<std::string>{"react off"});
+  const auto* bar = window.findChild<QLabel*>("robots");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar->text() == "React: off"; }, kWaitMs));
+  FakeSession next;
+  window.setSession(&next);
+  EXPECT_EQ(next.log, std::vector<std::string>{"react off"});
+  next.log.clear();
+  key(Qt::Key_R);
+  EXPECT_EQ(next.log, std::vector<std::string>{"react on"});
+  next.log.clear();
+  key(Qt::Key_R, Qt::ShiftModifier);
+  EXPECT_EQ(next.log, std::vector<std::string>{"reset stops"});
+  window.setSession(nullptr);
+  EXPECT_FALSE(react->isEnabled());
+}
+
+TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
+  const SceneOutline& outline = session.outline();
+  const auto text = [&](const StopCause& cause) { return causeText(cause, outline, 0).toStdString(); };
+  EXPECT_EQ(text({StopReason::kSeparation, 0.5, 0.25, -1, -1}), "separation 0.50 m/s, limit 0.25 m/s");
+  EXPECT_EQ(text({StopReason::kEnergy, 0.1234, 0.0, -1, -1}), "energy 0.123 J, limit 0.000 J");
+  EXPECT_EQ(text({StopReason::kLostPerson, kInfinity, 0.2, -1, -1}), "lost person – s, limit 0.200 s");
+  EXPECT_EQ(text({StopReason::kTorque, kNaN, 40.0, -1, 2}), "torque, limit 40.0 N·m, joint joint3");
+  EXPECT_EQ(text({StopReason::kJointSpeed, 2.5, 2.0, -1, 99}), "joint speed 2.50 rad/s, limit 2.00 rad/s");
+  EXPECT_EQ(text({StopReason::kUser}), "user");
 }
 
 TEST_F(WindowTest, OpeningASceneIsShown) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/format.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/theme.hpp"
 
 namespace abstand::ui {
@@ -66,6 +67,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
       nearest_{new QLabel(bar)},
       opening_{new QLabel(bar)},
       opening_bar_{new QProgressBar(bar)},
+      robots_{new QLabel(bar)},
       left_out_{new QLabel(bar)},
       cycle_{new QLabel(bar)},
       overruns_{new QLabel(bar)},
@@ -86,12 +88,14 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   opening_bar_->setMaximumWidth(kBarWidth);
   opening_bar_->setTextVisible(false);
   left_out_->setObjectName(QStringLiteral("left_out"));
+  robots_->setObjectName(QStringLiteral("robots"));
+  robots_->setAccessibleName(tr("State of the robots that react"));
   left_out_->setAccessibleName(tr("Pairs that were checked"));
   bar->addWidget(opening_bar_);
   bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
   hideOpening();
-  for (QLabel* label : {left_out_, cycle_, overruns_, real_time_}) {
+  for (QLabel* label : {robots_, left_out_, cycle_, overruns_, real_time_}) {
     label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
@@ -114,6 +118,7 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
   } else {
     nearest_->clear();
   }
+  showRobots(outline, snapshot);
   setText(left_out_, leftOut(snapshot.work, snapshot.pairs.size()));
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
   setText(cycle_,
@@ -122,8 +127,25 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
   setText(real_time_, tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }
 
+void StatusPanel::showRobots(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+  robots_->setVisible(!outline.reacting.empty());
+  if (outline.reacting.empty()) return;
+  bool alarm = false;
+  const QString text = worstText(snapshot, outline, &alarm);
+  if (snapshot.robots.empty()) {
+    setText(robots_, tr("React: off"));
+    robots_->setToolTip(tr("Robots follow their recorded motion (React is off)"));
+  } else {
+    setText(robots_, (alarm ? QStringLiteral("⚠ ") : QString()) + text);
+    robots_->setToolTip(tr("Robots react from %1 on: there they were put on their plans, as a seek, a frame\n"
+                           "back and a new round do. Reasons and times are in the panel \"Robots\".")
+                            .arg(secondsWithUnit(snapshot.loop_start)));
+  }
+  colourText(robots_, alarm);
+}
+
 void StatusPanel::clear() {
-  for (QLabel* label : {nearest_, left_out_, cycle_, overruns_, real_time_}) label->clear();
+  for (QLabel* label : {nearest_, robots_, left_out_, cycle_, overruns_, real_time_}) label->clear();
   left_out_->setToolTip({});
 }
 

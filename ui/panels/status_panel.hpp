@@ -1,5 +1,5 @@
-// The status bar: what this is not, nearest pair, what was left out, speed; and how far the opening of a
-// scene is.
+// The status bar: what this is not, nearest pair, robots that react, what was left out, speed; and how far
+// the opening of a scene is.
 #pragma once
 
 #include <QObject>
@@ -32,9 +32,12 @@ class StatusPanel : public QObject {
   void hideOpening();
 
  private:
+  void showRobots(const SceneOutline& outline, const SceneSnapshot& snapshot);
+
   QLabel* nearest_;
   QLabel* opening_;
   QProgressBar* opening_bar_;
+  QLabel* robots_;
   QLabel* left_out_;
   QLabel* cycle_;
   QLabel* overruns_;

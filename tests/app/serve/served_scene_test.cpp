@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "humanmodel/rest_pose.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
@@ -134,6 +136,74 @@ TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
   scene->cycle(1.03);
   EXPECT_EQ(robot().state, StopState::kRunning);
   EXPECT_GT(scene->report().separation[0].distance, 1.0);
+}
+
+TEST_F(Served, AnAdmittanceTellsPositions) {
+  ReactionDescription reaction;
+  reaction.repulsion.emplace();
+  reaction.repulsion->range = 0.2;
+  reaction.repulsion->force = 100.0;
+  reaction.repulsion->damping = 0.0;
+  reaction.admittance.emplace();
+  reaction.admittance->inertia = {1.0};
+  reaction.admittance->damping = {50.0};
+  reaction.admittance->stiffness = {500.0};
+  reaction.admittance->offset = {1.0};
+  open(false, reaction);
+  ASSERT_EQ(scene->report().offset.size(), 1u);
+  // The ball is kept 0.1 m over the plate, so the push is 100 N (0.1 / 0.2)^2 = 25 N, and its offset at rest
+  // 25 N / 500 N/m.
+  for (int i = 0; i <= 3000; ++i) {
+    joints(0.2, 1e-3 * i);
+    scene->cycle(1e-3 * i);
+  }
+  // The laws take the distance less its bound, a sixth of a millimetre at most.
+  EXPECT_NEAR(scene->report().offset[0], 0.05, 2e-4);
+  open(false);
+  EXPECT_TRUE(scene->report().offset.empty());
+}
+
+TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
+  ReactionDescription reaction;
+  reaction.repulsion.emplace();
+  reaction.repulsion->range = 0.5;
+  reaction.repulsion->force = 1.0;
+  reaction.repulsion->stop_share = 0.0;  // any approach of its own within range is more than it can take
+  open(false, reaction);
+  // Up and down over the plate, every posture sent twice, as a client does that samples slower than it sends:
+  // every other cycle it seems to rest, and at every turn it does.
+  int i = 0;
+  for (; i <= 2000; ++i) {
+    const double t = 1e-3 * i;
+    joints(0.4 + 0.1 * std::cos(20.0 * 1e-3 * (i / 2 * 2)), t, i == 1500);
+    scene->cycle(t);
+    if (i == 1500) {
+      EXPECT_EQ(robot().refusal, ResetRefusal::kTooEarly);
+      std::vector<std::byte> bytes(stateBytes(scene->report()));
+      writeState(scene->report(), {}, bytes);
+      EXPECT_EQ(std::to_integer<int>(bytes[24]), 4) << "the flag of the answer";
+    }
+    if (i > 1) {
+      ASSERT_EQ(robot().state, StopState::kEmergencyStop) << t;
+      ASSERT_EQ(scene->report().torque[0], 0.0) << t;
+    }
+  }
+  const StopLog& log = scene->robots()[0]->stops();
+  ASSERT_EQ(log.count(), 1u) << "one stop, however often it could have been left";
+  EXPECT_EQ(log.entry(0).cause.reason, StopReason::kEnergy);
+
+  // It obeys: from then on 0.1 s, the reset, and it runs.
+  const double q = scene->session().mechanisms()[0]->q()[0];
+  for (; robot().state == StopState::kEmergencyStop; ++i) {
+    joints(q, 1e-3 * i);
+    scene->cycle(1e-3 * i);
+  }
+  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  EXPECT_NEAR(1e-3 * i, 2.1, 3e-3);
+  joints(q, 1e-3 * i, true);
+  scene->cycle(1e-3 * i);
+  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_EQ(robot().refusal, ResetRefusal::kNone);
 }
 
 TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {

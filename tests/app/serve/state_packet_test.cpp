@@ -63,6 +63,33 @@ TEST(ServeState, EveryNumberIsWhereTheManualSays) {
   EXPECT_EQ(load<double>(bytes, 248 + 16), -kInfinity);
 }
 
+TEST(ServeState, OffsetsOfAnAdmittanceStandAtTheEnd) {
+  StateReport r = example();
+  const std::size_t without = stateBytes(r);
+  r.offset = {0.125, -0.25};
+  ASSERT_EQ(stateBytes(r), without + 16);
+  std::vector<std::byte> bytes(stateBytes(r));
+  writeState(r, {}, bytes);
+  EXPECT_EQ(load<double>(bytes, without), 0.125);
+  EXPECT_EQ(load<double>(bytes, without + 8), -0.25);
+  std::vector<std::byte> text(4096);
+  const std::size_t n = writeStateJson(r, {}, quoted(kFormat), quoted(kNames), text);
+  const auto j = nlohmann::json::parse(std::string(reinterpret_cast<const char*>(text.data()), n));
+  EXPECT_EQ(j["offset"], nlohmann::json({0.125, -0.25}));
+  EXPECT_NE(describeLayout(kFormat, kNames, r).find("arm \"left\".q1 offset, rad or m\n"), std::string::npos);
+}
+
+TEST(ServeState, ARefusedResetIsAFlagAndAReason) {
+  StateReport r = example();
+  r.robots[0].refusal = ResetRefusal::kCause;
+  std::vector<std::byte> bytes(4096);
+  writeState(r, {9, 0, 55, true}, bytes);
+  EXPECT_EQ(load<std::uint32_t>(bytes, 24), kFlagUnasked | kFlagRefused);
+  const std::size_t n = writeStateJson(r, {}, quoted(kFormat), quoted(kNames), bytes);
+  const auto j = nlohmann::json::parse(std::string(reinterpret_cast<const char*>(bytes.data()), n));
+  EXPECT_EQ(j["mechanisms"][0]["reset_refused"], "a cause asks for a stop");
+}
+
 TEST(ServeState, JsonSaysTheSame) {
   const StateReport r = example();
   const PacketFormat format = quoted(kFormat);

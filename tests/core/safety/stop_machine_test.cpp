@@ -78,11 +78,50 @@ TEST(StopMachine, AProtectiveStopWaitsForItsReset) {
   EXPECT_FALSE(m.moving());
   EXPECT_EQ(m.update(0.1, kNone, kMoving, true), S::kProtectiveStop) << "it has not stopped yet";
   EXPECT_EQ(m.refusedResets(), 1);
-  EXPECT_EQ(with(m, 0.2, {StopReason::kDistance}, 0.0), S::kWaitingForReset);
+  EXPECT_EQ(m.refusal(), ResetRefusal::kTooEarly);
+  EXPECT_EQ(with(m, 0.21, {StopReason::kDistance}, 0.0), S::kWaitingForReset);
+  EXPECT_EQ(m.refusal(), ResetRefusal::kNone);
   EXPECT_EQ(with(m, 0.3, {StopReason::kDistance}, 0.0, true), S::kWaitingForReset) << "the cause is there";
+  EXPECT_EQ(m.refusal(), ResetRefusal::kCause);
   EXPECT_EQ(m.refusedResets(), 2);
   EXPECT_EQ(m.update(0.4, kNone, 0.0, false), S::kWaitingForReset);
   EXPECT_EQ(m.update(0.5, kNone, 0.0, true), S::kRunning);
+  EXPECT_EQ(m.update(0.6, kNone, 0.0, true), S::kRunning);
+  EXPECT_EQ(m.refusedResets(), 2) << "who runs has nothing to reset";
+}
+
+TEST(StopMachine, AMomentOfRestIsNoStandstill) {
+  StopOptions o;
+  o.settle = 0.1;
+  for (const StopReason reason : {StopReason::kDistance, StopReason::kUser}) {
+    StopMachine m(o);
+    with(m, 0.0, {reason});
+    // Every other cycle at rest, as of a client that sends each posture twice, for a second.
+    for (int i = 1; i <= 1000; ++i) {
+      const S state = m.update(1e-3 * i, kNone, i % 2 ? 0.0 : kMoving, false);
+      ASSERT_EQ(state, reason == StopReason::kUser ? S::kEmergencyStop : S::kProtectiveStop) << i;
+    }
+    EXPECT_EQ(m.log().count(), 1u) << "one line, not five hundred";
+    // It moved last at 1 s.
+    EXPECT_FALSE(m.update(1.0995, kNone, 0.0, false) == S::kWaitingForReset);
+    EXPECT_EQ(m.update(1.1005, kNone, 0.0, false), S::kWaitingForReset);
+    // Who moves while waiting gets no reset before standing again.
+    EXPECT_EQ(m.update(1.2, kNone, kMoving, true), S::kWaitingForReset);
+    EXPECT_EQ(m.refusal(), ResetRefusal::kTooEarly);
+    EXPECT_EQ(m.update(1.25, kNone, 0.0, true), S::kWaitingForReset);
+    EXPECT_EQ(m.update(1.31, kNone, 0.0, true), S::kRunning);
+  }
+}
+
+TEST(StopMachine, AnEmergencyWhoseCauseFlickersIsOne) {
+  StopMachine m;
+  for (int i = 0; i <= 1000; ++i) {
+    const S state =
+        i % 50 ? m.update(1e-3 * i, kNone, 0.0, false) : with(m, 1e-3 * i, {StopReason::kUser}, 0.0);
+    ASSERT_EQ(state, S::kEmergencyStop) << i;
+  }
+  EXPECT_EQ(m.log().count(), 1u);
+  EXPECT_EQ(m.update(1.101, kNone, 0.0, false), S::kWaitingForReset);
 }
 
 TEST(StopMachine, AProtectiveStopMayEndByItself) {
@@ -106,10 +145,10 @@ TEST(StopMachine, AnEmergencyLastsAndIsNeverLeftByItself) {
   EXPECT_EQ(m.cause().reason, StopReason::kUser) << "the highest response is named";
   EXPECT_EQ(with(m, 0.1, {StopReason::kUser}, 0.0), S::kEmergencyStop) << "the button is still down";
   EXPECT_EQ(m.log().count(), 1u) << "and says so once";
-  EXPECT_EQ(m.update(0.2, kNone, 0.0, false), S::kWaitingForReset);
+  EXPECT_EQ(m.update(0.21, kNone, 0.0, false), S::kWaitingForReset);
   EXPECT_EQ(m.update(99.0, kNone, 0.0, false), S::kWaitingForReset);
   EXPECT_EQ(with(m, 99.1, {StopReason::kUser}, 0.0), S::kEmergencyStop);
-  EXPECT_EQ(m.update(99.2, kNone, 0.0, true), S::kRunning) << "stopped, reset, in one cycle";
+  EXPECT_EQ(m.update(99.21, kNone, 0.0, true), S::kRunning) << "stopped, reset, in one cycle";
 }
 
 TEST(StopMachine, FollowsThePolicy) {

@@ -1,0 +1,72 @@
+#include "app/cli/robot_texts.hpp"
+
+#include "app/cli/command_line.hpp"
+
+namespace abstand::cli {
+namespace {
+
+nlohmann::ordered_json extremeJson(const std::optional<ReactionReport::Extreme>& e) {
+  if (!e) return nullptr;
+  return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
+}
+
+/// How far inside, m; 0: they did not touch.
+double depthOf(const std::optional<ReactionReport::Extreme>& e) { return e ? std::max(0.0, -e->value) : 0.0; }
+
+nlohmann::ordered_json robotJson(const ReactionReport& r) {
+  auto stops = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < r.stops.size(); ++i) {
+    const StopEntry& e = r.stops[i];
+    stops.push_back({{"t", e.t},
+                     {"from", stateName(e.from)},
+                     {"to", stateName(e.to)},
+                     {"reason", reasonName(e.cause.reason)},
+                     {"text", r.lines[i]}});
+  }
+  return {{"mechanism", r.name},
+          {"control", r.positioned ? "position" : "torque"},
+          {"min_distance", extremeJson(r.nearest)},
+          {"min_distance_person", extremeJson(r.nearest_person)},
+          {"deepest_person", depthOf(r.nearest_person)},
+          {"peak_torque", r.record.most_torque},
+          {"most_off_plan", r.record.most_off_plan},
+          {"behind_plan", r.record.lost_time},
+          {"slowed", r.record.slowed},
+          {"stopped", r.record.stopped},
+          {"state", stateName(r.state)},
+          {"stop_count", r.stop_count},
+          {"stops", stops}};
+}
+
+std::string robotText(const ReactionReport& r) {
+  std::string text = r.name + ": ";
+  if (r.nearest_person)
+    text += format("closest to a person %.1f mm, %s to %s at %.3f s; deepest inside %.1f mm\n",
+                   1e3 * r.nearest_person->value, r.nearest_person->a.c_str(), r.nearest_person->b.c_str(),
+                   r.nearest_person->t, 1e3 * depthOf(r.nearest_person));
+  else if (r.nearest)
+    text += format("closest %.1f mm, %s to %s at %.3f s\n", 1e3 * r.nearest->value, r.nearest->a.c_str(),
+                   r.nearest->b.c_str(), r.nearest->t);
+  text += format(
+      "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
+      "state\n",
+      r.record.most_off_plan, r.record.most_torque, r.record.slowed, r.record.stopped, r.stop_count);
+  for (const auto& line : r.lines) text += "  " + line + "\n";
+  return text;
+}
+
+}  // namespace
+
+nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ReactionReport& r : robots) list.push_back(robotJson(r));
+  return list;
+}
+
+std::string robotsText(const std::vector<ReactionReport>& robots) {
+  std::string text;
+  for (const ReactionReport& r : robots) text += robotText(r);
+  return text;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,17 @@
+// What robots that reacted went through, for people and for scripts.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/loop/loop_report.hpp"
+
+namespace abstand::cli {
+
+/// `robots` of the JSON document: an object each.
+nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots);
+/// A few lines each.
+std::string robotsText(const std::vector<ReactionReport>& robots);
+
+}  // namespace abstand::cli

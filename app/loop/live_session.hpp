@@ -1,0 +1,104 @@
+// A session that plays on its own thread.
+#pragma once
+
+#include <atomic>
+#include <thread>
+#include <variant>
+
+#include "app/loop/closed_loop.hpp"
+#include "core/base/spsc_ring.hpp"
+#include "core/base/triple_buffer.hpp"
+
+namespace abstand {
+
+/// Wishes to the loop, as values.
+namespace command {
+struct Play {
+  bool on;
+};
+struct Step {
+  int frames;
+};
+struct Seek {
+  double t;
+};
+struct Speed {
+  double factor;
+};
+struct Loop {
+  bool on;
+};
+struct Margin {
+  int object;
+  double metres;
+};
+struct React {
+  bool on;
+};
+struct ResetStops {};
+}  // namespace command
+using Command = std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop,
+                             command::Margin, command::React, command::ResetStops>;
+
+/// Owns a session and steps it on a thread of its own at 1 kHz of wall time. One other thread (the window)
+/// sends commands and takes snapshots; nobody waits for anybody.
+///
+/// Where a mechanism has a `reaction`, playing is the closed loop, a cycle a millisecond of the scene, as
+/// many a millisecond of wall time as the speed asks for; where they do not fit, play is slower. What robots
+/// did depends on what was before, so a seek, a frame back and a new round put them on their plans at that
+/// time (SceneSnapshot::loop_start). Else, and with React off, cycles show recorded motion; where they take
+/// longer than a millisecond, in the smallest whole number of milliseconds that they fit into, so that play
+/// keeps real time.
+class LiveSession {
+ public:
+  /// Starts paused at `t`, reacting, with a first snapshot there. Throws ParseError for a robot that cannot
+  /// react.
+  LiveSession(std::unique_ptr<Session> session, double t);
+  ~LiveSession();
+
+  const SceneOutline& outline() const { return outline_; }
+  /// False when the loop is so far behind that the command was dropped.
+  bool send(const Command& command) { return commands_.push(command); }
+  bool takeSnapshot(SceneSnapshot& out);
+  void drainPlot(std::vector<PlotSample>& out) { plot_.drainInto(out); }
+  /// Plot samples that found no room.
+  long samplesLost() const { return samples_lost_.load(std::memory_order_relaxed); }
+
+ private:
+  struct Timing;
+  template <class Work>
+  void timed(Timing& timing, Work work);
+  void cycle(Timing& timing);
+  void reactOnce(Timing& timing);
+  void stepFrames(int frames, Timing& timing);
+  void end();
+  void play(Timing& timing);
+  void loop(Timing& timing);
+  void obey(const Command& command, Timing& timing);
+  void goTo(double t);
+  void publish(const Timing& timing);
+
+  std::unique_ptr<Session> session_;
+  SceneOutline outline_;
+  SpscRing<Command, 256> commands_;
+  TripleBuffer<SceneSnapshot> snapshots_;
+  SpscRing<PlotSample, 16384> plot_;
+  std::atomic<long> samples_lost_{0};
+  std::atomic<bool> stop_{false};
+
+  // Loop thread only, once it runs.
+  std::unique_ptr<Timing> timing_;
+  std::unique_ptr<ClosedLoop> closed_;  ///< null: nothing reacts
+  std::vector<Command> pending_;
+  double t_{0.0}, speed_{1.0};
+  double due_{0.0};  ///< cycles of the closed loop that the speed asks for, and which were not yet run
+  bool playing_{false}, looping_{true};
+  bool dirty_{true};  ///< t_ is not what the scene shows
+  bool fresh_{true};  ///< there is something that no snapshot has
+  long step_{0};
+  long loops_{0};  ///< how often robots were put on their plans
+
+  std::jthread thread_;  // last: joined before the rest dies
+};
+
+}  // namespace abstand

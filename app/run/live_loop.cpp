@@ -1,0 +1,56 @@
+#include "app/run/live_loop.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+LiveLoop::LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups)
+    : session_(session),
+      loop_(session, t),
+      threads_(session.scene()),
+      pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * ClosedLoop::kStep))) {
+  loop_.look();
+  threads_.publishPoses(session.scene());
+  for (auto& group : groups) threads_.start(threads_.addGroup(std::move(group)));
+  for (const auto& robot : loop_.robots()) {
+    if (!robot) continue;
+    for (const auto& own : robot->pairs().own()) felt_.push_back(own.id);
+  }
+  for (const PairId id : felt_) {
+    if (threads_.resultTime(id) > -kInfinity) continue;
+    const Scene& scene = session.scene();
+    const Pair& pair = scene.pairs()[id.index()];
+    throw UsageError("live: found pair `" + scene.object(pair.a).spec.name + "`, `" +
+                     scene.object(pair.b).spec.name +
+                     "` of a robot that reacts in no group of `threads`, expected it in one");
+  }
+}
+
+double LiveLoop::cycle(std::vector<PairResult>& results) {
+  Scene& scene = session_.scene();
+  auto begin = Clock::now();
+  loop_.move();
+  threads_.publishPoses(scene);
+  const double moving = secondsSince(begin);
+  pacer_.wait();
+  begin = Clock::now();
+  threads_.collect(results);
+  scene.take(results);
+  double oldest = loop_.time();
+  for (const PairId id : felt_) oldest = std::min(oldest, threads_.resultTime(id));
+  loop_.react(loop_.time() - oldest);
+  return moving + secondsSince(begin);
+}
+
+}  // namespace abstand

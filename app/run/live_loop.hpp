@@ -1,0 +1,33 @@
+// The closed loop in live mode: pairs on threads of their own, in real time.
+#pragma once
+
+#include "app/loop/closed_loop.hpp"
+#include "core/base/pacer.hpp"
+#include "core/scene/pair_threads.hpp"
+
+namespace abstand {
+
+/// A cycle takes a millisecond of wall time: everything goes to where it is, the groups of pairs have the
+/// rest of the millisecond for these poses, and robots react to the newest results that are there then. A
+/// group that needs longer is behind, and robots whose pairs are older than `stop.input_age` stop. What
+/// happens depends on the machine. One thread calls.
+class LiveLoop {
+ public:
+  /// Robots start on their plans at `t`. Throws ParseError for a robot that cannot react, UsageError where a
+  /// pair of one is in no group. The session must outlive it.
+  LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups);
+
+  /// The cycle at loop().time(); `results`: one a pair of the scene. Seconds that this thread worked.
+  double cycle(std::vector<PairResult>& results);
+  const ClosedLoop& loop() const { return loop_; }
+  StepCounts counts() const { return threads_.counts(); }
+
+ private:
+  Session& session_;
+  ClosedLoop loop_;
+  PairThreads threads_;
+  std::vector<PairId> felt_;  ///< pairs of robots that react
+  Pacer pacer_;
+};
+
+}  // namespace abstand

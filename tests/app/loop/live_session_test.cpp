@@ -1,0 +1,157 @@
+// A session that plays a closed loop on its own thread.
+#include "app/loop/live_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "core/base/error.hpp"
+#include "tests/app/loop/slide_scene.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::SlideScene;
+using testing::thingComesTo;
+
+constexpr const char* kYield = "{repulsion: {range: 0.2, force: 100}, stop: {distance: 0.12}}";
+
+struct Live {
+  explicit Live(const std::string& reaction, const std::string& more = "", double to = 0.05, double t = 0.0)
+      : slide(reaction, thingComesTo(to), more), live(std::move(slide.session), t) {}
+
+  /// Sees snapshots until the condition holds. Generous: a sanitizer build on a loaded machine is slow, and
+  /// nothing here is about time.
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    for (int i = 0; i < 6000; ++i) {
+      live.takeSnapshot(seen);
+      if (seen.step > 0 && condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  bool waitForTime(double t) {
+    return waitFor([&] { return std::abs(seen.t - t) < 1e-9; });
+  }
+
+  SlideScene slide;
+  LiveSession live;
+  SceneSnapshot seen;
+};
+
+TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
+  Live l(kYield);
+  EXPECT_EQ(l.live.outline().reacting, std::vector<std::string>{"slide"});
+  ASSERT_TRUE(l.waitForTime(0.0));
+  ASSERT_EQ(l.seen.robots.size(), 1u);
+  EXPECT_EQ(l.seen.robots[0].state, StopState::kRunning);
+  EXPECT_EQ(l.seen.loop_start, 0.0);
+  for (int i = 0; i < 12; ++i) l.live.send(command::Step{100});
+  ASSERT_TRUE(l.waitForTime(1.2));
+
+  SlideScene same(kYield, thingComesTo(0.05));
+  ClosedLoop loop(*same.session, 0.0);
+  for (int i = 0; i <= 1200; ++i) loop.step();
+  EXPECT_EQ(l.seen.joint_positions[0], same.session->mechanisms()[0]->q()[0]);
+  EXPECT_LT(l.seen.joint_positions[0], -0.01) << "it gave way";
+  const StopMachine& stops = loop.robots()[0]->stops();
+  const RobotSnapshot& robot = l.seen.robots[0];
+  EXPECT_EQ(robot.state, stops.state());
+  EXPECT_FALSE(stops.moving());
+  EXPECT_EQ(robot.since, stops.since());
+  EXPECT_EQ(robot.cause.reason, StopReason::kDistance);
+  EXPECT_EQ(robot.speed_scale, 0.0);
+  ASSERT_EQ(robot.log.count(), stops.log().count());
+  EXPECT_EQ(describe(robot.log.entry(0)), describe(stops.log().entry(0)));
+}
+
+TEST(LiveSession, ASeekPutsRobotsOnTheirPlans) {
+  Live l(kYield);
+  l.live.send(command::Step{1200});
+  ASSERT_TRUE(l.waitForTime(1.2));
+  EXPECT_GT(l.seen.robots[0].log.count(), 0u);
+  const long loops = l.seen.loops;
+  l.live.send(command::Seek{1.0});
+  ASSERT_TRUE(l.waitForTime(1.0));
+  EXPECT_GT(l.seen.loops, loops);
+  EXPECT_EQ(l.seen.loop_start, 1.0);
+  EXPECT_EQ(l.seen.robots[0].log.count(), 0u);
+  EXPECT_EQ(l.seen.joint_positions[0], 0.0) << "its plan is to rest there";
+  l.live.send(command::Step{-10});
+  ASSERT_TRUE(l.waitForTime(0.99));
+  EXPECT_EQ(l.seen.loop_start, l.seen.t);
+}
+
+TEST(LiveSession, AMarginDoesNotMoveTheRobot) {
+  Live l(kYield);
+  l.live.send(command::Step{900});
+  ASSERT_TRUE(l.waitForTime(0.9));
+  const double q = l.seen.joint_positions[0];
+  l.live.send(command::Margin{1, 0.2});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.objects[1].margin == 0.2 && l.seen.objects[1].colliding; }));
+  // The next cycle is shown, not run: a millisecond on at the speed it has.
+  EXPECT_NEAR(l.seen.joint_positions[0], q, 2e-3);
+  EXPECT_NEAR(l.seen.t, 0.901, 1e-9);
+  EXPECT_EQ(l.seen.loop_start, 0.0);
+}
+
+TEST(LiveSession, WithoutReactingMotionIsAsRecorded) {
+  Live l(kYield);
+  l.live.send(command::React{false});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.robots.empty(); }));
+  EXPECT_TRUE(std::isnan(l.seen.loop_start));
+  l.live.send(command::Step{2000});
+  ASSERT_TRUE(l.waitForTime(2.0));
+  EXPECT_EQ(l.seen.joint_positions[0], 0.0);
+  EXPECT_NEAR(l.seen.pairs[0].result.distance, -0.05, 1e-3);
+  l.live.send(command::React{true});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.robots.size() == 1; }));
+  EXPECT_EQ(l.seen.loop_start, 2.0);
+}
+
+TEST(LiveSession, APersonResetsAStop) {
+  // Any approach of its own within range engages the brakes.
+  Live l("{repulsion: {range: 0.6, force: 1, stop_share: 0}}", "    motion: come.csv\n", 0.5);
+  l.live.send(command::Step{1500});
+  ASSERT_TRUE(l.waitForTime(1.5));
+  ASSERT_EQ(l.seen.robots[0].state, StopState::kWaitingForReset);
+  l.live.send(command::ResetStops{});
+  l.live.send(command::Step{1});
+  ASSERT_TRUE(l.waitForTime(1.501));
+  // It was let go, and is stopped again when it moves on.
+  EXPECT_EQ(l.seen.robots[0].state, StopState::kRunning);
+  l.live.send(command::Step{100});
+  ASSERT_TRUE(l.waitForTime(1.601));
+  EXPECT_FALSE(l.seen.robots[0].state == StopState::kRunning);
+}
+
+TEST(LiveSession, PlaysToTheEndAndStops) {
+  Live l(kYield, "", 0.05, 2.9);
+  l.live.send(command::Loop{false});
+  l.live.send(command::Speed{8.0});
+  l.live.send(command::Play{true});
+  ASSERT_TRUE(l.waitForTime(3.0));
+  ASSERT_TRUE(l.waitFor([&] { return !l.seen.playing; }));
+  EXPECT_EQ(l.seen.loop_start, 2.9);
+  l.live.send(command::Loop{true});
+  l.live.send(command::Play{true});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.playing && l.seen.loop_start == 0.0 && l.seen.t > 0.05; }));
+}
+
+TEST(LiveSession, ARobotThatCannotReactIsRefused) {
+  testing::ScratchFolder folder;
+  folder.write("m.mech", "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 0 0 theta\nend_chain\n");
+  const auto scene = parseScene(
+      "abstand: 1\nmechanisms:\n  - name: m\n    file: m.mech\n    reaction: {}\n"
+      "    links: [{name: l, frame: 1, shape: {sphere: {radius: 0.05}}}]\n",
+      folder.path() / "scene.yaml");
+  SessionOptions options;
+  options.cache = false;
+  EXPECT_THROW(LiveSession(std::make_unique<Session>(scene, options), 0.0), ParseError);
+}
+
+}  // namespace
+}  // namespace abstand

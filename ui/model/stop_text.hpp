@@ -1,0 +1,21 @@
+// What a robot's stop machine says, in the user's words and units.
+#pragma once
+
+#include <QString>
+
+#include "core/scene/snapshot.hpp"
+
+namespace abstand::ui {
+
+QString stateText(StopState state);
+/// It stands or is being brought to stand: shown in the alarm colour, with a mark.
+bool isStop(StopState state);
+/// "distance 39.8 mm, limit 40.0 mm, left_arm/link5 – operator/hand_left". `robot`: index into
+/// SceneOutline::reacting.
+QString causeText(const StopCause& cause, const SceneOutline& outline, std::size_t robot);
+/// One line of the log: "6.574 s  left_arm: running → protective stop: distance …"
+QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size_t robot);
+/// "left_arm: protective stop" of the robot that is worst off, the first of equal ones; empty without robots.
+QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bool* alarm);
+
+}  // namespace abstand::ui

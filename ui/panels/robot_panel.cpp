@@ -1,0 +1,151 @@
+// The robots that react: state, reason, speed, and what led to it.
+#include "ui/panels/robot_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/format.hpp"
+#include "ui/model/stop_text.hpp"
+#include "ui/theme.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+void setAlarm(QLabel* label, bool alarm) {
+  QPalette palette = label->parentWidget()->palette();
+  if (alarm) palette.setColor(QPalette::WindowText, QColor(kVermillion));
+  if (label->palette().color(QPalette::WindowText) != palette.color(QPalette::WindowText))
+    label->setPalette(palette);
+}
+
+}  // namespace
+
+RobotPanel::RobotPanel(QWidget* parent)
+    : QWidget(parent),
+      head_{new QLabel(this)},
+      reset_{new QPushButton(tr("Reset stops"), this)},
+      cards_layout_{new QVBoxLayout},
+      log_{new QPlainTextEdit(this)} {
+  head_->setWordWrap(true);
+  head_->setObjectName(QStringLiteral("robots_head"));
+  reset_->setToolTip(tr("Let every robot that waits for it go on"));
+  reset_->setObjectName(QStringLiteral("reset_stops"));
+  log_->setReadOnly(true);
+  log_->setMaximumBlockCount(kMostLines);
+  log_->document()->setDocumentMargin(8);
+  log_->setFrameShape(QFrame::NoFrame);
+  log_->setPlaceholderText(tr("No change of state yet"));
+  log_->setAccessibleName(tr("Changes of state"));
+  log_->setToolTip(tr("When a robot slowed down, stopped or went on, and why"));
+  connect(reset_, &QPushButton::clicked, this, &RobotPanel::resetRequested);
+
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(8, 6, 8, 2);
+  head->addWidget(head_, 1);
+  head->addWidget(reset_);
+  cards_layout_->setContentsMargins(8, 2, 8, 6);
+  cards_layout_->setSpacing(1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(head);
+  layout->addLayout(cards_layout_);
+  layout->addWidget(log_, 1);
+  open({});
+}
+
+void RobotPanel::open(const SceneOutline& outline) {
+  while (QLayoutItem* item = cards_layout_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  cards_.clear();
+  for (const std::string& name : outline.reacting) {
+    Card& card = cards_.emplace_back();
+    card.state = new QLabel(this);
+    card.state->setObjectName(QStringLiteral("state ") + QString::fromStdString(name));
+    QFont bold = card.state->font();
+    bold.setBold(true);
+    card.state->setFont(bold);
+    card.reason = new QLabel(this);
+    card.reason->setObjectName(QStringLiteral("reason ") + QString::fromStdString(name));
+    card.reason->setWordWrap(true);
+    card.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    cards_layout_->addWidget(card.state);
+    cards_layout_->addWidget(card.reason);
+  }
+  log_->clear();
+  loops_ = -1;
+  in_log_.assign(outline.reacting.size(), 0);
+  reset_->setVisible(!outline.reacting.empty());
+  reset_->setEnabled(false);
+  log_->setVisible(!outline.reacting.empty());
+  head_->setText(tr("No robot of this scene has a reaction: all follow their recorded motion."));
+}
+
+void RobotPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+  if (cards_.empty()) return;
+  const bool reacting = snapshot.robots.size() == cards_.size();
+  head_->setText(reacting
+                     ? tr("On their plans at %1, reacting since").arg(secondsWithUnit(snapshot.loop_start))
+                     : tr("Not reacting: robots follow their recorded motion."));
+  head_->setToolTip(
+      tr("What a robot does depends on what happened before: a seek, a frame back and a new\n"
+         "round put the robots on their plans at that time, and they react from there."));
+  bool waits = false;
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    const Card& card = cards_[i];
+    const QString name = QString::fromStdString(outline.reacting[i]);
+    if (!reacting) {
+      card.state->setText(name);
+      card.reason->clear();
+      setAlarm(card.state, false);
+      continue;
+    }
+    const RobotSnapshot& robot = snapshot.robots[i];
+    waits |= robot.state == StopState::kWaitingForReset;
+    card.state->setText(tr("%1%2: %3 since %4, speed %5 %")
+                            .arg(isStop(robot.state) ? QStringLiteral("⚠ ") : QString(), name,
+                                 stateText(robot.state), secondsWithUnit(robot.since),
+                                 fixed(100.0 * robot.speed_scale, 0)));
+    setAlarm(card.state, isStop(robot.state));
+    card.reason->setText(robot.state == StopState::kRunning ? QString() : causeText(robot.cause, outline, i));
+  }
+  reset_->setEnabled(waits);
+  if (reacting) addEntries(outline, snapshot);
+}
+
+void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+  if (snapshot.loops != loops_) {
+    loops_ = snapshot.loops;
+    std::fill(in_log_.begin(), in_log_.end(), 0);
+    log_->clear();
+  }
+  struct New {
+    const StopEntry* entry;
+    std::size_t robot;
+  };
+  std::vector<New> news;
+  for (std::size_t i = 0; i < snapshot.robots.size(); ++i) {
+    const StopLog& log = snapshot.robots[i].log;
+    const std::size_t unseen = log.count() - in_log_[i];
+    if (unseen > log.kept())
+      log_->appendPlainText(tr("%1: %2 earlier changes are not listed")
+                                .arg(QString::fromStdString(outline.reacting[i]))
+                                .arg(unseen - log.kept()));
+    for (std::size_t k = log.kept() - std::min(unseen, log.kept()); k < log.kept(); ++k)
+      news.push_back({&log.entry(k), i});
+    in_log_[i] = log.count();
+  }
+  std::stable_sort(news.begin(), news.end(),
+                   [](const New& a, const New& b) { return a.entry->t < b.entry->t; });
+  for (const New& n : news) log_->appendPlainText(entryText(*n.entry, outline, n.robot));
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,50 @@
+// The robots that react: state, reason, speed, and what led to it.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/scene/snapshot.hpp"
+
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace abstand::ui {
+
+/// A card for each robot of SceneOutline::reacting, and under them a line for each change of a state, the
+/// newest last. A new beginning of the closed loop empties the log. GUI thread only.
+class RobotPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Lines that the log keeps.
+  static constexpr int kMostLines = 2000;
+
+  explicit RobotPanel(QWidget* parent = nullptr);
+
+  void open(const SceneOutline& outline);
+  void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  const QPlainTextEdit* log() const { return log_; }
+
+ Q_SIGNALS:
+  /// The user lets go on what waits for it.
+  void resetRequested();
+
+ private:
+  struct Card {
+    QLabel *state, *reason;
+  };
+  void addEntries(const SceneOutline& outline, const SceneSnapshot& snapshot);
+
+  QLabel* head_;
+  QPushButton* reset_;
+  QVBoxLayout* cards_layout_;
+  std::vector<Card> cards_;
+  QPlainTextEdit* log_;
+  long loops_{-1};                   ///< SceneSnapshot::loops that the log belongs to
+  std::vector<std::size_t> in_log_;  ///< entries of each robot's log that were there already
+};
+
+}  // namespace abstand::ui
