@@ -8,6 +8,7 @@
 #include "tracking/conversion.hpp"
 #include "tracking/derived_joints.hpp"
 #include "tracking/joint_map.hpp"
+#include "tracking/markers/marker_recording.hpp"
 #include "tracking/message_text.hpp"
 
 namespace abstand {
@@ -96,6 +97,22 @@ void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
   }
 }
 
+/// What a user has to know of markers that were solved.
+void describeSolved(RecordingReport& report) {
+  const MarkerReport& m = report.markers;
+  report.joint_map.clear();
+  if (!(report.stature > 0.0)) report.stature = m.stature;
+  if (m.lost > 0)
+    report.warnings.push_back("the markers show no body in " + std::to_string(m.lost) + " frames");
+  for (const auto& swap : m.swaps)
+    report.warnings.push_back("the labels '" + swap.a + "' and '" + swap.b + "' look exchanged in " +
+                              std::to_string(swap.frames) + " frames: not used there");
+  std::string ignored;
+  for (const auto& [label, why] : m.ignored)
+    ignored += (ignored.empty() ? "" : "; ") + ("'" + label + "' " + why);
+  if (!ignored.empty()) report.warnings.push_back("markers that were not used: " + ignored);
+}
+
 }  // namespace
 
 Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
@@ -109,8 +126,15 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.unit = facts.unit;
   raw.up = facts.up;
 
+  const bool of_markers = raw.match.of_markers || (facts.of_markers && raw.match.mapped == 0);
+  std::optional<MarkerTrack> markers;
+  if (options.marker_set != "none" && (of_markers || options.marker_set != "auto"))
+    markers.emplace(raw.joints, options, file);
   PointFrame frame;
-  while (reader.next(frame)) raw.frames.push_back(pick(frame, raw.match));
+  while (reader.next(frame)) {
+    raw.frames.push_back(pick(frame, raw.match));
+    if (markers && markers->hasSet()) markers->add(frame);
+  }
   if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
   raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
   raw.rate_reason = facts.rate_reason;
@@ -121,9 +145,16 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;
+  MarkerReport solved;
+  if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
+  if (markers && solved.reason.empty()) solved.reason = markers->reason();
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
-  if (facts.of_markers || by_marker_map) warnOfMarkers(by_marker_map, recording.report);
+  recording.report.markers = std::move(solved);
+  if (!recording.report.markers.set.empty())
+    describeSolved(recording.report);
+  else if (facts.of_markers || by_marker_map)
+    warnOfMarkers(by_marker_map, recording.report);
   return recording;
 }
 
