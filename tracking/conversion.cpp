@@ -49,7 +49,8 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
       for (const std::size_t i : pointsOf(raw.match, j, raw.joints.size())) {
         if (!used_as_found(j)) continue;
         used[i] = true;
-        names.push_back(raw.joints[i]);
+        if (std::find(names.begin(), names.end(), raw.joints[i]) == names.end())
+          names.push_back(raw.joints[i]);
       }
     }
     std::string missing;

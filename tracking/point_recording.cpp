@@ -126,10 +126,14 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.unit = facts.unit;
   raw.up = facts.up;
 
-  const bool of_markers = raw.match.of_markers || (facts.of_markers && raw.match.mapped == 0);
   std::optional<MarkerTrack> markers;
-  if (options.marker_set != "none" && (of_markers || options.marker_set != "auto"))
+  const bool may_be_markers = facts.of_markers || raw.match.of_markers;
+  if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
     markers.emplace(raw.joints, options, file);
+  // C3D and TRC may hold joint centres too: then a joint map knows more of them than any marker set.
+  if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
+      raw.match.mapped >= markers->found())
+    markers.reset();
   PointFrame frame;
   while (reader.next(frame)) {
     raw.frames.push_back(pick(frame, raw.match));

@@ -157,15 +157,20 @@ class Calibration {
 
 }  // namespace
 
-BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers) {
-  constexpr double kSlightly = 0.2, kTrunk = 25.0, kHeadAlone = 10.0, kLimb = 1.0;  // 1/rad^2
+std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers) {
   std::array<bool, kRigSegments> shown{};
   for (const auto& m : markers)
     for (RigSegment s = m.segment; !shown[index(s)]; s = rig[s].parent) shown[index(s)] = true;
+  return shown;
+}
+
+BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers) {
+  constexpr double kSlightly = 0.2, kTrunk = 50.0, kLimb = 1.0;  // 1/rad^2
+  const auto shown = shownBy(rig, markers);
   BodySolver::Vector w = BodySolver::Vector::Zero();
   for (std::size_t i = 1; i < kRigSegments; ++i) {
     const RigPart& part = rig.parts[i];
-    const double alone = segmentAt(i) == kChest ? kTrunk : segmentAt(i) == kHead ? kHeadAlone : kLimb;
+    const double alone = segmentAt(i) == kChest ? kTrunk : kLimb;
     w.segment(part.column, part.freedoms).setConstant(shown[i] ? kSlightly : alone);
   }
   return w;

@@ -30,6 +30,9 @@ struct MarkerBody {
 MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
                      std::span<const MarkerPlaces> moments);
 
+/// Segments that carry markers, or from which one hangs that does; all false beyond.
+std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers);
+
 /// Freedoms of segments without markers, on them or beyond, are drawn to standing (1/rad^2): a trunk goes on
 /// straight, limbs hang.
 BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers);

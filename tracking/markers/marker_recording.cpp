@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
@@ -18,8 +19,22 @@ constexpr double kFarthest = 1e4;
 /// Heights of markers above the feet, in shares of the stature: on the head, the chest, the pelvis.
 constexpr double kHeadHeight = 0.90, kChestHeight = 0.72, kPelvisHeight = 0.53;
 
+/// Hip joint centres lie 0.36 of the distance of the iliac spines (some 0.24 m of 1.75 m) from the middle
+/// (Bell, Pedersen, Brand 1990, J. Biomech. 23), where the model's legs hang farther apart, below the
+/// trochanters.
+constexpr double kHipFromMiddle = 0.36 * 0.24 / 1.75;
+
+/// The model of mean stature, its hips where markers see them turn.
 const BodyRig& usualRig() {
-  static const BodyRig rig = makeRig(makeHuman({}));
+  static const BodyRig rig = [] {
+    BodyRig made = makeRig(makeHuman({}));
+    for (const auto& [segment, joint, side] :
+         {std::tuple(kThighLeft, Joint::kHipLeft, 1.0), std::tuple(kThighRight, Joint::kHipRight, -1.0)}) {
+      made.parts[index(segment)].p_parent.y() = side * kHipFromMiddle * made.height;
+      made.p_joint[static_cast<std::size_t>(joint)] = made.parts[index(segment)].p_parent;
+    }
+    return made;
+  }();
   return rig;
 }
 

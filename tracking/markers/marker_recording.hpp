@@ -21,6 +21,8 @@ class MarkerTrack {
   MarkerTrack(std::span<const std::string> names, const RecordingOptions& options, const std::string& file);
 
   bool hasSet() const { return match_.has_value(); }
+  /// Markers of the set that the file has; 0 without a set.
+  int found() const { return match_ ? static_cast<int>(match_->markers.size()) : 0; }
   const std::string& reason() const { return reason_; }
 
   /// The next frame of the file.

@@ -144,6 +144,17 @@ void writeBones(const BodyRig& rig, MarkerReport& report) {
   add("foot", farJoint(rig, kFootLeft).norm());
 }
 
+/// Where no marker shows the chest, it goes on from the pelvis; nothing else goes on from anything.
+JointState stateOf(Joint j, bool is_shown, const std::array<double, kJointCount>& spread) {
+  if (!is_shown) {
+    const bool is_trunk = j == Joint::kSpine || j == Joint::kThorax || j == Joint::kNeck;
+    const bool has_pelvis = spread[static_cast<std::size_t>(Joint::kPelvis)] <= kTracked;
+    return is_trunk && has_pelvis ? JointState::kInferred : JointState::kMissing;
+  }
+  const double s = spread[static_cast<std::size_t>(j)];
+  return s <= kTracked ? JointState::kTracked : s <= kInferred ? JointState::kInferred : JointState::kMissing;
+}
+
 bool isGood(const MarkerPose& pose) {
   return pose.seen >= kFewestSeen && pose.misplaced <= kMostMisplaced * pose.seen;
 }
@@ -159,6 +170,7 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
   Ledger ledger(found);
   PoseHold hold;
   hold.to_rest = drawnToRest(rig, out.body.markers);
+  const auto shown = shownBy(rig, out.body.markers);
   double last_t = 0.0;
   std::size_t wait = 0, next_wait = 1;
   out.frames.resize(moments.size());
@@ -194,9 +206,9 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
     jointsOf(rig, X_WS, JointState::kTracked, frame);
     const auto spread = jointSpreads(rig, X_WS, solver, pose.rms);
     for (std::size_t j = 0; j < kJointCount; ++j) {
-      if (spread[j] <= kTracked) continue;
-      frame.state[j] = spread[j] <= kInferred ? JointState::kInferred : JointState::kMissing;
-      if (frame.state[j] == JointState::kMissing) frame.p[j].setConstant(kNaN);
+      const JointState state = stateOf(static_cast<Joint>(j), shown[index(rig.carrier[j])], spread);
+      frame.state[j] = state;
+      if (state == JointState::kMissing) frame.p[j].setConstant(kNaN);
     }
   }
   ledger.write(out.body, out.report);

@@ -17,7 +17,8 @@ struct MarkerSolution {
 
 /// Calibrates on at most 60 moments with most markers, taken evenly, then solves every one from the one
 /// before, and after a loss anew. A joint is tracked where its standard deviation, from the markers that were
-/// seen, is below 30 mm, inferred below 120 mm, missing above. `t` (s) rises; `moments` in world axes, m.
+/// seen, is below 30 mm, inferred below 120 mm, missing above and on segments that no marker shows; the chest
+/// alone goes on from the pelvis, inferred. `t` (s) rises; `moments` in world axes, m.
 MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
                             std::span<const double> t, std::span<const MarkerPlaces> moments);
 
