@@ -5,6 +5,7 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "humanmodel/part_reach.hpp"
 #include "tracking/conversion.hpp"
 #include "tracking/derived_joints.hpp"
 #include "tracking/joint_map.hpp"
@@ -43,11 +44,15 @@ JointMatch matchNames(const PointFacts& facts, std::span<const std::string> name
 void setMean(const PointFrame& from, const std::vector<int>& points, Joint j, SkeletonFrame& to) {
   Vector3d sum = Vector3d::Zero();
   JointState state = JointState::kTracked;
+  double spread = 0.0;
   for (const int i : points) {
     sum += from.p[static_cast<std::size_t>(i)];
+    spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
     state = std::min(state, from.state[static_cast<std::size_t>(i)]);
   }
-  if (state != JointState::kMissing) to.set(j, sum / static_cast<double>(points.size()), state);
+  if (state == JointState::kMissing) return;
+  to.set(j, sum / static_cast<double>(points.size()), state);
+  to.spread[static_cast<std::size_t>(j)] = spread;
 }
 
 SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
@@ -58,8 +63,10 @@ SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
     const auto i = static_cast<std::size_t>(match.joint[j]);
     if (i >= from.p.size())
       setMean(from, match.means[i - from.p.size()], static_cast<Joint>(j), frame);
-    else if (from.state[i] != JointState::kMissing)
+    else if (from.state[i] != JointState::kMissing) {
       frame.set(static_cast<Joint>(j), from.p[i], from.state[i]);
+      frame.spread[j] = from.spreadOf(i);
+    }
   }
   return frame;
 }
@@ -70,6 +77,20 @@ SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) 
   rest.p = p;
   rest.state.assign(p.size(), JointState::kTracked);
   return pick(rest, match);
+}
+
+/// What the tracker guessed without saying how well; how far off that may be is known in metres only.
+void markGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (f.state[j] == JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
+}
+
+/// Gives the marked joints their spread, now that the frames are in metres.
+void spreadGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (double& spread : f.spread)
+      if (spread == kInfinity) spread = kGuessedSpread;
 }
 
 /// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
@@ -149,11 +170,14 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;
+  // A file of canonical joints may hold some that were derived from others before: no guesses of a tracker.
+  if (!facts.is_canonical) markGuesses(raw.frames);
   MarkerReport solved;
   if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
   if (markers && solved.reason.empty()) solved.reason = markers->reason();
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
+  spreadGuesses(recording.frames);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())
     describeSolved(recording.report);

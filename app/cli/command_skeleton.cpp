@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
+#include "humanmodel/recording_lengths.hpp"
 #include "tracking/compact/compact_recording.hpp"
 #include "tracking/recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -12,7 +13,7 @@ namespace {
 struct Arguments {
   std::string file, out, compact, filter;
   double fill{0.0};  ///< s
-  bool doctor{false};
+  bool doctor{false}, fit_lengths{false};
   RecordingOptions options;
 };
 
@@ -58,6 +59,30 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"swaps", r.swaps},
           {"notes", r.notes},
           {"warnings", r.warnings}};
+}
+
+nlohmann::ordered_json lengthsJson(const LengthFit& fit) {
+  nlohmann::ordered_json bones = nlohmann::json::array();
+  for (const auto& b : fit.bones)
+    bones.push_back({{"part", partName(b.part)},
+                     {"length", b.median},
+                     {"spread", b.spread},
+                     {"model", b.model},
+                     {"residual", b.residual}});
+  return {{"stature", fit.stature},
+          {"stature_spread", fit.stature_spread},
+          {"rms_residual", fit.rms},
+          {"bones", bones}};
+}
+
+std::string lengthsText(const LengthFit& fit) {
+  std::string text = format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
+                            fit.stature, fit.stature_spread, 1e3 * fit.rms);
+  for (const auto& b : fit.bones)
+    text += format("  %-14s %6.1f mm (5 %% to 95 %%: %5.1f mm), model %6.1f mm, %+6.1f mm\n",
+                   std::string(partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread, 1e3 * b.model,
+                   1e3 * b.residual);
+  return text;
 }
 
 std::string join(const std::vector<std::string>& words) {
@@ -112,6 +137,11 @@ int run(const CommandLine& line, const Arguments& args) {
     json["doctor"] = doctorJson(doctor);
     text += doctorText(doctor);
   }
+  if (args.fit_lengths) {
+    const auto fit = fitLengths({}, recording.frames);
+    json["lengths"] = fit ? lengthsJson(*fit) : nlohmann::ordered_json();
+    text += fit ? lengthsText(*fit) : "stature by the bones: not known, no bone has both ends\n";
+  }
   if (args.fill > 0.0) {
     const GapFill fill = fillGaps(recording.frames, args.fill);
     text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
@@ -150,6 +180,8 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
   command->add_flag("--doctor", args->doctor,
                     "bones, gaps, jitter, jumps and swaps, and what filters would do");
+  command->add_flag("--fit-lengths", args->fit_lengths,
+                    "stature and every bone beside those of the model, with residuals");
   command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")
       ->check(CLI::Range(0.0, 3600.0));
   command

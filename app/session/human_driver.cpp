@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "humanmodel/part_reach.hpp"
 #include "humanmodel/recording_lengths.hpp"
 
 namespace abstand {
@@ -37,6 +38,10 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
   o.format = d.recording.format;
   o.units = d.recording.units;
   o.up = d.recording.up;
+  o.rate = d.recording.rate;
+  o.mirror = d.recording.mirror;
+  o.joint_map = d.recording.joint_map;
+  o.marker_set = d.recording.marker_set;
   Recording recording = openRecording(d.recording.file, o);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
@@ -130,6 +135,17 @@ void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {
 void HumanDriver::lose(double t, Scene& scene) const {
   for (const auto& object : objects_)
     if (object) scene.setPose(*object, scene.object(*object).X_WB, t, PoseState::kStale);
+  widen(t, scene);
+}
+
+void HumanDriver::widen(double t, Scene& scene) const {
+  const double since = std::max(0.0, t - last_t_);
+  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
+    if (!objects_[i]) continue;
+    const double bound = scene.object(*objects_[i]).max_speed;
+    const double speed = std::isfinite(bound) ? bound : kPersonSpeed;
+    scene.setReach(*objects_[i], partReach(pose_.age[i] + since, pose_.spread[i], speed));
+  }
 }
 
 double HumanDriver::unseen(double t) const {
@@ -140,6 +156,7 @@ double HumanDriver::unseen(double t) const {
 void HumanDriver::place(double t, Scene& scene) const {
   for (std::size_t i = 0; i < kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
+  widen(t, scene);
 }
 
 }  // namespace abstand

@@ -96,7 +96,6 @@ MarkerTrack::MarkerTrack(std::span<const std::string> names, const RecordingOpti
 
 void MarkerTrack::add(const PointFrame& frame) {
   ABSTAND_CHECK(hasSet());
-  t_.push_back(frame.t);
   auto& places = places_.emplace_back();
   places.reserve(match_->markers.size());
   for (const auto& marker : match_->markers) {
@@ -162,7 +161,9 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
       const bool good = p_W.allFinite() && p_W.cwiseAbs().maxCoeff() < kFarthest;
       moments[i].push_back(good ? p_W : Vector3d::Constant(kNaN));
     }
-  MarkerSolution solution = solveMarkers(usualRig(), match_->markers, t_, moments);
+  std::vector<double> t;
+  for (const auto& f : raw.frames) t.push_back(f.t);
+  MarkerSolution solution = solveMarkers(usualRig(), match_->markers, t, moments);
   MarkerReport report = std::move(solution.report);
   report.set = match_->set;
   report.reason = reason_;
@@ -174,7 +175,10 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   }
   for (auto& f : solution.frames)
     for (std::size_t j = 0; j < kJointCount; ++j)
-      if (f.state[j] != JointState::kMissing) f.p[j] = R_WF.transpose() * f.p[j] / unit.scale;
+      if (f.state[j] != JointState::kMissing) {
+        f.p[j] = R_WF.transpose() * f.p[j] / unit.scale;
+        f.spread[j] /= unit.scale;
+      }
   raw.frames = std::move(solution.frames);
   raw.rest = SkeletonFrame{};
   raw.unit = unit;

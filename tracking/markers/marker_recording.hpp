@@ -40,7 +40,6 @@ class MarkerTrack {
 
   std::optional<MarkerMatch> match_;
   std::string reason_;
-  std::vector<double> t_;
   std::vector<std::vector<Vector3d>> places_;  ///< by frame and found marker, axes and units of the file
 };
 

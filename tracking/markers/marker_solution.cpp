@@ -18,9 +18,10 @@ constexpr double kFastestTurn = 30.0;                 // rad/s
 constexpr double kShortStep = 1e-3, kLongStep = 0.2;  // s
 constexpr int kSteps = 10;
 constexpr int kFewestSeen = 4;
-constexpr double kMostMisplaced = 0.4;                 // share of the seen
-constexpr double kLost = 0.5;                          // share of its frames at which a marker is ignored
-constexpr std::size_t kLongestWait = 64;               // moments between two searches
+constexpr double kMostMisplaced = 0.4;    // share of the seen
+constexpr double kLost = 0.5;             // share of its frames at which a marker is ignored
+constexpr std::size_t kLongestWait = 64;  // moments between two searches
+constexpr double kAlone = 0.050;          // m, of joints of a chest that only goes on from the pelvis
 constexpr double kTracked = 0.030, kInferred = 0.120;  // m
 
 int countSeen(const MarkerPlaces& places) {
@@ -41,7 +42,7 @@ std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments)
   return picked;
 }
 
-/// Standard deviation of each joint (m), from the markers that carried the last solve.
+/// Standard deviation of each joint along its worst axis (m), from the markers that carried the last solve.
 std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const RigPlacement& X_WS,
                                              const MarkerSolver& solver, double rms) {
   BodySolver::Matrix H = solver.information();
@@ -55,7 +56,9 @@ std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const RigPlacem
     const RigSegment s = rig.carrier[j];
     const auto J = solver.problem().jacobian(s, X_WS[index(s)] * rig.p_joint[j]);
     const Eigen::Matrix<double, kRigFreedoms, 3> half = llt.matrixL().solve(J.transpose());
-    spread[j] = scale * half.norm();
+    const Matrix3d covariance = half.transpose() * half;
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
+    spread[j] = scale * std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
   }
   return spread;
 }
@@ -208,7 +211,10 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
     for (std::size_t j = 0; j < kJointCount; ++j) {
       const JointState state = stateOf(static_cast<Joint>(j), shown[index(rig.carrier[j])], spread);
       frame.state[j] = state;
-      if (state == JointState::kMissing) frame.p[j].setConstant(kNaN);
+      if (state == JointState::kMissing)
+        frame.p[j].setConstant(kNaN);
+      else
+        frame.spread[j] = shown[index(rig.carrier[j])] ? spread[j] : kAlone;
     }
   }
   ledger.write(out.body, out.report);
