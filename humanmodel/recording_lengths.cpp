@@ -11,10 +11,10 @@ namespace {
 
 using enum Joint;
 constexpr std::size_t kMostFrames = 200;
-constexpr double kShortestBone = 1e-3;    // m; shorter ones are joints that a format repeats
+constexpr double kShortestBone = 1e-3;       // m; shorter ones are joints that a format repeats
 constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of a bone's spread
-constexpr double kGroundQuantile = 0.05;  // some frames may be broken or below a sloping floor
-constexpr double kHighestAnkle = 0.25;    // m; a tall person's is 0.09, a thick sole or a marker adds to it
+constexpr double kGroundQuantile = 0.05;     // some frames may be broken or below a sloping floor
+constexpr double kHighestAnkle = 0.25;  // m; a tall person's is 0.09, a thick sole or a marker adds to it
 
 struct Leg {
   Joint hip, knee, ankle;

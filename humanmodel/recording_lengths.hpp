@@ -36,15 +36,16 @@ struct BoneLength {
 
 /// How tall a person of the model's proportions is whose bones are as long as the recording's.
 struct LengthFit {
-  double stature{0.0};      ///< m: the mean of what each bone says
-  double stature_spread{0.0}; ///< m: standard deviation of what the bones say
-  double rms{0.0};          ///< m, of the residuals
+  double stature{0.0};         ///< m: the mean of what each bone says
+  double stature_spread{0.0};  ///< m: standard deviation of what the bones say
+  double rms{0.0};             ///< m, of the residuals
   std::vector<BoneLength> bones;
 };
 
-/// Compares torso (hips to neck), head, upper arms, forearms, thighs and calves, both sides; the others end at
-/// different places in different formats. Bones of the model grow with its height, whatever its mass. Nothing
-/// where the recording has none of these bones. Throws UsageError for options that makeHuman() refuses.
+/// Compares torso (hips to neck), head, upper arms, forearms, thighs and calves, both sides; the others end
+/// at different places in different formats. Bones of the model grow with its height, whatever its mass.
+/// Nothing where the recording has none of these bones. Throws UsageError for options that makeHuman()
+/// refuses.
 std::optional<LengthFit> fitLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames);
 
 /// The options with the lengths of torso, head, upper arms, forearms, thighs and calves set so that the

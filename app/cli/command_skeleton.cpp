@@ -76,8 +76,9 @@ nlohmann::ordered_json lengthsJson(const LengthFit& fit) {
 }
 
 std::string lengthsText(const LengthFit& fit) {
-  std::string text = format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
-                            fit.stature, fit.stature_spread, 1e3 * fit.rms);
+  std::string text =
+      format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
+             fit.stature, fit.stature_spread, 1e3 * fit.rms);
   for (const auto& b : fit.bones)
     text += format("  %-14s %6.1f mm (5 %% to 95 %%: %5.1f mm), model %6.1f mm, %+6.1f mm\n",
                    std::string(partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread, 1e3 * b.model,

@@ -188,7 +188,8 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kBound:
         return tr("The true distance is never below distance minus bound");
       case kMargin:
-        return tr("Sum of both objects' safety margins, and what is added for places that are not known well");
+        return tr(
+            "Sum of both objects' safety margins, and what is added for places that are not known well");
       case kForce:
         return tr("Penalty force between the two");
       case kContacts:

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text_file.hpp"
 
 namespace abstand {
 namespace {
@@ -54,6 +57,34 @@ TEST(MarkerSet, WhatIsWrongIsSaidWithItsPlace) {
             "s.markers: error: found no 'name:' line, expected the set's name");
   EXPECT_EQ(errorOf("name: A\n"), "s.markers: error: found no marker, expected at least one");
   EXPECT_EQ(errorOf("name: A\nnonsense\n"), "s.markers:2:1: error: found 'nonsense', expected 'key: value'");
+}
+
+TEST(MarkerSet, AnySpoiledSetIsReadOrRefused) {
+  const std::string text = readFile(dataFolder() / "marker_sets" / "motek.markers");
+  std::mt19937_64 random(9);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string spoiled = text;
+    for (std::uint64_t k = 1 + random() % 4; k > 0; --k) {
+      const std::size_t at = random() % spoiled.size();
+      if (random() % 3 == 0)
+        spoiled.erase(at, random() % 40);
+      else
+        spoiled[at] = static_cast<char>(random());
+    }
+    try {
+      const MarkerSet set = parseMarkerSet(spoiled, "s");
+      for (const auto& marker : set.markers) {
+        EXPECT_TRUE(marker.place.allFinite());
+        EXPECT_GT(marker.spread, 0.0);
+      }
+      const std::vector<std::string> names{"LFWT", "RFWT", "LKNE"};
+      matchMarkers(set, rig(), names);
+    } catch (const ParseError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
 }
 
 TEST(MarkerSet, PlacesMirrorAndEndAtJoints) {

@@ -126,6 +126,19 @@ TEST(MarkerSolution, FramesWithoutMarkersAreLostAndTheRestFoundAgain) {
       EXPECT_EQ(s.frames[i].state[j] == JointState::kMissing, i >= 30 && i < 60) << i;
 }
 
+TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
+  SyntheticMarkers m = makeMarkers(8, 2.0, 30.0, 0.0, 0.0);
+  std::mt19937_64 random(10);
+  for (auto& moment : m.moments)
+    for (auto& p : moment)
+      for (int k = 0; k < 3; ++k) p[k] = 10.0 * (static_cast<double>(random() >> 11) * 0x1p-53);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  EXPECT_EQ(s.report.lost, m.moments.size());
+  for (auto& moment : m.moments)
+    for (auto& p : moment) p.setConstant(kNaN);
+  EXPECT_EQ(solveMarkers(m.base, m.found, m.t, m.moments).report.lost, m.moments.size());
+}
+
 TEST(MarkerSolution, WhatNoMarkerShowsIsNotClaimed) {
   SyntheticMarkers m = makeMarkers(6, 2.0, 30.0, 0.001, 0.003);
   for (auto& moment : m.moments)
