@@ -143,7 +143,14 @@ double Poser::spreadOf(BodyPart part, const SkeletonFrame& frame) const {
   if (part == BodyPart::kTorso)
     for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kShoulderLeft, Joint::kShoulderRight})
       if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
-  if (const auto parent = parentOf(part)) spread = std::max(spread, now_.spread[index(*parent)]);
+  // Legs hang on the hips, however well the upper end of the trunk is known.
+  const auto parent = parentOf(part);
+  if (kindOf(part) == PartKind::kThigh) {
+    for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kPelvis})
+      if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+  } else if (parent) {
+    spread = std::max(spread, now_.spread[index(*parent)]);
+  }
   return spread;
 }
 

@@ -17,8 +17,8 @@ struct HumanPose {
   std::array<Transform, kBodyPartCount> X_WP;
   std::array<PartState, kBodyPartCount> state;
   std::array<double, kBodyPartCount> age;  ///< s since the part was last seen; infinite before the first time
-  /// m, as in SkeletonFrame, when it was last seen: the largest of its joints and of the part that carries
-  /// it, since errors go on from part to part; 0: not known.
+  /// m, as in SkeletonFrame, when it was last seen: the largest of its joints and of the part that carries it
+  /// (of a thigh: the hips), since errors go on from part to part; 0: not known.
   std::array<double, kBodyPartCount> spread;
 
   HumanPose() {

@@ -44,6 +44,15 @@ TEST(PartSpread, GoesOnFromPartToPartAndStaysWhileHeld) {
     EXPECT_EQ(pose.spread[index(p)], 0.02) << partName(p);
   for (const BodyPart p : {BodyPart::kTorso, BodyPart::kBicepsRight, BodyPart::kThighLeft})
     EXPECT_EQ(pose.spread[index(p)], 0.0) << partName(p);
+  // The neck is known badly: arms and head hang there, legs do not.
+  SkeletonFrame bowed = model.rest;
+  bowed.spread[static_cast<std::size_t>(Joint::kNeck)] = 0.03;
+  HumanPose other;
+  Poser(model).pose(bowed, other);
+  for (const BodyPart p : {BodyPart::kTorso, BodyPart::kHead, BodyPart::kForearmLeft, BodyPart::kHandRight})
+    EXPECT_EQ(other.spread[index(p)], 0.03) << partName(p);
+  for (const BodyPart p : {BodyPart::kThighLeft, BodyPart::kFootRight})
+    EXPECT_EQ(other.spread[index(p)], 0.0) << partName(p);
   // The forearm is lost: its spread stays and its age grows.
   frame.t = 0.25;
   for (const Joint j : {Joint::kElbowLeft, Joint::kWristLeft, Joint::kHandLeft})

@@ -16,7 +16,13 @@ constexpr double kAtRest = 1e-5;      // m, of a marker; shares, of a size
 constexpr double kMostLost = 0.2;     // share of misplaced markers at which a pose is searched for anew
 constexpr double kLeastStiff = 0.05;  // 1/rad^2, as in the solver's damping
 constexpr int kSteps = 12;            // of a pose, between two changes of the body
-constexpr double kReaches[]{0.50, 0.25, 0.12, 0.08, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05};  // m
+// From a wide reach to that of every frame, then on until all is at rest.
+constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kReach = 0.05;  // m
+constexpr double kNarrower = 0.7;                                         // a round
+constexpr int kMostRounds = 40;
+// Far from the truth the equations promise too much: a round changes a size and a marker's place by so much
+// at most.
+constexpr double kMostSizeStep = 0.08, kMostShiftStep = 0.04;  // shares, m
 
 using Dense = Eigen::MatrixXd;
 constexpr int kSizes = static_cast<int>(kBodySizes);
@@ -95,8 +101,11 @@ class Calibration {
       g.noalias() -= follow.transpose() * slope;
     }
     addPriors(H, g);
-    const Eigen::VectorXd d = -H.ldlt().solve(g);
+    Eigen::VectorXd d = -H.ldlt().solve(g);
     if (!d.allFinite()) return 0.0;
+    const double size_step = d.head<kSizes>().cwiseAbs().maxCoeff();
+    const double shift_step = d.tail(all - kSizes).cwiseAbs().maxCoeff();
+    d *= std::min({1.0, kMostSizeStep / size_step, kMostShiftStep / shift_step});
     apply(d);
     return d.cwiseAbs().maxCoeff();
   }
@@ -185,15 +194,18 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
     for (std::size_t i = 0; i < count; ++i) picked.push_back(&moments[i * moments.size() / count]);
     return picked;
   };
-  const auto converge = [&] {
-    for (const double reach : kReaches)
-      if (calibration.improve(reach) < kAtRest) return;
+  const auto converge = [&](double reach) {
+    for (int i = 0; i < kMostRounds; ++i) {
+      const double changed = calibration.improve(reach);
+      if (changed < kAtRest && reach == kReach) return;
+      reach = std::max(kReach, kNarrower * reach);
+    }
   };
-  calibration.take(evenly(kFirstMoments), kReaches[0]);
-  converge();
+  calibration.take(evenly(kFirstMoments), kFirstReach);
+  converge(kFirstReach);
   if (moments.size() > kFirstMoments) {
-    calibration.take(evenly(moments.size()), kReaches[2]);
-    converge();
+    calibration.take(evenly(moments.size()), kSecondReach);
+    converge(kSecondReach);
   }
   return std::move(calibration).take();
 }
