@@ -52,10 +52,12 @@ struct SkeletonFrame {
   double t{0.0};  ///< s since the start of the recording
   std::array<Vector3d, kJointCount> p;
   std::array<JointState, kJointCount> state;
+  std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: not known
 
   SkeletonFrame() {
     p.fill(Vector3d::Constant(kNaN));
     state.fill(JointState::kMissing);
+    spread.fill(0.0);
   }
   const Vector3d& operator[](Joint j) const { return p[static_cast<std::size_t>(j)]; }
   bool has(Joint j) const { return state[static_cast<std::size_t>(j)] != JointState::kMissing; }

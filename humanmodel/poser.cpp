@@ -44,10 +44,7 @@ Poser::Poser(const HumanModel& model, bool follow_lengths, double floor)
 }
 
 void Poser::reset() {
-  before_.X_WP.fill(Transform::Identity());
-  before_.state.fill(PartState::kNone);
-  before_.age.fill(kInfinity);
-  now_ = before_;
+  before_ = now_ = HumanPose{};
   last_t_ = kNaN;
   lift_ = 0.0;
   if (!calibrated_) leg_ratio_ = 1.0;
@@ -78,10 +75,12 @@ void Poser::pose(const SkeletonFrame& frame, HumanPose& out) {
       now_.X_WP[i].translation() = seen->p_WA - seen->R_WP * seen->p_PA;
       now_.state[i] = seen->quality == JointState::kTracked ? PartState::kTracked : PartState::kInferred;
       now_.age[i] = 0.0;
+      now_.spread[i] = spreadOf(part, frame);
     } else if (before_.state[i] != PartState::kNone) {
       if (good) now_.X_WP[i] = held(part);
       now_.state[i] = PartState::kHeld;
       now_.age[i] = before_.age[i] + dt;
+      now_.spread[i] = before_.spread[i];
     }
   }
   out = now_;
@@ -134,6 +133,25 @@ bool Poser::anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const {
     return false;
   }
   return true;
+}
+
+double Poser::spreadOf(BodyPart part, const SkeletonFrame& frame) const {
+  const HumanPart& p = model_->part(part);
+  double spread = 0.0;
+  for (const Joint j : {p.proximal, p.distal})
+    if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+  if (part == BodyPart::kTorso)
+    for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kShoulderLeft, Joint::kShoulderRight})
+      if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+  // Legs hang on the hips, however well the upper end of the trunk is known.
+  const auto parent = parentOf(part);
+  if (kindOf(part) == PartKind::kThigh) {
+    for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kPelvis})
+      if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+  } else if (parent) {
+    spread = std::max(spread, now_.spread[index(*parent)]);
+  }
+  return spread;
 }
 
 bool Poser::seenNow(BodyPart part) const { return now_.state[index(part)] >= PartState::kInferred; }

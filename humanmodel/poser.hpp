@@ -17,6 +17,16 @@ struct HumanPose {
   std::array<Transform, kBodyPartCount> X_WP;
   std::array<PartState, kBodyPartCount> state;
   std::array<double, kBodyPartCount> age;  ///< s since the part was last seen; infinite before the first time
+  /// m, as in SkeletonFrame, when it was last seen: the largest of its joints and of the part that carries it
+  /// (of a thigh: the hips), since errors go on from part to part; 0: not known.
+  std::array<double, kBodyPartCount> spread;
+
+  HumanPose() {
+    X_WP.fill(Transform::Identity());
+    state.fill(PartState::kNone);
+    age.fill(kInfinity);
+    spread.fill(0.0);
+  }
 };
 
 /// Puts the parts of a model onto skeletons. The joints follow the directions of the recording and keep the
@@ -75,6 +85,7 @@ class Poser {
   bool anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const;
 
   bool seenNow(BodyPart part) const;
+  double spreadOf(BodyPart part, const SkeletonFrame& frame) const;
   Matrix3d carried(BodyPart part) const;
   Transform held(BodyPart part) const;
   double liftOf(double hip_height, const SkeletonFrame& frame);

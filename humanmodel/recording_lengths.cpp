@@ -11,9 +11,10 @@ namespace {
 
 using enum Joint;
 constexpr std::size_t kMostFrames = 200;
-constexpr double kShortestBone = 1e-3;    // m; shorter ones are joints that a format repeats
-constexpr double kGroundQuantile = 0.05;  // some frames may be broken or below a sloping floor
-constexpr double kHighestAnkle = 0.25;    // m; a tall person's is 0.09, a thick sole or a marker adds to it
+constexpr double kShortestBone = 1e-3;       // m; shorter ones are joints that a format repeats
+constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of a bone's spread
+constexpr double kGroundQuantile = 0.05;     // some frames may be broken or below a sloping floor
+constexpr double kHighestAnkle = 0.25;  // m; a tall person's is 0.09, a thick sole or a marker adds to it
 
 struct Leg {
   Joint hip, knee, ankle;
@@ -38,10 +39,10 @@ std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double q
   return *wanted;
 }
 
-/// Median length of a bone; joints that coincide are not counted.
+/// A quantile of the length of a bone; joints that coincide are not counted.
 template <class Measure>
-std::optional<double> medianOf(std::span<const SkeletonFrame> frames, Measure measure) {
-  return quantileOf(frames, 0.5, [&](const SkeletonFrame& frame) -> std::optional<double> {
+std::optional<double> lengthAt(std::span<const SkeletonFrame> frames, double quantile, Measure measure) {
+  return quantileOf(frames, quantile, [&](const SkeletonFrame& frame) -> std::optional<double> {
     const std::optional<double> length = measure(frame);
     if (!length || !(*length > kShortestBone)) return std::nullopt;
     return length;
@@ -63,21 +64,33 @@ std::optional<double> ratioOfLegs(const HumanModel& model, Bone bone) {
   return of_model / of_recording;
 }
 
-std::optional<double> medianTrunk(std::span<const SkeletonFrame> frames) {
-  return medianOf(frames, [](const SkeletonFrame& frame) -> std::optional<double> {
+std::optional<double> boneAt(std::span<const SkeletonFrame> frames, double quantile, Joint a, Joint b) {
+  return lengthAt(frames, quantile, [&](const SkeletonFrame& frame) -> std::optional<double> {
+    if (!frame.has(a) || !frame.has(b)) return std::nullopt;
+    return (frame[a] - frame[b]).norm();
+  });
+}
+
+std::optional<double> trunkAt(std::span<const SkeletonFrame> frames, double quantile) {
+  return lengthAt(frames, quantile, [](const SkeletonFrame& frame) -> std::optional<double> {
     const std::optional<Vector3d> hips = hipCentre(frame);
     if (!hips || !frame.has(kNeck)) return std::nullopt;
     return (frame[kNeck] - *hips).norm();
   });
 }
 
+/// Length of what recordings have of a part; nothing for hands and feet.
+std::optional<double> partAt(std::span<const SkeletonFrame> frames, double quantile, const HumanPart& part) {
+  const PartKind kind = kindOf(part.part);
+  if (kind == PartKind::kHand || kind == PartKind::kFoot) return std::nullopt;
+  if (kind == PartKind::kTorso) return trunkAt(frames, quantile);
+  return boneAt(frames, quantile, part.proximal, part.distal);
+}
+
 }  // namespace
 
 std::optional<double> medianBone(std::span<const SkeletonFrame> frames, Joint a, Joint b) {
-  return medianOf(frames, [&](const SkeletonFrame& frame) -> std::optional<double> {
-    if (!frame.has(a) || !frame.has(b)) return std::nullopt;
-    return (frame[a] - frame[b]).norm();
-  });
+  return boneAt(frames, 0.5, a, b);
 }
 
 std::optional<double> legRatio(const HumanModel& model, std::span<const SkeletonFrame> frames) {
@@ -103,6 +116,37 @@ std::optional<double> standingAnkle(std::span<const SkeletonFrame> frames, doubl
   return *z - floor;
 }
 
+std::optional<LengthFit> fitLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames) {
+  const HumanModel model = makeHuman(options);
+  LengthFit fit;
+  std::vector<double> statures;
+  for (const HumanPart& part : model.parts) {
+    const std::optional<double> median = partAt(frames, 0.5, part);
+    if (!median) continue;
+    BoneLength bone;
+    bone.part = part.part;
+    bone.median = *median;
+    bone.spread = *partAt(frames, kHigh, part) - *partAt(frames, kLow, part);
+    bone.model = (part.p_proximal - part.p_distal).norm();
+    statures.push_back(model.height * bone.median / bone.model);
+    fit.bones.push_back(bone);
+  }
+  if (statures.empty()) return std::nullopt;
+  const auto count = static_cast<double>(statures.size());
+  for (const double s : statures) fit.stature += s / count;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < statures.size(); ++i) {
+    BoneLength& bone = fit.bones[i];
+    bone.model *= fit.stature / model.height;
+    bone.residual = bone.median - bone.model;
+    fit.rms += bone.residual * bone.residual / count;
+    squares += (statures[i] - fit.stature) * (statures[i] - fit.stature) / count;
+  }
+  fit.rms = std::sqrt(fit.rms);
+  fit.stature_spread = std::sqrt(squares);
+  return fit;
+}
+
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames) {
   const HumanModel model = makeHuman(options);
 
@@ -111,9 +155,7 @@ HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const S
   std::array<int, kPartKindCount> count{};
   for (const HumanPart& part : model.parts) {
     const PartKind kind = kindOf(part.part);
-    if (kind == PartKind::kHand || kind == PartKind::kFoot) continue;
-    const std::optional<double> bone =
-        kind == PartKind::kTorso ? medianTrunk(frames) : medianBone(frames, part.proximal, part.distal);
+    const std::optional<double> bone = partAt(frames, 0.5, part);
     if (!bone) continue;
     sum[index(kind)] += *bone;
     ++count[index(kind)];

@@ -18,7 +18,10 @@ void turnAndScale(std::vector<SkeletonFrame>& frames, const Matrix3d& R, double 
   if (scale == 1.0 && R == Matrix3d::Identity()) return;  // keeps every bit, the sign of a zero too
   for (auto& f : frames)
     for (std::size_t j = 0; j < kJointCount; ++j)
-      if (f.state[j] != JointState::kMissing) f.p[j] = scale * (R * f.p[j]);
+      if (f.state[j] != JointState::kMissing) {
+        f.p[j] = scale * (R * f.p[j]);
+        f.spread[j] *= scale;
+      }
 }
 
 /// The points of the file that make a joint.
@@ -49,7 +52,8 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
       for (const std::size_t i : pointsOf(raw.match, j, raw.joints.size())) {
         if (!used_as_found(j)) continue;
         used[i] = true;
-        names.push_back(raw.joints[i]);
+        if (std::find(names.begin(), names.end(), raw.joints[i]) == names.end())
+          names.push_back(raw.joints[i]);
       }
     }
     std::string missing;
@@ -131,6 +135,7 @@ void swapSides(RawRecording& raw) {
       const auto swap = [j](SkeletonFrame& f) {
         std::swap(f.p[j], f.p[j + 4]);
         std::swap(f.state[j], f.state[j + 4]);
+        std::swap(f.spread[j], f.spread[j + 4]);
       };
       swap(raw.rest);
       for (auto& f : raw.frames) swap(f);

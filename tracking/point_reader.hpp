@@ -18,13 +18,16 @@ struct PointFrame {
   double t{0.0};  ///< s
   std::vector<Vector3d> p;
   std::vector<JointState> state;
+  std::vector<double> spread;  ///< standard deviation along the worst axis; 0, or nothing: not known
 
   /// All `points` missing, at t = 0.
   void clear(std::size_t points) {
     t = 0.0;
     p.assign(points, Vector3d::Constant(kNaN));
     state.assign(points, JointState::kMissing);
+    spread.assign(points, 0.0);
   }
+  double spreadOf(std::size_t point) const { return point < spread.size() ? spread[point] : 0.0; }
   void set(std::size_t point, const Vector3d& p_FP, JointState s = JointState::kTracked) {
     p[point] = p_FP;
     state[point] = s;

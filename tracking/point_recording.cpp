@@ -5,9 +5,11 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "humanmodel/part_reach.hpp"
 #include "tracking/conversion.hpp"
 #include "tracking/derived_joints.hpp"
 #include "tracking/joint_map.hpp"
+#include "tracking/markers/marker_recording.hpp"
 #include "tracking/message_text.hpp"
 
 namespace abstand {
@@ -42,11 +44,15 @@ JointMatch matchNames(const PointFacts& facts, std::span<const std::string> name
 void setMean(const PointFrame& from, const std::vector<int>& points, Joint j, SkeletonFrame& to) {
   Vector3d sum = Vector3d::Zero();
   JointState state = JointState::kTracked;
+  double spread = 0.0;
   for (const int i : points) {
     sum += from.p[static_cast<std::size_t>(i)];
+    spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
     state = std::min(state, from.state[static_cast<std::size_t>(i)]);
   }
-  if (state != JointState::kMissing) to.set(j, sum / static_cast<double>(points.size()), state);
+  if (state == JointState::kMissing) return;
+  to.set(j, sum / static_cast<double>(points.size()), state);
+  to.spread[static_cast<std::size_t>(j)] = spread;
 }
 
 SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
@@ -57,8 +63,10 @@ SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
     const auto i = static_cast<std::size_t>(match.joint[j]);
     if (i >= from.p.size())
       setMean(from, match.means[i - from.p.size()], static_cast<Joint>(j), frame);
-    else if (from.state[i] != JointState::kMissing)
+    else if (from.state[i] != JointState::kMissing) {
       frame.set(static_cast<Joint>(j), from.p[i], from.state[i]);
+      frame.spread[j] = from.spreadOf(i);
+    }
   }
   return frame;
 }
@@ -69,6 +77,20 @@ SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) 
   rest.p = p;
   rest.state.assign(p.size(), JointState::kTracked);
   return pick(rest, match);
+}
+
+/// What the tracker guessed without saying how well; how far off that may be is known in metres only.
+void markGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (f.state[j] == JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
+}
+
+/// Gives the marked joints their spread, now that the frames are in metres.
+void spreadGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (double& spread : f.spread)
+      if (spread == kInfinity) spread = kGuessedSpread;
 }
 
 /// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
@@ -96,6 +118,22 @@ void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
   }
 }
 
+/// What a user has to know of markers that were solved.
+void describeSolved(RecordingReport& report) {
+  const MarkerReport& m = report.markers;
+  report.joint_map.clear();
+  if (!(report.stature > 0.0)) report.stature = m.stature;
+  if (m.lost > 0)
+    report.warnings.push_back("the markers show no body in " + std::to_string(m.lost) + " frames");
+  for (const auto& swap : m.swaps)
+    report.warnings.push_back("the labels '" + swap.a + "' and '" + swap.b + "' look exchanged in " +
+                              std::to_string(swap.frames) + " frames: not used there");
+  std::string ignored;
+  for (const auto& [label, why] : m.ignored)
+    ignored += (ignored.empty() ? "" : "; ") + ("'" + label + "' " + why);
+  if (!ignored.empty()) report.warnings.push_back("markers that were not used: " + ignored);
+}
+
 }  // namespace
 
 Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
@@ -109,8 +147,19 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.unit = facts.unit;
   raw.up = facts.up;
 
+  std::optional<MarkerTrack> markers;
+  const bool may_be_markers = facts.of_markers || raw.match.of_markers;
+  if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
+    markers.emplace(raw.joints, options, file);
+  // C3D and TRC may hold joint centres too: then a joint map knows more of them than any marker set.
+  if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
+      raw.match.mapped >= markers->found())
+    markers.reset();
   PointFrame frame;
-  while (reader.next(frame)) raw.frames.push_back(pick(frame, raw.match));
+  while (reader.next(frame)) {
+    raw.frames.push_back(pick(frame, raw.match));
+    if (markers && markers->hasSet()) markers->add(frame);
+  }
   if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
   raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
   raw.rate_reason = facts.rate_reason;
@@ -121,9 +170,19 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;
+  // A file of canonical joints may hold some that were derived from others before: no guesses of a tracker.
+  if (!facts.is_canonical) markGuesses(raw.frames);
+  MarkerReport solved;
+  if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
+  if (markers && solved.reason.empty()) solved.reason = markers->reason();
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
-  if (facts.of_markers || by_marker_map) warnOfMarkers(by_marker_map, recording.report);
+  spreadGuesses(recording.frames);
+  recording.report.markers = std::move(solved);
+  if (!recording.report.markers.set.empty())
+    describeSolved(recording.report);
+  else if (facts.of_markers || by_marker_map)
+    warnOfMarkers(by_marker_map, recording.report);
   return recording;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "humanmodel/joints.hpp"
+#include "tracking/markers/marker_report.hpp"
 
 namespace abstand {
 
@@ -20,6 +21,8 @@ struct RecordingOptions {
   std::string mirror{
       "none"};  ///< "none", "axes" (those of the file are left-handed) or "sides" (names swapped)
   std::filesystem::path skeleton{};  ///< the ASF of an AMC; empty: looked for beside it
+  /// "auto" (the best of the shipped sets), "none" (joints are middles of markers) or a file
+  std::string marker_set{"auto"};
 };
 
 /// What was understood, and why; everything that was guessed can be overridden.
@@ -43,6 +46,7 @@ struct RecordingReport {
   std::vector<std::string> missing_parts;  ///< parts that this file cannot move
   std::size_t gaps{0};                     ///< frames in which a mapped joint is missing or not finite
   std::size_t swaps{0};                    ///< turns of the hips by more than 90 degrees between two frames
+  MarkerReport markers;                    ///< of a file of markers that were solved
   std::vector<std::string> notes;          ///< about the file, nothing to worry about
   std::vector<std::string> warnings;       ///< "LINE: text" where a line is known
 };

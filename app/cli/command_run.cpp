@@ -52,6 +52,7 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
       {"overruns", s.overruns},
       {"period_us", RunSummary::kPeriodUs},
       {"min_distance", extremeJson(s.min_distance)},
+      {"min_clearance", extremeJson(s.min_clearance)},
       {"contacts", s.contacts},
       {"peak_force", s.peak_force ? s.peak_force->value : 0.0},
       {"peak_force_at", extremeJson(s.peak_force)}};
@@ -92,6 +93,13 @@ std::string summaryText(const RunSummary& s, const Session& session) {
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
+  if (s.min_clearance && s.min_clearance->value == -kInfinity)
+    text += format("%s or %s was never seen: it may have been anywhere\n", s.min_clearance->a.c_str(),
+                   s.min_clearance->b.c_str());
+  else if (s.min_clearance && s.min_distance && s.min_clearance->value < s.min_distance->value)
+    text += format("as near as %.1f mm with what is not known of their places: %s to %s at %.3f s\n",
+                   1e3 * s.min_clearance->value, s.min_clearance->a.c_str(), s.min_clearance->b.c_str(),
+                   s.min_clearance->t);
   if (s.peak_force)
     text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
                    s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,

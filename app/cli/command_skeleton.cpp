@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
+#include "humanmodel/recording_lengths.hpp"
 #include "tracking/compact/compact_recording.hpp"
 #include "tracking/recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -12,9 +13,26 @@ namespace {
 struct Arguments {
   std::string file, out, compact, filter;
   double fill{0.0};  ///< s
-  bool doctor{false};
+  bool doctor{false}, fit_lengths{false};
   RecordingOptions options;
 };
+
+nlohmann::ordered_json markersJson(const MarkerReport& m) {
+  nlohmann::ordered_json used = nlohmann::json::array(), ignored = nlohmann::json::array(),
+                         swaps = nlohmann::json::array(), bones = nlohmann::ordered_json::object();
+  for (const auto& u : m.used)
+    used.push_back({{"marker", u.label},
+                    {"segment", u.segment},
+                    {"rms", u.rms},
+                    {"shift", u.shift},
+                    {"seen", u.seen},
+                    {"misplaced", u.misplaced}});
+  for (const auto& [label, why] : m.ignored) ignored.push_back({{"marker", label}, {"why", why}});
+  for (const auto& s : m.swaps) swaps.push_back({{"a", s.a}, {"b", s.b}, {"frames", s.frames}});
+  for (const auto& [bone, length] : m.bones) bones[bone] = length;
+  return {{"set", m.set}, {"reason", m.reason}, {"rms", m.rms},   {"stature", m.stature}, {"bones", bones},
+          {"used", used}, {"ignored", ignored}, {"swaps", swaps}, {"frames_lost", m.lost}};
+}
 
 nlohmann::ordered_json reportJson(const Recording& recording) {
   const RecordingReport& r = recording.report;
@@ -32,6 +50,7 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"sides_reason", r.sides_reason},
           {"stature", r.stature},
           {"joint_map", r.joint_map},
+          {"markers", r.markers.reason.empty() ? nlohmann::ordered_json() : markersJson(r.markers)},
           {"joints", r.joints},
           {"mapped", r.mapped},
           {"not_mapped", r.not_mapped},
@@ -42,10 +61,51 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"warnings", r.warnings}};
 }
 
+nlohmann::ordered_json lengthsJson(const LengthFit& fit) {
+  nlohmann::ordered_json bones = nlohmann::json::array();
+  for (const auto& b : fit.bones)
+    bones.push_back({{"part", partName(b.part)},
+                     {"length", b.median},
+                     {"spread", b.spread},
+                     {"model", b.model},
+                     {"residual", b.residual}});
+  return {{"stature", fit.stature},
+          {"stature_spread", fit.stature_spread},
+          {"rms_residual", fit.rms},
+          {"bones", bones}};
+}
+
+std::string lengthsText(const LengthFit& fit) {
+  std::string text =
+      format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
+             fit.stature, fit.stature_spread, 1e3 * fit.rms);
+  for (const auto& b : fit.bones)
+    text += format("  %-14s %6.1f mm (5 %% to 95 %%: %5.1f mm), model %6.1f mm, %+6.1f mm\n",
+                   std::string(partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread, 1e3 * b.model,
+                   1e3 * b.residual);
+  return text;
+}
+
 std::string join(const std::vector<std::string>& words) {
   std::string s;
   for (const auto& w : words) s += (s.empty() ? "" : ", ") + w;
   return s;
+}
+
+std::string markersText(const MarkerReport& m) {
+  if (m.reason.empty()) return {};
+  if (m.set.empty()) return "marker set: none: " + m.reason + " (--marker-set)\n";
+  std::string text = "marker set: " + m.set + ": " + m.reason + " (--marker-set)\n";
+  text += format("markers off the solved body: %.1f mm RMS\n", 1000.0 * m.rms);
+  for (const auto& u : m.used) {
+    text += format("  %-16s %-16s %5.1f mm RMS, %5.1f mm from the set's place", u.label.c_str(),
+                   u.segment.c_str(), 1000.0 * u.rms, 1000.0 * u.shift);
+    if (u.misplaced > 0) text += format(", misplaced in %zu of %zu frames", u.misplaced, u.seen);
+    text += "\n";
+  }
+  text += "bones:";
+  for (const auto& [bone, length] : m.bones) text += format(" %s %.3f m", bone.c_str(), length);
+  return text + "\n";
 }
 
 std::string reportText(const Recording& recording, const std::string& file) {
@@ -59,6 +119,7 @@ std::string reportText(const Recording& recording, const std::string& file) {
   text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
   text += r.stature > 0.0 ? format("stature: %.3f m\n", r.stature) : "stature: not known\n";
   text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) + " (--joint-map)\n";
+  text += markersText(r.markers);
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
   if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
@@ -76,6 +137,11 @@ int run(const CommandLine& line, const Arguments& args) {
     const DoctorReport doctor = examine(recording);
     json["doctor"] = doctorJson(doctor);
     text += doctorText(doctor);
+  }
+  if (args.fit_lengths) {
+    const auto fit = fitLengths({}, recording.frames);
+    json["lengths"] = fit ? lengthsJson(*fit) : nlohmann::ordered_json();
+    text += fit ? lengthsText(*fit) : "stature by the bones: not known, no bone has both ends\n";
   }
   if (args.fill > 0.0) {
     const GapFill fill = fillGaps(recording.frames, args.fill);
@@ -108,11 +174,15 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   command->add_option("--mirror", args->options.mirror,
                       "none, axes (of the file are left-handed) or sides (names are exchanged)");
   command->add_option("--joint-map", args->options.joint_map, "a joint map of your own");
+  command->add_option("--marker-set", args->options.marker_set,
+                      "auto, none (joints are middles of markers) or a marker set of your own");
   command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
   command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
   command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
   command->add_flag("--doctor", args->doctor,
                     "bones, gaps, jitter, jumps and swaps, and what filters would do");
+  command->add_flag("--fit-lengths", args->fit_lengths,
+                    "stature and every bone beside those of the model, with residuals");
   command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")
       ->check(CLI::Range(0.0, 3600.0));
   command

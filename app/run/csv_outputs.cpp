@@ -58,9 +58,9 @@ std::string jointsHeader(const Session& session, const ClosedLoop* loop) {
 
 CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop)
     : loop_(loop),
-      pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz")),
-      objects_(
-          open(paths.objects, "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding")),
+      pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz,reach")),
+      objects_(open(paths.objects,
+                    "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding,reach")),
       joints_(open(paths.joints, jointsHeader(session, loop))) {}
 
 void CsvOutputs::write(double t, const Session& session, const std::vector<PairResult>& results) {
@@ -83,6 +83,7 @@ void CsvOutputs::writePairs(double t, const Session& session, const std::vector<
     line_ += ',' + std::to_string(r.contacts);
     addVector(line_, r.witness_a);
     addVector(line_, r.witness_b);
+    addNumber(line_, scene.reachOf(PairId(static_cast<std::uint32_t>(i))));
     line_ += '\n';
     pairs_->stream() << line_;
   }
@@ -100,7 +101,9 @@ void CsvOutputs::writeObjects(double t, const Session& session) {
     addVector(line_, o.velocity.angular);
     addVector(line_, o.contact.force);
     addVector(line_, o.contact.torque);
-    line_ += o.colliding ? ",1\n" : ",0\n";
+    line_ += o.colliding ? ",1" : ",0";
+    addNumber(line_, o.reach);
+    line_ += '\n';
     objects_->stream() << line_;
   }
 }

@@ -14,7 +14,7 @@ DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins
 }
 
 void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t,
-                          double distance, bool broken) {
+                          double distance, double reach, bool broken) {
   if (!broken) {
     if (open.active) closed.push_back(open.violation);
     open.active = false;
@@ -23,20 +23,22 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_
   if (!open.active) {
     const Pair& p = scene_.pairs()[pair];
     open = {true,
-            {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, t, t, distance, limits_[pair],
+            {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, t, t, distance, limits_[pair], reach,
              recording_}};
   }
   open.violation.end = t;
+  open.violation.reach = std::max(open.violation.reach, reach);
   open.violation.min_distance = std::min(open.violation.min_distance, distance);
 }
 
 void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const double d = results[i].distance, limit = limits_[i];
+    const double reach = scene_.reachOf(PairId(static_cast<std::uint32_t>(i)));
+    const double d = results[i].distance, limit = limits_[i] + reach;
     // Written so that a distance that is not a number counts as broken.
     const bool broken = !(d >= limit);
-    watch(broken_[i], closed_broken_, i, t, d, broken);
-    watch(unproven_[i], closed_unproven_, i, t, d, !broken && !(d - results[i].bound >= limit));
+    watch(broken_[i], closed_broken_, i, t, d, reach, broken);
+    watch(unproven_[i], closed_unproven_, i, t, d, reach, !broken && !(d - results[i].bound >= limit));
   }
 }
 

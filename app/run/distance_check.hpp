@@ -15,12 +15,13 @@ struct Violation {
   double start{0.0}, end{0.0};
   double min_distance{0.0};
   double limit{0.0};
+  double reach{0.0};  ///< by which the limit was widened, the largest; infinite: a body was not seen at all
   std::string recording;
 };
 
 struct CheckResult {
-  std::vector<Violation> violations;  ///< distance < limit
-  std::vector<Violation> unproven;    ///< limit <= distance, but distance - bound < limit
+  std::vector<Violation> violations;  ///< distance < limit + reach
+  std::vector<Violation> unproven;    ///< not so, but distance - bound < limit + reach
   std::vector<std::string> stale;
   std::size_t frames{0};
 };
@@ -41,7 +42,7 @@ class DistanceCheck {
     Violation violation;
   };
   void watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t, double distance,
-             bool broken);
+             double reach, bool broken);
 
   const Scene& scene_;
   std::string recording_;

@@ -42,6 +42,7 @@ class Extremes {
         distance_pair_ = i;
         distance_t_ = t;
       }
+      lookAtClearance(id, t, r.distance);
       const double force = r.force_a.norm();
       if (force > force_ || (force == force_ && t == force_t_ && i < force_pair_)) {
         force_ = force;
@@ -53,10 +54,17 @@ class Extremes {
       touching_[i] = touches;
     }
     summary.contacts += touching_count_;
+    // What is not seen comes nearer although nothing was renewed.
+    const Scene& scene = session_.scene();
+    for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
+      if (scene.object(ObjectId(i)).reach > 0.0)
+        for (const PairId id : scene.pairsOf(ObjectId(i)))
+          lookAtClearance(id, t, results[id.index()].distance);
   }
 
   void finish(RunSummary& summary) const {
     if (distance_ < kInfinity) summary.min_distance = extreme(distance_pair_, distance_t_, distance_);
+    if (clearance_ < kInfinity) summary.min_clearance = extreme(clearance_pair_, clearance_t_, clearance_);
     if (force_ > 0.0) summary.peak_force = extreme(force_pair_, force_t_, force_);
   }
 
@@ -67,12 +75,22 @@ class Extremes {
   }
 
  private:
+  void lookAtClearance(PairId id, double t, double distance) {
+    const double clearance = distance - session_.scene().reachOf(id);
+    const bool first = clearance == clearance_ && t == clearance_t_ && id.index() < clearance_pair_;
+    if (!(clearance < clearance_) && !first) return;
+    clearance_ = clearance;
+    clearance_pair_ = id.index();
+    clearance_t_ = t;
+  }
+
   const Session& session_;
   std::vector<bool> touching_;
   long touching_count_{0};
   double distance_{kInfinity}, distance_t_{0.0};
+  double clearance_{kInfinity}, clearance_t_{0.0};
   double force_{0.0}, force_t_{0.0};
-  std::size_t distance_pair_{0}, force_pair_{0};
+  std::size_t distance_pair_{0}, clearance_pair_{0}, force_pair_{0};
 };
 
 /// Times one pair a frame, in turn, outside the measured cycle.

@@ -42,6 +42,9 @@ struct RunSummary {
   double median_us{0.0}, p99_us{0.0}, p999_us{0.0}, max_us{0.0};
   long overruns{0};  ///< cycles longer than kPeriodUs
   std::optional<Extreme> min_distance;
+  /// The least distance less the reach of both bodies: how near they may have been; -infinity where a body
+  /// was not seen at all.
+  std::optional<Extreme> min_clearance;
   std::optional<Extreme> peak_force;    ///< N, largest force of a pair
   long contacts{0};                     ///< pairs in contact, counted over all frames, or cycles of the loop
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query

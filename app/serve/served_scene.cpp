@@ -99,6 +99,7 @@ void ServedScene::growPeople(double t) {
   for (std::size_t p = 0; p < people_.size(); ++p) {
     const HumanDriver& driver = *session_->humans()[p];
     report_.person_age[p] = driver.unseen(t);
+    driver.widen(t, session_->scene());
     if (people_[p].stale || t - people_[p].last_t <= watch_.person_age) continue;
     driver.lose(t, session_->scene());
     people_[p].stale = true;
@@ -167,7 +168,7 @@ PairReport ServedScene::reportOf(PairId id) const {
   out.witness_b = pair.result.witness_b;
   if (out.trust == Trust::kNone || std::isnan(pair.result.distance)) return out;
   out.distance = pair.result.distance;
-  out.bound = pair.result.bound;
+  out.bound = pair.result.bound + session_->scene().reachOf(id);
   return out;
 }
 
@@ -197,7 +198,8 @@ void ServedScene::reportPairs() {
         trustOf(scene.pairs()[i].a) != Trust::kNone && trustOf(scene.pairs()[i].b) != Trust::kNone;
     Separation& least = separations_[static_cast<std::size_t>(s)];
     const double found = known ? rank : -kInfinity;
-    least.proven = std::min(least.proven, known ? rank - scene.pairs()[i].result.bound : -kInfinity);
+    const double doubt = scene.pairs()[i].result.bound + scene.reachOf(PairId(i));
+    least.proven = std::min(least.proven, known ? rank - doubt : -kInfinity);
     if (!(found < least.found)) continue;
     least.found = found;
     least.pair = PairId(i);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "humanmodel/part_reach.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
@@ -38,6 +39,10 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
   o.format = d.recording.format;
   o.units = d.recording.units;
   o.up = d.recording.up;
+  o.rate = d.recording.rate;
+  o.mirror = d.recording.mirror;
+  o.joint_map = d.recording.joint_map;
+  o.marker_set = d.recording.marker_set;
   Recording recording = openAnyRecording(d.recording.file, o, std::nullopt);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
@@ -133,6 +138,18 @@ void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {
 void HumanDriver::lose(double t, Scene& scene) const {
   for (const auto& object : objects_)
     if (object) scene.setPose(*object, scene.object(*object).X_WB, t, PoseState::kStale);
+  widen(t, scene);
+}
+
+void HumanDriver::widen(double t, Scene& scene) const {
+  const double since = std::max(0.0, t - last_t_);
+  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
+    if (!objects_[i]) continue;
+    const double bound = scene.object(*objects_[i]).max_speed;
+    // A bound of 0 says of one who stands in the scene that nothing moves them, not of one who is followed.
+    const double speed = std::isfinite(bound) && bound > 0.0 ? bound : kPersonSpeed;
+    scene.setReach(*objects_[i], partReach(pose_.age[i] + since, pose_.spread[i], speed));
+  }
 }
 
 double HumanDriver::unseen(double t) const {
@@ -143,6 +160,7 @@ double HumanDriver::unseen(double t) const {
 void HumanDriver::place(double t, Scene& scene) const {
   for (std::size_t i = 0; i < kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
+  widen(t, scene);
 }
 
 }  // namespace abstand

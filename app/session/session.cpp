@@ -170,8 +170,10 @@ void Session::applyMotion(double t) {
 void Session::applyPoses(double t) {
   if (!poses_) return;
   const std::size_t row = poses_->rowAt(t);
-  for (std::size_t i = 0; i < poses_objects_.size(); ++i)
+  for (std::size_t i = 0; i < poses_objects_.size(); ++i) {
     scene_.setPose(poses_objects_[i], poses_->pose(row, i), t);
+    scene_.setReach(poses_objects_[i], 0.0);
+  }
 }
 
 bool Session::reacts() const {

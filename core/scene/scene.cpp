@@ -163,6 +163,10 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   return true;
 }
 
+void Scene::setReach(ObjectId object, double reach) noexcept {
+  objects_[object.index()].reach = reach >= 0.0 ? reach : kInfinity;
+}
+
 void Scene::touch(ObjectId id) {
   if (has_moved_[id.index()]) return;
   has_moved_[id.index()] = true;

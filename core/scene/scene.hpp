@@ -36,6 +36,9 @@ struct Object {
   ObjectSpec spec;
   Transform X_WB{Transform::Identity()};
   PoseState pose_state{PoseState::kFresh};
+  /// m: every point of the body is within so much of where X_WB puts it; it widens the margins by which the
+  /// body's distances are judged. Infinite: it may be anywhere.
+  double reach{0.0};
   long rejected_poses{0};       ///< poses that were not finite or no rotation; the last good one stayed
   double t{0.0};                ///< s, of X_WB
   Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass
@@ -120,6 +123,14 @@ class Scene {
   /// t: at the same t the pose is replaced and the velocities stay; at an earlier t (a jump back in a
   /// recording) they start again from zero.
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
+
+  /// Of the pose that was set last, m; less than 0 and NaN count as infinite. Distances, contacts and forces
+  /// stay those of the bodies where they were seen. No allocation, no throw.
+  void setReach(ObjectId object, double reach) noexcept;
+  /// m: by how much the bodies of a pair may be nearer to each other than its distance says.
+  double reachOf(PairId id) const {
+    return objects_[pairs_[id.index()].a.index()].reach + objects_[pairs_[id.index()].b.index()].reach;
+  }
 
   /// Brings every pair's result up to the present poses and sums the totals of the objects.
   void step();

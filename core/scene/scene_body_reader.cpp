@@ -25,6 +25,7 @@ constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
 constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
 constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
+constexpr YamlRange kRateRange{0.0, 1e6, "Hz", true};
 constexpr YamlRange kSpeedRange{0.0, 1e4, "m/s"};
 
 double needNumber(const YamlFields& fields, std::string_view key, const YamlRange& range) {
@@ -272,7 +273,9 @@ void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
 }
 
 RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
-  const YamlFields fields(node, file_, "`recording`", {"file", "format", "units", "up", "place"});
+  const YamlFields fields(
+      node, file_, "`recording`",
+      {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place"});
   RecordingDescription r;
   r.pos = fields.pos();
   r.file = existingFile(fields.need("file"), "`file`", "a recording");
@@ -283,6 +286,15 @@ RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
     r.units = yamlText(*units, file_, "`units`");
   }
   r.up = fields.choice("up", {"auto", "x", "y", "z", "-x", "-y", "-z"}).value_or(r.up);
+  r.rate = fields.number("rate", kRateRange).value_or(r.rate);
+  r.mirror = fields.choice("mirror", {"none", "axes", "sides"}).value_or(r.mirror);
+  if (const auto* map = fields.find("joint_map"))
+    r.joint_map = existingFile(*map, "`joint_map`", "a joint map");
+  if (const auto* set = fields.find("marker_set")) {
+    r.marker_set = yamlText(*set, file_, "`marker_set`");
+    if (r.marker_set != "auto" && r.marker_set != "none")
+      r.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
+  }
   if (const auto* place = fields.find("place")) {
     const YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
     r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);

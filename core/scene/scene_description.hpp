@@ -55,6 +55,10 @@ struct MechanismDescription {
 struct RecordingDescription {
   std::filesystem::path file;  ///< empty: stands in the rest pose
   std::string format{"auto"}, units{"auto"}, up{"auto"};
+  double rate{0.0};                      ///< Hz; 0: what the file says
+  std::string mirror{"none"};            ///< "none", "axes" or "sides"
+  std::filesystem::path joint_map;       ///< empty: the best of the shipped ones
+  std::string marker_set{"auto"};        ///< "auto", "none" or a file
   Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
   double place_yaw{0.0};                 ///< rad, about world z
   double speed{1.0};                     ///< 2: twice as fast as recorded, from its first frame on

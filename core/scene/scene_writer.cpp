@@ -97,9 +97,15 @@ std::string mechanismText(const MechanismDescription& m) {
   return s;
 }
 
+/// What is left to the file and the program has no key.
 std::string recordingText(const RecordingDescription& r) {
+  std::string said;
+  if (r.rate > 0.0) said += ", rate: " + formatDouble(r.rate);
+  if (r.mirror != "none") said += ", mirror: " + r.mirror;
+  if (!r.joint_map.empty()) said += ", joint_map: " + scalar(r.joint_map.string());
+  if (r.marker_set != "auto") said += ", marker_set: " + scalar(r.marker_set);
   return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
-         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) +
+         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) + said +
          ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
 }
 

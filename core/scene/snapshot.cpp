@@ -11,8 +11,8 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
   const auto copy = [&](std::size_t i) { snapshot.pairs[i] = {pairs[i].result, pairs[i].options.margin}; };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& o = objects[i];
-    snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(), o.velocity,
-                           o.contact, o.spec.margin, o.colliding};
+    snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(),  o.velocity,
+                           o.contact, o.spec.margin, o.colliding, o.reach};
     const ObjectId id(static_cast<std::uint32_t>(i));
     if (!first && scene.renewedAt(id) > snapshot.captured)
       for (const PairId pair : scene.pairsOf(id)) copy(pair.index());

@@ -17,6 +17,7 @@ struct ObjectSnapshot {
   Wrench contact;
   double margin{0.0};
   bool colliding{false};
+  double reach{0.0};  ///< m, see Object
 };
 
 struct PairSnapshot {

@@ -232,7 +232,7 @@ TEST_F(Cli, RunAndCheckAgreeWithAKnownApproach) {
     EXPECT_TRUE(j.contains(key)) << key;
   const std::string csv = readFile(pairs);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz");
+            "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz,reach");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
   EXPECT_EQ(run("check " + scene + " --poses " + poses + " --min-distance 0.10").code, 0);
   const std::string junit = (folder_.path() / "j.xml").string(), html = (folder_.path() / "r.html").string();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.hpp"
 
 namespace abstand {
@@ -80,6 +82,43 @@ TEST(RecordingLengths, StandingAnkle) {
   EXPECT_FALSE(standingAnkle(recording, 1.0)) << "the floor is elsewhere";
   EXPECT_FALSE(standingAnkle(recording, -0.9));
   EXPECT_FALSE(standingAnkle({}, 0.0));
+}
+
+TEST(RecordingLengths, AModelsOwnBonesFitExactly) {
+  const auto fit = fitLengths({}, standing(1.62, 300));
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->stature, 1.62, kRounding);
+  EXPECT_LT(fit->rms, kRounding);
+  EXPECT_LT(fit->stature_spread, kRounding);
+  EXPECT_EQ(fit->bones.size(), 10u);  // torso, head, four of the arms, four of the legs
+  for (const BoneLength& b : fit->bones) {
+    EXPECT_LT(b.spread, kRounding) << partName(b.part);
+    EXPECT_LT(std::abs(b.residual), kRounding) << partName(b.part);
+  }
+}
+
+TEST(RecordingLengths, ALongerBoneIsItsOwnResidual) {
+  // One thigh 10 % longer than the rest says: ten bones, so the stature grows by one hundredth, and the thigh
+  // keeps 9 % of its length as residual. Its spread: every tenth frame is 30 mm longer still.
+  std::vector<SkeletonFrame> recording = standing(1.75, 200);
+  const double thigh = (recording[0][Joint::kHipLeft] - recording[0][Joint::kKneeLeft]).norm();
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const double more = 0.1 * thigh + (i % 10 == 0 ? 0.03 : 0.0);
+    // The whole lower leg goes along, so that the calf keeps its length.
+    const Vector3d down =
+        more * (recording[i][Joint::kKneeLeft] - recording[i][Joint::kHipLeft]).normalized();
+    for (const Joint j : {Joint::kKneeLeft, Joint::kAnkleLeft, Joint::kToeLeft})
+      recording[i].set(j, recording[i][j] + down);
+  }
+  const auto fit = fitLengths({}, recording);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->stature, 1.75 * 1.01, 1e-9);
+  for (const BoneLength& b : fit->bones) {
+    const bool is_it = b.part == BodyPart::kThighLeft;
+    EXPECT_NEAR(b.spread, is_it ? 0.03 : 0.0, 1e-9) << partName(b.part);
+    EXPECT_NEAR(b.residual, (is_it ? 1.1 : 1.0) * b.model / 1.01 - b.model, 1e-9) << partName(b.part);
+  }
+  EXPECT_FALSE(fitLengths({}, {}).has_value());
 }
 
 TEST(RecordingLengths, LegRatio) {

@@ -28,6 +28,7 @@ Named splitName(std::string_view cell) {
                 : field == "y"          ? 1
                 : field == "z"          ? 2
                 : field == "confidence" ? kConfidenceField
+                : field == "spread"     ? kSpreadField
                                         : -1;
   return {cell.substr(0, dot), f};
 }
@@ -75,14 +76,14 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
   if (!time) throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected the column 't'");
   out.time = *time;
 
-  std::vector<std::array<bool, 4>> seen;
+  std::vector<std::array<bool, 5>> seen;
   std::vector<SourcePos> places;
   std::unordered_map<std::string, std::size_t> index;
   while (cells.next(cell)) {
     const Named named = splitName(cell);
     if (named.field < 0)
-      throw ParseError(cells.pos(),
-                       "found the column " + inQuotes(cell) + ", expected JOINT.x, .y, .z or .confidence");
+      throw ParseError(cells.pos(), "found the column " + inQuotes(cell) +
+                                        ", expected JOINT.x, .y, .z, .confidence or .spread");
     const auto [at, is_new] = index.emplace(std::string(named.joint), out.joints.size());
     if (is_new) {
       out.joints.emplace_back(named.joint);

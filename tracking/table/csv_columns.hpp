@@ -7,9 +7,10 @@
 
 namespace abstand {
 
-inline constexpr int kConfidenceField = 3;
+inline constexpr int kConfidenceField = 3, kSpreadField = 4;
 
-/// What a column holds: a joint's x, y, z (0 to 2) or its confidence; -1: something else, not read.
+/// What a column holds: a joint's x, y, z (0 to 2), its confidence or its spread; -1: something else, not
+/// read.
 struct CsvColumn {
   std::size_t joint{0};
   int field{0};
@@ -28,8 +29,8 @@ struct CsvColumns {
 /// x.
 bool looksLikeCsvColumns(std::string_view line);
 
-/// Reads `t,JOINT.x,JOINT.y,JOINT.z[,JOINT.confidence]...`; `_` for `.`, capitals or not; any order. Where
-/// most names are canonical ones, all must be. Throws ParseError with the column.
+/// Reads `t,JOINT.x,JOINT.y,JOINT.z[,JOINT.confidence][,JOINT.spread]...`; `_` for `.`, capitals or not; any
+/// order. Where most names are canonical ones, all must be. Throws ParseError with the column.
 CsvColumns parseCsvColumns(std::string_view line, const std::string& file);
 
 }  // namespace abstand

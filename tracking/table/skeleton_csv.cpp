@@ -1,6 +1,7 @@
 #include "tracking/table/skeleton_csv.hpp"
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 
 #include "core/base/error.hpp"
@@ -20,6 +21,11 @@ double confidenceOf(JointState s) {
   return s == JointState::kTracked ? kTrackedConfidence : kInferredConfidence;
 }
 
+double spreadOf(const Cells& cells, double v) {
+  if (v >= 0.0 && v <= kLargestCoordinate) return v;
+  throw ParseError(cells.pos(), "found the spread " + formatDouble(v) + ", expected 0 or more");
+}
+
 }  // namespace
 
 void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
@@ -28,10 +34,15 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
     if (std::any_of(recording.frames.begin(), recording.frames.end(),
                     [j](const SkeletonFrame& f) { return f.state[j] != JointState::kMissing; }))
       joints.push_back(j);
+  std::array<bool, kJointCount> has_spread{};
+  for (const auto& f : recording.frames)
+    for (std::size_t j = 0; j < kJointCount; ++j) has_spread[j] |= f.spread[j] > 0.0;
   out << 't';
-  for (const auto j : joints)
+  for (const auto j : joints) {
     for (const char* field : {".x", ".y", ".z", ".confidence"})
       out << ',' << jointName(static_cast<Joint>(j)) << field;
+    if (has_spread[j]) out << ',' << jointName(static_cast<Joint>(j)) << ".spread";
+  }
   out << '\n';
   for (const auto& f : recording.frames) {
     out << formatDouble(f.t);
@@ -39,6 +50,7 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
       const bool known = f.state[j] != JointState::kMissing;
       for (int k = 0; k < 3; ++k) out << ',' << (known ? formatDouble(f.p[j][k]) : "");
       out << ',' << formatDouble(confidenceOf(f.state[j]));
+      if (has_spread[j]) out << ',' << (known ? formatDouble(f.spread[j]) : "");
     }
     out << '\n';
   }
@@ -107,6 +119,8 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
     const double v = cells.number(cell);
     if (c.field == kConfidenceField)
       confidence_[c.joint] = v;
+    else if (c.field == kSpreadField)
+      frame.spread[c.joint] = spreadOf(cells, v);
     else
       frame.p[c.joint][c.field] = v;
   }

@@ -19,7 +19,8 @@ inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kLe
 
 /// Header `t,JOINT.x,JOINT.y,JOINT.z,JOINT.confidence,...` for every joint that some frame has; then one line
 /// a frame, s and metres, z up, each number with the digits that read back the same double. A joint that is
-/// missing in a frame has empty cells and confidence 0.
+/// missing in a frame has empty cells and confidence 0. A joint whose spread is known in some frame has a
+/// column JOINT.spread too, m, 0 where it is not known.
 void writeSkeletonCsv(std::ostream& out, const Recording& recording);
 /// The same into a file, whole or not at all. Throws UsageError when it cannot be written.
 void writeSkeletonCsv(const std::filesystem::path& file, const Recording& recording);

@@ -19,6 +19,7 @@ void PairTableModel::open(const SceneOutline& outline) {
   pairs_ = outline.pairs;
   values_.assign(pairs_.size(), {});
   lost_.assign(names_.size(), false);
+  reach_.assign(names_.size(), 0.0);
   endResetModel();
 }
 
@@ -28,6 +29,7 @@ void PairTableModel::refresh(const SceneSnapshot& snapshot) {
   for (std::size_t i = 0; i < std::min(lost_.size(), snapshot.objects.size()); ++i) {
     const PoseState state = snapshot.objects[i].pose_state;
     lost_[i] = state == PoseState::kStale || state == PoseState::kRejected;
+    reach_[i] = snapshot.objects[i].reach;
   }
   Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
@@ -45,7 +47,12 @@ PairTableModel::Level PairTableModel::level(std::size_t row) const {
       lost_[static_cast<std::size_t>(pairs_[row].second)])
     return Level::kLost;
   if (std::isnan(pair.result.distance)) return Level::kUnknown;
-  return pair.result.distance < kNearFactor * pair.margin ? Level::kNear : Level::kFine;
+  return pair.result.distance - reachOf(row) < kNearFactor * pair.margin ? Level::kNear : Level::kFine;
+}
+
+double PairTableModel::reachOf(std::size_t row) const {
+  return reach_[static_cast<std::size_t>(pairs_[row].first)] +
+         reach_[static_cast<std::size_t>(pairs_[row].second)];
 }
 
 QVariant PairTableModel::text(std::size_t row, int column) const {
@@ -73,8 +80,11 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
       return millimetres(pair.result.distance);
     case kBound:
       return millimetres(pair.result.bound);
-    case kMargin:
-      return millimetres(pair.margin, 0);
+    case kMargin: {
+      const double reach = reachOf(row);
+      if (!(reach > 0.0)) return millimetres(pair.margin, 0);
+      return millimetres(pair.margin, 0) + (std::isinf(reach) ? tr(" + ∞") : " + " + millimetres(reach, 0));
+    }
     case kForce:
       return fixed(pair.result.force_a.norm(), 1);
     case kContacts:
@@ -95,7 +105,7 @@ double PairTableModel::number(std::size_t row, int column) const {
     case kBound:
       return finite(pair.result.bound);
     case kMargin:
-      return pair.margin;
+      return pair.margin + reachOf(row);
     case kForce:
       return pair.result.force_a.norm();
     default:
@@ -178,7 +188,8 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kBound:
         return tr("The true distance is never below distance minus bound");
       case kMargin:
-        return tr("Sum of both objects' safety margins");
+        return tr(
+            "Sum of both objects' safety margins, and what is added for places that are not known well");
       case kForce:
         return tr("Penalty force between the two");
       case kContacts:

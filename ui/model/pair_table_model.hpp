@@ -35,12 +35,14 @@ class PairTableModel : public QAbstractTableModel {
  private:
   enum class Level { kUnknown, kFine, kNear, kLost, kContact };
   Level level(std::size_t row) const;
+  double reachOf(std::size_t row) const;
   QVariant text(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
 
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<PairSnapshot> values_;
+  std::vector<double> reach_;  // by object, m: how far it may be from where it is shown
   std::vector<bool>
       lost_;  // by object: its pose is stale or was rejected, so its distances are never called safe
 };

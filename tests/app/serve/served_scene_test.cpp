@@ -206,6 +206,22 @@ TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
   EXPECT_EQ(robot().refusal, ResetRefusal::kNone);
 }
 
+TEST_F(Served, BoundsWidenWithTheAgeOfASkeleton) {
+  open(true);
+  person(0.5);
+  joints(1.0, 0.5);
+  scene->cycle(0.5);
+  const PairReport fresh = scene->report().separation[0];
+  // Nothing moves, and what is proven shrinks at the speed that a person may have (2.0 m/s), until they are
+  // lost.
+  for (const double age : {0.001, 0.05, 0.09}) {
+    scene->cycle(0.5 + age);
+    const PairReport& now = scene->report().separation[0];
+    EXPECT_EQ(now.distance, fresh.distance);
+    EXPECT_NEAR(now.bound - fresh.bound, 2.0 * age, 1e-9) << age;
+  }
+}
+
 TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
   open(false);
   joints(0.5, 0.01);

@@ -19,7 +19,8 @@ class SceneFile : public ::testing::Test {
  protected:
   SceneFile() {
     folder_.write("lwr4.mech", "chain\nframe 1 0 0 0 theta\nframe 2 0 90 0 theta\nend_chain\n");
-    for (const char* name : {"sweep.csv", "link1.stl", "boxing.bvh", "table.obj"}) folder_.write(name, "x");
+    for (const char* name : {"sweep.csv", "link1.stl", "boxing.bvh", "table.obj", "own.map", "own.markers"})
+      folder_.write(name, "x");
   }
   SceneDescription parse(const std::string& text) const {
     return parseScene(text, folder_.path() / "scene.yaml");
@@ -58,7 +59,7 @@ humans:
     lengths: recording
     margin: 0.10
     parts: {hand_left: {margin: 0.15, contour: 0.24}, torso: {shape: cuboid, breadth: 0.4, voxel: 0.01, max_speed: 1.6}, head: {}}
-    recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
+    recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, rate: 60, mirror: axes, joint_map: own.map, marker_set: own.markers, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
   - {name: guest}
 objects:
   - {name: table, mesh: table.obj, scale: 0.001, pose: {xyz: [0.6, 0, 0.7], rpy: [0, 0, 0]}}
@@ -127,6 +128,10 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(h.recording.format, "bvh");
   EXPECT_EQ(h.recording.units, "0.056444");
   EXPECT_EQ(h.recording.up, "-y");
+  EXPECT_EQ(h.recording.rate, 60.0);
+  EXPECT_EQ(h.recording.mirror, "axes");
+  EXPECT_EQ(h.recording.joint_map, path("own.map"));
+  EXPECT_EQ(h.recording.marker_set, path("own.markers"));
   EXPECT_EQ(h.recording.place_xyz, Vector3d(0.9, 0, 0.1));
   EXPECT_EQ(h.recording.place_yaw, 3.14);
   EXPECT_TRUE(s.humans[1].recording.file.empty());
@@ -272,6 +277,10 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(h.recording.format, g.recording.format);
     EXPECT_EQ(h.recording.units, g.recording.units);
     EXPECT_EQ(h.recording.up, g.recording.up);
+    EXPECT_EQ(h.recording.rate, g.recording.rate);
+    EXPECT_EQ(h.recording.mirror, g.recording.mirror);
+    EXPECT_EQ(h.recording.joint_map, g.recording.joint_map);
+    EXPECT_EQ(h.recording.marker_set, g.recording.marker_set);
     EXPECT_EQ(h.recording.place_xyz, g.recording.place_xyz);
     EXPECT_EQ(h.recording.place_yaw, g.recording.place_yaw);
   }

@@ -183,29 +183,34 @@ TEST(BadScenes, Mechanisms) {
 }
 
 TEST(BadScenes, Humans) {
-  expectRefused(kHuman,
-                {
-                    {"  - {height: 1.8}\n", 3, 5, "found no `name`"},
-                    {"  - {name: p, height: 180}\n", 3, 23, "from 0.5 to 2.5 m"},
-                    {"  - {name: p, mass: 1}\n", 3, 21, "kg"},
-                    {"  - {name: p, sex: x}\n", 3, 20, "one of f, m"},
-                    {"  - {name: p, preset: thesys}\n", 3, 23, "did you mean `thesis`?"},
-                    {"  - {name: p, lengths: yes}\n", 3, 24, "model, recording"},
-                    {"  - {name: p, parts: {hand_leftt: {}}}\n", 3, 23, "did you mean `hand_left`?"},
-                    {"  - {name: p, parts: {hand_left: {contuor: 1}}}\n", 3, 35, "did you mean `contour`?"},
-                    {"  - {name: p, parts: {hand_left: {contour: -1}}}\n", 3, 44, "contour"},
-                    {"  - {name: p, parts: {hand_left: {shape: sphere}}}\n", 3, 42, "ellipsoid, cuboid"},
-                    {"  - {name: p, parts: {hand_left: 1}}\n", 3, 34, "expected a map"},
-                    {"  - {name: p, recording: a.bvh}\n", 3, 26, "expected a map"},
-                    {"  - {name: p, recording: {}}\n", 3, 26, "found no `file`"},
-                    {"  - {name: p, recording: {file: none.bvh}}\n", 3, 33, "none.bvh"},
-                    {"  - {name: p, recording: {file: a.stl, up: w}}\n", 3, 44, "one of auto, x"},
-                    {"  - {name: p, recording: {file: a.stl, units: -1}}\n", 3, 47, "`units`"},
-                    {"  - {name: p, recording: {file: a.stl, place: {yaw: left}}}\n", 3, 53, "finite number"},
-                    {"  - {name: p}\n  - {name: p}\n", 4, 12, "taken already"},
-                    {"  - {name: p}\nobjects:\n  - {name: p/head, shape: {sphere: {radius: 1}}}\n", 5, 12,
-                     "taken already"},
-                });
+  expectRefused(
+      kHuman,
+      {
+          {"  - {height: 1.8}\n", 3, 5, "found no `name`"},
+          {"  - {name: p, height: 180}\n", 3, 23, "from 0.5 to 2.5 m"},
+          {"  - {name: p, mass: 1}\n", 3, 21, "kg"},
+          {"  - {name: p, sex: x}\n", 3, 20, "one of f, m"},
+          {"  - {name: p, preset: thesys}\n", 3, 23, "did you mean `thesis`?"},
+          {"  - {name: p, lengths: yes}\n", 3, 24, "model, recording"},
+          {"  - {name: p, parts: {hand_leftt: {}}}\n", 3, 23, "did you mean `hand_left`?"},
+          {"  - {name: p, parts: {hand_left: {contuor: 1}}}\n", 3, 35, "did you mean `contour`?"},
+          {"  - {name: p, parts: {hand_left: {contour: -1}}}\n", 3, 44, "contour"},
+          {"  - {name: p, parts: {hand_left: {shape: sphere}}}\n", 3, 42, "ellipsoid, cuboid"},
+          {"  - {name: p, parts: {hand_left: 1}}\n", 3, 34, "expected a map"},
+          {"  - {name: p, recording: a.bvh}\n", 3, 26, "expected a map"},
+          {"  - {name: p, recording: {}}\n", 3, 26, "found no `file`"},
+          {"  - {name: p, recording: {file: none.bvh}}\n", 3, 33, "none.bvh"},
+          {"  - {name: p, recording: {file: a.stl, up: w}}\n", 3, 44, "one of auto, x"},
+          {"  - {name: p, recording: {file: a.stl, units: -1}}\n", 3, 47, "`units`"},
+          {"  - {name: p, recording: {file: a.stl, rate: 0}}\n", 3, 46, "`rate`"},
+          {"  - {name: p, recording: {file: a.stl, mirror: x}}\n", 3, 48, "one of none, axes"},
+          {"  - {name: p, recording: {file: a.stl, joint_map: no.map}}\n", 3, 51, "no.map"},
+          {"  - {name: p, recording: {file: a.stl, marker_set: no.markers}}\n", 3, 52, "auto, none or a"},
+          {"  - {name: p, recording: {file: a.stl, place: {yaw: left}}}\n", 3, 53, "finite number"},
+          {"  - {name: p}\n  - {name: p}\n", 4, 12, "taken already"},
+          {"  - {name: p}\nobjects:\n  - {name: p/head, shape: {sphere: {radius: 1}}}\n", 5, 12,
+           "taken already"},
+      });
 }
 
 TEST(BadScenes, PairsAndThreads) {

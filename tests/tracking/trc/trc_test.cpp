@@ -106,6 +106,7 @@ TEST(Trc, ReadsRealFiles) {
     EXPECT_EQ(r.report.rate, c.rate) << c.file;
     EXPECT_EQ(r.report.units_guess, c.units) << c.file;
     EXPECT_GE(r.report.mapped.size(), c.parts) << c.file;
+    if (!r.report.markers.set.empty()) continue;  // solved: its joints are centres
     EXPECT_THAT(r.report.warnings, Contains(::testing::AnyOf(HasSubstr("markers on the skin"),
                                                              HasSubstr("no joint map makes a part"))))
         << c.file;

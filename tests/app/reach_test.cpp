@@ -1,0 +1,134 @@
+// What is not known of a person's place widens the limits by which distances are judged.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/run/distance_check.hpp"
+#include "humanmodel/part_reach.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/paths.hpp"
+#include "tracking/table/skeleton_csv.hpp"
+
+namespace abstand::testing {
+namespace {
+
+constexpr double kRate = 10.0, kSeen = 1.0, kEnd = 3.0;  // Hz, s
+constexpr double kRounding = 1e-9;
+constexpr double kStep = 1.0 / kRate;
+
+/// Stands; the left arm below the shoulder is lost after kSeen, the right calf and foot were never seen.
+std::vector<SkeletonFrame> standing(double spread) {
+  std::vector<SkeletonFrame> frames;
+  const SkeletonFrame rest = makeHuman({}).rest;
+  for (int i = 0; i <= static_cast<int>(kEnd * kRate); ++i) {
+    SkeletonFrame f = rest;
+    f.t = i * kStep;
+    const auto lose = [&](Joint j) { f.set(j, Vector3d::Constant(kNaN), JointState::kMissing); };
+    if (f.t > kSeen + kRounding)
+      for (const Joint j : {Joint::kElbowLeft, Joint::kWristLeft, Joint::kHandLeft}) lose(j);
+    for (const Joint j : {Joint::kAnkleRight, Joint::kToeRight}) lose(j);
+    f.spread[static_cast<std::size_t>(Joint::kWristRight)] = spread;
+    frames.push_back(f);
+  }
+  return frames;
+}
+
+constexpr double kSpread = 0.01;  // m, of the right wrist
+
+/// A ball stands 3 m in front of the person.
+std::unique_ptr<Session> open() {
+  const ScratchFolder folder;
+  Recording recording;
+  recording.frames = standing(kSpread);
+  writeSkeletonCsv(folder.path() / "r.csv", recording);
+  const auto scene =
+      folder.write("scene.yaml",
+                   "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05, outer_layers: 1}\n"
+                   "humans:\n  - {name: p, height: 1.75, recording: {file: r.csv}}\n"
+                   "objects:\n  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [3, "
+                   "0, 1]}}\npairs: {default: between_groups}\n");
+  SessionOptions options;
+  options.threads = 1;
+  options.cache = false;
+  return std::make_unique<Session>(loadScene(scene), options);
+}
+
+/// Structures are built once for all tests; a run starts at its first frame whatever was before.
+Session& session() {
+  static const std::unique_ptr<Session> opened = open();
+  return *opened;
+}
+
+double reachOf(const std::string& name) {
+  const Object* object = session().scene().find(name);
+  return object ? object->reach : kNaN;
+}
+
+TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
+  for (const double t : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
+    session().step(t);
+    const double age = std::max(0.0, t - kSeen);
+    EXPECT_NEAR(reachOf("p/forearm_left"), 2.0 * age, kRounding) << t;
+    EXPECT_NEAR(reachOf("p/biceps_left"), 2.0 * age, kRounding) << t;
+    EXPECT_EQ(reachOf("p/torso"), 0.0);
+    EXPECT_NEAR(reachOf("p/forearm_right"), kReachQuantile * kSpread, kRounding);
+    EXPECT_NEAR(reachOf("p/hand_right"), kReachQuantile * kSpread, kRounding);
+    EXPECT_EQ(reachOf("p/calf_right"), kInfinity);
+    EXPECT_EQ(reachOf("ball"), 0.0);
+  }
+}
+
+CheckResult check(Session& watched, double limit) {
+  CheckResult all;
+  DistanceCheck check(watched.scene(), limit, false, "");
+  RunOptions run;
+  run.on_frame = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
+  check.finish(runScene(watched, run), all);
+  return all;
+}
+
+TEST(Reach, LimitsAreWidenedByIt) {
+  // The ball is some 2.8 m from the lost hand, which could be there 1.3 s after it was seen.
+  const CheckResult result = check(session(), 0.2);
+  bool forearm = false;
+  for (const Violation& v : result.violations) {
+    EXPECT_TRUE(v.a.find("left") != std::string::npos || std::isinf(v.reach)) << v.a << ", " << v.b;
+    if (v.a != "p/forearm_left" && v.b != "p/forearm_left") continue;
+    forearm = true;
+    EXPECT_DOUBLE_EQ(v.end, kEnd);
+    EXPECT_NEAR(v.reach, 2.0 * (kEnd - kSeen), kRounding);
+    // The first frame in which limit + reach is more than the distance, which does not change.
+    const double due = kSeen + (v.min_distance - 0.2) / 2.0;
+    EXPECT_GE(v.start, due - kRounding);
+    EXPECT_LT(v.start, due + kStep + kRounding);
+    EXPECT_GT(v.min_distance, 2.0);
+  }
+  EXPECT_TRUE(forearm);
+  const auto broken = [&](const std::string& part) {
+    for (const Violation& v : result.violations)
+      if (v.a == "p/" + part || v.b == "p/" + part) return true;
+    return false;
+  };
+  EXPECT_TRUE(broken("calf_right")) << "never seen, so never safe";
+  EXPECT_FALSE(broken("torso") || broken("forearm_right"));
+}
+
+TEST(Reach, TheRunSaysHowNearTheyMayHaveBeen) {
+  RunOptions run;
+  run.end = kSeen;
+  const RunSummary before = runScene(session(), run);
+  ASSERT_TRUE(before.min_distance && before.min_clearance);
+  EXPECT_EQ(before.min_clearance->value, -kInfinity);  // of the calf
+  EXPECT_EQ(before.min_clearance->a, "p/calf_right");
+}
+
+TEST(Reach, AllocatesNothing) {
+  session().applyMotion(0.0);
+  session().applyMotion(0.1);
+  NoAlloc guard;
+  session().applyMotion(1.5);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace abstand::testing

@@ -1,0 +1,182 @@
+// Bodies found again from their markers.
+#include "tracking/markers/marker_solution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/no_alloc.hpp"
+#include "tests/tracking/markers/synthetic_markers.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::makeMarkers;
+using testing::SyntheticMarkers;
+
+/// Root mean square over all frames, of joints that are there (m); hands and head apart, which end at points
+/// that no marker shows.
+double jointError(const SyntheticMarkers& m, const std::vector<SkeletonFrame>& frames, Joint j) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i].has(j)) continue;
+    sum += (frames[i][j] - m.joints[i][j]).squaredNorm();
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : kInfinity;
+}
+
+constexpr Joint kLimbJoints[]{Joint::kHipLeft,   Joint::kHipRight,   Joint::kKneeLeft,    Joint::kKneeRight,
+                              Joint::kAnkleLeft, Joint::kAnkleRight, Joint::kElbowLeft,   Joint::kElbowRight,
+                              Joint::kWristLeft, Joint::kWristRight, Joint::kShoulderLeft};
+
+TEST(BodySizes, JacobianIsThatOfSmallChanges) {
+  const BodyRig base = makeRig(makeHuman({}));
+  SizeVector sizes = sameSizes();
+  sizes[0] = 1.04;
+  sizes[static_cast<int>(index(BodySize::kThigh))] = 0.05;
+  const RigPose pose = testing::walkingPose(base, 0.4);
+  const auto placeOf = [&](const SizeVector& at, RigSegment s, const Vector3d& p) -> Vector3d {
+    RigPlacement X_WS;
+    place(resized(base, at), pose, X_WS);
+    return X_WS[index(s)] * growth(s, at).cwiseProduct(p);
+  };
+  constexpr double kChange = 1e-4, kTolerance = 1e-9;  // linear in the sizes: roundings only
+  const Vector3d p{0.03, -0.02, -0.1};
+  for (std::size_t i = 0; i < kRigSegments; ++i) {
+    RigPlacement X_WS;
+    place(resized(base, sizes), pose, X_WS);
+    const auto J = sizeJacobian(base, X_WS, segmentAt(i), p);
+    for (int k = 0; k < static_cast<int>(kBodySizes); ++k) {
+      const SizeVector moved = sizes + kChange * SizeVector::Unit(k);
+      const Vector3d numeric = (placeOf(moved, segmentAt(i), p) - placeOf(sizes, segmentAt(i), p)) / kChange;
+      EXPECT_LT((numeric - J.col(k)).norm(), kTolerance)
+          << segmentName(segmentAt(i)) << ", " << sizeName(static_cast<BodySize>(k));
+    }
+  }
+}
+
+TEST(MarkerSolution, ExactMarkersGiveTheBody) {
+  // Markers where the set has them: nothing pulls the body away from the truth but the priors of its sizes.
+  const SyntheticMarkers m = makeMarkers(1, 2.0, 30.0, 0.0, 0.0);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  EXPECT_EQ(s.report.lost, 0u);
+  EXPECT_LT(s.report.rms, 0.001);
+  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.004) << jointName(j);
+  EXPECT_NEAR(s.report.stature, m.body.height, 0.02);
+}
+
+TEST(MarkerSolution, FindsJointCentresUnderNoiseGapsAndExchangedLabels) {
+  SyntheticMarkers m = makeMarkers(2, 4.0, 50.0, 0.001, 0.005);
+  std::mt19937_64 random(3);
+  const auto markerOf = [&](const char* label) {
+    return static_cast<std::size_t>(
+        std::find_if(m.found.begin(), m.found.end(), [&](const auto& f) { return f.label == label; }) -
+        m.found.begin());
+  };
+  const std::size_t knee = markerOf("LKNE"), ankle = markerOf("LANK"), ghost = markerOf("RTIB");
+  for (std::size_t i = 0; i < m.moments.size(); ++i) {
+    // Two labels exchanged in a fifth of the frames, one marker on the floor in some.
+    if (i >= 60 && i < 100) std::swap(m.moments[i][knee], m.moments[i][ankle]);
+    if (i >= 120 && i < 150) m.moments[i][ghost] = Vector3d(1.0, 1.0, 0.0);
+    for (auto& p : m.moments[i])
+      if (random() % 5 == 0) p.setConstant(kNaN);
+  }
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  EXPECT_EQ(s.report.lost, 0u);
+  // The priors hold what markers some 9 mm from the set's places say of the joints to within a few mm.
+  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.010) << jointName(j);
+  double mean = 0.0;
+  for (const Joint j : kLimbJoints) mean += jointError(m, s.frames, j) / std::size(kLimbJoints);
+  EXPECT_LT(mean, 0.006);
+  EXPECT_LT(s.report.rms, 0.003);
+  // What is exchanged is not believed, and named.
+  ASSERT_EQ(s.report.swaps.size(), 1u);
+  EXPECT_EQ(s.report.swaps[0].a, "LKNE");
+  EXPECT_EQ(s.report.swaps[0].b, "LANK");
+  EXPECT_GT(s.report.swaps[0].frames, 15u);  // both seen: 0.64 of 40
+  for (const auto& use : s.report.used) {
+    const bool is_wrong = use.label == "LKNE" || use.label == "LANK" || use.label == "RTIB";
+    if (is_wrong)
+      EXPECT_GT(use.misplaced, 15u) << use.label;
+    else
+      EXPECT_EQ(use.misplaced, 0u) << use.label;
+  }
+}
+
+TEST(MarkerSolution, AMarkerThatNeverFitsIsIgnored) {
+  SyntheticMarkers m = makeMarkers(4, 2.0, 30.0, 0.001, 0.003);
+  for (std::size_t i = 0; i < m.moments.size(); ++i)
+    m.moments[i][0] = Vector3d(0.5 + 0.01 * static_cast<double>(i), -1.0, 0.2);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  ASSERT_EQ(s.report.ignored.size(), 1u);
+  EXPECT_EQ(s.report.ignored[0].first, m.found[0].label);
+  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.012) << jointName(j);
+}
+
+TEST(MarkerSolution, FramesWithoutMarkersAreLostAndTheRestFoundAgain) {
+  SyntheticMarkers m = makeMarkers(5, 3.0, 30.0, 0.001, 0.003);
+  for (std::size_t i = 30; i < 60; ++i)
+    for (auto& p : m.moments[i]) p.setConstant(kNaN);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  EXPECT_EQ(s.report.lost, 30u);
+  for (std::size_t i = 0; i < m.moments.size(); ++i)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      EXPECT_EQ(s.frames[i].state[j] == JointState::kMissing, i >= 30 && i < 60) << i;
+}
+
+TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
+  SyntheticMarkers m = makeMarkers(8, 2.0, 30.0, 0.0, 0.0);
+  std::mt19937_64 random(10);
+  for (auto& moment : m.moments)
+    for (auto& p : moment)
+      for (int k = 0; k < 3; ++k) p[k] = 10.0 * (static_cast<double>(random() >> 11) * 0x1p-53);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
+  EXPECT_EQ(s.report.lost, m.moments.size());
+  for (auto& moment : m.moments)
+    for (auto& p : moment) p.setConstant(kNaN);
+  EXPECT_EQ(solveMarkers(m.base, m.found, m.t, m.moments).report.lost, m.moments.size());
+}
+
+TEST(MarkerSolution, WhatNoMarkerShowsIsNotClaimed) {
+  SyntheticMarkers m = makeMarkers(6, 2.0, 30.0, 0.001, 0.003);
+  for (auto& moment : m.moments)
+    for (std::size_t k = 0; k < m.found.size(); ++k) {
+      const auto s = m.found[k].segment;
+      const bool is_leg = s == RigSegment::kPelvis || index(s) >= index(RigSegment::kThighLeft);
+      if (!is_leg) moment[k].setConstant(kNaN);
+    }
+  std::vector<FoundMarker> legs;
+  std::vector<MarkerPlaces> moments(m.moments.size());
+  for (std::size_t k = 0; k < m.found.size(); ++k) {
+    if (!std::isfinite(m.moments[0][k].x())) continue;
+    legs.push_back(m.found[k]);
+    for (std::size_t i = 0; i < moments.size(); ++i) moments[i].push_back(m.moments[i][k]);
+  }
+  const MarkerSolution s = solveMarkers(m.base, legs, m.t, moments);
+  for (const auto& f : s.frames) {
+    EXPECT_EQ(f.state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
+    EXPECT_EQ(f.state[static_cast<std::size_t>(Joint::kKneeLeft)], JointState::kTracked);
+    for (const Joint j : {Joint::kElbowLeft, Joint::kWristRight, Joint::kHeadTop, Joint::kShoulderLeft})
+      EXPECT_FALSE(f.has(j)) << jointName(j);
+  }
+}
+
+TEST(MarkerSolver, AllocatesNothing) {
+  const SyntheticMarkers m = makeMarkers(7, 0.2, 30.0, 0.001, 0.0);
+  std::vector<RigMarker> markers;
+  for (const auto& f : m.found)
+    markers.push_back({f.segment, growth(f.segment, m.sizes).cwiseProduct(f.p_S)});
+  MarkerSolver solver(m.body);
+  PoseHold hold;
+  hold.to_rest = drawnToRest(m.body, markers);
+  MarkerPose found = solver.search(markers, m.moments[0], hold);
+  EXPECT_LT(found.rms, 0.003);
+  testing::NoAlloc guard;
+  found = solver.solve(markers, m.moments[1], found.pose, hold, 0.05, 10);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace abstand

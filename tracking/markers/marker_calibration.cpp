@@ -1,0 +1,213 @@
+#include "tracking/markers/marker_calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+using enum RigSegment;
+
+constexpr double kStatureSpread = 0.10, kBoneSpread = 0.05, kBreadthSpread = 0.08;
+constexpr double kLeastSize = 0.4, kMostSize = 2.0;  // of the base, each size
+constexpr double kIndependentMoments = 10.0;
+constexpr std::size_t kFirstMoments = 6;
+constexpr double kAtRest = 1e-5;      // m, of a marker; shares, of a size
+constexpr double kMostLost = 0.2;     // share of misplaced markers at which a pose is searched for anew
+constexpr double kLeastStiff = 0.05;  // 1/rad^2, as in the solver's damping
+constexpr int kSteps = 12;            // of a pose, between two changes of the body
+// From a wide reach to that of every frame, then on until all is at rest.
+constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kReach = 0.05;  // m
+constexpr double kNarrower = 0.7;                                         // a round
+constexpr int kMostRounds = 40;
+// Far from the truth the equations promise too much: a round changes a size and a marker's place by so much
+// at most.
+constexpr double kMostSizeStep = 0.08, kMostShiftStep = 0.04;  // shares, m
+
+using Dense = Eigen::MatrixXd;
+constexpr int kSizes = static_cast<int>(kBodySizes);
+
+/// The marker of the base, grown with its segment.
+Vector3d grown(const FoundMarker& m, const SizeVector& sizes) {
+  return growth(m.segment, sizes).cwiseProduct(m.p_S);
+}
+
+/// The body and a pose for each moment; one round improves both.
+class Calibration {
+ public:
+  Calibration(const BodyRig& base, std::span<const FoundMarker> found)
+      : base_{base}, found_{found}, shift_(found.size(), Vector3d::Zero()) {
+    remake();
+  }
+
+  /// Poses for these moments from now on.
+  void take(std::vector<const MarkerPlaces*> moments, double reach) {
+    moments_ = std::move(moments);
+    poses_.assign(moments_.size(), RigPose{});
+    const PoseHold hold = restHold();
+    MarkerSolver solver(body_.rig);
+    for (std::size_t f = 0; f < moments_.size(); ++f) {
+      MarkerPose found;
+      found.misplaced = 1;
+      if (f > 0) found = solver.solve(body_.markers, *moments_[f], poses_[f - 1], hold, reach, 3 * kSteps);
+      if (found.misplaced > kMostLost * found.seen) found = solver.search(body_.markers, *moments_[f], hold);
+      poses_[f] = found.pose;
+    }
+  }
+
+  /// The largest change.
+  double improve(double reach) {
+    const PoseHold hold = restHold();
+    const int all = kSizes + 3 * static_cast<int>(found_.size());
+    Dense H = Dense::Zero(all, all);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(all);
+    MarkerSolver solver(body_.rig);
+    const double share = std::min(1.0, kIndependentMoments / static_cast<double>(moments_.size()));
+    Dense across(all, kRigFreedoms);
+    for (std::size_t f = 0; f < moments_.size(); ++f) {
+      const MarkerPlaces& seen = *moments_[f];
+      poses_[f] = solver.solve(body_.markers, seen, poses_[f], hold, reach, kSteps).pose;
+      RigPlacement X_WS;
+      place(body_.rig, poses_[f], X_WS);
+      across.setZero();
+      BodySolver::Vector slope = BodySolver::Vector::Zero();
+      for (std::size_t k = 0; k < found_.size(); ++k) {
+        if (!std::isfinite(seen[k].x())) continue;
+        const RigSegment s = found_[k].segment;
+        const Matrix3d R_WS = X_WS[index(s)].linear();
+        const Vector3d p_W = X_WS[index(s)] * body_.markers[k].p_S;
+        const Vector3d off = p_W - seen[k];
+        const double w = share * markerWeight(off.norm(), reach);
+        const auto J_size = sizeJacobian(base_, X_WS, s, found_[k].p_S);
+        const auto J_pose = solver.problem().jacobian(s, p_W);
+        const int at = kSizes + 3 * static_cast<int>(k);
+        H.topLeftCorner<kSizes, kSizes>() += w * J_size.transpose() * J_size;
+        H.block<kSizes, 3>(0, at) += w * J_size.transpose() * R_WS;
+        H.block<3, kSizes>(at, 0) += w * R_WS.transpose() * J_size;
+        H.block<3, 3>(at, at) += w * Matrix3d::Identity();
+        g.head<kSizes>() += w * J_size.transpose() * off;
+        g.segment<3>(at) += w * R_WS.transpose() * off;
+        across.topRows<kSizes>() += w * J_size.transpose() * J_pose;
+        across.middleRows<3>(at) += w * R_WS.transpose() * J_pose;
+        slope += w * J_pose.transpose() * off;
+      }
+      // The pose follows every change of the body: what it takes up is no misfit.
+      BodySolver::Matrix inner = share * solver.information();
+      inner.diagonal().array() += share * kLeastStiff;
+      const Eigen::LLT<BodySolver::Matrix> llt(inner);
+      if (llt.info() != Eigen::Success) continue;
+      const Dense follow = llt.solve(across.transpose());
+      H.noalias() -= across * follow;
+      g.noalias() -= follow.transpose() * slope;
+    }
+    addPriors(H, g);
+    Eigen::VectorXd d = -H.ldlt().solve(g);
+    if (!d.allFinite()) return 0.0;
+    const double size_step = d.head<kSizes>().cwiseAbs().maxCoeff();
+    const double shift_step = d.tail(all - kSizes).cwiseAbs().maxCoeff();
+    d *= std::min({1.0, kMostSizeStep / size_step, kMostShiftStep / shift_step});
+    apply(d);
+    return d.cwiseAbs().maxCoeff();
+  }
+
+  MarkerBody take() && { return std::move(body_); }
+
+ private:
+  PoseHold restHold() const {
+    PoseHold hold;
+    hold.to_rest = drawnToRest(body_.rig, body_.markers);
+    return hold;
+  }
+
+  void addPriors(Dense& H, Eigen::VectorXd& g) const {
+    const SizeVector usual = sameSizes();
+    for (int i = 0; i < kSizes; ++i) {
+      const auto size = static_cast<BodySize>(i);
+      const bool is_breadth = size == BodySize::kHips || size == BodySize::kShoulders;
+      const double spread = size == BodySize::kStature ? kStatureSpread
+                            : is_breadth               ? kBreadthSpread
+                                                       : kBoneSpread;
+      const double w = 1.0 / (spread * spread);
+      H(i, i) += w;
+      g(i) += w * (body_.sizes[i] - usual[i]);
+    }
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      const double w = 1.0 / (found_[k].spread * found_[k].spread);
+      const int at = kSizes + 3 * static_cast<int>(k);
+      H.diagonal().segment<3>(at).array() += w;
+      g.segment<3>(at) += w * shift_[k];
+    }
+  }
+
+  void apply(const Eigen::VectorXd& d) {
+    body_.sizes += d.head<kSizes>();
+    body_.sizes[0] = std::clamp(body_.sizes[0], kLeastSize, kMostSize);
+    for (int i = 1; i < kSizes; ++i)
+      body_.sizes[i] = std::clamp(body_.sizes[i], kLeastSize - body_.sizes[0], kMostSize - body_.sizes[0]);
+    for (std::size_t k = 0; k < found_.size(); ++k)
+      shift_[k] += d.segment<3>(kSizes + 3 * static_cast<int>(k));
+    remake();
+  }
+
+  void remake() {
+    body_.rig = resized(base_, body_.sizes);
+    body_.markers.resize(found_.size());
+    for (std::size_t k = 0; k < found_.size(); ++k)
+      body_.markers[k] = {found_[k].segment, grown(found_[k], body_.sizes) + shift_[k]};
+  }
+
+  const BodyRig& base_;
+  std::span<const FoundMarker> found_;
+  std::vector<Vector3d> shift_;  ///< of each marker from the set's place, m
+  MarkerBody body_;
+  std::vector<const MarkerPlaces*> moments_;
+  std::vector<RigPose> poses_;
+};
+
+}  // namespace
+
+std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers) {
+  std::array<bool, kRigSegments> shown{};
+  for (const auto& m : markers)
+    for (RigSegment s = m.segment; !shown[index(s)]; s = rig[s].parent) shown[index(s)] = true;
+  return shown;
+}
+
+BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers) {
+  constexpr double kSlightly = 0.2, kTrunk = 50.0, kLimb = 1.0;  // 1/rad^2
+  const auto shown = shownBy(rig, markers);
+  BodySolver::Vector w = BodySolver::Vector::Zero();
+  for (std::size_t i = 1; i < kRigSegments; ++i) {
+    const RigPart& part = rig.parts[i];
+    const double alone = segmentAt(i) == kChest ? kTrunk : kLimb;
+    w.segment(part.column, part.freedoms).setConstant(shown[i] ? kSlightly : alone);
+  }
+  return w;
+}
+
+MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
+                     std::span<const MarkerPlaces> moments) {
+  Calibration calibration(base, found);
+  const auto evenly = [&](std::size_t most) {
+    std::vector<const MarkerPlaces*> picked;
+    const std::size_t count = std::min(most, moments.size());
+    for (std::size_t i = 0; i < count; ++i) picked.push_back(&moments[i * moments.size() / count]);
+    return picked;
+  };
+  const auto converge = [&](double reach) {
+    for (int i = 0; i < kMostRounds; ++i) {
+      const double changed = calibration.improve(reach);
+      if (changed < kAtRest && reach == kReach) return;
+      reach = std::max(kReach, kNarrower * reach);
+    }
+  };
+  calibration.take(evenly(kFirstMoments), kFirstReach);
+  converge(kFirstReach);
+  if (moments.size() > kFirstMoments) {
+    calibration.take(evenly(moments.size()), kSecondReach);
+    converge(kSecondReach);
+  }
+  return std::move(calibration).take();
+}
+
+}  // namespace abstand

@@ -1,0 +1,191 @@
+#include "tracking/markers/marker_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/base/data_folder.hpp"
+#include "core/base/error.hpp"
+#include "tracking/derived_joints.hpp"
+#include "tracking/markers/marker_solution.hpp"
+
+namespace abstand {
+namespace {
+
+using enum RigSegment;
+
+/// m; beyond it a place is broken.
+constexpr double kFarthest = 1e4;
+/// Heights of markers above the feet, in shares of the stature: on the head, the chest, the pelvis.
+constexpr double kHeadHeight = 0.90, kChestHeight = 0.72, kPelvisHeight = 0.53;
+
+/// Hip joint centres lie 0.36 of the distance of the iliac spines (some 0.24 m of 1.75 m) from the middle
+/// (Bell, Pedersen, Brand 1990, J. Biomech. 23), where the model's legs hang farther apart, below the
+/// trochanters.
+constexpr double kHipFromMiddle = 0.36 * 0.24 / 1.75;
+
+/// The model of mean stature, its hips where markers see them turn.
+const BodyRig& usualRig() {
+  static const BodyRig rig = [] {
+    BodyRig made = makeRig(makeHuman({}));
+    for (const auto& [segment, joint, side] :
+         {std::tuple(kThighLeft, Joint::kHipLeft, 1.0), std::tuple(kThighRight, Joint::kHipRight, -1.0)}) {
+      made.parts[index(segment)].p_parent.y() = side * kHipFromMiddle * made.height;
+      made.p_joint[static_cast<std::size_t>(joint)] = made.parts[index(segment)].p_parent;
+    }
+    return made;
+  }();
+  return rig;
+}
+
+bool isOf(RigSegment s, std::initializer_list<RigSegment> any) {
+  return std::find(any.begin(), any.end(), s) != any.end();
+}
+
+/// The mean of the markers on some segments; nothing where none is seen.
+std::optional<Vector3d> meanOn(const MarkerMatch& match, const std::vector<Vector3d>& places,
+                               std::initializer_list<RigSegment> segments) {
+  Vector3d sum = Vector3d::Zero();
+  int count = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!isOf(match.markers[k].segment, segments) || !places[k].allFinite()) continue;
+    sum += places[k];
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+/// The parts of a joint as the report lists them: the markers on the segments that meet there.
+void nameMarkers(const MarkerMatch& match, RawRecording& raw) {
+  const BodyRig& rig = usualRig();
+  raw.match = JointMatch{};
+  raw.match.joint.fill(-1);
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    std::vector<int> points;
+    for (const auto& m : match.markers)
+      if (m.segment == rig.carrier[j]) points.insert(points.end(), m.points.begin(), m.points.end());
+    if (points.empty()) continue;
+    raw.match.joint[j] = static_cast<int>(raw.joints.size() + raw.match.means.size());
+    raw.match.means.push_back(std::move(points));
+  }
+}
+
+}  // namespace
+
+MarkerTrack::MarkerTrack(std::span<const std::string> names, const RecordingOptions& options,
+                         const std::string& file) {
+  const bool is_named = options.marker_set != "auto";
+  const auto sets = is_named ? std::vector<MarkerSet>{loadMarkerSet(options.marker_set)}
+                             : loadMarkerSets(dataFolder() / "marker_sets");
+  match_ = chooseMarkerSet(sets, usualRig(), names);
+  if (is_named && !match_) {
+    const auto found = matchMarkers(sets.front(), usualRig(), names).markers.size();
+    throw ParseError({file}, "found " + std::to_string(found) + " of the " +
+                                 std::to_string(sets.front().markers.size()) + " markers of the set '" +
+                                 sets.front().name + "', expected at least six on three segments");
+  }
+  if (!match_) {
+    reason_ = "no marker set finds six of its markers on three segments in this file";
+    return;
+  }
+  reason_ = std::to_string(match_->markers.size()) + " of its " +
+            std::to_string(match_->markers.size() + match_->not_found.size()) + " markers are in the file";
+  if (is_named) reason_ += ", given by the user";
+}
+
+void MarkerTrack::add(const PointFrame& frame) {
+  ABSTAND_CHECK(hasSet());
+  auto& places = places_.emplace_back();
+  places.reserve(match_->markers.size());
+  for (const auto& marker : match_->markers) {
+    Vector3d sum = Vector3d::Zero();
+    for (const int i : marker.points)
+      sum += frame.state[static_cast<std::size_t>(i)] == JointState::kMissing
+                 ? Vector3d::Constant(kNaN)
+                 : frame.p[static_cast<std::size_t>(i)];
+    const Vector3d mean = sum / static_cast<double>(marker.points.size());
+    places.push_back(mean.allFinite() ? mean : Vector3d::Constant(kNaN));
+  }
+}
+
+std::vector<SkeletonFrame> MarkerTrack::heightsOf() const {
+  std::vector<SkeletonFrame> frames;
+  for (const auto i : sampleIndices(places_.size())) {
+    SkeletonFrame f;
+    std::optional<Vector3d> low = meanOn(*match_, places_[i], {kFootLeft, kFootRight});
+    if (!low) low = meanOn(*match_, places_[i], {kCalfLeft, kCalfRight});
+    if (!low) low = meanOn(*match_, places_[i], {kPelvis});
+    std::optional<Vector3d> high = meanOn(*match_, places_[i], {kHead});
+    if (!high) high = meanOn(*match_, places_[i], {kChest});
+    if (!high) high = meanOn(*match_, places_[i], {kPelvis});
+    if (low) f.set(Joint::kPelvis, *low);
+    if (high) f.set(Joint::kThorax, *high);
+    frames.push_back(f);
+  }
+  return frames;
+}
+
+UpChoice MarkerTrack::chooseUpOf(const RecordingOptions& options) const {
+  return chooseUp(options.up, {}, heightsOf());
+}
+
+UnitChoice MarkerTrack::chooseUnitOf(const RecordingOptions& options) const {
+  const auto has = [&](RigSegment s) {
+    return std::any_of(match_->markers.begin(), match_->markers.end(),
+                       [s](const FoundMarker& m) { return m.segment == s; });
+  };
+  const double share = has(kHead) ? kHeadHeight : has(kChest) ? kChestHeight : kPelvisHeight;
+  std::vector<double> heights;
+  for (const auto& f : heightsOf())
+    if (f.has(Joint::kPelvis) && f.has(Joint::kThorax))
+      heights.push_back((f[Joint::kThorax] - f[Joint::kPelvis]).norm() / share);
+  std::optional<double> stature;
+  if (!heights.empty()) stature = quantile(std::move(heights), 0.9);
+  if (stature && !(*stature > 0.0)) stature.reset();
+  return chooseUnit(options.units, stature);
+}
+
+MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& options) const {
+  ABSTAND_CHECK(hasSet() && places_.size() == raw.frames.size());
+  const UnitChoice unit = raw.unit && options.units == "auto" ? *raw.unit : chooseUnitOf(options);
+  const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUpOf(options);
+  // Left and right exchanged, by axes or by names, are a body in a mirror.
+  Matrix3d R_WF = rotationToZUp(up.axis);
+  if (options.mirror != "none") R_WF.row(1) *= -1.0;
+
+  std::vector<MarkerPlaces> moments(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    for (const Vector3d& p_F : places_[i]) {
+      const Vector3d p_W = unit.scale * (R_WF * p_F);
+      const bool good = p_W.allFinite() && p_W.cwiseAbs().maxCoeff() < kFarthest;
+      moments[i].push_back(good ? p_W : Vector3d::Constant(kNaN));
+    }
+  std::vector<double> t;
+  for (const auto& f : raw.frames) t.push_back(f.t);
+  MarkerSolution solution = solveMarkers(usualRig(), match_->markers, t, moments);
+  MarkerReport report = std::move(solution.report);
+  report.set = match_->set;
+  report.reason = reason_;
+  if (2 * report.lost > raw.frames.size()) {
+    MarkerReport none;
+    none.reason = "the set '" + match_->set + "' shows no body in " + std::to_string(report.lost) + " of " +
+                  std::to_string(raw.frames.size()) + " frames";
+    return none;
+  }
+  for (auto& f : solution.frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (f.state[j] != JointState::kMissing) {
+        f.p[j] = R_WF.transpose() * f.p[j] / unit.scale;
+        f.spread[j] /= unit.scale;
+      }
+  raw.frames = std::move(solution.frames);
+  raw.rest = SkeletonFrame{};
+  raw.unit = unit;
+  raw.up = up;
+  raw.is_canonical = true;
+  nameMarkers(*match_, raw);
+  return report;
+}
+
+}  // namespace abstand

@@ -1,0 +1,225 @@
+#include "tracking/markers/marker_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace abstand {
+namespace {
+
+using enum RigSegment;
+
+constexpr std::size_t kMoments = 60;
+constexpr double kComplete = 0.8;                     // of the most markers in a moment
+constexpr double kReach = 0.05;                       // m
+constexpr double kFastest = 5.0;                      // m/s, of a marker between two moments
+constexpr double kFastestTurn = 30.0;                 // rad/s
+constexpr double kShortStep = 1e-3, kLongStep = 0.2;  // s
+constexpr int kSteps = 10;
+constexpr int kFewestSeen = 4;
+constexpr double kMostMisplaced = 0.4;    // share of the seen
+constexpr double kLost = 0.5;             // share of its frames at which a marker is ignored
+constexpr std::size_t kLongestWait = 64;  // moments between two searches
+constexpr double kAlone = 0.050;          // m, of joints of a chest that only goes on from the pelvis
+constexpr double kTracked = 0.030, kInferred = 0.120;  // m
+
+int countSeen(const MarkerPlaces& places) {
+  return static_cast<int>(
+      std::count_if(places.begin(), places.end(), [](const Vector3d& p) { return std::isfinite(p.x()); }));
+}
+
+/// Evenly over the moments with nearly all markers.
+std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments) {
+  int most = 0;
+  for (const auto& m : moments) most = std::max(most, countSeen(m));
+  std::vector<std::size_t> complete;
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    if (countSeen(moments[i]) >= kComplete * most) complete.push_back(i);
+  std::vector<MarkerPlaces> picked;
+  const std::size_t count = std::min(kMoments, complete.size());
+  for (std::size_t i = 0; i < count; ++i) picked.push_back(moments[complete[i * complete.size() / count]]);
+  return picked;
+}
+
+/// Standard deviation of each joint along its worst axis (m), from the markers that carried the last solve.
+std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const RigPlacement& X_WS,
+                                             const MarkerSolver& solver, double rms) {
+  BodySolver::Matrix H = solver.information();
+  H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff();
+  const Eigen::LLT<BodySolver::Matrix> llt(H);
+  std::array<double, kJointCount> spread;
+  spread.fill(kInfinity);
+  if (llt.info() != Eigen::Success) return spread;
+  const double scale = std::max(1.0, rms / kSkinMotion);
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const RigSegment s = rig.carrier[j];
+    const auto J = solver.problem().jacobian(s, X_WS[index(s)] * rig.p_joint[j]);
+    const Eigen::Matrix<double, kRigFreedoms, 3> half = llt.matrixL().solve(J.transpose());
+    const Matrix3d covariance = half.transpose() * half;
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
+    spread[j] = scale * std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
+  }
+  return spread;
+}
+
+/// Counts what a solved body says of its markers.
+class Ledger {
+ public:
+  explicit Ledger(std::span<const FoundMarker> found) : found_{found}, square_(found.size(), 0.0) {
+    for (const auto& m : found) {
+      MarkerUse use;
+      use.label = m.label;
+      use.segment = segmentName(m.segment);
+      use_.push_back(use);
+    }
+  }
+
+  void add(const MarkerBody& body, const RigPlacement& X_WS, const MarkerPlaces& seen) {
+    std::vector<std::size_t> astray;
+    const auto due = [&](std::size_t k) -> Vector3d {
+      return X_WS[index(body.markers[k].segment)] * body.markers[k].p_S;
+    };
+    for (std::size_t k = 0; k < use_.size(); ++k) {
+      if (!std::isfinite(seen[k].x())) continue;
+      ++use_[k].seen;
+      const double off = (due(k) - seen[k]).norm();
+      if (off > kMisplaced) {
+        ++use_[k].misplaced;
+        astray.push_back(k);
+      } else {
+        square_[k] += off * off;
+      }
+    }
+    for (const std::size_t a : astray)
+      for (const std::size_t b : astray)
+        if (a < b && (due(a) - seen[b]).norm() < kMisplaced && (due(b) - seen[a]).norm() < kMisplaced)
+          ++swaps_[{a, b}];
+  }
+
+  void write(const MarkerBody& body, MarkerReport& report) const {
+    double sum = 0.0;
+    std::size_t fit = 0;
+    for (std::size_t k = 0; k < use_.size(); ++k) {
+      MarkerUse use = use_[k];
+      if (use.seen == 0) {
+        report.ignored.emplace_back(use.label, "never seen");
+        continue;
+      }
+      if (static_cast<double>(use.misplaced) > kLost * static_cast<double>(use.seen)) {
+        report.ignored.emplace_back(use.label, "does not fit " + use.segment + " in " +
+                                                   std::to_string(use.misplaced) + " of " +
+                                                   std::to_string(use.seen) + " frames");
+        continue;
+      }
+      const std::size_t good = use.seen - use.misplaced;
+      use.rms = std::sqrt(square_[k] / static_cast<double>(good));
+      use.shift =
+          (body.markers[k].p_S - growth(found_[k].segment, body.sizes).cwiseProduct(found_[k].p_S)).norm();
+      sum += square_[k];
+      fit += good;
+      report.used.push_back(std::move(use));
+    }
+    report.rms = fit > 0 ? std::sqrt(sum / static_cast<double>(fit)) : 0.0;
+    for (const auto& [pair, frames] : swaps_)
+      report.swaps.push_back({use_[pair.first].label, use_[pair.second].label, frames});
+  }
+
+ private:
+  std::span<const FoundMarker> found_;
+  std::vector<MarkerUse> use_;
+  std::vector<double> square_;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> swaps_;
+};
+
+void writeBones(const BodyRig& rig, MarkerReport& report) {
+  report.stature = rig.height;
+  const auto add = [&](const char* name, double length) { report.bones.emplace_back(name, length); };
+  add("hip_breadth", (rig[kThighLeft].p_parent - rig[kThighRight].p_parent).norm());
+  add("trunk", farJoint(rig, kPelvis).norm() + farJoint(rig, kChest).norm());
+  add("shoulder_breadth", (rig[kUpperArmLeft].p_parent - rig[kUpperArmRight].p_parent).norm());
+  add("head", farJoint(rig, kHead).norm());
+  add("upper_arm", farJoint(rig, kUpperArmLeft).norm());
+  add("forearm", farJoint(rig, kForearmLeft).norm());
+  add("hand", farJoint(rig, kHandLeft).norm());
+  add("thigh", farJoint(rig, kThighLeft).norm());
+  add("calf", farJoint(rig, kCalfLeft).norm());
+  add("foot", farJoint(rig, kFootLeft).norm());
+}
+
+/// Where no marker shows the chest, it goes on from the pelvis; nothing else goes on from anything.
+JointState stateOf(Joint j, bool is_shown, const std::array<double, kJointCount>& spread) {
+  if (!is_shown) {
+    const bool is_trunk = j == Joint::kSpine || j == Joint::kThorax || j == Joint::kNeck;
+    const bool has_pelvis = spread[static_cast<std::size_t>(Joint::kPelvis)] <= kTracked;
+    return is_trunk && has_pelvis ? JointState::kInferred : JointState::kMissing;
+  }
+  const double s = spread[static_cast<std::size_t>(j)];
+  return s <= kTracked ? JointState::kTracked : s <= kInferred ? JointState::kInferred : JointState::kMissing;
+}
+
+bool isGood(const MarkerPose& pose) {
+  return pose.seen >= kFewestSeen && pose.misplaced <= kMostMisplaced * pose.seen;
+}
+
+}  // namespace
+
+MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
+                            std::span<const double> t, std::span<const MarkerPlaces> moments) {
+  MarkerSolution out;
+  out.body = calibrate(base, found, completeMoments(moments));
+  const BodyRig& rig = out.body.rig;
+  MarkerSolver solver(rig);
+  Ledger ledger(found);
+  PoseHold hold;
+  hold.to_rest = drawnToRest(rig, out.body.markers);
+  const auto shown = shownBy(rig, out.body.markers);
+  double last_t = 0.0;
+  std::size_t wait = 0, next_wait = 1;
+  out.frames.resize(moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    SkeletonFrame& frame = out.frames[i];
+    frame.t = t[i];
+    MarkerPose pose;
+    if (hold.last) {
+      const double dt = std::clamp(t[i] - last_t, kShortStep, kLongStep);
+      hold.turn = kFastestTurn * dt;
+      pose = solver.solve(out.body.markers, moments[i], *hold.last, hold, kReach + kFastest * dt, kSteps);
+      pose = solver.solve(out.body.markers, moments[i], pose.pose, hold, kReach, kSteps);
+    }
+    if (!isGood(pose) && countSeen(moments[i]) >= kFewestSeen && wait == 0) {
+      // After a loss anew; where nothing is to be found, less and less often.
+      hold.last.reset();
+      pose = solver.search(out.body.markers, moments[i], hold);
+      next_wait = isGood(pose) ? 1 : std::min(2 * next_wait, kLongestWait);
+      wait = isGood(pose) ? 0 : next_wait;
+      if (isGood(pose)) pose = solver.solve(out.body.markers, moments[i], pose.pose, hold, kReach, kSteps);
+    } else if (wait > 0) {
+      --wait;
+    }
+    if (!isGood(pose)) {
+      ++out.report.lost;
+      continue;
+    }
+    hold.last = pose.pose;
+    last_t = t[i];
+    RigPlacement X_WS;
+    place(rig, pose.pose, X_WS);
+    ledger.add(out.body, X_WS, moments[i]);
+    jointsOf(rig, X_WS, JointState::kTracked, frame);
+    const auto spread = jointSpreads(rig, X_WS, solver, pose.rms);
+    for (std::size_t j = 0; j < kJointCount; ++j) {
+      const JointState state = stateOf(static_cast<Joint>(j), shown[index(rig.carrier[j])], spread);
+      frame.state[j] = state;
+      if (state == JointState::kMissing)
+        frame.p[j].setConstant(kNaN);
+      else
+        frame.spread[j] = shown[index(rig.carrier[j])] ? spread[j] : kAlone;
+    }
+  }
+  ledger.write(out.body, out.report);
+  writeBones(rig, out.report);
+  return out;
+}
+
+}  // namespace abstand
