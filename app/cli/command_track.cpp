@@ -2,13 +2,14 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
 #include "tracking/table/skeleton_csv.hpp"
+#include "tracking/tracker/track_picture.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::filesystem::path depth, camera, out;
+  std::filesystem::path depth, camera, out, pictures;
   std::string height, rate;
   int person{1};
   bool usual_body{false}, mirror{false};
@@ -22,6 +23,13 @@ double positive(const std::string& text, const std::string& option, double least
   return value;
 }
 
+void draw(const ClipMoment& moment, const std::filesystem::path& folder) {
+  std::error_code ec;
+  std::filesystem::create_directories(folder, ec);
+  const std::string name = format("person%d_%06zu.png", moment.id, moment.image);
+  saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder / name);
+}
+
 int run(const CommandLine& line, const Arguments& args) {
   DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
@@ -33,6 +41,7 @@ int run(const CommandLine& line, const Arguments& args) {
   options.person.seed = args.seed;
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
+  if (!args.pictures.empty()) options.watch = [&](const ClipMoment& moment) { draw(moment, args.pictures); };
   const auto stream = openDepthStream(args.depth, stream_options);
   const ClipTrack track = trackClip(*stream, options);
   if (track.people.empty())
@@ -45,7 +54,9 @@ int run(const CommandLine& line, const Arguments& args) {
   const DepthFacts& facts = stream->facts();
   auto others = nlohmann::ordered_json::array();
   for (const ClipPerson& p : track.people)
-    others.push_back({{"id", p.id}, {"tracked", p.found}, {"height_estimate", p.body.height},
+    others.push_back({{"id", p.id},
+                      {"tracked", p.found},
+                      {"height_estimate", p.body.height},
                       {"residual_mm", 1e3 * p.residual}});
   const double fps = track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0;
   const nlohmann::ordered_json document{{"format", facts.format},
@@ -61,14 +72,16 @@ int run(const CommandLine& line, const Arguments& args) {
                                         {"camera_reason", facts.camera_reason},
                                         {"world", track.world},
                                         {"notes", recording.report.notes}};
-  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(), facts.format.c_str(),
-                            track.images, track.camera.width, track.camera.height);
+  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
+                            facts.format.c_str(), track.images, track.camera.width, track.camera.height);
   text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
   text += "world: " + track.world + "\n";
   text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
   text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
-  text += format("height: %.2f m (--height), %.1f mm from the body on the mean, %.0f images a second of processor time\n",
-                 person.body.height, 1e3 * person.residual, fps);
+  text += format(
+      "height: %.2f m (--height), %.1f mm from the body on the mean, %.0f images a second of processor "
+      "time\n",
+      person.body.height, 1e3 * person.residual, fps);
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
   line.print(document, text);
   return track.interrupted ? kInterrupted : kDone;
@@ -85,7 +98,10 @@ void addTrack(CLI::App& root, CommandLine& line) {
   command->add_option("--camera", args->camera, "camera file (.yaml)");
   command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
   command->add_option("--out", args->out, "CSV of the joints (m, z up)");
-  command->add_option("--person", args->person, "1 is who was found in most images")->check(CLI::Range(1, 64));
+  command->add_option("--pictures", args->pictures,
+                      "folder for a picture of every image with the fitted body");
+  command->add_option("--person", args->person, "1 is who was found in most images")
+      ->check(CLI::Range(1, 64));
   command->add_option("--rate", args->rate, "Hz: image i lies at t = i / rate");
   command->add_flag("--usual-body", args->usual_body,
                     "lengths and girths usual for the height, instead of fitted to the first seconds");

@@ -112,7 +112,8 @@ std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
     throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames a second");
   DepthSource source = openSource(path, options);
   if (options.mirror) source.mirrored = !source.mirrored;
-  if (source.mirrored) source.facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
+  if (source.mirrored)
+    source.facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
   return std::make_unique<DepthStream>(std::move(source));
 }
 

@@ -33,7 +33,8 @@ struct DepthStreamOptions {
   std::filesystem::path
       camera;        ///< a camera file; its depth_scale counts where a format does not say its own
   double rate{0.0};  ///< Hz; 0: what the files say; else frame i lies at i / rate
-  bool mirror{false};  ///< the images are those of a mirror, as some drivers make them: exchange left and right
+  bool mirror{
+      false};  ///< the images are those of a mirror, as some drivers make them: exchange left and right
 };
 
 /// What a format hands over: times that rise, and how to read the frame of each.

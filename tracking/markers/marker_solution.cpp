@@ -1,4 +1,5 @@
 #include "tracking/markers/marker_solution.hpp"
+#include "tracking/body/joint_spread.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,23 +44,9 @@ std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments)
 }
 
 /// Standard deviation of each joint along its worst axis (m), from the markers that carried the last solve.
-std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const RigPlacement& X_WS,
-                                             const MarkerSolver& solver, double rms) {
-  BodySolver::Matrix H = solver.information();
-  H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff();
-  const Eigen::LLT<BodySolver::Matrix> llt(H);
-  std::array<double, kJointCount> spread;
-  spread.fill(kInfinity);
-  if (llt.info() != Eigen::Success) return spread;
-  const double scale = std::max(1.0, rms / kSkinMotion);
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    const RigSegment s = rig.carrier[j];
-    const auto J = solver.problem().jacobian(s, X_WS[index(s)] * rig.p_joint[j]);
-    const Eigen::Matrix<double, kRigFreedoms, 3> half = llt.matrixL().solve(J.transpose());
-    const Matrix3d covariance = half.transpose() * half;
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
-    spread[j] = scale * std::sqrt(std::max(0.0, axes.eigenvalues()[2]));
-  }
+std::array<double, kJointCount> spreadsOf(const BodyRig& rig, const MarkerSolver& solver, double rms) {
+  auto spread = jointSpreads(rig, solver.problem(), solver.information());
+  for (double& s : spread) s *= std::max(1.0, rms / kSkinMotion);
   return spread;
 }
 
@@ -207,7 +194,7 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
     place(rig, pose.pose, X_WS);
     ledger.add(out.body, X_WS, moments[i]);
     jointsOf(rig, X_WS, JointState::kTracked, frame);
-    const auto spread = jointSpreads(rig, X_WS, solver, pose.rms);
+    const auto spread = spreadsOf(rig, solver, pose.rms);
     for (std::size_t j = 0; j < kJointCount; ++j) {
       const JointState state = stateOf(static_cast<Joint>(j), shown[index(rig.carrier[j])], spread);
       frame.state[j] = state;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/body/joint_spread.hpp"
+
 namespace abstand {
 namespace {
 
@@ -14,6 +16,10 @@ constexpr double kMostGap = 0.25;     // s; over longer ones nothing is expected
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;
+// Errors of neighbouring points are not independent: the body's shape is wrong in the same way along a limb.
+// With so many times the residual as the deviation of a point, 95 in 100 joints of the simulated captures lie
+// within the reach of their part (tests/tracking/tracker).
+constexpr double kNoise = 3.0;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 
@@ -152,8 +158,11 @@ void BodyTracker::finish(double t) {
   if (!body_.found) return;
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  const auto spread = jointSpreads(*rig_, fit_.problem(), fit_.problem().information());
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    body_.frame.spread[j] = kNoise * body_.misfit.residual * spread[j];
     if (body_.visible[index(rig_->carrier[j])] < kSeen) body_.frame.state[j] = JointState::kInferred;
+  }
 }
 
 }  // namespace abstand

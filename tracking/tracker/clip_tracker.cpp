@@ -82,7 +82,8 @@ class Walk {
     }
     if (std::isfinite(low)) level.translation().z() = -low;
     track_.camera.X_WC = level;
-    track_.world = "no floor in sight: the camera is taken to be level, the lowest that is seen of a person at z = 0";
+    track_.world =
+        "no floor in sight: the camera is taken to be level, the lowest that is seen of a person at z = 0";
   }
 
   /// All images before `end`; learns `bodies`, or tracks with them.
@@ -109,7 +110,12 @@ class Walk {
         }
         finder.mask(person.id, mask);
         const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);
-        if (keep) note(person.id, frame.t, body, place);
+        if (!keep) continue;
+        note(person.id, frame.t, body, place);
+        if (!body || !options_.watch) continue;
+        const double pause = processorSeconds();
+        options_.watch({i, person.id, frame, track_.camera, *it->second.rig(), *body});
+        track_.seconds -= processorSeconds() - pause;
       }
       // Who is not in this image is lost in it.
       SkeletonFrame none;
@@ -131,7 +137,8 @@ class Walk {
       if (keep && place.count(id) > 0) track_.people[place[id]].body = *person.body();
     }
     if (keep)
-      for (ClipPerson& person : track_.people) person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
+      for (ClipPerson& person : track_.people)
+        person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
   }
 
   void note(int id, double t, const TrackedBody* body, std::map<int, std::size_t>& place) {

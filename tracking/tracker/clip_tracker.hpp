@@ -10,10 +10,21 @@
 
 namespace abstand {
 
+/// A person in an image, as long as the call lasts.
+struct ClipMoment {
+  std::size_t image;
+  int id;
+  const DepthFrame& frame;
+  const DepthCamera& camera;
+  const BodyRig& rig;
+  const TrackedBody& body;
+};
+
 struct ClipTrackerOptions {
   TrackedPerson::Options person;
   std::function<void(std::size_t, std::size_t)> progress;  ///< images done, and all; may be empty
   std::function<bool()> interrupted;                       ///< may be empty
+  std::function<void(const ClipMoment&)> watch;            ///< may be empty
 };
 
 /// What became of one person.

@@ -34,6 +34,9 @@ class DepthFit {
   void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
               RigPose& pose);
 
+  /// The last step of refine(), its points weighing 1 each at most and 1,000 all together.
+  const BodySolver& problem() const { return solver_; }
+
   DepthMisfit misfit(const SeenBody& seen, const RigPlacement& X_WS);
 
   /// Of every point, how ill the best segment fits among those of the mask; after refine() or misfit().

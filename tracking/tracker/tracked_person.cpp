@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kMeasured = 15;  // images
 // The soles and the hair that a camera at the height of the chest does not see.
-constexpr double kUnseen = 0.02;  // m
-constexpr double kFeet = 0.2;     // m over the floor
+constexpr double kUnseen = 0.02;                   // m
+constexpr double kFeet = 0.2;                      // m over the floor
 constexpr double kShortest = 1.3, kTallest = 2.1;  // m
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace abstand {
 /// Stature of who stands upright, from the pixels: from the highest to the lowest, the outermost half a per
 /// cent left out, m; to the floor where the lowest is close to it. 0 without pixels. The floor is z = 0 of
 /// `camera`'s world.
-double uprightExtent(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
+double uprightExtent(const DepthImage& image, const DepthCamera& camera,
+                     std::span<const std::uint8_t> is_person);
 
 /// Takes images of one person as they come. For the first of them the body is made from the stature that the
 /// pixels show (their median, unless it is given) and followed; with the images that this explains well the
@@ -33,6 +34,8 @@ class TrackedPerson {
   bool fitted() const { return fitted_; }
   /// The body in use; nothing while the stature is being measured.
   const std::optional<HumanOptions>& body() const { return body_; }
+  /// The rig of body().
+  const BodyRig* rig() const { return rig_.get(); }
   /// Ends measuring and fitting with the images that there are.
   void settle();
 

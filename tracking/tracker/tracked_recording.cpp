@@ -28,8 +28,8 @@ std::string beginning(const std::filesystem::path& path) {
 
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person) {
   if (person >= track.people.size())
-    throw UsageError("found " + std::to_string(track.people.size()) + " people in the depth recording, expected " +
-                     std::to_string(person + 1) + " or more");
+    throw UsageError("found " + std::to_string(track.people.size()) +
+                     " people in the depth recording, expected " + std::to_string(person + 1) + " or more");
   const ClipPerson& tracked = track.people[person];
   Recording recording;
   recording.frames = tracked.frames;

@@ -9,15 +9,15 @@
 namespace abstand {
 
 /// The person of a track as a recording; its report says what was understood of the depth, where the world
-/// comes from, and the size of the body. Throws UsageError where there is no such person. `person` counts from
-/// 0, the one who was found in most images.
+/// comes from, and the size of the body. Throws UsageError where there is no such person. `person` counts
+/// from 0, the one who was found in most images.
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person);
 
 /// Whether a path is a depth recording: a folder, or a file of images, clouds or arrays of depth.
 bool isDepthRecording(const std::filesystem::path& path);
 
-/// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it is
-/// measured. Throws ParseError and UsageError.
+/// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it
+/// is measured. Throws ParseError and UsageError.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
                            std::optional<double> height);
 

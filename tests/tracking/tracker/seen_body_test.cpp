@@ -29,7 +29,8 @@ Picture picture(const DepthCamera& camera, float person, float wall) {
   p.is_person.assign(p.image.z.size(), 0);
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
-      const bool in = std::abs(u - camera.width / 2) < camera.width / 8 && std::abs(v - camera.height / 2) < camera.height / 4;
+      const bool in = std::abs(u - camera.width / 2) < camera.width / 8 &&
+                      std::abs(v - camera.height / 2) < camera.height / 4;
       p.image.at(u, v) = in ? person : wall;
       p.is_person[static_cast<std::size_t>(v * camera.width + u)] = in;
     }
@@ -79,8 +80,10 @@ TEST(SeenBody, EmptyCellsKnowTheWayToThePerson) {
       double nearest = kInfinity;
       for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x)
-          if (p.is_person[static_cast<std::size_t>(y * 64 + x)] != 0) nearest = std::min(nearest, std::hypot(x - u, y - v));
-      EXPECT_NEAR(look.to_person.norm(), nearest * kZ / camera.fx, 1.0 * kZ / camera.fx);  // off by a cell at most
+          if (p.is_person[static_cast<std::size_t>(y * 64 + x)] != 0)
+            nearest = std::min(nearest, std::hypot(x - u, y - v));
+      EXPECT_NEAR(look.to_person.norm(), nearest * kZ / camera.fx,
+                  1.0 * kZ / camera.fx);  // off by a cell at most
     }
   }
 }

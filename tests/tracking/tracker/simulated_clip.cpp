@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 
+#include "humanmodel/part_reach.hpp"
 #include "tracking/depth/depth_render.hpp"
 #include "tracking/depth/kinect_noise.hpp"
 #include "tracking/depth/skin_body.hpp"
@@ -36,7 +37,9 @@ void placeFrames(std::vector<SkeletonFrame>& frames, const SkinBody& skin, doubl
       for (const Vector3d& p : part.mesh.vertices) low = std::min(low, p.z());
   for (SkeletonFrame& frame : frames)
     for (std::size_t j = 0; j < kJointCount; ++j)
-      if (frame.state[j] != JointState::kMissing) frame.p[j] = turned(yaw + turn * (frame.t - start)) * (frame.p[j] - Vector3d(hips.x(), hips.y(), low));
+      if (frame.state[j] != JointState::kMissing)
+        frame.p[j] =
+            turned(yaw + turn * (frame.t - start)) * (frame.p[j] - Vector3d(hips.x(), hips.y(), low));
 }
 
 TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -117,18 +120,24 @@ JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector
     for (const SkeletonFrame& frame : tracked) {
       while (k + 1 < truth.size() && truth[k].t < frame.t - 0.5 / kRate) ++k;
       for (std::size_t j = 0; j < kJointCount; ++j)
-        if (isCompared(static_cast<Joint>(j)) && frame.has(static_cast<Joint>(j)) && truth[k].has(static_cast<Joint>(j)))
-          visit(j, Vector3d(frame.p[j] - truth[k].p[j]), turned(facing(truth[k])));
+        if (isCompared(static_cast<Joint>(j)) && frame.has(static_cast<Joint>(j)) &&
+            truth[k].has(static_cast<Joint>(j)))
+          visit(frame, j, Vector3d(frame.p[j] - truth[k].p[j]), turned(facing(truth[k])));
     }
   };
-  each([&](std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
+  each([&](const SkeletonFrame&, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
     offset[j] += R_WH.transpose() * error;
     ++count[j];
   });
-  each([&](std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
+  std::size_t within = 0;
+  each([&](const SkeletonFrame& frame, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
     errors.raw.push_back(error.norm());
     errors.aligned.push_back((error - R_WH * offset[j] / count[j]).norm());
+    const double spread =
+        std::max(frame.spread[j], frame.state[j] == JointState::kInferred ? kGuessedSpread : 0.0);
+    within += errors.aligned.back() <= partReach(0.0, spread);
   });
+  errors.within_reach = static_cast<double>(within) / static_cast<double>(errors.aligned.size());
   std::sort(errors.raw.begin(), errors.raw.end());
   std::sort(errors.aligned.begin(), errors.aligned.end());
 

@@ -8,8 +8,8 @@
 
 namespace abstand::testing {
 
-/// Where a clip comes from and how it is seen. Lengths in m; world: the floor is z = 0, the person stands over
-/// the origin in the clip's first frame and faces +x.
+/// Where a clip comes from and how it is seen. Lengths in m; world: the floor is z = 0, the person stands
+/// over the origin in the clip's first frame and faces +x.
 struct ClipPlan {
   std::filesystem::path recording;
   double start{0.0}, end{3.0};  ///< s
@@ -30,10 +30,11 @@ SimulatedClip simulate(const ClipPlan& plan);
 
 /// Distances (m) of joints that both have, without spine and thorax, which every recording has elsewhere.
 struct JointErrors {
-  std::vector<double> raw;      ///< sorted
-  std::vector<double> aligned;  ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
-  double longest_swap{0.0};     ///< s for which the body would fit better with left and right exchanged
-  std::size_t lost{0};          ///< images without the body
+  std::vector<double> raw;  ///< sorted
+  std::vector<double>
+      aligned;               ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
+  double longest_swap{0.0};  ///< s for which the body would fit better with left and right exchanged
+  std::size_t lost{0};       ///< images without the body
 
   static double mean(const std::vector<double>& errors);
   static double quantile(const std::vector<double>& errors, double share);

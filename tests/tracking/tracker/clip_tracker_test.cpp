@@ -1,0 +1,146 @@
+// Depth recordings from end to end: real ones, and people who come and go.
+#include "tracking/tracker/clip_tracker.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::JointErrors;
+
+// Of the sensor's own joints, once each joint's constant offset is taken off.
+constexpr double kOfKinect = 0.070;  // m
+
+/// Joints that a Kinect's skeleton puts into its camera's axes (x right, y up, z away, as the reader gives
+/// them: z up, y towards the camera), in the world of the track.
+std::vector<SkeletonFrame> intoWorld(std::vector<SkeletonFrame> frames, const DepthCamera& camera) {
+  Matrix3d R_CK;  // from the reader's axes into the optical ones of the camera whose images were turned back
+  R_CK << -1, 0, 0, 0, 0, -1, 0, -1, 0;
+  for (SkeletonFrame& frame : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (frame.state[j] != JointState::kMissing) frame.p[j] = camera.X_WC * (R_CK * frame.p[j]);
+  return frames;
+}
+
+class UtdMhad : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(UtdMhad, IsTrackedAsTheKinectDid) {
+  const auto depth = testing::sharedData(std::string("depth/utd_mhad/") + GetParam() + "_depth.mat");
+  if (!exists(depth)) GTEST_SKIP() << depth;
+  const auto stream = openDepthStream(depth);
+  const ClipTrack track = trackClip(*stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  const Recording kinect =
+      openRecording(testing::sharedData(std::string("depth/utd_mhad/") + GetParam() + "_skeleton.mat"));
+  ASSERT_EQ(track.images, kinect.frames.size());
+  const JointErrors errors = testing::compare(track.people[0].frames, intoWorld(kinect.frames, track.camera));
+  std::printf("%s: %.0f mm on the mean, with offsets %.0f\n", GetParam(),
+              1e3 * JointErrors::mean(errors.aligned), 1e3 * JointErrors::mean(errors.raw));
+  EXPECT_LE(JointErrors::mean(errors.aligned), kOfKinect);
+  EXPECT_EQ(errors.lost, 0u);
+  EXPECT_LE(errors.longest_swap, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Clips, UtdMhad, ::testing::Values("a18_s1_t1", "a25_s3_t1"),
+                         [](const auto& one) { return std::string(one.param); });
+
+TEST(ClipTracker, FindsFivePeople) {
+  const auto cloud = testing::sharedData("depth/pcl/five_people.pcd");
+  if (!exists(cloud)) GTEST_SKIP() << cloud;
+  const auto stream = openDepthStream(cloud);
+  const ClipTrack track = trackClip(*stream, {});
+  EXPECT_EQ(track.people.size(), 5u);
+  EXPECT_EQ(track.images, 1u);
+}
+
+TEST(ClipTracker, WhoIsNotInAnImageIsLostInIt) {
+  testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 1.6};
+  auto clip = testing::simulate(plan);
+  DepthSource source;
+  source.camera = clip.stream->camera();
+  source.facts = clip.stream->facts();
+  source.t = clip.stream->times();
+  std::vector<DepthImage> images;
+  for (DepthFrame frame; clip.stream->next(frame);) images.push_back(frame.image);
+  constexpr std::size_t kGone = 20, kBack = 30;
+  source.load = [&](std::size_t i) {
+    return i >= kGone && i < kBack ? DepthImage(images[i].width, images[i].height) : images[i];
+  };
+  DepthStream stream(std::move(source));
+  const ClipTrack track = trackClip(stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  const std::vector<SkeletonFrame>& frames = track.people[0].frames;
+  ASSERT_EQ(frames.size(), images.size());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    EXPECT_EQ(frames[i].has(Joint::kPelvis), i < kGone || i >= kBack) << "image " << i;
+  EXPECT_EQ(track.people[0].found, frames.size() - (kBack - kGone));
+}
+
+TEST(ClipTracker, TellsTheStature) {
+  constexpr double kTolerance = 0.05;  // m: hair, soles, and what the noise takes off
+  testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.8};
+  auto clip = testing::simulate(plan);
+  const ClipTrack track = trackClip(*clip.stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_NEAR(track.people[0].body.height, clip.truth[0][Joint::kHeadTop].z(), kTolerance);
+  ClipTrackerOptions options;
+  options.person.height = 1.85;
+  const ClipTrack told = trackClip(*clip.stream, options);
+  EXPECT_DOUBLE_EQ(told.people[0].body.height, 1.85);
+}
+
+TEST(ClipTracker, GivesTheSameTwice) {
+  testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.8};
+  auto clip = testing::simulate(plan);
+  const ClipTrack a = trackClip(*clip.stream, {}), b = trackClip(*clip.stream, {});
+  for (std::size_t i = 0; i < a.people[0].frames.size(); ++i)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      EXPECT_EQ(a.people[0].frames[i].p[j], b.people[0].frames[i].p[j]);
+}
+
+TEST(BodyTracker, AllocatesNothingOnceItFollows) {
+  testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.2};
+  auto clip = testing::simulate(plan);
+  static const BodyRig rig = makeRig(makeHuman({}));
+  BodyTracker tracker(rig);
+  for (DepthFrame frame; clip.stream->next(frame);) {
+    std::vector<std::uint8_t> mask(frame.image.z.size());
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
+    const bool follows = tracker.body().found;
+    testing::NoAlloc guard;
+    tracker.track(frame.t, frame.image, clip.stream->camera(), mask);
+    if (follows) EXPECT_EQ(guard.count(), 0);
+  }
+  EXPECT_TRUE(tracker.body().found);
+}
+
+TEST(TrackedRecording, KnowsDepthByItsContent) {
+  EXPECT_TRUE(isDepthRecording(testing::projectFile("data")));
+  EXPECT_FALSE(isDepthRecording(testing::projectFile("data/scenes/hug_reach.bvh")));
+  EXPECT_FALSE(isDepthRecording("no/such/file"));
+  const auto skeleton = testing::sharedData("depth/utd_mhad/a18_s1_t1_skeleton.mat");
+  if (!exists(skeleton)) GTEST_SKIP() << skeleton;
+  EXPECT_FALSE(isDepthRecording(skeleton));
+  EXPECT_TRUE(isDepthRecording(testing::sharedData("depth/utd_mhad/a18_s1_t1_depth.mat")));
+  EXPECT_TRUE(isDepthRecording(testing::sharedData("depth/pcl/five_people.pcd")));
+}
+
+TEST(TrackedRecording, RefusesAPersonWhoIsNotThere) {
+  ClipTrack track;
+  try {
+    recordingOf(track, {}, 0);
+    FAIL() << "gave one";
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("found 0 people"));
+  }
+}
+
+}  // namespace
+}  // namespace abstand

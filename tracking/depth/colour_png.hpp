@@ -1,0 +1,24 @@
+// Pictures for people to look at. A fence around OpenCV's image files, as depth_png is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace abstand {
+
+/// Red, green, blue, row by row from the top.
+struct ColourImage {
+  int width{0}, height{0};
+  std::vector<std::array<std::uint8_t, 3>> pixels;
+
+  ColourImage(int w, int h)
+      : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  std::array<std::uint8_t, 3>& at(int u, int v) { return pixels[static_cast<std::size_t>(v * width + u)]; }
+};
+
+/// Whole or not at all. Throws UsageError when the place cannot be written.
+void saveColourPng(const ColourImage& image, const std::filesystem::path& file);
+
+}  // namespace abstand
