@@ -217,6 +217,7 @@ void PeopleFinder::dropHeadsWithoutBody() {
 }
 
 void PeopleFinder::follow(double t) {
+  std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
   for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
   const auto predicted = [&](const Track& track) {
     return Place(track.place + track.speed * std::min(t - track.seen, 0.3));
