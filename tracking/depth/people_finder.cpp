@@ -17,14 +17,21 @@ constexpr double kHeadDrop = 0.22;    // as high: not lower than this
 constexpr double kMostBeside = 0.5;   // cells beside a head, of those of the head
 constexpr int kLeastHeadCells = 3;
 constexpr double kHeadsApart = 0.28;
-constexpr double kBodyRadius = 0.35;                     // of a trunk around its head
-constexpr double kLeastBody = 0.05;                      // m^2 of it seen
-constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;         // share of the head's height
-constexpr double kArmReach = 1.0;                        // from the middle of a body to the end of an arm
-constexpr double kSmallPiece = 0.12, kPieceReach = 0.7;  // m^2, m: a hand or a foot that is cut off
+constexpr double kBodyRadius = 0.35;              // of a trunk around its head
+constexpr double kLeastBody = 0.05;               // m^2 of it seen
+constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
+constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
+// Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
+// metre), like arms and head of who bows towards the camera, or is small (m^2), like a foot.
+constexpr double kBowReach = 1.4;  // from the legs to the hands
+constexpr double kMostStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
 constexpr double kGate = 0.35, kGateGrowth = 1.5, kMostGate = 1.0;  // m, m/s, m: from where a person was
-constexpr double kSplit = 0.4;                                      // m: nobody appears nearer to somebody
+constexpr double kJump = 0.3;   // m: nobody moves so far between two images
+constexpr double kYoung = 1.0;  // s
+constexpr double kSplit = 0.4;  // m: nobody appears nearer to somebody
 constexpr std::size_t kLeastPixels = 30;
+
+constexpr float kMostWaver = 0.3f;  // m; what wavers more is not still
 
 /// m; how much a Kinect's depth of something that stands still changes at most (steps of 2.9 mm z^2, twice).
 float waver(float z) { return 0.03f + 0.006f * z * z; }
@@ -37,9 +44,8 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixels, -1);
-  background_.assign(pixels, 0.0f);
-  still_at_.assign(pixels, 0.0f);
-  still_for_.assign(pixels, 0.0f);
+  background_.resize(pixels);
+  still_.resize(pixels);
   people_.label.assign(pixels, 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
@@ -55,8 +61,23 @@ void PeopleFinder::findFloor(double t, const DepthImage& image) {
   next_floor_ = t + 0.5;
 }
 
-bool PeopleFinder::isBackground(std::size_t pixel, float z) const {
-  return background_[pixel] > 0.0f && std::abs(z - background_[pixel]) < waver(z);
+/// Within four mean deviations, which are three and a bit of standard ones, or the camera's own waver.
+bool PeopleFinder::keeps(const Still& still, float z) {
+  return still.z > 0.0f &&
+         std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMostWaver));
+}
+
+void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
+  constexpr float kNew = 0.1f;  // share of the newest depth in the means
+  Still& still = still_[pixel];
+  if (!keeps(still, z)) {
+    still = {z, 0.5f * waver(z), 0.0f};
+    return;
+  }
+  still.wavers += kNew * (std::abs(z - still.z) - still.wavers);
+  still.z += kNew * (z - still.z);
+  still.lasts += dt;
+  if (still.lasts >= static_cast<float>(options_.learn_after)) background_[pixel] = still;
 }
 
 /// Without a floor: level, through the lowest hundredth of what is there.
@@ -97,11 +118,14 @@ void PeopleFinder::lookFromAbove(const DepthImage& image, const DepthImage* know
     for (int u = 0; u < image.width; ++u, ++i) {
       cell_of_[i] = -1;
       const float z = image.z[i];
-      if (!(z > nearest && z < farthest) || isBackground(i, z)) continue;
+      if (!(z > nearest && z < farthest) || keeps(background_[i], z)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
       const float x = x_[static_cast<std::size_t>(u)];
-      const float h = z * (U.x() * x + up_row) + height;
-      if (h < (has_floor ? waver(z) : 0.0f) || h >= static_cast<float>(PlanView::kHighest)) continue;
+      const float rise = U.x() * x + up_row;  // of the ray
+      const float h = z * rise + height;
+      // What wavers along the ray wavers so much in height.
+      const float sole = has_floor ? 0.02f + waver(z) * std::abs(rise) : 0.0f;
+      if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
       const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
                                         static_cast<double>(z * (A.x() * x + ahead_row)));
       if (cell < 0) continue;
@@ -193,13 +217,15 @@ void PeopleFinder::dropHeadsWithoutBody() {
 }
 
 void PeopleFinder::follow(double t) {
-  for (Track& track : tracks_) track.here = track.matched = false;
+  std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
+  for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
   const auto predicted = [&](const Track& track) {
     return Place(track.place + track.speed * std::min(t - track.seen, 0.3));
   };
   const auto meet = [&](Track& track, const Place& place, bool has_head) {
     const double dt = t - track.seen;
     if (dt > 0.0 && dt < 0.5) track.speed = 0.7 * track.speed + 0.3 * (place - track.place) / dt;
+    track.suspect = t - track.born < kYoung || (place - track.place).norm() > kJump;
     track.place = place;
     track.seen = t;
     if (has_head) track.headed = t;
@@ -244,18 +270,26 @@ void PeopleFinder::follow(double t) {
     Track track;
     track.id = next_id_++;
     track.place = place;
-    track.seen = track.headed = t;
-    track.here = track.matched = true;
+    track.born = track.seen = track.headed = t;
+    track.here = track.matched = track.suspect = true;
     tracks_.push_back(track);
   }
 }
 
-/// Who owns each cell: the nearest person of those whose trunk is of the same component.
+/// Who owns each cell: the nearest person of those whose trunk is of the same component, or in whose reach a
+/// piece lies.
 void PeopleFinder::own() {
   for (std::size_t k = 0; k < plan_.components(); ++k) {
     const auto cells = plan_.component(k);
-    double whole = 0.0;
-    for (const int i : cells) whole += static_cast<double>(plan_.cell(i).whole);
+    double whole = 0.0, standing = 0.0;
+    for (const int i : cells) {
+      const PlanView::Cell& c = plan_.cell(i);
+      whole += static_cast<double>(c.whole);
+      standing += static_cast<double>(c.area[0] + c.area[1]);
+    }
+    const double piece = standing < kMostStanding * whole ? kArmReach
+                         : whole < kSmallPiece            ? kPieceReach
+                                                          : 0.0;
     std::array<bool, kMostPeople> has_trunk{};
     for (std::size_t p = 0; p < tracks_.size(); ++p) {
       if (!tracks_[p].here) continue;
@@ -270,7 +304,7 @@ void PeopleFinder::own() {
       for (std::size_t p = 0; p < tracks_.size(); ++p) {
         if (!tracks_[p].here) continue;
         const double distance = (PlanView::placeOf(i) - tracks_[p].place).norm();
-        const double reach = has_trunk[p] ? kArmReach : whole < kSmallPiece ? kPieceReach : 0.0;
+        const double reach = has_trunk[p] ? kArmReach : piece;
         if (distance < std::min(nearest, reach)) {
           nearest = distance;
           plan_.cell(i).owner = static_cast<std::int16_t>(p);
@@ -278,11 +312,58 @@ void PeopleFinder::own() {
       }
     }
   }
+  // What is seen too flat to fill a cell belongs to whom the cell beside it belongs to.
+  for (const int i : plan_.used()) {
+    if (plan_.occupied(i)) continue;
+    plan_.around(PlanView::placeOf(i), 1.5 * PlanView::kCell, [&](int beside, double) {
+      if (plan_.cell(beside).owner >= 0) plan_.cell(i).owner = plan_.cell(beside).owner;
+    });
+  }
 }
 
-void PeopleFinder::label(double t, const DepthImage& image) {
+void PeopleFinder::label(const DepthImage& image) {
+  for (std::size_t i = 0; i < image.z.size(); ++i) {
+    const int owner = cell_of_[i] < 0 ? -1 : plan_.cell(cell_of_[i]).owner;
+    people_.label[i] = static_cast<std::uint8_t>(owner + 1);
+  }
+}
+
+/// Most of the background beside it is at its own depth.
+bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const {
+  constexpr int kLeastBorder = 20;  // pixels
+  const auto label = static_cast<std::uint8_t>(track + 1);
+  const auto width = static_cast<std::size_t>(image.width);
+  int even = 0, steps = 0;
+  const auto compare = [&](std::size_t inside, std::size_t outside) {
+    if (people_.label[inside] != label || people_.label[outside] != 0) return;
+    const float z = image.z[inside], behind = background_[outside].z;
+    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * waver(z) ? even : steps);
+  };
+  for (std::size_t i = 0; i + width < image.z.size(); ++i) {
+    compare(i, i + 1);
+    compare(i + 1, i);
+    compare(i, i + width);
+    compare(i + width, i);
+  }
+  return even + steps >= kLeastBorder && even > steps;
+}
+
+void PeopleFinder::dropUncovered(const DepthImage& image) {
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    if (!tracks_[k].here || !tracks_[k].suspect || !isUncovered(k, image)) continue;
+    const auto label = static_cast<std::uint8_t>(k + 1);
+    for (std::size_t i = 0; i < image.z.size(); ++i) {
+      if (people_.label[i] != label) continue;
+      people_.label[i] = 0;
+      background_[i] = {image.z[i], 0.5f * waver(image.z[i]), 0.0f};
+    }
+    tracks_[k].here = false;
+    tracks_[k].seen = -kInfinity;  // forgotten with the next image
+  }
+}
+
+void PeopleFinder::describe(double t, const DepthImage& image) {
   const float dt = std::isfinite(last_t_) ? static_cast<float>(t - last_t_) : 0.0f;
-  const auto learn_after = static_cast<float>(options_.learn_after);
   struct Sum {
     Vector3d p{Vector3d::Zero()};
     FoundPerson person;
@@ -296,23 +377,13 @@ void PeopleFinder::label(double t, const DepthImage& image) {
   std::size_t i = 0;
   for (int v = 0; v < image.height; ++v)
     for (int u = 0; u < image.width; ++u, ++i) {
-      people_.label[i] = 0;
       const float z = image.z[i];
-      const int owner = cell_of_[i] < 0 ? -1 : plan_.cell(cell_of_[i]).owner;
-      if (owner < 0) {
-        if (!(z > 0.0f)) continue;
-        if (std::abs(z - still_at_[i]) < waver(z)) {
-          still_for_[i] += dt;
-          if (still_for_[i] >= learn_after) background_[i] = still_at_[i];
-        } else {
-          still_at_[i] = z;
-          still_for_[i] = 0.0f;
-        }
+      if (people_.label[i] == 0) {
+        if (z > 0.0f) learn(i, z, dt);
         continue;
       }
-      still_at_[i] = 0.0f;
-      people_.label[i] = static_cast<std::uint8_t>(owner + 1);
-      Sum& sum = sums[static_cast<std::size_t>(owner)];
+      still_[i] = {};
+      Sum& sum = sums[people_.label[i] - std::size_t{1}];
       const Vector3d p_C(static_cast<double>(z * x_[static_cast<std::size_t>(u)]),
                          static_cast<double>(z * y_[static_cast<std::size_t>(v)]), static_cast<double>(z));
       sum.p += p_C;
@@ -350,7 +421,9 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   findHeads();
   follow(t);
   own();
-  label(t, image);
+  label(image);
+  dropUncovered(image);
+  describe(t, image);
   last_t_ = t;
   return people_;
 }

@@ -34,7 +34,9 @@ struct PeopleImage {
 /// floor are apart anyway. Who was found once is followed without a head in sight, too.
 ///
 /// Background is learned pixel by pixel: the farthest depth that nobody's surface kept for `learn_after`. A
-/// person is never learned as long as he is found; one who is not found and stands still is.
+/// person is never learned as long as he is found; one who is not found and stands still is. A part of the
+/// wall that somebody uncovers has his outline, but goes on in the learned wall around it: it is learned at
+/// once.
 ///
 /// With a camera whose X_WC is given (not the identity) the floor is the world's z = 0; else it is searched.
 /// Where there is none to be seen, the lowest thing in the image stands for it.
@@ -59,14 +61,21 @@ class PeopleFinder {
   struct Track {
     int id{-1};
     Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
-    double seen{0.0}, headed{0.0};                     ///< s, when last, and when last with a head
-    bool here{false};                                  ///< in this image
-    bool matched{false};                               ///< to a head of this image
+    double born{0.0}, seen{0.0}, headed{0.0};  ///< s, when first, when last, and when last with a head
+    bool here{false};                          ///< in this image
+    bool matched{false};                       ///< to a head of this image
+    bool suspect{false};                       ///< younger than a second, or where it was not before
   };
   struct Head {
     int cell{-1};
     Place place{Place::Zero()};  ///< m
     double body{0.0};            ///< m^2 seen below it, nearer to it than to other heads
+  };
+
+  /// What a pixel has been seeing: the mean depth (m; 0: nothing), the mean deviation from it (m), and for
+  /// how long (s).
+  struct Still {
+    float z{0.0f}, wavers{0.0f}, lasts{0.0f};
   };
 
   void findFloor(double t, const DepthImage& image);
@@ -79,8 +88,12 @@ class PeopleFinder {
   double bodyArea(const Place& place, double radius) const;
   void follow(double t);
   void own();
-  void label(double t, const DepthImage& image);
-  bool isBackground(std::size_t pixel, float z) const;
+  void label(const DepthImage& image);
+  bool isUncovered(std::size_t track, const DepthImage& image) const;
+  void dropUncovered(const DepthImage& image);
+  void describe(double t, const DepthImage& image);
+  static bool keeps(const Still& still, float z);
+  void learn(std::size_t pixel, float z, float dt);
 
   DepthCamera camera_;
   PeopleFinderOptions options_;
@@ -90,9 +103,8 @@ class PeopleFinder {
   double next_floor_{-kInfinity};  ///< s, when to look for it again
   PlanView plan_;
   std::vector<int> cell_of_;       ///< of each pixel; -1: not looked at
-  std::vector<float> background_;  ///< m; 0: not learned
-  std::vector<float> still_at_;    ///< m, depth that the pixel keeps ...
-  std::vector<float> still_for_;   ///< ... s, since then
+  std::vector<Still> still_;       ///< of nobody's surface, at the moment
+  std::vector<Still> background_;  ///< learned; z 0: not
   std::vector<float> x_, y_;       ///< of the rays with z = 1
   std::vector<Head> heads_;
   std::vector<Track> tracks_;
