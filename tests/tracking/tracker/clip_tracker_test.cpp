@@ -116,7 +116,9 @@ TEST(BodyTracker, AllocatesNothingOnceItFollows) {
     const bool follows = tracker.body().found;
     testing::NoAlloc guard;
     tracker.track(frame.t, frame.image, clip.stream->camera(), mask);
-    if (follows) EXPECT_EQ(guard.count(), 0);
+    if (follows) {
+      EXPECT_EQ(guard.count(), 0);
+    }
   }
   EXPECT_TRUE(tracker.body().found);
 }

@@ -48,7 +48,9 @@ TEST_P(SurfaceKinds, PointsOfTheSurfaceThatFaceTheCameraAreAtNoDistance) {
     const SurfaceDistance hit = seenDistance(s, X_WS, p_W, eye);
     if (n.dot((p_W - eye).normalized()) > 0.0) {
       // The far side is not what the camera sees: the near side has to come back to the point.
-      if (n.dot((p_W - eye).normalized()) > 0.2) EXPECT_LT(hit.d, -0.02);
+      if (n.dot((p_W - eye).normalized()) > 0.2) {
+        EXPECT_LT(hit.d, -0.02);
+      }
       continue;
     }
     ++facing;

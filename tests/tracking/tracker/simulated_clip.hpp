@@ -35,6 +35,9 @@ struct JointErrors {
       aligned;               ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
   double longest_swap{0.0};  ///< s for which the body would fit better with left and right exchanged
   std::size_t lost{0};       ///< images without the body
+  /// Share of the joints whose error, offsets off, is within what their spread gives a part to reach
+  /// (partReach); guessed joints count with the spread of guessed ones.
+  double within_reach{0.0};
 
   static double mean(const std::vector<double>& errors);
   static double quantile(const std::vector<double>& errors, double share);
