@@ -36,6 +36,8 @@ class Client:
 
     def __init__(self, host, port):
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        # Answers wait here while this program does not run; the system gives what it allows.
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
         self.socket.connect((host, port))
         self.sequence = {}
 

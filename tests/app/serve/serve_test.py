@@ -1,6 +1,6 @@
-"""The example client against `abstand serve`: nothing unanswered, a stop when input ends, no harm by random bytes.
+"""The example clients against `abstand serve`: nothing unanswered, a stop when input ends, no harm by random bytes.
 
-    serve_test.py PROGRAM
+    serve_test.py PROGRAM CPP_CLIENT
 """
 import json
 import math
@@ -20,6 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "docs" / "c
 import serve_client as client  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
+CPP_CLIENT = sys.argv.pop(1)
 SCENE = """abstand: 1
 defaults: {voxel: 0.02, point: 0.02}
 mechanisms:
@@ -90,6 +91,24 @@ class Serve(unittest.TestCase):
         self.assertEqual((summary["bad"], summary["late"], summary["lost"], summary["duplicates"]), (0, 0, 0, 0))
         self.assertTrue(summary["interrupted"])
         self.assertGreater(summary["cycle_us"]["median"], 0)
+
+    def test_every_packet_of_the_cpp_client_is_answered(self):
+        port = self.start().socket.getpeername()[1]
+        run = subprocess.run([CPP_CLIENT, str(port), "1", "1", "0.5", "1000"], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        summary = self.finish()
+        self.assertEqual((summary["joints"], summary["answered"]), (500, 500))
+        self.assertEqual(summary["skeletons"], 50)
+        self.assertEqual(summary["bad"], 0)
+
+    def test_a_held_object_is_none_of_its_business(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "reaction.yaml"
+            file.write_text("proxy: {stiffness: 1000}\n")
+            run = subprocess.run([PROGRAM, "serve", self.scene, "--reaction", str(file)], capture_output=True,
+                                 text=True, env=self.environment)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("found `proxy`", run.stderr)
 
     def stop_after(self, keep_joints):
         """Seconds from the last skeleton (and joints) to the answer that tells of a stop, and its robot."""
