@@ -82,7 +82,7 @@ CheckResult check(Session& watched, double limit) {
   CheckResult all;
   DistanceCheck check(watched.scene(), limit, false, "");
   RunOptions run;
-  run.on_frame = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
+  run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
   check.finish(runScene(watched, run), all);
   return all;
 }

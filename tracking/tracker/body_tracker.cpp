@@ -16,11 +16,12 @@ constexpr double kMostGap = 0.25;     // s; over longer ones nothing is expected
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;
-// Errors of neighbouring points are not independent: the body's shape is wrong in the same way along a limb.
-// With so many times the residual as the deviation of a point, 95 in 100 joints of the simulated captures lie
-// within the reach of their part (tests/tracking/tracker).
-constexpr double kNoise = 3.0;
-constexpr double kSeen = 0.3;  // share of a segment's samples
+// Errors of neighbouring points are not independent, and the body's shape is wrong in the same way along a
+// limb and from image to image. With so many times the residual as the deviation of a point, and so much
+// beside, 90 in 100 joints of the simulated captures lie within the reach of their part
+// (tests/tracking/tracker).
+constexpr double kNoise = 3.0, kShapeError = 0.02;  // 1, m
+constexpr double kSeen = 0.3;                       // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 
 BodySolver::Vector priors() {
@@ -160,7 +161,7 @@ void BodyTracker::finish(double t) {
   jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
   const auto spread = jointSpreads(*rig_, fit_.problem(), fit_.problem().information());
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    body_.frame.spread[j] = kNoise * body_.misfit.residual * spread[j];
+    body_.frame.spread[j] = std::hypot(kShapeError, kNoise * body_.misfit.residual * spread[j]);
     if (body_.visible[index(rig_->carrier[j])] < kSeen) body_.frame.state[j] = JointState::kInferred;
   }
 }

@@ -18,10 +18,12 @@ constexpr double kLongestSwap = 0.2;           // s
 constexpr double kWithinReach = 0.9;           // of the joints
 constexpr double kMostLost = 0.01;             // of the images
 
+constexpr std::size_t kLate = 6;  // images until a head is found, as beside a waving hand
+
 struct Case {
   const char* name;
   ClipPlan plan;
-  double mean{kMean}, p95{kP95};
+  double mean{kMean}, p95{kP95}, within_reach{kWithinReach};
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -54,7 +56,8 @@ std::vector<Case> cases() {
        {.recording = mocap("bvh/rokoko_jesse_dance.bvh"), .end = 3.0, .eye = {3.2, 0.0, 1.2}},
        // Hands on the hips are hard to tell from the trunk.
        0.065,
-       0.200},
+       0.200,
+       0.85},
   };
 }
 
@@ -70,8 +73,8 @@ TEST_P(SimulatedPeople, AreFollowed) {
   EXPECT_LE(JointErrors::quantile(errors.aligned, 0.95), GetParam().p95);
   EXPECT_LE(errors.longest_swap, kLongestSwap);
   EXPECT_LE(static_cast<double>(errors.lost), kMostLost * static_cast<double>(clip.truth.size()));
-  EXPECT_EQ(track.people[0].frames.size(), clip.truth.size());
-  EXPECT_GE(errors.within_reach, kWithinReach);
+  EXPECT_GE(track.people[0].frames.size() + kLate, clip.truth.size());
+  EXPECT_GE(errors.within_reach, GetParam().within_reach);
   std::printf(
       "%s: %.0f mm on the mean, %.0f mm of 95 in 100, with offsets %.0f and %.0f; %.3f within reach; %.0f "
       "images a second\n",
