@@ -1,5 +1,6 @@
 // abstand track: a person in a depth recording becomes a recording of a skeleton.
 #include "app/cli/command_line.hpp"
+#include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/track_picture.hpp"
@@ -9,7 +10,8 @@ namespace abstand::cli {
 namespace {
 
 struct Arguments {
-  std::filesystem::path depth, camera, out, pictures;
+  std::filesystem::path depth, camera, out, pictures, scene;
+  PackagePaths packages;
   std::string height, rate;
   int person{1};
   bool usual_body{false}, mirror{false};
@@ -42,7 +44,19 @@ int run(const CommandLine& line, const Arguments& args) {
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
   if (!args.pictures.empty()) options.watch = [&](const ClipMoment& moment) { draw(moment, args.pictures); };
+  std::optional<RobotView> robots;
+  if (!args.scene.empty()) {
+    SessionOptions session_options;
+    session_options.cache = line.cache;
+    session_options.monitor = buildMonitor(line);
+    robots.emplace(loadScene(args.scene, args.packages), session_options);
+    options.known = [&](double t, const DepthCamera& camera) { return &robots->at(t, camera); };
+  }
   const auto stream = openDepthStream(args.depth, stream_options);
+  if (robots && !stream->facts().pose_known)
+    throw UsageError(
+        "--scene: found a recording that does not say how the camera stands, expected a camera file "
+        "with T_WC (--camera)");
   const ClipTrack track = trackClip(*stream, options);
   if (track.people.empty())
     throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
@@ -100,6 +114,11 @@ void addTrack(CLI::App& root, CommandLine& line) {
   command->add_option("--out", args->out, "CSV of the joints (m, z up)");
   command->add_option("--pictures", args->pictures,
                       "folder for a picture of every image with the fitted body");
+  command->add_option(
+      "--scene", args->scene,
+      "its robots and objects are cut out of the images; times and camera are those of the scene");
+  addPackagePath(command, args->packages);
+  addCacheFlag(command, line);
   command->add_option("--person", args->person, "1 is who was found in most images")
       ->check(CLI::Range(1, 64));
   command->add_option("--rate", args->rate, "Hz: image i lies at t = i / rate");

@@ -4,16 +4,15 @@
 #include <cstdio>
 
 #include "app/depth/clip_people.hpp"
+#include "app/depth/scene_things.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
 #include "tracking/depth/depth_png.hpp"
-#include "tracking/depth/depth_render.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr double kSagitta = 5e-4;       // m, of the meshes of shapes
 constexpr double kUsualDistance = 2.8;  // m
 constexpr double kWallBehind = 1.5;     // m
 constexpr double kWallHeight = 3.0, kRoomBreadth = 8.0;
@@ -21,27 +20,6 @@ constexpr double kWallHeight = 3.0, kRoomBreadth = 8.0;
 TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
 }
-
-/// The scene's bodies that are drawn as they are, with their meshes.
-class Things {
- public:
-  Things(const Session& session, bool with_people) : scene_(session.scene()) {
-    for (std::size_t k = 0; k < scene_.objects().size(); ++k) {
-      const Object& object = scene_.objects()[k];
-      bool is_person = false;
-      for (const auto& human : session.description().humans) is_person |= human.name == object.spec.group;
-      if (is_person && !with_people) continue;
-      meshes_.emplace_back(k, object.spec.structure->surface->mesh(kSagitta));
-    }
-  }
-  void draw(const Transform& X_CW, DepthRender& render) const {
-    for (const auto& [k, mesh] : meshes_) render.draw(mesh, X_CW * scene_.objects()[k].X_WB);
-  }
-
- private:
-  const Scene& scene_;
-  std::vector<std::pair<std::size_t, TriangleMesh>> meshes_;
-};
 
 /// Floor and back wall, in world.
 std::vector<TriangleMesh> roomFor(const DepthCamera& camera, const ClipPeople& people,
@@ -85,7 +63,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   std::filesystem::create_directories(folder, ec);
   writeFile(folder / "camera.yaml", describeDepthCamera(options.camera));
 
-  const Things things(session, !options.skin);
+  const SceneThings things(session, !options.skin);
   const ClipPeople people(session);
   std::vector<SkinBody> skins;
   for (std::size_t i = 0; options.skin && i < people.size(); ++i) {

@@ -99,14 +99,16 @@ class Walk {
         track_.interrupted = true;
         break;
       }
+      const DepthImage* known = options_.known ? options_.known(frame.t, track_.camera) : nullptr;
       const double begin = processorSeconds();
-      const PeopleImage& people = finder.find(frame.t, frame.image);
+      const PeopleImage& people = finder.find(frame.t, frame.image, known);
       for (const FoundPerson& person : people.persons) {
         auto it = trackers.find(person.id);
         if (it == trackers.end()) {
-          const auto known = bodies.find(person.id);
-          it = known != bodies.end() ? trackers.try_emplace(person.id, options_.person, known->second).first
-                                     : trackers.try_emplace(person.id, options_.person).first;
+          const auto body_of = bodies.find(person.id);
+          it = body_of != bodies.end()
+                   ? trackers.try_emplace(person.id, options_.person, body_of->second).first
+                   : trackers.try_emplace(person.id, options_.person).first;
         }
         finder.mask(person.id, mask);
         const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);

@@ -1,0 +1,35 @@
+// The bodies of a scene as a depth camera sees them.
+#pragma once
+
+#include "app/session/session.hpp"
+#include "tracking/depth/depth_render.hpp"
+
+namespace abstand {
+
+/// Draws a scene's bodies where they are. The session must outlive this.
+class SceneThings {
+ public:
+  SceneThings(const Session& session, bool with_people);
+  /// `X_CW`: world in the camera's optical frame.
+  void draw(const Transform& X_CW, DepthRender& render) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<std::pair<std::size_t, TriangleMesh>> meshes_;  ///< with the number of their object
+};
+
+/// What a camera would see of a scene's robots and objects alone, at any time. Owns the session.
+class RobotView {
+ public:
+  /// Throws ParseError and UsageError.
+  explicit RobotView(SceneDescription scene, const SessionOptions& options);
+  /// At time t (s) of the scene; there until the next call. A `camera` with a distortion is a UsageError.
+  const DepthImage& at(double t, const DepthCamera& camera);
+
+ private:
+  Session session_;
+  SceneThings things_;
+  std::optional<DepthRender> render_;
+};
+
+}  // namespace abstand
