@@ -1,0 +1,92 @@
+// The contract of the commands about depth images.
+#include "tests/app/program.hpp"
+
+namespace abstand::testing {
+namespace {
+
+TEST_F(Cli, RenderDepthWritesAClip) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string scene =
+      write("ball.yaml",
+            "abstand: 1\nobjects:\n  - {name: a, shape: {sphere: {radius: 0.2}}, voxel: "
+            "0.02, point: 0.02}\n  - {name: b, shape: {sphere: {radius: 0.2}}, voxel: 0.02, "
+            "point: 0.02, pose: {xyz: [0, 1, 0]}}\npairs: {default: all}\n");
+  const json j = runJson("render-depth " + scene + " --out " + clip +
+                         " --noise none --width 320 --eye 2,0,0.5 --look 0,0,0");
+  EXPECT_EQ(j["frames"], 1);
+  EXPECT_EQ(j["width"], 320);
+  EXPECT_GT(j["measured"], 0.01);
+  for (const char* file : {"camera.yaml", "depth.txt", "depth_000000.png"})
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(clip) / file)) << file;
+  // What it wrote is a camera file.
+  EXPECT_EQ(
+      runJson("render-depth " + scene + " --out " + clip + " --camera " + clip + "/camera.yaml")["width"],
+      320);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 1,2").code, 2);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 0,0,1 --look 0,0,0").code, 2);
+  EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
+}
+
+TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  const json j =
+      runJson("render-depth --recording " + bvh + " --out " + clip +
+              " --body skin --girth 1.1 --clothing 0.01 --body-seed 3 --room --height 1.8 --width 320 "
+              "--rate 2 --end 1 --no-cache");
+  EXPECT_EQ(j["frames"], 3);
+  EXPECT_GT(j["measured"], 0.5);  // the room fills the image
+  const json truth = runJson("skeleton " + clip + "/truth.csv");
+  EXPECT_EQ(truth["format"], "csv");
+  EXPECT_EQ(truth["frames"], 3);
+  EXPECT_EQ(truth["gaps"], 0);
+  EXPECT_TRUE(truth["missing_parts"].empty());
+  EXPECT_EQ(run("render-depth --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --girth 1.1 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --body skin --girth 9 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording none.bvh --out " + clip).code, 3);
+}
+
+TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
+  const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
+  const std::string pictures = (folder_.path() / "pictures").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  ASSERT_EQ(run("render-depth --recording " + bvh + " --out " + clip +
+                " --body skin --width 320 --end 0.6 --no-cache")
+                .code,
+            0);
+  const json j = runJson("track " + clip + " --out " + csv + " --pictures " + pictures);
+  EXPECT_EQ(j["frames"], 19);
+  EXPECT_EQ(j["tracked"], 19);
+  EXPECT_EQ(j["lost"], 0);
+  EXPECT_GT(j["fps"], 0.0);
+  EXPECT_NEAR(j["height_estimate"], 1.75, 0.08);
+  EXPECT_LT(j["residual_mm"], 20.0);
+  EXPECT_EQ(j["people"].size(), 1u);
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000018.png"));
+  const json skeleton = runJson("skeleton " + csv);
+  EXPECT_EQ(skeleton["frames"], 19);
+  EXPECT_EQ(skeleton["gaps"], 0);
+
+  const std::string scene = write("person.yaml",
+                                  "abstand: 1\nhumans:\n  - {name: p, height: 1.75}\nobjects:\n"
+                                  "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [1, 0, 1]}}\n"
+                                  "pairs: {default: between_groups}\n");
+  const json ran = runJson("run " + scene + " --recording " + clip);
+  EXPECT_EQ(ran["frames"], 19);
+  EXPECT_NEAR(ran["min_distance"]["value"].get<double>(),
+              runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
+}
+
+TEST_F(Cli, TrackSaysWhatIsWrong) {
+  const std::string csv = (folder_.path() / "person.csv").string();
+  for (const char* bad : {"track", "track data --height 9", "track data --person 0", "track data --rate x"})
+    EXPECT_EQ(run(bad).code, 2) << bad;
+  EXPECT_EQ(run("track no/such --out " + csv).code, 3);
+  EXPECT_EQ(run("track data/scenes --out " + csv).code, 3);
+  EXPECT_EQ(run("track data/scenes/hug_reach.bvh --out " + csv).code, 3);
+  EXPECT_FALSE(std::filesystem::exists(csv));
+}
+
+}  // namespace
+}  // namespace abstand::testing
