@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   cli::addPairs(app, line);
   cli::addRenderDepth(app, line);
   cli::addTrack(app, line);
+  cli::addCalibrate(app, line);
   cli::addRun(app, line);
   cli::addServe(app, line);
   cli::addCheck(app, line);

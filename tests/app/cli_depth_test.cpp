@@ -78,6 +78,26 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
               runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
 }
 
+TEST_F(Cli, CalibratePlacesACamera) {
+  const std::string camera = write(
+      "kinect.yaml", "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n");
+  // The camera looks along world x from (1, 2, 3): its z is x, its x is -y, its y is -z.
+  const std::string points =
+      write("points.csv", "cx,cy,cz,wx,wy,wz\n0,0,1,2,2,3\n1,0,1,2,1,3\n0,1,1,2,2,2\n0,0,2,3,2,3.001\n");
+  const std::string placed = (folder_.path() / "placed.yaml").string();
+  const json j = runJson("calibrate " + points + " --camera " + camera + " --out " + placed);
+  EXPECT_EQ(j["points"], 4);
+  EXPECT_LT(j["rms"].get<double>(), 1e-3);
+  EXPECT_GT(j["spread"].get<double>(), 0.0);
+  EXPECT_NEAR(j["T_WC"][3].get<double>(), 1.0, 2e-3);
+  EXPECT_NEAR(j["T_WC"][2].get<double>(), 1.0, 2e-3);
+  EXPECT_NE(readFile(placed).find("spread:"), std::string::npos);
+  EXPECT_EQ(run("calibrate " + points + " --camera none.yaml").code, 3);
+  EXPECT_EQ(run("calibrate " + camera + " --camera " + camera).code, 3);
+  EXPECT_EQ(run("calibrate " + points).code, 2);
+  EXPECT_EQ(run("calibrate " + placed + "x --camera " + placed).code, 3);
+}
+
 TEST_F(Cli, TrackSaysWhatIsWrong) {
   const std::string csv = (folder_.path() / "person.csv").string();
   for (const char* bad : {"track", "track data --height 9", "track data --person 0", "track data --rate x"})

@@ -13,6 +13,7 @@ namespace {
 constexpr YamlRange kFocalRange{0.0, 1e5, "pixels", true};
 constexpr YamlRange kCentreRange{-1e5, 1e5, "pixels"};
 constexpr YamlRange kScaleRange{0.0, 1e7, "units per metre", true};
+constexpr YamlRange kSpreadRange{0.0, 10.0, "m"};
 constexpr YamlRange kPositionRange{-1e3, 1e3, "m"};
 constexpr YamlRange kAngleRange{-10.0, 10.0, "rad"};
 constexpr YamlRange kDistortionRange{-1e3, 1e3};
@@ -36,8 +37,9 @@ std::string listed(const Vector3d& v) {
 
 DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
   const YamlNode root = parseYaml(text, file);
-  const YamlFields fields(root, file, "a camera file",
-                          {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "distortion", "T_WC"});
+  const YamlFields fields(
+      root, file, "a camera file",
+      {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "distortion", "T_WC", "spread"});
   DepthCamera camera;
   camera.width = needPixels(fields, "width");
   camera.height = needPixels(fields, "height");
@@ -60,6 +62,7 @@ DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
     camera.X_WC = fromXyzRpy(pose.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
                              pose.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
   }
+  camera.spread = fields.number("spread", kSpreadRange).value_or(0.0);
   return camera;
 }
 
@@ -83,7 +86,8 @@ std::string describeDepthCamera(const DepthCamera& c) {
     text += "]";
   }
   return text + "\nT_WC: {xyz: " + listed(c.X_WC.translation()) +
-         ", rpy: " + listed(rollPitchYaw(c.X_WC.linear())) + "}\n";
+         ", rpy: " + listed(rollPitchYaw(c.X_WC.linear())) + "}\n" +
+         (c.spread > 0.0 ? "spread: " + formatDouble(c.spread) + "\n" : "");
 }
 
 Transform lookingAt(const Vector3d& eye, const Vector3d& target) {

@@ -18,13 +18,14 @@ struct DepthCamera {
   /// k1, k2, p1, p2, k3 of OpenCV's model.
   Eigen::Matrix<double, 5, 1> distortion{Eigen::Matrix<double, 5, 1>::Zero()};
   Transform X_WC{Transform::Identity()};  ///< camera in world
+  double spread{0.0};  ///< m, standard deviation of an axis of where X_WC has a point; 0: not known
 
   /// The point in the camera's frame that is seen at (u, v), z (m) along the optical axis. Undistorted.
   Vector3d at(double u, double v, double z) const { return {(u - cx) / fx * z, (v - cy) / fy * z, z}; }
 };
 
 /// Reads a camera file: YAML with `width, height, fx, fy, cx, cy, depth_scale`, and optional `distortion:
-/// [k1, k2, p1, p2, k3]` and `T_WC: {xyz, rpy}`. Throws ParseError with line and column.
+/// [k1, k2, p1, p2, k3]`, `T_WC: {xyz, rpy}` and `spread`. Throws ParseError with line and column.
 DepthCamera loadDepthCamera(const std::filesystem::path& file);
 DepthCamera parseDepthCamera(const std::string& text, const std::string& file);
 /// What parseDepthCamera() reads, to the last bit of every number.

@@ -154,6 +154,7 @@ class Walk {
     SkeletonFrame none;
     none.t = t;
     person.frames.push_back(body ? body->frame : none);
+    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track_.camera.spread);
     if (!body || !body->found) return;
     ++person.found;
     person.residual += body->misfit.residual;

@@ -17,11 +17,13 @@ TEST(DepthCamera, IsReadBackAsItWasWritten) {
     camera.fx = 285.63 + 1e-9;
     camera.distortion << 0.1, -0.2, 0.001, 0.002, 0.05;
     camera.X_WC = randomPose(seed, 3.0);
+    camera.spread = 1e-4 * static_cast<double>(seed);
     const DepthCamera again = parseDepthCamera(describeDepthCamera(camera), "camera.yaml");
     EXPECT_EQ(again.width, camera.width);
     EXPECT_EQ(again.height, camera.height);
     EXPECT_EQ(again.fx, camera.fx);
     EXPECT_EQ(again.distortion, camera.distortion);
+    EXPECT_EQ(again.spread, camera.spread);
     EXPECT_LT((again.X_WC.matrix() - camera.X_WC.matrix()).cwiseAbs().maxCoeff(), kRounding) << seed;
   }
   // Straight up, where two of the angles turn about the same axis.
