@@ -5,6 +5,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "tracking/message_text.hpp"
+#include "tracking/table/cells.hpp"
 
 namespace abstand {
 namespace {
@@ -14,31 +16,28 @@ constexpr double kFarthest = 1e3;  // m
 // Share of the longest extent that points have to leave a line by.
 constexpr double kOffLine = 0.02;
 
-std::string withoutReturn(std::string line) {
-  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-  return line;
+/// The six numbers of a line.
+MatchedPoint pointOf(std::string_view line, const std::string& file, int number) {
+  Cells cells(line, file, number);
+  std::string_view cell;
+  std::array<double, 6> v{};
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    if (!cells.next(cell))  // it would begin behind one more comma
+      throw ParseError({file, number, static_cast<int>(line.size()) + 2},
+                       "found " + std::to_string(k) + " numbers, expected 6: " + kHeader);
+    const auto value = parseDouble(cell);
+    if (!value || !(std::abs(*value) <= kFarthest))
+      throw ParseError(cells.pos(),
+                       "found " + inQuotes(cell) + ", expected a number of metres, at most 1000");
+    v[k] = *value;
+  }
+  if (cells.next(cell))
+    throw ParseError(cells.pos(), std::string("found more than 6 numbers, expected 6: ") + kHeader);
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
-/// The six numbers of a line.
-MatchedPoint pointOf(const std::string& line, const std::string& file, int number) {
-  std::array<double, 6> v{};
-  std::size_t at = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const SourcePos pos{file, number, static_cast<int>(at) + 1};
-    if (at > line.size())
-      throw ParseError(pos, "found " + std::to_string(k) + " numbers, expected 6: " + kHeader);
-    const std::size_t end = std::min(line.find(',', at), line.size());
-    const std::string word = line.substr(at, end - at);
-    const auto value = parseDouble(word);
-    if (!value || !(std::abs(*value) <= kFarthest))
-      throw ParseError(pos, "found '" + word + "', expected a number of metres, at most 1000");
-    v[k] = *value;
-    at = end + 1;
-  }
-  if (at <= line.size())
-    throw ParseError({file, number, static_cast<int>(at) + 1},
-                     "found more than 6 numbers, expected 6: " + std::string(kHeader));
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+std::string_view withoutBlanksBehind(std::string_view line) {
+  return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
 bool onALine(const Eigen::Matrix3Xd& points) {
@@ -52,21 +51,15 @@ bool onALine(const Eigen::Matrix3Xd& points) {
 
 std::vector<MatchedPoint> readMatchedPoints(const std::string& text, const std::string& file) {
   std::vector<MatchedPoint> points;
-  int number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string line = withoutReturn(text.substr(at, end - at));
-    at = end + 1;
-    ++number;
-    if (number == 1) {
-      if (line != kHeader)
-        throw ParseError({file, 1, 1}, "found '" + line.substr(0, 60) + "', expected the header " + kHeader);
-    } else if (!line.empty()) {
-      points.push_back(pointOf(line, file, number));
-    }
-  }
-  if (number == 0)
-    throw ParseError({file, 1, 1}, "found nothing, expected the header " + std::string(kHeader));
+  Lines lines(text);
+  std::string_view line;
+  if (!lines.next(line))
+    throw ParseError({file, 1, 1}, std::string("found nothing, expected the header ") + kHeader);
+  if (withoutBlanksBehind(line) != kHeader)
+    throw ParseError({file, 1, 1}, "found " + inQuotes(line) + ", expected the header " + kHeader);
+  while (lines.next(line))
+    if (const std::string_view row = withoutBlanksBehind(line); !row.empty())
+      points.push_back(pointOf(row, file, lines.number()));
   return points;
 }
 

@@ -16,12 +16,11 @@ class BodyCalibration {
   /// Keeps images that are explained well, at least 0.2 s apart, until there are kMostImages.
   void add(double t, const BodyTracker& tracker);
   bool complete() const { return images_.size() == kMostImages; }
-  std::size_t images() const { return images_.size(); }
 
-  /// Height, lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image
-  /// fitted anew, as long as the images are explained better. What `start` fixes (overrides of a part) stays,
-  /// and its height with `keep_height`. Without images `start` itself.
-  HumanOptions fit(const HumanOptions& start, bool keep_height) const;
+  /// Lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image fitted
+  /// anew, as long as the images are explained better. The height of `start` stays, and so do the parts that
+  /// it overrides. Without images `start` itself.
+  HumanOptions fit(const HumanOptions& start) const;
 
  private:
   struct Image {

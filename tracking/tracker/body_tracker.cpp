@@ -24,20 +24,17 @@ constexpr double kNoise = 3.0, kShapeError = 0.02;  // 1, m
 constexpr double kSeen = 0.3;                       // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 
-BodySolver::Vector priors() {
+BodySolver::Vector priorsOf(const BodyRig& rig) {
   BodySolver::Vector w;
-  const auto of = [&](RigSegment s, const BodyRig& rig, double v) {
-    w.segment(rig[s].column, rig[s].freedoms).setConstant(v);
-  };
-  static const BodyRig rig = makeRig(makeHuman({}));
+  const auto of = [&](RigSegment s, double v) { w.segment(rig[s].column, rig[s].freedoms).setConstant(v); };
   using enum RigSegment;
-  of(kPelvis, rig, 3.0);
-  of(kChest, rig, 8.0);
-  of(kHead, rig, 6.0);
-  for (const RigSegment s : {kUpperArmLeft, kUpperArmRight, kForearmLeft, kForearmRight}) of(s, rig, 0.5);
-  for (const RigSegment s : {kHandLeft, kHandRight}) of(s, rig, 2.0);
-  for (const RigSegment s : {kThighLeft, kThighRight, kCalfLeft, kCalfRight}) of(s, rig, 1.0);
-  for (const RigSegment s : {kFootLeft, kFootRight}) of(s, rig, 4.0);
+  of(kPelvis, 3.0);
+  of(kChest, 8.0);
+  of(kHead, 6.0);
+  for (const RigSegment s : {kUpperArmLeft, kUpperArmRight, kForearmLeft, kForearmRight}) of(s, 0.5);
+  for (const RigSegment s : {kHandLeft, kHandRight}) of(s, 2.0);
+  for (const RigSegment s : {kThighLeft, kThighRight, kCalfLeft, kCalfRight}) of(s, 1.0);
+  for (const RigSegment s : {kFootLeft, kFootRight}) of(s, 4.0);
   return w;
 }
 
@@ -45,17 +42,10 @@ BodySolver::Vector priors() {
 
 BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
     : rig_{&rig}, fit_{rig}, limbs_{fit_}, random_{seed} {
-  wide_.prior = priors();
+  wide_.prior = priorsOf(rig);
   narrow_.prior = wide_.prior;
   wide_.reach = 0.20;
   narrow_.reach = 0.07;
-}
-
-void BodyTracker::reset() {
-  body_ = {};
-  velocity_.setZero();
-  last_t_ = kNaN;
-  badly_ = 0;
 }
 
 const TrackedBody& BodyTracker::track(double t, const DepthImage& image, const DepthCamera& camera,

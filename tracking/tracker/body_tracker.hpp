@@ -35,8 +35,6 @@ class BodyTracker {
                            std::span<const std::uint8_t> is_person);
   const TrackedBody& body() const { return body_; }
   const SeenBody& seen() const { return seen_; }
-  /// Forgets the person.
-  void reset();
 
  private:
   void find();

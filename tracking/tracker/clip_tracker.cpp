@@ -2,7 +2,6 @@
 #include "tracking/tracker/clip_tracker.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 

@@ -30,7 +30,8 @@ class DepthFit {
     BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< towards the pose that is expected
     double reach{0.10};  ///< m, residuals beyond it lose their weight (Geman, McClure 1985)
   };
-  /// `steps` of Gauss-Newton from `pose`, which is made better.
+  /// `steps` of Gauss-Newton from `pose`, which is made better. `expected` may be `pose` itself: every step
+  /// is then held to where it begins.
   void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
               RigPose& pose);
 

@@ -79,7 +79,7 @@ void TrackedPerson::settle() {
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    use(calibration_.fit(*body_, true));
+    use(calibration_.fit(*body_));
     fitted_ = true;
   }
 }

@@ -1,9 +1,8 @@
 // Choosing the reader, and what a track says as a recording.
 #include "tracking/tracker/tracked_recording.hpp"
 
-#include <fstream>
-
 #include "core/base/error.hpp"
+#include "tracking/depth/depth_sources.hpp"
 #include "tracking/part_joints.hpp"
 
 namespace abstand {
@@ -13,15 +12,6 @@ std::string metres(double m) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f m", m);
   return text;
-}
-
-/// The beginning of a file; empty where it cannot be read.
-std::string beginning(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes(512, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return bytes;
 }
 
 }  // namespace
@@ -60,18 +50,14 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 bool isDepthRecording(const std::filesystem::path& path) {
   std::error_code ec;
   if (std::filesystem::is_directory(path, ec)) return true;
-  const std::string bytes = beginning(path);
-  const auto begins = [&](std::string_view sign) { return std::string_view(bytes).starts_with(sign); };
-  if (begins("MATLAB ")) {
-    try {
-      openDepthStream(path);
-      return true;
-    } catch (const ParseError&) {
-      return false;  // holds a skeleton, or its reader says what is wrong
-    }
+  const DepthFileKind kind = depthFileKind(path);
+  if (kind != DepthFileKind::kMat) return kind != DepthFileKind::kOther;
+  try {
+    openDepthStream(path);
+    return true;
+  } catch (const ParseError&) {
+    return false;  // holds a skeleton, or its reader says what is wrong
   }
-  return begins("\x89PNG") || begins("# .PCD") || begins("VERSION ") || begins("\x93NUMPY") ||
-         begins(std::string_view("II*\0", 4)) || begins(std::string_view("MM\0*", 4)) || begins("P5");
 }
 
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,

@@ -143,11 +143,7 @@ TEST(LiveSession, PlaysToTheEndAndStops) {
 
 TEST(LiveSession, ARobotThatCannotReactIsRefused) {
   testing::ScratchFolder folder;
-  folder.write("m.mech", "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 0 0 theta\nend_chain\n");
-  const auto scene = parseScene(
-      "abstand: 1\nmechanisms:\n  - name: m\n    file: m.mech\n    reaction: {}\n"
-      "    links: [{name: l, frame: 1, shape: {sphere: {radius: 0.05}}}]\n",
-      folder.path() / "scene.yaml");
+  const SceneDescription scene = testing::sceneWithoutMasses(folder);
   SessionOptions options;
   options.cache = false;
   EXPECT_THROW(LiveSession(std::make_unique<Session>(scene, options), 0.0), ParseError);

@@ -79,4 +79,13 @@ inline std::string thingComesTo(double to) {
   return thingAt([to](double t) { return std::max(to, 0.6 - 0.5 * t); });
 }
 
+/// A robot that has a reaction and no masses, in `folder`.
+inline SceneDescription sceneWithoutMasses(const ScratchFolder& folder) {
+  folder.write("m.mech", "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 0 0 theta\nend_chain\n");
+  return parseScene(
+      "abstand: 1\nmechanisms:\n  - name: m\n    file: m.mech\n    reaction: {}\n"
+      "    links: [{name: l, frame: 1, shape: {sphere: {radius: 0.05}}}]\n",
+      folder.path() / "scene.yaml");
+}
+
 }  // namespace abstand::testing
