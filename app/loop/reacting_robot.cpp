@@ -35,6 +35,8 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
       tree_(makeRigidTree(driver.mechanism())),
       gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
+  if (description.reaction->braking)
+    braking_.emplace(driver, scene, pairs_.own(), *description.reaction->braking);
   const auto n = static_cast<std::size_t>(driver.dof());
   const PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
@@ -82,6 +84,8 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   input.input_age = cycle.result_age;
   driver_.efforts(scene, efforts_);
   input.efforts = efforts_;
+  const std::optional<StopCause> cause = braking_ ? braking_->look(scene, q_, qd_) : std::nullopt;
+  if (cause) input.causes = {&*cause, 1};
   input.reset = std::exchange(reset_, false);
   look(cycle.t, h, input.pairs, scene);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/loop/motion_clock.hpp"
-#include "app/session/robot_pairs.hpp"
+#include "app/session/braking_watch.hpp"
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/physics_world.hpp"
@@ -70,6 +70,7 @@ class ReactingRobot {
   HoldOptions hold_;
   Reaction reaction_;
   RobotPairs pairs_;
+  std::optional<BrakingWatch> braking_;
   MotionClock plan_;
   RigidTree tree_;
   TreeState tree_state_;

@@ -19,6 +19,7 @@ ServedRobot::ServedRobot(MechanismDriver& driver, const Scene& scene, const std:
     : driver_(driver),
       reaction_(reaction, driver.dof(), scene.pairs().size()),
       pairs_(driver, scene, people, reaction) {
+  if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
   qd_.assign(static_cast<std::size_t>(driver.dof()), 0.0);
   efforts_.assign(qd_.size(), 0.0);
 }
@@ -56,6 +57,8 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   input.pairs = pairs_.gather(scene, qd_);
   input.input_age = age(t);
   input.person_age = person_age;
+  const std::optional<StopCause> cause = braking_ ? braking_->look(scene, driver_.q(), qd_) : std::nullopt;
+  if (cause) input.causes = {&*cause, 1};
   input.reset = std::exchange(reset_, false);
   last_react_ = t;
   const ReactionOutput out = reaction_.update(input, no_mass_);

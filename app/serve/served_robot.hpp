@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/serve/state_report.hpp"
-#include "app/session/robot_pairs.hpp"
+#include "app/session/braking_watch.hpp"
 
 namespace abstand::serve {
 
@@ -37,6 +37,7 @@ class ServedRobot {
   MechanismDriver& driver_;
   Reaction reaction_;
   RobotPairs pairs_;
+  std::optional<BrakingWatch> braking_;
   Eigen::MatrixXd no_mass_;  ///< 0 x 0: not known
   std::vector<double> qd_, efforts_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/control/admittance.hpp"
+#include "core/control/braking_law.hpp"
 #include "core/control/god_object.hpp"
 #include "core/control/hold.hpp"
 #include "core/control/repulsion.hpp"
@@ -40,7 +41,8 @@ struct ReactionDescription {
   std::optional<GodObjectOptions> proxy;        ///< for a held object
   std::optional<AdmittanceOptions> admittance;  ///< torques become velocities and offsets
   std::optional<SpeedScaleOptions> speed;
-  HoldOptions hold;  ///< where we move the robot ourselves
+  std::optional<BrakingLawOptions> braking;  ///< looked after outside Reaction, which hears the cause
+  HoldOptions hold;                          ///< where we move the robot ourselves
   WatchOptions watch;
   StopOptions stop;
 };

@@ -7,7 +7,7 @@
 namespace abstand {
 namespace {
 
-const std::vector<std::string> kCuts{"each", "together"};
+const std::vector<std::string> kCuts{"each", "together"};  // of torques, and of joints that brake
 
 template <class Options>
 concept HasLists = requires(Options& o) {
@@ -72,6 +72,17 @@ std::optional<TorqueLimitOptions> torque(const YamlFields& parent) {
   return options;
 }
 
+std::optional<BrakingLawOptions> braking(const YamlFields& parent) {
+  const YamlNode* const node = parent.find("braking");
+  if (!node) return std::nullopt;
+  BrakingLawOptions options;
+  const YamlFields fields(*node, parent.file(), "`braking`", keysOf<BrakingLawOptions>({"joints"}));
+  readNumbers(fields, options);
+  if (fields.choice("joints", kCuts).value_or("each") == "together")
+    options.path.kind = BrakingKind::kTogether;
+  return options;
+}
+
 void policy(const YamlFields& fields, StopPolicy& policy) {
   const YamlNode* const node = fields.find("on");
   if (!node) return;
@@ -126,7 +137,7 @@ class Lines {
 
 ReactionDescription readReaction(const YamlNode& node, const std::string& file) {
   const YamlFields fields(node, file, "`reaction`",
-                          {"torque", "repulsion", "proxy", "admittance", "speed", "hold", "stop"});
+                          {"torque", "repulsion", "proxy", "admittance", "speed", "braking", "hold", "stop"});
   ReactionDescription r;
   r.torque = torque(fields);
   r.repulsion = law<RepulsionOptions>(fields);
@@ -137,6 +148,7 @@ ReactionDescription readReaction(const YamlNode& node, const std::string& file) 
   r.proxy = law<GodObjectOptions>(fields);
   r.admittance = law<AdmittanceOptions>(fields);
   r.speed = law<SpeedScaleOptions>(fields);
+  r.braking = braking(fields);
   r.hold = law<HoldOptions>(fields).value_or(r.hold);
   if (const YamlNode* const stop = fields.find("stop")) {
     std::vector<std::string> keys = keysOf<WatchOptions>({"on"});
@@ -161,6 +173,12 @@ std::string describeReaction(const ReactionDescription& r, const std::string& in
   lines.law(r.proxy);
   lines.law(r.admittance);
   lines.law(r.speed);
+  if (r.braking) {
+    lines.open("braking");
+    lines.numbers(*r.braking);
+    lines.item("joints", kCuts[r.braking->path.kind == BrakingKind::kEachJoint ? 0 : 1]);
+    lines.close();
+  }
   lines.law(std::optional(r.hold));
   lines.open("stop");
   lines.numbers(r.watch);

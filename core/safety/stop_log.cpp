@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, kStopStates> kStateNames{"running", "slow
 const char* unitOf(const StopCause& cause) {
   switch (cause.reason) {
     case StopReason::kDistance:
+    case StopReason::kBraking:
       return " m";
     case StopReason::kSeparation:
     case StopReason::kSpeedBound:

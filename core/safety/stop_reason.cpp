@@ -15,7 +15,8 @@ constexpr std::array<ReasonText, kStopReasons> kReasonTexts{{{"distance", "dista
                                                              {"torque", "torque"},
                                                              {"joint speed", "joint_speed"},
                                                              {"speed bound", "speed_bound"},
-                                                             {"user", "user"}}};
+                                                             {"user", "user"},
+                                                             {"braking path", "braking"}}};
 constexpr std::array<std::string_view, kStopResponses> kResponseNames{"none", "slow", "protective",
                                                                       "emergency"};
 

@@ -20,9 +20,10 @@ enum class StopReason : std::uint8_t {
   kTorque,      ///< a torque was limited (N m or N)
   kJointSpeed,  ///< a joint is faster than allowed (rad/s or m/s)
   kSpeedBound,  ///< an object broke the bound on its speed that certificates rest on (m/s)
-  kUser
+  kUser,
+  kBraking  ///< on the way to a standstill a person could come nearer than allowed (m)
 };
-inline constexpr std::size_t kStopReasons = 10;
+inline constexpr std::size_t kStopReasons = 11;
 
 /// In rising order. kSlow: the speed is scaled down. kProtective: the robot brakes under control and stays in
 /// control, may go on when the reason is gone. kEmergency: brakes engage; only a person may let it go on.
@@ -45,11 +46,11 @@ struct StopCause {
 
 /// What is done for which reason.
 struct StopPolicy {
-  std::array<StopResponse, kStopReasons> response{StopResponse::kProtective, StopResponse::kSlow,
-                                                  StopResponse::kEmergency,  StopResponse::kProtective,
-                                                  StopResponse::kProtective, StopResponse::kProtective,
-                                                  StopResponse::kNone,       StopResponse::kProtective,
-                                                  StopResponse::kProtective, StopResponse::kEmergency};
+  std::array<StopResponse, kStopReasons> response{
+      StopResponse::kProtective, StopResponse::kSlow,       StopResponse::kEmergency,
+      StopResponse::kProtective, StopResponse::kProtective, StopResponse::kProtective,
+      StopResponse::kNone,       StopResponse::kProtective, StopResponse::kProtective,
+      StopResponse::kEmergency,  StopResponse::kProtective};
   StopResponse of(StopReason reason) const { return response[static_cast<std::size_t>(reason)]; }
 };
 

@@ -34,6 +34,8 @@ QString reasonText(StopReason reason) {
       return tr("bound on speed");
     case StopReason::kUser:
       return tr("user");
+    case StopReason::kBraking:
+      return tr("braking path");
   }
   return {};
 }
@@ -48,6 +50,7 @@ const SceneOutline::JointInfo* jointOf(const SceneOutline& outline, const std::s
 QString numberText(double value, const StopCause& cause, const SceneOutline::JointInfo* joint) {
   switch (cause.reason) {
     case StopReason::kDistance:
+    case StopReason::kBraking:
       return millimetresWithUnit(value);
     case StopReason::kSeparation:
     case StopReason::kSpeedBound:

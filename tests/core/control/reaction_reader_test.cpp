@@ -32,6 +32,8 @@ admittance: {inertia: 2, damping: [1, 2, 3], stiffness: 0, velocity: 0.7, offset
 speed: {reaction_time: 0.2, stopping_time: 0.4, deceleration: 3, intrusion: 0.1, person_error: 0.02,
         robot_error: 0.01, person_speed: 1.5, person_speed_near: 2.5, near: 0.4, person_acceleration: 6,
         release: 1, least: 0.05}
+braking: {deceleration: [3, 4, 5], reaction_time: 0.02, joints: together, distance: 0.03, person_speed: 1.6,
+          person_acceleration: 40}
 hold: {frequency: 4, damping: 0.8}
 stop: {distance: 0.03, input_age: 0.05, person_age: 0.5, joint_speed: 2.5, resume_after: 1.5, standstill: 0.01,
        slow_to: 0.3, on: {lost_person: slow, distance: emergency, torque: protective}}
@@ -50,6 +52,13 @@ TEST(ReactionReader, ReadsEveryKey) {
   EXPECT_EQ(r.admittance->stiffness, (JointNumbers{0}));
   EXPECT_EQ(r.speed->separation.person_acceleration, 6.0);
   EXPECT_EQ(r.speed->release, 1.0);
+  ASSERT_TRUE(r.braking);
+  EXPECT_EQ(r.braking->path.deceleration, (JointNumbers{3, 4, 5}));
+  EXPECT_EQ(r.braking->path.reaction_time, 0.02);
+  EXPECT_EQ(r.braking->path.kind, BrakingKind::kTogether);
+  EXPECT_EQ(r.braking->distance, 0.03);
+  EXPECT_EQ(r.braking->person_speed, 1.6);
+  EXPECT_EQ(r.braking->person_acceleration, 40.0);
   EXPECT_EQ(r.hold.frequency, 4.0);
   EXPECT_EQ(r.hold.damping, 0.8);
   EXPECT_EQ(r.watch.distance, 0.03);
@@ -64,7 +73,7 @@ TEST(ReactionReader, ReadsEveryKey) {
 
 TEST(ReactionReader, WhatIsNotNamedDoesNotAct) {
   const ReactionDescription r = read("{}");
-  EXPECT_FALSE(r.torque || r.repulsion || r.proxy || r.admittance || r.speed);
+  EXPECT_FALSE(r.torque || r.repulsion || r.proxy || r.admittance || r.speed || r.braking);
   EXPECT_EQ(r.stop.resume_after, kInfinity);
   const ReactionDescription defaults = read("repulsion: {}");
   ASSERT_TRUE(defaults.repulsion);
@@ -74,7 +83,7 @@ TEST(ReactionReader, WhatIsNotNamedDoesNotAct) {
 TEST(ReactionReader, WrittenItReadsTheSame) {
   for (const char* text :
        {kWhole, "{}", "repulsion: {}", "torque: {}\nspeed: {}\nstop: {joint_speed: [1, 2]}",
-        "admittance: {}\nproxy: {}"}) {
+        "admittance: {}\nproxy: {}", "braking: {}"}) {
     const std::string once = describeReaction(read(text));
     const std::string twice = describeReaction(read(once));
     EXPECT_EQ(once, twice);
@@ -93,7 +102,7 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
            Case{"[]", "r.yaml:1:1: error: found a list for `reaction`, expected a map"},
            Case{"repulsoin: {}",
                 "r.yaml:1:1: error: found the unknown key `repulsoin` in `reaction`, expected one "
-                "of torque, repulsion, proxy, admittance, speed, hold, stop\nhint: did you mean "
+                "of torque, repulsion, proxy, admittance, speed, braking, hold, stop\nhint: did you mean "
                 "`repulsion`?"},
            Case{"repulsion: {rnge: 1}", "hint: did you mean `range`?"},
            Case{"repulsion: {range: 0}",
@@ -109,6 +118,8 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
            Case{"stop: {on: {lost_persn: slow}}", "did you mean `lost_person`?"},
            Case{"stop: {on: {user: emergancy}}", "did you mean `emergency`?"},
            Case{"stop: {on: slow}", "found `slow` for `on`, expected a map"},
+           Case{"braking: {joints: eech}", "did you mean `each`?"},
+           Case{"braking: {deceleration: 0}", "expected a number above 0 and at most 1e+06 rad/s^2 or m/s^2"},
            Case{"admittance: 3", "r.yaml:1:13: error: found `3` for `admittance`, expected a map"},
            Case{"proxy: {step: {}}", "found a map for `step`, expected a finite number"},
        })

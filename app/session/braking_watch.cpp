@@ -1,0 +1,84 @@
+#include "app/session/braking_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+// Where so many queries of a pair do not decide, its certified bound as it is does.
+constexpr int kMostSamples = 24;
+
+MotionBounds boundsOf(const Object& part, const BrakingLawOptions& o) {
+  MotionBounds bounds;
+  const EnclosingSphere& sphere = part.spec.structure->bounding_sphere;
+  const double turning =
+      part.velocity.angular.norm() * ((sphere.centre - part.spec.structure->com).norm() + sphere.radius);
+  bounds.speed = std::max(o.person_speed, part.velocity.linear.norm() + turning);
+  bounds.acceleration = o.person_acceleration;
+  bounds.position_error = part.reach;
+  bounds.velocity_error = turning;
+  return bounds;
+}
+
+}  // namespace
+
+BrakingWatch::BrakingWatch(const MechanismDriver& driver, const Scene& scene,
+                           std::span<const RobotPairs::Own> own, const BrakingLawOptions& options)
+    : options_(options), path_(options.path, driver.dof()) {
+  requireNumbers(options);
+  std::vector<int> number(driver.links().size(), -1);
+  for (const RobotPairs::Own& pair : own) {
+    if (!pair.person) continue;
+    const auto link = static_cast<std::size_t>(pair.link_a >= 0 ? pair.link_a : pair.link_b);
+    const MechanismDriver::Link& l = driver.links()[link];
+    if (l.frame < 0) continue;  // the base never moves
+    if (number[link] < 0) {
+      number[link] = static_cast<int>(links_.size());
+      links_.emplace_back(driver.mechanism(), path_, l.frame, driver.X_WB(), l.X_FL,
+                          scene.object(*l.object).spec.structure->bounding_sphere);
+    }
+    watched_.push_back({pair.id, number[link], pair.link_a >= 0, {}});
+  }
+  speeds_.resize(links_.size());
+  swept_.enough = options.distance;
+  swept_.hit = options.distance;
+  swept_.most_samples = kMostSamples;
+}
+
+double BrakingWatch::least(Watched& w, const Scene& scene) noexcept {
+  const Pair& pair = scene.pairs()[w.id.index()];
+  const Object& part = scene.object(w.link_a ? pair.b : pair.a);
+  const Object& link = scene.object(w.link_a ? pair.a : pair.b);
+  const double duration = path_.stopTime();
+  const MotionBounds bounds = boundsOf(part, options_);
+  UnknownMotion person(part.X_WB, part.velocity.linear, bounds, duration);
+  const double now = pair.result.distance - pair.result.bound - bounds.position_error;
+  const double rate = speeds_[static_cast<std::size_t>(w.link)] + person.speed(0.0, duration);
+  // Without time nothing moves, and 0 times infinity is no number.
+  const double far = duration > 0.0 ? now - rate * duration : now;
+  if (far >= options_.distance || duration == 0.0) return far;
+  scratch_.memory = w.memory;
+  const SweptResult swept = sweptPair(*link.spec.structure, links_[static_cast<std::size_t>(w.link)],
+                                      *part.spec.structure, person, duration, swept_, scratch_);
+  w.memory = scratch_.memory;
+  queries_ += swept.samples;
+  return swept.lower;
+}
+
+std::optional<StopCause> BrakingWatch::look(const Scene& scene, std::span<const double> q,
+                                            std::span<const double> qd) noexcept {
+  queries_ = 0;
+  if (watched_.empty()) return std::nullopt;
+  std::optional<StopCause> worst;
+  if (!path_.start(q, qd)) return StopCause{StopReason::kBraking, -kInfinity, options_.distance, -1, -1};
+  for (std::size_t i = 0; i < links_.size(); ++i) speeds_[i] = links_[i].speed(0.0, path_.stopTime());
+  for (Watched& w : watched_) {
+    const double lower = least(w, scene);
+    if (lower >= options_.distance || (worst && lower >= worst->value)) continue;
+    worst = StopCause{StopReason::kBraking, lower, options_.distance, static_cast<int>(w.id.index()), -1};
+  }
+  return worst;
+}
+
+}  // namespace abstand
