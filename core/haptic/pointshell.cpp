@@ -255,8 +255,8 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
     if (shape != nullptr) settle(surface, balanced.back());
   }
   if (!field.plain()) {
-    const ShellBalance balance(shape != nullptr ? surface.mesh(kFineSagitta * spacing) : mesh,
-                               field.creases(), balanced, spacing, threads);
+    const ShellBalance balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(), balanced,
+                               spacing, threads);
     std::vector<bool> pressed(points.size(), false);
     for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
     const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);

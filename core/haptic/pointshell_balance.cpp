@@ -41,9 +41,6 @@ constexpr float kMove = 0.7f;
 constexpr double kMargin = 0.1;
 /// Part of the trace that is added to the 3 x 3 systems, as a face alone gives only one direction of force.
 constexpr double kDamping = 1e-3;
-/// An overlap whose force is a smaller part than this of the sum without signs is no overlap: the two sides
-/// of a sheet.
-constexpr double kSheet = 1e-3;
 
 std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double spacing) {
   std::vector<Vector3d> out;
@@ -76,32 +73,6 @@ std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double
   return out;
 }
 
-/// Integral of the depth over the part of a triangle where it is positive, over the triangle's area and times
-/// 6. `depth`: at the corners; at least one is positive.
-double clippedDepth(const double (&depth)[3]) {
-  if (depth[0] >= 0.0 && depth[1] >= 0.0 && depth[2] >= 0.0) return depth[0] + depth[1] + depth[2];
-  // Corners of the clipped polygon in barycentric coordinates of the second and third corner.
-  struct {
-    double b, c, d;
-  } polygon[4];
-  constexpr double kB[3] = {0.0, 1.0, 0.0}, kC[3] = {0.0, 0.0, 1.0};
-  int n = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    if (depth[i] > 0.0) polygon[n++] = {kB[i], kC[i], depth[i]};
-    if ((depth[i] > 0.0) != (depth[j] > 0.0)) {
-      const double t = depth[i] / (depth[i] - depth[j]);
-      polygon[n++] = {kB[i] + t * (kB[j] - kB[i]), kC[i] + t * (kC[j] - kC[i]), 0.0};
-    }
-  }
-  double integral = 0.0;
-  for (int k = 1; k + 1 < n; ++k) {
-    const auto &p = polygon[0], &q = polygon[k], &r = polygon[k + 1];
-    integral += ((q.b - p.b) * (r.c - p.c) - (q.c - p.c) * (r.b - p.b)) * (p.d + q.d + r.d);
-  }
-  return integral;
-}
-
 /// A step coprime to n, so that i * step mod n visits all, neighbours far apart in time.
 std::size_t stride(std::size_t n) {
   std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(kGolden * static_cast<double>(n)));
@@ -111,22 +82,6 @@ std::size_t stride(std::size_t n) {
 
 constexpr std::size_t kLanes = 4;
 using Lanes = Eigen::Array<float, kLanes, 1>;
-
-/// The triangles at each vertex: those of v are list[first[v]] ... list[first[v + 1] - 1].
-struct VertexTriangles {
-  explicit VertexTriangles(const TriangleMesh& mesh) : first(mesh.vertices.size() + 1, 0) {
-    for (const auto& t : mesh.triangles) {
-      for (const std::uint32_t v : t) ++first[v + 1];
-    }
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    list.resize(first.back());
-    std::vector<std::uint32_t> next = first;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) list[next[v]++] = t;
-    }
-  }
-  std::vector<std::uint32_t> first, list;
-};
 
 /// What one direction's half-spaces should give, and their points.
 struct Presses {
@@ -138,21 +93,19 @@ struct Presses {
 
 }  // namespace
 
-ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
+ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
                            const std::vector<BalancePoint>& points, double spacing, int threads)
     : spacing_(spacing), pressed_(points.size(), false) {
   const std::vector<Vector3d> directions = pressDirections(creases, spacing);
-  const VertexTriangles at(mesh);
-  std::vector<Vector3f> vertices, places;
-  for (const Vector3d& v : mesh.vertices) vertices.push_back(v.cast<float>());
+  std::vector<Vector3f> places;
   for (const BalancePoint& p : points) places.push_back(p.position.cast<float>());
-  const PointsBelow vertices_below(vertices), points_below(places);
+  const PointsBelow points_below(places);
   std::vector<Presses> found(directions.size());
   parallelFor(threads, directions.size(), [&](std::size_t k) {
     const Vector3d& u = directions[k];
     const Vector3f uf = u.cast<float>();
     Presses& presses = found[k];
-    const double lowest = double(vertices_below.lowest(uf));
+    const double lowest = body.lowest(u);
     const double shift = std::fmod(kGolden * static_cast<double>(k), 1.0);
     const std::size_t most = k % kCoarse == 0 ? kMostCoarse : kMostPoints;
     int depths = 0;
@@ -164,36 +117,13 @@ ShellBalance::ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& 
       if (inside.size() > most) inside.clear();
       if (inside.empty() && depths > 0) break;
       presses.level[depths] = level;
-      presses.force[depths] = Vector3d::Zero();
       presses.weight[depths] = std::min(1.0, std::pow(depth, 1.5));
     }
     if (depths == 0) return;
-    // A triangle reaches into the half-space when one of its corners does. Vertices are found in float; a
-    // rounding error missed at the level itself has no weight.
-    std::vector<std::uint32_t> reached, triangles;
-    vertices_below.find(uf, static_cast<float>(presses.level[depths - 1]), vertices.size(), reached);
-    for (const std::uint32_t v : reached) {
-      triangles.insert(triangles.end(), at.list.begin() + at.first[v], at.list.begin() + at.first[v + 1]);
-    }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    double size[kDepths] = {};
-    for (const std::uint32_t t : triangles) {
-      const Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
-      const Vector3d cross = (b - a).cross(c - a) / 6.0;
-      const double height[3] = {u.dot(a), u.dot(b), u.dot(c)},
-                   lowest_corner = std::min({height[0], height[1], height[2]});
-      const double length = cross.norm();
-      for (int d = depths - 1; d >= 0 && presses.level[d] > lowest_corner; --d) {
-        const double level = presses.level[d];
-        const double pressed = clippedDepth({level - height[0], level - height[1], level - height[2]});
-        presses.force[d] -= pressed * cross;
-        size[d] += pressed * length;
-      }
-    }
-    for (int d = 0; d < depths; ++d) {
-      if (!(presses.force[d].norm() > kSheet * size[d])) presses.points[d].clear();
-    }
+    const auto count = static_cast<std::size_t>(depths);
+    body.forces(u, {presses.level, count}, {presses.force, count});
+    for (std::size_t d = 0; d < count; ++d)
+      if (presses.force[d].isZero(0.0)) presses.points[d].clear();
   });
 
   // Neighbouring directions far apart in time, so that one place is not mended twice in a row.

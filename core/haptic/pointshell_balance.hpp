@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/triangle_mesh.hpp"
+#include "core/haptic/half_space_overlap.hpp"
 #include "core/haptic/pointshell_pool.hpp"
 
 namespace abstand {
@@ -19,9 +19,8 @@ struct BalancePoint {
   double reach;      ///< how far from home it may go
 };
 
-/// Half-spaces pressed into a body, and what the force law should give for each: with the depth
-/// d(x) = level - direction . x, sum_i a_i max(0, d(p_i)) n_i is to be the integral of max(0, d) n dA, which
-/// is the overlapping volume times the direction for a closed mesh. Sums over few points cannot be right for
+/// Half-spaces pressed into a body, and what the force law should give for each (half_space_overlap.hpp):
+/// sum_i a_i max(0, d(p_i)) n_i with the points' inward normals. Sums over few points cannot be right for
 /// all of them, as each point enters at once what its piece of the surface enters little by little. But
 /// points and areas have enough freedom for their errors to cancel: shifts of a few hundredths of the spacing
 /// and a few percent of area do.
@@ -30,7 +29,7 @@ class ShellBalance {
   /// Directions all around, and those in which edges and their neighbourhood come first; depths from three
   /// quarters of a spacing to two and a half. Only the places that a flat wall can reach are adjusted. The
   /// result does not depend on the number of threads.
-  ShellBalance(const TriangleMesh& mesh, const std::vector<Crease>& creases,
+  ShellBalance(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
                const std::vector<BalancePoint>& points, double spacing, int threads);
 
   enum class Freedom { kPlaceAndArea, kArea };
