@@ -15,7 +15,7 @@ struct Arguments {
   std::string scene, min_distance, margins, junit, report;
   std::vector<std::string> recordings;
   std::string poses, react{"on"};
-  bool dry_run{false}, strict{false};
+  bool dry_run{false}, strict{false}, swept{false};
   PackagePaths packages;
 };
 
@@ -64,7 +64,7 @@ int run(const CommandLine& line, const Arguments& args) {
     options.horizon = options.budget = kInfinity;
     Session session(scene, options);
     if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
-    DistanceCheck check(session.scene(), limit, !args.margins.empty(), recording);
+    DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
     RunOptions run;
     run.progress = progressBar(line, recording.empty() ? "check" : recording);
     run.interrupted = interrupted;
@@ -92,6 +92,7 @@ int run(const CommandLine& line, const Arguments& args) {
     document[list == &all.violations ? "violations" : "unproven"] = rows;
   }
   document["stale"] = all.stale;
+  if (args.swept) document["swept"] = {{"queries", all.swept_queries}};
   if (!reactions.empty()) document["reactions"] = reactions;
   text += robots_text;
   for (const auto& name : all.stale)
@@ -126,6 +127,8 @@ void addCheck(CLI::App& root, CommandLine& line) {
   command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
   command->add_flag("--strict", args->strict,
                     "fail also where distance minus its error bound is below the limit");
+  command->add_flag("--swept", args->swept,
+                    "between frames too: certified for bodies that go straight from pose to pose");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });

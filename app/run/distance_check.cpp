@@ -4,13 +4,17 @@
 
 namespace abstand {
 
-DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins, std::string recording)
+DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins, bool swept,
+                             std::string recording)
     : scene_(scene),
       recording_(std::move(recording)),
       broken_(scene.pairs().size()),
       unproven_(scene.pairs().size()) {
   for (const Pair& pair : scene.pairs())
     limits_.push_back(with_margins ? std::max(limit, pair.options.margin) : limit);
+  if (swept) swept_.emplace(scene);
+  reaches_.assign(limits_.size(), 0.0);
+  widened_ = limits_;
 }
 
 void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t,
@@ -34,11 +38,25 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_
 void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     const double reach = scene_.reachOf(PairId(static_cast<std::uint32_t>(i)));
-    const double d = results[i].distance, limit = limits_[i] + reach;
+    widened_[i] = limits_[i] + std::max(reach, reaches_[i]);
+    reaches_[i] = reach;
+  }
+  const std::span<const SweptCheck::Between> between =
+      swept_ ? swept_->frame(t, results, widened_) : std::span<const SweptCheck::Between>();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const double limit = limits_[i] + reaches_[i];
+    double d = results[i].distance, lower = d - results[i].bound, when = t;
     // Written so that a distance that is not a number counts as broken.
-    const bool broken = !(d >= limit);
-    watch(broken_[i], closed_broken_, i, t, d, reach, broken);
-    watch(unproven_[i], closed_unproven_, i, t, d, reach, !broken && !(d - results[i].bound >= limit));
+    bool broken = !(d >= limit), proven = lower >= limit;
+    if (!between.empty()) {
+      // What lies between the frames is judged by the wider of their limits.
+      broken = broken || !(between[i].upper >= widened_[i]);
+      proven = proven && between[i].lower >= widened_[i];
+      if (between[i].upper < d) d = between[i].upper, when = between[i].t;
+    }
+    const double reach = between.empty() ? reaches_[i] : widened_[i] - limits_[i];
+    watch(broken_[i], closed_broken_, i, when, d, reach, broken);
+    watch(unproven_[i], closed_unproven_, i, when, d, reach, !broken && !proven);
   }
 }
 
@@ -55,6 +73,7 @@ void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {
   close(broken_, closed_broken_, all.violations);
   close(unproven_, closed_unproven_, all.unproven);
   all.frames += summary.frames;
+  if (swept_) all.swept_queries += swept_->queries();
   for (const auto& name : summary.stale)
     if (std::find(all.stale.begin(), all.stale.end(), name) == all.stale.end()) all.stale.push_back(name);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/run/run_scene.hpp"
+#include "app/run/swept_check.hpp"
 
 namespace abstand {
 
@@ -24,13 +25,15 @@ struct CheckResult {
   std::vector<Violation> unproven;    ///< not so, but distance - bound < limit + reach
   std::vector<std::string> stale;
   std::size_t frames{0};
+  long swept_queries{0};  ///< between frames
 };
 
 /// Watches the pairs of a scene frame by frame.
 class DistanceCheck {
  public:
-  /// `with_margins`: a pair needs max(limit, sum of its two margins) instead of `limit` alone.
-  DistanceCheck(const Scene& scene, double limit, bool with_margins, std::string recording);
+  /// `with_margins`: a pair needs max(limit, sum of its two margins) instead of `limit` alone. `swept`:
+  /// between frames too.
+  DistanceCheck(const Scene& scene, double limit, bool with_margins, bool swept, std::string recording);
 
   void frame(double t, const std::vector<PairResult>& results);
   /// Closes what is open and adds everything to `all`, in order of time.
@@ -46,7 +49,10 @@ class DistanceCheck {
 
   const Scene& scene_;
   std::string recording_;
+  std::optional<SweptCheck> swept_;
   std::vector<double> limits_;
+  std::vector<double> reaches_;  ///< m, of each pair in the last frame
+  std::vector<double> widened_;  ///< limits and the larger reach of this frame and the last one
   std::vector<Open> broken_, unproven_;
   std::vector<Violation> closed_broken_, closed_unproven_;
 };

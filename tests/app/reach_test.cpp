@@ -80,7 +80,7 @@ TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
 
 CheckResult check(Session& watched, double limit) {
   CheckResult all;
-  DistanceCheck check(watched.scene(), limit, false, "");
+  DistanceCheck check(watched.scene(), limit, false, false, "");
   RunOptions run;
   run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
   check.finish(runScene(watched, run), all);
