@@ -26,10 +26,6 @@ ReactionDescription reactionOf(const Arguments& args) {
     constexpr std::size_t kMostBytes = 1u << 20;
     const YamlNode document = parseYaml(readFile(args.reaction, kMostBytes), args.reaction);
     reaction = readReaction(document, args.reaction);
-    if (reaction.proxy)
-      throw ParseError({args.reaction, document.line, document.column},
-                       "found `proxy`, expected laws for what holds nothing",
-                       "it is for programs that say what the hand holds");
   }
   if (args.reaction.empty() || !args.stale.empty()) {
     const double stale = args.stale.empty() ? 0.1 : numberWithin(args.stale, "--stale", 0.001, 3600.0, "s");

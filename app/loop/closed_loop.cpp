@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/error.hpp"
 #include "core/haptic/penalty_force.hpp"
+#include "core/mechanism/link_inertia.hpp"
 
 namespace abstand {
 
@@ -19,10 +21,29 @@ ClosedLoop::ClosedLoop(Session& session, double t) : session_(session), start_(t
     robot = std::make_unique<ReactingRobot>(driver, description, scene, people, world_, t);
     if (robot->positioned()) continue;
     for (const auto& link : driver.links()) {
-      if (!link.object || link.frame < 0) continue;
+      if (!link.object || link.frame < 0 || link.loose) continue;
       bodies_[link.object->index()] = {robot->number(), link.frame};
       pushed_[link.object->index()] = true;
     }
+  }
+  addThings();
+}
+
+void ClosedLoop::addThings() {
+  Scene& scene = session_.scene();
+  for (const ObjectDescription& d : session_.description().objects) {
+    ObjectId id(0);
+    const Object* const object = scene.find(d.name, &id);
+    if (!d.mass || session_.posed(id)) continue;
+    const MassProperties& solid = object->spec.structure->mass_properties;
+    if (!(solid.volume > 0.0))
+      throw ParseError(d.pos, "found a `mass` for '" + d.name + "', whose mesh encloses no volume",
+                       "a thing that moves needs a solid");
+    const LinkInertia body = inertiaOfSolid(solid, *d.mass / solid.volume, Transform::Identity());
+    const int number = world_.addFreeBody(body, d.X_WB);
+    things_.push_back({id, number});
+    bodies_[id.index()] = {-1, number};
+    pushed_[id.index()] = true;
   }
 }
 
@@ -62,6 +83,7 @@ void ClosedLoop::move() {
     else
       session_.mechanisms()[m]->apply(t_, scene);
   }
+  for (const Thing& thing : things_) scene.setPose(thing.object, world_.pose({-1, thing.number}), t_);
   session_.applyPoses(t_);
 }
 

@@ -10,9 +10,10 @@ namespace abstand {
 ///   people and things to where they are at t, links to where the physics put them -> pairs
 ///   -> forces on links, joint efforts J^T F -> Reaction -> motors; bodies that touch push each other
 ///   -> the physics goes on to t + kStep
-/// Mechanisms without a `reaction` follow their motion. People follow their recording, whatever pushes them.
-/// Bodies push each other where their surfaces overlap; contacts within margins only ask the reaction. Loop
-/// thread only; step() allocates nothing of ours after the first, and throws nothing.
+/// Things with a `mass` are bodies of the physics too: they fall, lie and are pushed, unless `--poses` moves
+/// them. Mechanisms without a `reaction` follow their motion. People follow their recording, whatever pushes
+/// them. Bodies push each other where their surfaces overlap; contacts within margins only ask the reaction.
+/// Loop thread only; step() allocates nothing of ours after the first, and throws nothing.
 class ClosedLoop {
  public:
   static constexpr double kStep = 1e-3;  ///< s
@@ -40,12 +41,22 @@ class ClosedLoop {
   const std::vector<std::unique_ptr<ReactingRobot>>& robots() const { return robots_; }
   const Session& session() const { return session_; }
 
+  /// Things that the physics moves.
+  std::size_t freeThings() const { return things_.size(); }
+
  private:
+  /// A thing with a mass, and its number in the world.
+  struct Thing {
+    ObjectId object;
+    int number;
+  };
+  void addThings();
   void push(PairId id);
 
   Session& session_;
   PhysicsWorld world_;
   std::vector<std::unique_ptr<ReactingRobot>> robots_;
+  std::vector<Thing> things_;
   std::vector<PhysicsObject> bodies_;  ///< of each object of the scene
   std::vector<bool> pushed_;           ///< of each object: it is a body of the physics
   double start_, t_;

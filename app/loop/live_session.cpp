@@ -102,6 +102,7 @@ void LiveSession::goTo(double t) {
   t_ = t;
   due_ = 0.0;
   if (closed_) {
+    closed_.reset();  // it lets go of what robots hold before the next one takes it
     closed_ = std::make_unique<ClosedLoop>(*session_, t);
     ++loops_;
   }

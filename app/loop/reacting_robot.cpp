@@ -37,6 +37,8 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
       gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
   if (description.reaction->braking)
     braking_.emplace(driver, scene, pairs_.own(), *description.reaction->braking);
+  if (const auto link = HeldLink::find(description, *description.reaction))
+    held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   const auto n = static_cast<std::size_t>(driver.dof());
   const PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
@@ -55,7 +57,10 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
   world.mechanism(number_).setState(q_, qd_);
 }
 
-void ReactingRobot::place(double t, Scene& scene) { driver_.moveTo(q_, t, scene); }
+void ReactingRobot::place(double t, Scene& scene) {
+  driver_.moveTo(q_, t, scene);
+  if (held_) held_->place(t, scene);
+}
 
 void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -83,6 +88,8 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   input.person_age = cycle.person_age;
   input.input_age = cycle.result_age;
   driver_.efforts(scene, efforts_);
+  if (held_) held_->addEfforts(efforts_);
+  if (held_) input.held = &held_->look(scene);
   input.efforts = efforts_;
   const std::optional<StopCause> cause = braking_ ? braking_->look(scene, q_, qd_) : std::nullopt;
   if (cause) input.causes = {&*cause, 1};
@@ -105,6 +112,8 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
     return;
   }
   drive(out);
+  if (held_ && held_->frame() >= 0)
+    world_.applyWrench({number_, held_->frame()}, held_->wrench(), held_->point());
   plan_.advance(h, scale_);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/loop/motion_clock.hpp"
 #include "app/session/braking_watch.hpp"
+#include "app/session/held_link.hpp"
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/physics_world.hpp"
@@ -53,6 +54,7 @@ class ReactingRobot {
   const StopMachine& stops() const { return reaction_.stops(); }
   bool positioned() const { return number_ < 0; }  ///< position-controlled
   int number() const { return number_; }           ///< in the world
+  const HeldLink* held() const { return held_ ? &*held_ : nullptr; }
   std::span<const double> q() const { return q_; }
   std::span<const double> qd() const { return qd_; }
   std::span<const double> torque() const { return torque_; }  ///< of the reaction, before the joint's limit
@@ -71,6 +73,7 @@ class ReactingRobot {
   Reaction reaction_;
   RobotPairs pairs_;
   std::optional<BrakingWatch> braking_;
+  std::optional<HeldLink> held_;
   MotionClock plan_;
   RigidTree tree_;
   TreeState tree_state_;

@@ -14,12 +14,14 @@ constexpr double kLeastStep = 1e-5, kMostStep = 10.0;
 
 }  // namespace
 
-ServedRobot::ServedRobot(MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
-                         const ReactionDescription& reaction)
+ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
+                         const std::vector<bool>& people, const ReactionDescription& reaction)
     : driver_(driver),
       reaction_(reaction, driver.dof(), scene.pairs().size()),
       pairs_(driver, scene, people, reaction) {
   if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
+  if (const auto link = HeldLink::find(description, reaction))
+    held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   qd_.assign(static_cast<std::size_t>(driver.dof()), 0.0);
   efforts_.assign(qd_.size(), 0.0);
 }
@@ -36,6 +38,10 @@ void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, Scen
   started_ = true;
 }
 
+void ServedRobot::placeHeld(double t, Scene& scene) {
+  if (held_ && started_) held_->place(t, scene);
+}
+
 void ServedRobot::grow(double t, double stale, Scene& scene) {
   if (stale_ || age(t) <= stale) return;
   driver_.lose(t, scene);
@@ -49,10 +55,12 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   // Of a robot whose joint values are stale it is not known that it stands.
   if (stale_) std::fill(qd_.begin(), qd_.end(), kNaN);
   driver_.efforts(scene, efforts_);
+  if (held_) held_->addEfforts(efforts_);
   ReactionInput input;
   input.t = t;
   input.dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
   input.qd = qd_;
+  if (held_) input.held = &held_->look(scene);
   input.efforts = efforts_;
   input.pairs = pairs_.gather(scene, qd_);
   input.input_age = age(t);

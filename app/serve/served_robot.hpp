@@ -3,6 +3,7 @@
 
 #include "app/serve/state_report.hpp"
 #include "app/session/braking_watch.hpp"
+#include "app/session/held_link.hpp"
 
 namespace abstand::serve {
 
@@ -14,13 +15,15 @@ class ServedRobot {
  public:
   /// `people`: of each object of the scene, whether it is a person's part. Throws UsageError for a reaction
   /// that does not fit the mechanism. Driver and scene must outlive it.
-  ServedRobot(MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
-              const ReactionDescription& reaction);
+  ServedRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
+              const std::vector<bool>& people, const ReactionDescription& reaction);
 
   /// New joint values that came at `t` (s), measured at `stamp` (s on the sender's clock).
   void moveTo(std::span<const double> q, double t, double stamp, Scene& scene);
   /// A person lets it go on, in the next react().
   void reset() { reset_ = true; }
+  /// Puts what it holds where it is now; before the scene's step.
+  void placeHeld(double t, Scene& scene);
   /// Marks the links as stale when the joint values are older than `stale` s.
   void grow(double t, double stale, Scene& scene);
   /// After the scene's step. `person_age`: s, of the person least known. `torque`, `offset`: of its own
@@ -38,6 +41,7 @@ class ServedRobot {
   Reaction reaction_;
   RobotPairs pairs_;
   std::optional<BrakingWatch> braking_;
+  std::optional<HeldLink> held_;
   Eigen::MatrixXd no_mass_;  ///< 0 x 0: not known
   std::vector<double> qd_, efforts_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};

@@ -51,7 +51,8 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
         reaction.stop.resume_after = options.reaction.stop.resume_after;
     }
     offsets = offsets || reaction.admittance;
-    robots_.push_back(std::make_unique<ServedRobot>(*session_->mechanisms()[m], scene, people, reaction));
+    robots_.push_back(std::make_unique<ServedRobot>(
+        *session_->mechanisms()[m], session_->description().mechanisms[m], scene, people, reaction));
   }
   people_.resize(d.humans.size());
 
@@ -120,7 +121,10 @@ double ServedScene::nextStale() const {
 void ServedScene::cycle(double t) {
   Scene& scene = session_->scene();
   growPeople(t);
-  for (const auto& robot : robots_) robot->grow(t, watch_.input_age, scene);
+  for (const auto& robot : robots_) {
+    robot->grow(t, watch_.input_age, scene);
+    robot->placeHeld(t, scene);
+  }
   scene.step();
   double person_age = 0.0;
   for (const double age : report_.person_age) person_age = std::max(person_age, age);

@@ -80,7 +80,7 @@ void MechanismDriver::lose(double t, Scene& scene) const {
 void MechanismDriver::place(double t, Scene& scene) {
   forward(mechanism_, q_, state_);
   for (const Link& link : links_) {
-    if (!link.object) continue;
+    if (!link.object || link.loose) continue;
     const Transform X_WF = link.frame < 0 ? X_WB_ : X_WB_ * state_.X_BF[static_cast<std::size_t>(link.frame)];
     scene.setPose(*link.object, X_WF * link.X_FL, t);
   }
@@ -90,7 +90,7 @@ void MechanismDriver::efforts(const Scene& scene, std::span<double> out) const {
   std::fill(out.begin(), out.end(), 0.0);
   const Transform X_BW = X_WB_.inverse();
   for (const Link& link : links_) {
-    if (!link.object || link.frame < 0) continue;
+    if (!link.object || link.frame < 0 || link.loose) continue;
     const Object& object = scene.object(*link.object);
     if (!object.colliding) continue;
     const Wrench w_B{X_BW.linear() * object.contact.force, X_BW.linear() * object.contact.torque};

@@ -9,6 +9,14 @@ namespace {
 
 constexpr double kMotionRate = 1000.0;  // Hz, where only joint motion sets the pace
 
+// s, of a scene in which nothing is recorded and things fall.
+constexpr double kFallTime = 5.0;
+
+bool somethingFalls(const SceneDescription& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const ObjectDescription& o) { return o.mass.has_value(); });
+}
+
 std::string fileName(const std::filesystem::path& p) { return p.filename().string(); }
 
 }  // namespace
@@ -121,7 +129,7 @@ void Session::planObjects(std::vector<Planned>& plan) {
     const auto key =
         d.shape ? library_.request(*d.shape, options) : library_.request(d.mesh, d.scale, options);
     plan.push_back({d.name, "objects", key, d.settings.margin.value_or(description_.defaults.margin),
-                    d.settings.max_speed, 0.0,
+                    d.settings.max_speed, d.mass ? kInfinity : 0.0,
                     [this, X_WB = d.X_WB](ObjectId id) { scene_.setPose(id, X_WB, 0.0); }});
   }
 }
@@ -152,10 +160,9 @@ void Session::bindPoses(const std::filesystem::path& file) {
 void Session::setSpeeds(const std::vector<Planned>& plan) {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const ObjectId id(static_cast<std::uint32_t>(i));
-    const bool posed = std::find(poses_objects_.begin(), poses_objects_.end(), id) != poses_objects_.end();
     if (plan[i].max_speed) {
       scene_.setMaxSpeed(id, *plan[i].max_speed);
-    } else if (description_.skipping.rest > 0.0 && !posed) {
+    } else if (description_.skipping.rest > 0.0 && !posed(id)) {
       scene_.setMaxSpeed(id, plan[i].usual_speed);
     }
   }
@@ -176,9 +183,14 @@ void Session::applyPoses(double t) {
   }
 }
 
+bool Session::posed(ObjectId id) const {
+  return std::find(poses_objects_.begin(), poses_objects_.end(), id) != poses_objects_.end();
+}
+
 bool Session::reacts() const {
   return std::any_of(description_.mechanisms.begin(), description_.mechanisms.end(),
-                     [](const MechanismDescription& m) { return m.reaction.has_value(); });
+                     [](const MechanismDescription& m) { return m.reaction.has_value(); }) ||
+         somethingFalls(description_);
 }
 
 void Session::step(double t) {
@@ -204,7 +216,7 @@ std::vector<double> Session::frameTimes() const {
     return t;
   }
   if (poses_) return poses_->t;
-  bool moves = false;
+  bool moves = somethingFalls(description_);
   for (const auto& m : mechanisms_) moves = moves || m->motion();
   return moves ? frameTimes(kMotionRate) : std::vector<double>{0.0};
 }
@@ -222,6 +234,7 @@ std::vector<double> Session::frameTimes(double rate) const {
   if (start > end)
     for (const auto& m : mechanisms_)
       if (m->motion()) cover(m->motion()->start(), m->motion()->end());
+  if (start > end && somethingFalls(description_)) cover(0.0, kFallTime);
   if (start > end) return {0.0};
   std::vector<double> t;
   const auto count = static_cast<std::size_t>((end - start) * rate + 1e-6) + 1;

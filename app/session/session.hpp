@@ -47,7 +47,7 @@ class Session {
   void sumEfforts();
 
   /// Times (s) of the frames: of the first recording; else of the poses; else every millisecond of the
-  /// longest joint motion; else 0 alone.
+  /// longest joint motion, or of 5 s where things fall; else 0 alone.
   std::vector<double> frameTimes() const;
   /// The same range at a fixed rate (Hz).
   std::vector<double> frameTimes(double rate) const;
@@ -55,7 +55,9 @@ class Session {
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
   const SceneDescription& description() const { return description_; }
-  /// Some mechanism has a `reaction`.
+  /// `--poses` moves this object.
+  bool posed(ObjectId id) const;
+  /// Some mechanism has a `reaction`, or some thing a `mass`.
   bool reacts() const;
   const std::vector<std::unique_ptr<MechanismDriver>>& mechanisms() const { return mechanisms_; }
   const std::vector<std::unique_ptr<HumanDriver>>& humans() const { return humans_; }

@@ -24,6 +24,7 @@ constexpr YamlRange kSizeRange{0.0, 1e3, "m", true};
 constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
 constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr YamlRange kThingMassRange{0.0, 1e5, "kg", true};
 constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr YamlRange kRateRange{0.0, 1e6, "Hz", true};
 constexpr YamlRange kSpeedRange{0.0, 1e4, "m/s"};
@@ -187,7 +188,7 @@ void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
 
 LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mechanism) {
   const YamlFields fields(node, file_, "a link",
-                          {"name", "frame", "mesh", "scale", "shape", "pose", "voxel", "point",
+                          {"name", "frame", "mesh", "scale", "shape", "pose", "held", "voxel", "point",
                            "outer_layers", "margin", "max_speed"});
   LinkDescription l;
   l.pos = fields.pos();
@@ -204,6 +205,7 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
   }
   meshOrShape(fields, l);
   l.X_FL = pose(fields, "pose");
+  l.held = fields.choice("held", {"true", "false"}).value_or("false") == "true";
   l.settings = settings(fields);
   return l;
 }
@@ -213,15 +215,25 @@ ReactionDescription SceneBodyReader::reaction(const YamlNode& node, int dof) con
   const SourcePos pos{file_, node.line, node.column};
   if (dof == 0)
     throw ParseError(pos, "found `reaction` for a mechanism that nothing moves, expected one with a `dof`");
-  if (r.proxy)
-    throw ParseError(pos, "found `proxy` in the `reaction` of a scene, expected laws for what holds nothing",
-                     "it is for programs that say what the hand holds");
   try {
     const Reaction fits(r, dof, 0);
   } catch (const UsageError& e) {
     throw ParseError(pos, e.what());
   }
   return r;
+}
+
+/// The law `proxy` moves one held link.
+void requireHeld(const YamlFields& fields, const MechanismDescription& m) {
+  const LinkDescription* held = nullptr;
+  for (const LinkDescription& l : m.links) {
+    if (!l.held) continue;
+    if (held) throw ParseError(l.pos, "found a second link with `held: true`, expected one at most");
+    held = &l;
+  }
+  if (m.reaction && m.reaction->proxy && !held)
+    throw ParseError(fields.pos(fields.need("reaction")),
+                     "found `proxy` and nothing that is held, expected one of the `links` with `held: true`");
 }
 
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
@@ -243,6 +255,7 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   if (const auto* node_reaction = fields.find("reaction"))
     m.reaction = reaction(*node_reaction, robot.mechanism.dof);
   for (const auto& l : fields.list("links")) m.links.push_back(link(l, robot.mechanism));
+  requireHeld(fields, m);
   const auto geometry = fields.choice("geometry", {"collision", "visual"});
   if (fields.find("links")) {
     if (geometry)
@@ -333,14 +346,15 @@ HumanDescription SceneBodyReader::human(const YamlNode& node) {
 }
 
 ObjectDescription SceneBodyReader::object(const YamlNode& node) {
-  const YamlFields fields(
-      node, file_, "an object",
-      {"name", "mesh", "scale", "shape", "pose", "voxel", "point", "outer_layers", "margin", "max_speed"});
+  const YamlFields fields(node, file_, "an object",
+                          {"name", "mesh", "scale", "shape", "pose", "mass", "voxel", "point", "outer_layers",
+                           "margin", "max_speed"});
   ObjectDescription o;
   o.pos = fields.pos();
   o.name = newBody(fields);
   meshOrShape(fields, o);
   o.X_WB = pose(fields, "pose");
+  o.mass = fields.number("mass", kThingMassRange);
   o.settings = settings(fields);
   return o;
 }

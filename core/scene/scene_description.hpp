@@ -35,6 +35,7 @@ struct LinkDescription {
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
   std::optional<Shape> shape;
   Transform X_FL{Transform::Identity()};  ///< link in its frame (`pose`)
+  bool held{false};                       ///< moved by the law `proxy`: it stays on surfaces
   BodySettings settings;
   SourcePos pos;
 };
@@ -91,6 +92,7 @@ struct ObjectDescription {
   Vector3d scale{Vector3d::Ones()};
   std::optional<Shape> shape;
   Transform X_WB{Transform::Identity()};
+  std::optional<double> mass;  ///< kg: in the closed loop it falls and is pushed; none: it stands
   BodySettings settings;
   SourcePos pos;
 };

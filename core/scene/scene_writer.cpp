@@ -93,7 +93,8 @@ std::string mechanismText(const MechanismDescription& m) {
   s += m.links.empty() ? "    links: []\n" : "    links:\n";
   for (const auto& l : m.links)
     s += "      - {name: " + scalar(l.name) + ", frame: " + (parseInt(l.frame) ? l.frame : scalar(l.frame)) +
-         meshOrShape(l) + ", pose: " + pose(l.X_FL) + settings(l.settings) + "}\n";
+         meshOrShape(l) + ", pose: " + pose(l.X_FL) + (l.held ? ", held: true" : "") + settings(l.settings) +
+         "}\n";
   return s;
 }
 
@@ -160,8 +161,8 @@ std::string describeScene(const SceneDescription& scene) {
   for (const auto& h : scene.humans) s += humanText(h);
   if (!scene.objects.empty()) s += "objects:\n";
   for (const auto& o : scene.objects)
-    s += "  - {name: " + scalar(o.name) + meshOrShape(o) + ", pose: " + pose(o.X_WB) + settings(o.settings) +
-         "}\n";
+    s += "  - {name: " + scalar(o.name) + meshOrShape(o) + ", pose: " + pose(o.X_WB) +
+         (o.mass ? ", mass: " + formatDouble(*o.mass) : "") + settings(o.settings) + "}\n";
   const auto& p = scene.pairs;
   s += std::string("pairs:\n  default: ") +
        (p.standard == PairDefault::kAll    ? "all"

@@ -101,14 +101,14 @@ class Serve(unittest.TestCase):
         self.assertEqual(summary["skeletons"], 50)
         self.assertEqual(summary["bad"], 0)
 
-    def test_a_held_object_is_none_of_its_business(self):
+    def test_a_proxy_needs_something_that_is_held(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "reaction.yaml"
             file.write_text("proxy: {stiffness: 1000}\n")
             run = subprocess.run([PROGRAM, "serve", self.scene, "--reaction", str(file)], capture_output=True,
                                  text=True, env=self.environment)
-        self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertIn("found `proxy`", run.stderr)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("expected one of its `links` with `held: true`", run.stderr)
 
     def stop_after(self, keep_joints):
         """Seconds from the last skeleton (and joints) to the answer that tells of a stop, and its robot."""

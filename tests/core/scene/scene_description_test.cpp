@@ -63,7 +63,7 @@ humans:
   - {name: guest}
 objects:
   - {name: table, mesh: table.obj, scale: 0.001, pose: {xyz: [0.6, 0, 0.7], rpy: [0, 0, 0]}}
-  - {name: ball, shape: {sphere: {radius: 0.05}}, voxel: 0.005, point: 0.005}
+  - {name: ball, shape: {sphere: {radius: 0.05}}, mass: 0.25, voxel: 0.005, point: 0.005}
   - {name: egg, shape: {ellipsoid: {semi_axes: [0.1, 0.2, 0.3]}}}
   - {name: "box: 1 #2", shape: {cuboid: {size: [1, 2, 3]}}}
   - {name: can, shape: {cylinder: {radius: 0.1, length: 0.2}}}
@@ -254,6 +254,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     for (std::size_t k = 0; k < m.links.size(); ++k) {
       expectSameBody(m.links[k], n.links[k]);
       EXPECT_EQ(m.links[k].frame, n.links[k].frame);
+      EXPECT_EQ(m.links[k].held, n.links[k].held);
       EXPECT_TRUE(m.links[k].X_FL.isApprox(n.links[k].X_FL, pose_tolerance)) << m.links[k].name;
     }
   }
@@ -287,6 +288,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
   ASSERT_EQ(a.objects.size(), b.objects.size());
   for (std::size_t i = 0; i < a.objects.size(); ++i) {
     expectSameBody(a.objects[i], b.objects[i]);
+    EXPECT_EQ(a.objects[i].mass, b.objects[i].mass);
     EXPECT_TRUE(a.objects[i].X_WB.isApprox(b.objects[i].X_WB, pose_tolerance)) << a.objects[i].name;
   }
   EXPECT_EQ(a.pairs.standard, b.pairs.standard);

@@ -164,7 +164,14 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: still.mech, reaction: {}}\n", 3, 45, "nothing moves"},
           {"  - {name: arm, file: two.mech, reaction: 3}\n", 3, 43, "map"},
           {"  - {name: arm, file: two.mech, reaction: {torqe: {}}}\n", 3, 44, "did you mean `torque`"},
-          {"  - {name: arm, file: two.mech, reaction: {proxy: {}}}\n", 3, 43, "`proxy`"},
+          {"  - {name: arm, file: two.mech, reaction: {proxy: {}}}\n", 3, 43, "`held: true`"},
+          {"  - {name: arm, file: two.mech, links: [{name: a, frame: 1, shape: {sphere: {radius: 1}}, held: "
+           "yes}]}\n",
+           3, 99, "expected true or false"},
+          {"  - {name: arm, file: two.mech, links: [{name: a, frame: 1, shape: {sphere: {radius: 1}}, held: "
+           "true}, {name: b, "
+           "frame: 1, shape: {sphere: {radius: 1}}, held: true}]}\n",
+           3, 106, "second link"},
           {"  - {name: arm, file: two.mech, reaction: {torque: {limit: [1, 2, 3]}}}\n", 3, 43, "3"},
           {"  - {name: arm, file: two.mech, reaction: {hold: {frequency: 0}}}\n", 3, 62, "frequency"},
           {"  - {name: arm, file: two.mech, reaction: {repulsion: {range: 0.1, stop_distance: 0.2}}}\n", 3,
