@@ -167,11 +167,11 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: two.mech, reaction: {proxy: {}}}\n", 3, 43, "`held: true`"},
           {"  - {name: arm, file: two.mech, links: [{name: a, frame: 1, shape: {sphere: {radius: 1}}, held: "
            "yes}]}\n",
-           3, 99, "expected true or false"},
+           3, 97, "expected one of true, false"},
           {"  - {name: arm, file: two.mech, links: [{name: a, frame: 1, shape: {sphere: {radius: 1}}, held: "
            "true}, {name: b, "
            "frame: 1, shape: {sphere: {radius: 1}}, held: true}]}\n",
-           3, 106, "second link"},
+           3, 104, "second link"},
           {"  - {name: arm, file: two.mech, reaction: {torque: {limit: [1, 2, 3]}}}\n", 3, 43, "3"},
           {"  - {name: arm, file: two.mech, reaction: {hold: {frequency: 0}}}\n", 3, 62, "frequency"},
           {"  - {name: arm, file: two.mech, reaction: {repulsion: {range: 0.1, stop_distance: 0.2}}}\n", 3,
