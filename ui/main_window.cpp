@@ -175,7 +175,9 @@ void MainWindow::setSession(SessionPort* session) {
   status_->clear();
   for (const auto& entry : actions_->all())
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
-  for (const Id id : {Id::kReact, Id::kResetStops}) (*actions_)[id]->setEnabled(!outline.reacting.empty());
+  const bool can = outline.cannot_react.empty();
+  (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
+  (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
 
   if (session_) {

@@ -13,7 +13,8 @@ namespace {
 struct Arguments {
   std::string file, out, compact, filter;
   double fill{0.0};  ///< s
-  bool doctor{false}, fit_lengths{false};
+  bool doctor{false}, fit_lengths{false}, predict{false};
+  MotionBounds bounds{2.0, kInfinity, 0.0, 0.0};
   RecordingOptions options;
 };
 
@@ -143,6 +144,12 @@ int run(const CommandLine& line, const Arguments& args) {
     json["lengths"] = fit ? lengthsJson(*fit) : nlohmann::ordered_json();
     text += fit ? lengthsText(*fit) : "stature by the bones: not known, no bone has both ends\n";
   }
+  if (args.predict) {
+    constexpr double kAhead[] = {0.05, 0.1, 0.2, 0.5};
+    const auto trials = tryPredictions(recording, args.bounds, kAhead);
+    json["prediction"] = predictionJson(trials, args.bounds);
+    text += predictionText(trials, args.bounds);
+  }
   if (args.fill > 0.0) {
     const GapFill fill = fillGaps(recording.frames, args.fill);
     text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
@@ -181,6 +188,14 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
   command->add_flag("--doctor", args->doctor,
                     "bones, gaps, jitter, jumps and swaps, and what filters would do");
+  command->add_flag("--predict", args->predict,
+                    "how far ahead joints can be guessed, and whether bounds on their speed hold");
+  command->add_option("--person-speed", args->bounds.speed, "m/s, the bound that --predict tries (2)")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      ->add_option("--person-acceleration", args->bounds.acceleration,
+                   "m/s^2, likewise (none: the speed alone bounds)")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--fit-lengths", args->fit_lengths,
                     "stature and every bone beside those of the model, with residuals");
   command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")

@@ -75,4 +75,32 @@ std::string doctorText(const DoctorReport& r) {
                        r.fill.filled, r.fill.left);
 }
 
+nlohmann::ordered_json predictionJson(const std::vector<PredictionTrial>& trials,
+                                      const MotionBounds& bounds) {
+  auto list = nlohmann::ordered_json::array();
+  for (const PredictionTrial& t : trials)
+    list.push_back({{"ahead", t.ahead},
+                    {"places", t.places},
+                    {"still_mean", t.still_mean},
+                    {"still_p95", t.still_p95},
+                    {"guess_mean", t.guess_mean},
+                    {"guess_p95", t.guess_p95},
+                    {"guess_most", t.guess_most},
+                    {"outside", t.outside},
+                    {"speed_needed", t.speed_needed}});
+  return {{"person_speed", numberOrNull(bounds.speed)},
+          {"person_acceleration", numberOrNull(bounds.acceleration)},
+          {"trials", list}};
+}
+
+std::string predictionText(const std::vector<PredictionTrial>& trials, const MotionBounds& bounds) {
+  std::string text =
+      "ahead     off where it was   off the guess (mean, 95 %, most)   beyond the bounds   bound needed\n";
+  for (const PredictionTrial& t : trials)
+    text += format("%4.0f ms %6.0f %6.0f mm %9.0f %6.0f %6.0f mm %12zu of %zu %10.1f m/s\n", t.ahead * kMm,
+                   t.still_mean * kMm, t.still_p95 * kMm, t.guess_mean * kMm, t.guess_p95 * kMm,
+                   t.guess_most * kMm, t.outside, t.places, t.speed_needed);
+  return text + format("bounds: %.3g m/s, %.3g m/s^2\n", bounds.speed, bounds.acceleration);
+}
+
 }  // namespace abstand::cli

@@ -133,6 +133,8 @@ void ClosedLoop::capture(SceneSnapshot& out) const {
     r.cause = stops.cause();
     r.since = stops.since();
     r.speed_scale = robot->speedScale();
+    r.refused_resets = stops.refusedResets();
+    r.refusal = stops.lastRefusal();
     r.log = stops.log();
   }
 }

@@ -49,7 +49,11 @@ LiveSession::LiveSession(std::unique_ptr<Session> session, double t)
     : session_(std::move(session)), outline_(session_->outline()), snapshots_(sized(*session_)) {
   pending_.reserve(256);
   t_ = std::clamp(t, outline_.start, outline_.end);
-  if (session_->reacts()) closed_ = std::make_unique<ClosedLoop>(*session_, t_);
+  try {
+    if (session_->reacts()) closed_ = std::make_unique<ClosedLoop>(*session_, t_);
+  } catch (const std::exception& e) {
+    outline_.cannot_react = e.what();
+  }
   timing_ = std::make_unique<Timing>();
   cycle(*timing_);
   publish(*timing_);
@@ -82,7 +86,8 @@ void LiveSession::obey(const Command& wish, Timing& timing) {
                         dirty_ = true;
                       },
                       [&](command::React c) {
-                        if (!session_->reacts() || c.on == (closed_ != nullptr)) return;
+                        if (!session_->reacts() || !outline_.cannot_react.empty()) return;
+                        if (c.on == (closed_ != nullptr)) return;
                         closed_.reset();
                         if (c.on) closed_ = std::make_unique<ClosedLoop>(*session_, t_);
                         ++loops_;

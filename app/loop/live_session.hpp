@@ -51,8 +51,8 @@ using Command = std::variant<command::Play, command::Step, command::Seek, comman
 /// keeps real time.
 class LiveSession {
  public:
-  /// Starts paused at `t`, reacting, with a first snapshot there. Throws ParseError for a robot that cannot
-  /// react.
+  /// Starts paused at `t`, reacting, with a first snapshot there. Where a robot cannot react,
+  /// outline().cannot_react says why, and nothing does.
   LiveSession(std::unique_ptr<Session> session, double t);
   ~LiveSession();
 

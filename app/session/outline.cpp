@@ -21,9 +21,13 @@ SceneOutline Session::outline() const {
     if (!m.motion.empty() || m.reaction) movers.insert(m.name);
   for (const auto& m : description_.mechanisms)
     if (m.reaction) outline.reacting.push_back(m.name);
+  std::set<std::string> falling;
+  for (const auto& o : description_.objects)
+    if (o.mass) falling.insert(o.name);
+  outline.falls = !falling.empty();
   for (const Object& o : scene_.objects()) {
-    outline.objects.push_back(
-        {o.spec.name, o.spec.group, people.contains(o.spec.group), movers.contains(o.spec.group)});
+    outline.objects.push_back({o.spec.name, o.spec.group, people.contains(o.spec.group),
+                               movers.contains(o.spec.group) || falling.contains(o.spec.name)});
     outline.meshes.push_back(o.spec.structure->surface->mesh(kDrawingSagitta));
   }
   for (const Pair& p : scene_.pairs())

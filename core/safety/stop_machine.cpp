@@ -82,6 +82,7 @@ void StopMachine::takeReset(double t, bool asks_stop, bool settled) noexcept {
   else
     return go(nextState(state_, StopEvent::kReset), t);
   ++refused_resets_;
+  last_refusal_ = refusal_;
 }
 
 }  // namespace abstand

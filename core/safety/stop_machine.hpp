@@ -67,8 +67,9 @@ class StopMachine {
   /// Motion is allowed, perhaps slowly.
   bool moving() const { return state_ == StopState::kRunning || state_ == StopState::kSlowing; }
   const StopLog& log() const { return log_; }
-  long refusedResets() const { return refused_resets_; }  ///< ever
-  ResetRefusal refusal() const { return refusal_; }       ///< of the last update()
+  long refusedResets() const { return refused_resets_; }      ///< ever
+  ResetRefusal refusal() const { return refusal_; }           ///< of the last update()
+  ResetRefusal lastRefusal() const { return last_refusal_; }  ///< of the last reset that was refused
 
  private:
   void go(StopState to, double t) noexcept;
@@ -82,7 +83,7 @@ class StopMachine {
   double emergency_asked_{-kInfinity}, moved_{0.0};
   bool started_{false};
   long refused_resets_{0};
-  ResetRefusal refusal_{ResetRefusal::kNone};
+  ResetRefusal refusal_{ResetRefusal::kNone}, last_refusal_{ResetRefusal::kNone};
   StopLog log_;
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/safety/stop_log.hpp"
+#include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
 
 namespace abstand {
@@ -28,10 +28,12 @@ struct PairSnapshot {
 /// A robot that reacts, as of the last cycle.
 struct RobotSnapshot {
   StopState state{StopState::kRunning};
-  StopCause cause;          ///< of the present state; while it runs: of the last one before
-  double since{0.0};        ///< s, when the state began
-  double speed_scale{1.0};  ///< 0 to 1, share of the planned speed
-  StopLog log;              ///< of what came before, since SceneSnapshot::loop_start
+  StopCause cause;                            ///< of the present state; while it runs: of the last one before
+  double since{0.0};                          ///< s, when the state began
+  double speed_scale{1.0};                    ///< 0 to 1, share of the planned speed
+  long refused_resets{0};                     ///< since SceneSnapshot::loop_start
+  ResetRefusal refusal{ResetRefusal::kNone};  ///< of the last one
+  StopLog log;                                ///< of what came before, since SceneSnapshot::loop_start
 };
 
 /// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
@@ -76,6 +78,8 @@ struct SceneOutline {
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
   std::vector<std::string> reacting;  ///< mechanisms with a `reaction`
+  bool falls{false};                  ///< some things have a mass
+  std::string cannot_react;           ///< why the closed loop cannot play; empty: it can
   std::vector<TriangleMesh> meshes;   ///< one an object, body frame, for drawing
   double start{0.0}, end{0.0};        ///< s
   double frame_period{0.01};          ///< s, one step of the timeline

@@ -239,6 +239,12 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
   session.log.clear();
   reset->click();
   EXPECT_EQ(session.log, std::vector<std::string>{"reset stops"});
+  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
+    robot.refused_resets = 1;
+    robot.refusal = ResetRefusal::kCause;
+  });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return panel->log()->blockCount() == 3; }, kWaitMs));
+  EXPECT_TRUE(panel->log()->toPlainText().endsWith("arm: reset refused: a cause asks for a stop"));
 
   // A new beginning: nothing is behind them.
   session.setRobot([&](SceneSnapshot& snapshot, RobotSnapshot& robot) {
@@ -275,6 +281,17 @@ TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
   EXPECT_FALSE(react->isEnabled());
 }
 
+TEST_F(WindowTest, WhyNothingReactsIsSaid) {
+  RobotPanel panel;
+  SceneOutline outline;
+  outline.reacting = {"arm"};
+  outline.cannot_react = "s.yaml:3:5: error: found no mass";
+  panel.open(outline);
+  panel.refresh(outline, {});
+  EXPECT_EQ(panel.findChild<QLabel*>("robots_head")->text(),
+            "Not reacting: s.yaml:3:5: error: found no mass");
+}
+
 TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
   const SceneOutline& outline = session.outline();
   const auto text = [&](const StopCause& cause) { return causeText(cause, outline, 0).toStdString(); };
@@ -284,6 +301,7 @@ TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
   EXPECT_EQ(text({StopReason::kTorque, kNaN, 40.0, -1, 2}), "torque, limit 40.0 N·m, joint joint3");
   EXPECT_EQ(text({StopReason::kJointSpeed, 2.5, 2.0, -1, 99}), "joint speed 2.50 rad/s, limit 2.00 rad/s");
   EXPECT_EQ(text({StopReason::kUser}), "user");
+  EXPECT_EQ(text({StopReason::kBraking, 0.0123, 0.05, -1, -1}), "braking path 12.3 mm, limit 50.0 mm");
 }
 
 TEST_F(WindowTest, OpeningASceneIsShown) {

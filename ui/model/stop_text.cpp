@@ -105,6 +105,18 @@ QString stateText(StopState state) {
   return {};
 }
 
+QString refusalText(ResetRefusal refusal) {
+  switch (refusal) {
+    case ResetRefusal::kCause:
+      return tr("a cause asks for a stop");
+    case ResetRefusal::kTooEarly:
+      return tr("it does not stand yet");
+    case ResetRefusal::kNone:
+      break;
+  }
+  return {};
+}
+
 bool isStop(StopState state) { return rank(state) > rank(StopState::kSlowing); }
 
 QString causeText(const StopCause& cause, const SceneOutline& outline, std::size_t robot) {

@@ -8,6 +8,8 @@
 namespace abstand::ui {
 
 QString stateText(StopState state);
+/// Why a reset was refused.
+QString refusalText(ResetRefusal refusal);
 /// It stands or is being brought to stand: shown in the alarm colour, with a mark.
 bool isStop(StopState state);
 /// "distance 39.8 mm, limit 40.0 mm, left_arm/link5 – operator/hand_left". `robot`: index into

@@ -83,6 +83,7 @@ void RobotPanel::open(const SceneOutline& outline) {
   log_->clear();
   loops_ = -1;
   in_log_.assign(outline.reacting.size(), 0);
+  refused_.assign(outline.reacting.size(), 0);
   reset_->setVisible(!outline.reacting.empty());
   reset_->setEnabled(false);
   log_->setVisible(!outline.reacting.empty());
@@ -92,9 +93,10 @@ void RobotPanel::open(const SceneOutline& outline) {
 void RobotPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
   if (cards_.empty()) return;
   const bool reacting = snapshot.robots.size() == cards_.size();
-  head_->setText(reacting
-                     ? tr("On their plans at %1, reacting since").arg(secondsWithUnit(snapshot.loop_start))
-                     : tr("Not reacting: robots follow their recorded motion."));
+  head_->setText(
+      !outline.cannot_react.empty() ? tr("Not reacting: %1").arg(QString::fromStdString(outline.cannot_react))
+      : reacting ? tr("On their plans at %1, reacting since").arg(secondsWithUnit(snapshot.loop_start))
+                 : tr("Not reacting: robots follow their recorded motion."));
   head_->setToolTip(
       tr("What a robot does depends on what happened before: a seek, a frame back and a new\n"
          "round put the robots on their plans at that time, and they react from there."));
@@ -125,6 +127,7 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
   if (snapshot.loops != loops_) {
     loops_ = snapshot.loops;
     std::fill(in_log_.begin(), in_log_.end(), 0);
+    std::fill(refused_.begin(), refused_.end(), 0);
     log_->clear();
   }
   struct New {
@@ -146,6 +149,14 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
   std::stable_sort(news.begin(), news.end(),
                    [](const New& a, const New& b) { return a.entry->t < b.entry->t; });
   for (const New& n : news) log_->appendPlainText(entryText(*n.entry, outline, n.robot));
+  for (std::size_t i = 0; i < snapshot.robots.size(); ++i) {
+    const RobotSnapshot& robot = snapshot.robots[i];
+    if (robot.refused_resets > refused_[i])
+      log_->appendPlainText(tr("%1  %2: reset refused: %3")
+                                .arg(secondsWithUnit(snapshot.t), QString::fromStdString(outline.reacting[i]),
+                                     refusalText(robot.refusal)));
+    refused_[i] = robot.refused_resets;
+  }
 }
 
 }  // namespace abstand::ui

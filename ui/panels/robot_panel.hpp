@@ -45,6 +45,7 @@ class RobotPanel : public QWidget {
   QPlainTextEdit* log_;
   long loops_{-1};                   ///< SceneSnapshot::loops that the log belongs to
   std::vector<std::size_t> in_log_;  ///< entries of each robot's log that were there already
+  std::vector<long> refused_;        ///< resets of each robot that the log tells of
 };
 
 }  // namespace abstand::ui

@@ -1,0 +1,83 @@
+#include "tracking/doctor/prediction_trial.hpp"
+
+#include <algorithm>
+
+#include "core/safety/motion_prediction.hpp"
+#include "tracking/derived_joints.hpp"
+
+namespace abstand {
+namespace {
+
+/// The measured places of one joint.
+struct Way {
+  std::vector<double> t;
+  std::vector<Vector3d> p;
+};
+
+Way wayOf(const std::vector<SkeletonFrame>& frames, std::size_t joint) {
+  Way way;
+  for (const SkeletonFrame& f : frames) {
+    if (f.state[joint] != JointState::kTracked || (!way.t.empty() && !(f.t > way.t.back()))) continue;
+    way.t.push_back(f.t);
+    way.p.push_back(f.p[joint]);
+  }
+  return way;
+}
+
+/// Where it was at `t`, on the line between its neighbours; nothing in a gap or beyond the end.
+std::optional<Vector3d> placeAt(const Way& way, double t, double longest_gap) {
+  const auto after = std::lower_bound(way.t.begin(), way.t.end(), t);
+  if (after == way.t.end() || after == way.t.begin()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(after - way.t.begin());
+  const double step = way.t[i] - way.t[i - 1];
+  if (step > longest_gap) return std::nullopt;
+  return way.p[i - 1] + (t - way.t[i - 1]) / step * (way.p[i] - way.p[i - 1]);
+}
+
+}  // namespace
+
+std::vector<PredictionTrial> tryPredictions(const Recording& recording, const MotionBounds& bounds,
+                                            std::span<const double> ahead) {
+  bounds.validate();
+  const PredictionOptions options;
+  std::vector<PredictionTrial> trials(ahead.size());
+  std::vector<std::vector<double>> still(ahead.size()), guess(ahead.size());
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const Way way = wayOf(recording.frames, j);
+    MotionPrediction prediction(options);
+    for (std::size_t i = 0; i < way.t.size(); ++i) {
+      Transform X = Transform::Identity();
+      X.translation() = way.p[i];
+      prediction.add(way.t[i], X);
+      for (std::size_t h = 0; h < ahead.size(); ++h) {
+        const auto place = placeAt(way, way.t[i] + ahead[h], options.longest_gap);
+        if (!place) continue;
+        const double off = (*place - way.p[i]).norm();
+        still[h].push_back(off);
+        guess[h].push_back((*place - prediction.at(ahead[h]).translation()).norm());
+        const EnclosingSphere reach = reachAt(way.p[i], prediction.velocity().linear, bounds, ahead[h]);
+        trials[h].outside += (*place - reach.centre).norm() > reach.radius ? 1 : 0;
+        trials[h].speed_needed = std::max(trials[h].speed_needed, off / ahead[h]);
+      }
+    }
+  }
+  const auto mean = [](const std::vector<double>& v) {
+    double sum = 0.0;
+    for (const double x : v) sum += x;
+    return sum / static_cast<double>(v.size());
+  };
+  for (std::size_t h = 0; h < ahead.size(); ++h) {
+    PredictionTrial& trial = trials[h];
+    trial.ahead = ahead[h];
+    trial.places = still[h].size();
+    if (still[h].empty()) continue;
+    trial.still_mean = mean(still[h]);
+    trial.guess_mean = mean(guess[h]);
+    trial.guess_most = *std::max_element(guess[h].begin(), guess[h].end());
+    trial.still_p95 = quantile(std::move(still[h]), 0.95);
+    trial.guess_p95 = quantile(std::move(guess[h]), 0.95);
+  }
+  return trials;
+}
+
+}  // namespace abstand
