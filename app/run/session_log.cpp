@@ -111,16 +111,16 @@ void writeVersion(hid_t file) {
 struct SessionLog::Impl {
   std::filesystem::path file, part;
   hid_t handle{-1};
-  std::unique_ptr<GrowingTable> t, distance, bound, force, q, effort;
+  std::unique_ptr<GrowingTable> t, distance, bound, force, reach, q, effort;
   hsize_t pending{0};
   bool good{true}, committed{false};
 
   void flush() {
-    for (auto* table : {&t, &distance, &bound, &force, &q, &effort}) good = (*table)->flush() && good;
+    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort}) good = (*table)->flush() && good;
     pending = 0;
   }
   void close() {
-    for (auto* table : {&t, &distance, &bound, &force, &q, &effort}) table->reset();
+    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort}) table->reset();
     if (handle >= 0) good = H5Fclose(handle) >= 0 && good;
     handle = -1;
   }
@@ -146,6 +146,7 @@ SessionLog::SessionLog(const std::filesystem::path& file, const Session& session
   impl_->distance = table("distance", {pairs});
   impl_->bound = table("bound", {pairs});
   impl_->force = table("force", {pairs, 3});
+  impl_->reach = table("reach", {session.scene().objectCount()});
   impl_->q = table("q", {joints});
   impl_->effort = table("effort", {joints});
 }
@@ -164,6 +165,7 @@ void SessionLog::write(double t, const Session& session, const std::vector<PairR
     impl_->bound->add(r.bound);
     for (int i = 0; i < 3; ++i) impl_->force->add(r.force_a[i]);
   }
+  for (const Object& o : session.scene().objects()) impl_->reach->add(o.reach);
   for (const auto& m : session.mechanisms())
     for (double q : m->q()) impl_->q->add(q);
   for (double e : session.jointEfforts()) impl_->effort->add(e);

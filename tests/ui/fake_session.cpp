@@ -254,6 +254,11 @@ void FakeSession::setMargin(int object, double metres) {
   compute(snapshot_.t);
 }
 
+void FakeSession::setReach(int object, double metres) {
+  snapshot_.objects[static_cast<std::size_t>(object)].reach = metres;
+  fresh_ = true;
+}
+
 void FakeSession::setPoseState(int object, PoseState state) {
   snapshot_.objects[static_cast<std::size_t>(object)].pose_state = state;
   fresh_ = true;

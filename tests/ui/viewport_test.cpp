@@ -119,6 +119,24 @@ TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
   EXPECT_NE(window.viewport().picture(), whole);
 }
 
+TEST_F(ViewportTest, WhatIsNotKnownWellHasAMistAsFarAsItsReach) {
+  const QImage sharp = pictureAt(5.5);
+  const auto differing = [&](double reach) {
+    session.setReach(session.indexOf("operator/torso"), reach);
+    window.pull();
+    const QImage now = window.viewport().picture();
+    int count = 0;
+    for (int y = 0; y < now.height(); ++y)
+      for (int x = 0; x < now.width(); ++x) count += now.pixel(x, y) != sharp.pixel(x, y);
+    return count;
+  };
+  EXPECT_EQ(differing(0.001), 0) << "nobody sees a millimetre";
+  const int near = differing(0.05);
+  EXPECT_GT(near, 0);
+  EXPECT_GT(differing(0.2), near);
+  EXPECT_EQ(differing(0.0), 0);
+}
+
 TEST_F(ViewportTest, AClickChoosesWhatIsUnderThePointer) {
   pictureAt(5.5);
   // The chosen object fills the middle of the view.

@@ -1,5 +1,6 @@
 #include "tracking/compact/compact_recording.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -14,7 +15,9 @@ namespace abstand {
 namespace {
 
 constexpr std::string_view kMagic = "ABSTREC1";
-constexpr std::uint8_t kFrame = 1, kEnd = 0;
+constexpr std::uint8_t kFrameWithSpread = 2, kFrame = 1, kEnd = 0;
+/// m; a spread beyond is written as this: nobody needs to know more.
+constexpr double kMostSpread = 1e3;
 /// Beyond this (m) nothing is written, and differences beyond twice of it are refused.
 constexpr double kFarthest = 1e6;
 constexpr auto kMostSteps = static_cast<std::int64_t>(kFarthest / kCompactStep);
@@ -48,7 +51,8 @@ void writeCompact(std::ostream& out, const Recording& recording) {
   }
   std::array<std::array<std::int64_t, 3>, kJointCount> last{};
   for (const SkeletonFrame& f : recording.frames) {
-    out.put(static_cast<char>(kFrame));
+    const bool spread = std::any_of(f.spread.begin(), f.spread.end(), [](double s) { return s > 0.0; });
+    out.put(static_cast<char>(spread ? kFrameWithSpread : kFrame));
     writeU64(out, std::bit_cast<std::uint64_t>(f.t));
     for (std::size_t j = 0; j < kJointCount; ++j) {
       out.put(static_cast<char>(f.state[j]));
@@ -62,6 +66,7 @@ void writeCompact(std::ostream& out, const Recording& recording) {
         writeDifference(out, steps - last[j][static_cast<std::size_t>(k)]);
         last[j][static_cast<std::size_t>(k)] = steps;
       }
+      if (spread) writeDifference(out, std::llround(std::min(f.spread[j], kMostSpread) / kCompactStep));
     }
   }
   out.put(static_cast<char>(kEnd));
@@ -122,7 +127,7 @@ bool CompactReader::readDifference(std::int64_t& value) {
 }
 
 /// False where the file ends inside the frame.
-bool CompactReader::readFrame(PointFrame& frame) {
+bool CompactReader::readFrame(PointFrame& frame, bool spread) {
   frame.clear(names_.size());
   if (bytes_.size() - at_ < 8) return false;
   frame.t = std::bit_cast<double>(readU64(bytes_.substr(at_, 8)));
@@ -147,6 +152,12 @@ bool CompactReader::readFrame(PointFrame& frame) {
       p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
     }
     frame.set(j, p, static_cast<JointState>(state));
+    std::int64_t steps = 0;
+    if (!spread) continue;
+    if (!readDifference(steps)) return false;
+    if (steps < 0 || static_cast<double>(steps) * kCompactStep > kMostSpread)
+      fail("found the spread " + std::to_string(steps) + " um, expected 0 to 1e9");
+    frame.spread[j] = static_cast<double>(steps) * kCompactStep;
   }
   last_t_ = frame.t;
   ++frames_;
@@ -164,10 +175,11 @@ bool CompactReader::next(PointFrame& frame) {
   if (done_) return false;
   std::uint8_t kind = 0;
   if (readByte(kind)) {
-    if (kind == kFrame && readFrame(frame)) return true;
+    if ((kind == kFrame || kind == kFrameWithSpread) && readFrame(frame, kind == kFrameWithSpread))
+      return true;
     if (kind == kEnd) readEnd();
-    if (kind > kFrame)
-      fail("found the mark " + std::to_string(kind) + ", expected 1 (a frame) or 0 (the end)");
+    if (kind > kFrameWithSpread)
+      fail("found the mark " + std::to_string(kind) + ", expected 1 or 2 (a frame) or 0 (the end)");
   }
   done_ = true;
   if (kind != kEnd || at_ >= bytes_.size())

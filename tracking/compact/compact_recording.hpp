@@ -37,7 +37,7 @@ class CompactReader : public PointReader {
   [[noreturn]] void fail(const std::string& message) const;
   bool readByte(std::uint8_t& value);
   bool readDifference(std::int64_t& value);
-  bool readFrame(PointFrame& frame);
+  bool readFrame(PointFrame& frame, bool spread);
   void readEnd();
 
   std::string_view bytes_;

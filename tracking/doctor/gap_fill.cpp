@@ -1,8 +1,10 @@
 #include "tracking/doctor/gap_fill.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "humanmodel/part_reach.hpp"
 #include "tracking/derived_joints.hpp"
 
 namespace abstand {
@@ -46,6 +48,9 @@ void fillOne(std::vector<SkeletonFrame>& frames, std::size_t j, std::size_t firs
                   (2 * s3 - 3 * s2 + 1) * a.p[j] + (s3 - 2 * s2 + s) * dt * va + (3 * s2 - 2 * s3) * b.p[j] +
                       (s3 - s2) * dt * vb,
                   JointState::kInferred);
+    // Known as well as at its ends, and less by as far as it could have gone meanwhile.
+    const double unseen = std::min(frames[i].t - a.t, b.t - frames[i].t);
+    frames[i].spread[j] = std::max(a.spread[j], b.spread[j]) + unseen * kPersonSpeed / kReachQuantile;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/model/groups.hpp"
 #include "ui/model/selection.hpp"
@@ -18,6 +19,8 @@ namespace {
 constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
 constexpr double kShadowLift = 0.002;           // m above the floor
 constexpr double kShadowThickness = 1e-3;       // of the object's height; a flat matrix could not be inverted
+constexpr double kLeastMist = 2e-3;             // m; less is not seen
+constexpr double kMistOpacity = 0.16;
 // Where the key light comes from, per metre of height.
 constexpr double kLightX = -0.12, kLightY = -0.40;
 
@@ -47,6 +50,7 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
   for (const Item& item : items_) {
     renderer_->RemoveActor(item.body);
     renderer_->RemoveActor(item.outline);
+    renderer_->RemoveActor(item.mist);
     back_->RemoveActor(item.shadow);
   }
   items_.assign(outline.objects.size(), {});
@@ -65,6 +69,18 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
     item.shadow_pose = vtkSmartPointer<vtkMatrix4x4>::New();
     static const TriangleMesh kNothing;
     const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
+    if (i < outline.meshes.size() && !outline.meshes[i].vertices.empty()) {
+      Bounds box;
+      for (const Vector3d& v : outline.meshes[i].vertices) box.add(v);
+      item.centre = 0.5 * (box.lower + box.upper);
+      item.half = (0.5 * (box.upper - box.lower)).cwiseMax(1e-6);
+    }
+    item.mist_pose = vtkSmartPointer<vtkMatrix4x4>::New();
+    item.mist = addActor(renderer_, data.surface, item.mist_pose);
+    item.mist->GetProperty()->LightingOff();
+    item.mist->GetProperty()->SetOpacity(kMistOpacity);
+    item.mist->GetProperty()->BackfaceCullingOn();
+    item.mist->VisibilityOff();
     item.shadow = addActor(back_, data.shadow, item.shadow_pose);
     item.shadow->GetProperty()->LightingOff();
     item.outline = addActor(renderer_, data.hull, item.pose);
@@ -109,6 +125,7 @@ void ObjectActors::setTheme(Theme theme) {
       // Neighbouring links differ a little, so that the joints can be seen.
       if (group.kind == GroupKind::kMechanism && k % 2 == 1) item.colour = item.colour.darker(109);
       setColour(item.body->GetProperty(), item.colour);
+      setColour(item.mist->GetProperty(), item.colour);
       setColour(item.shadow->GetProperty(), colours.shadow);
     }
   }
@@ -139,6 +156,16 @@ bool ObjectActors::place(Item& item, const Transform& X_WB) {
   return true;
 }
 
+bool ObjectActors::veil(Item& item, const ObjectSnapshot& now, bool hollow) {
+  const bool misty = item.visible && !hollow && std::isfinite(now.reach) && now.reach > kLeastMist;
+  bool changed = show(item.mist, misty);
+  if (!misty) return changed;
+  const Vector3d by = (item.half.array() + now.reach) / item.half.array();
+  Eigen::Affine3d stretched(now.X_WB.matrix());
+  stretched.translate(item.centre).scale(by).translate(-item.centre);
+  return assign(item.mist_pose, stretched.matrix()) || changed;
+}
+
 bool ObjectActors::paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options) {
   vtkProperty* look = item.body->GetProperty();
   const auto before = look->GetMTime();
@@ -158,6 +185,7 @@ bool ObjectActors::paint(Item& item, const ObjectSnapshot& now, bool chosen, con
   setColour(edge, chosen ? QColor(kAccent) : QColor(kVermillion).darker(190));
   changed |= edge->GetMTime() != edge_before;
   changed |= show(item.body, item.visible);
+  changed |= veil(item, now, hollow);
   // What is hidden shows itself as an outline when it touches something.
   changed |= show(item.outline, marked && !hollow && (item.visible || now.colliding));
   changed |= show(item.shadow, item.visible && options.floor && options.shadows);

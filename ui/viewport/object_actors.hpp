@@ -20,7 +20,9 @@ namespace abstand::ui {
 
 class Selection;
 
-/// Drawn so that the state is seen without colour too: contact has an outline, a lost pose is hollow.
+/// Drawn so that the state is seen without colour too: contact has an outline, a lost pose is hollow, and
+/// about a body that is not known well lies a mist as far as its reach: the body stretched by it along its
+/// own axes.
 class ObjectActors {
  public:
   /// Bodies and outlines into `renderer`, shadows into `back`.
@@ -41,8 +43,9 @@ class ObjectActors {
 
  private:
   struct Item {
-    vtkSmartPointer<vtkActor> body, outline, shadow;
-    vtkSmartPointer<vtkMatrix4x4> pose, shadow_pose;
+    vtkSmartPointer<vtkActor> body, outline, shadow, mist;
+    vtkSmartPointer<vtkMatrix4x4> pose, shadow_pose, mist_pose;
+    Vector3d centre{Vector3d::Zero()}, half{Vector3d::Ones()};  ///< m, of the body's box
     QColor colour;
     bool human{false};
     bool visible{true};
@@ -50,6 +53,7 @@ class ObjectActors {
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
   bool place(Item& item, const Transform& X_WB);
+  bool veil(Item& item, const ObjectSnapshot& now, bool hollow);
   bool paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options);
 
   vtkRenderer* renderer_;

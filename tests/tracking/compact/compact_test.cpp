@@ -87,7 +87,7 @@ TEST(Compact, Refuses) {
   for (const Case& c :
        {Case{with(0, "X"), "expected ABSTREC1"}, Case{good.substr(0, 8), "found no joint"},
         Case{with(10, "q"), "expected a canonical one"}, Case{good.substr(0, 12), "the name of a joint"},
-        Case{with(head, "\x02"), "found the mark 2"},
+        Case{with(head, "\x03"), "found the mark 3"},
         Case{with(head + 1, std::string(8, '\xff')), "nan, expected one behind that of the last frame"},
         Case{with(head + 9, "\x07"), "found the state 7"},
         Case{with(head + 11, std::string(12, '\xff')), "more than nine bytes"},
@@ -105,6 +105,23 @@ TEST(Compact, Refuses) {
   far.frames[0].p[5] = Vector3d(2e6, 0, 0);
   std::ostringstream out;
   EXPECT_THROW(writeCompact(out, far), UsageError);
+}
+
+TEST(Compact, KeepsTheSpreadWhereThereIsOne) {
+  Recording r = someone(3);
+  r.frames[1].spread[2] = 0.0123456;
+  r.frames[1].spread[3] = 5e4;  // m: more than anybody needs to know
+  const std::string bytes = bytesOf(r);
+  CompactReader reader(bytes, "a");
+  PointFrame f;
+  ASSERT_TRUE(reader.next(f));
+  EXPECT_EQ(f.spreadOf(2), 0.0);
+  ASSERT_TRUE(reader.next(f));
+  EXPECT_NEAR(f.spreadOf(2), 0.0123456, 0.5 * kCompactStep);
+  EXPECT_EQ(f.spreadOf(3), 1e3);
+  ASSERT_TRUE(reader.next(f));
+  EXPECT_FALSE(reader.next(f));
+  EXPECT_TRUE(reader.warnings().empty());
 }
 
 // The same person as CSV is larger by a factor; a walk moves by millimetres a frame.

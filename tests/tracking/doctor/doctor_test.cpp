@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "humanmodel/part_reach.hpp"
+
 #include <cmath>
 #include <random>
 
@@ -151,6 +153,11 @@ TEST(GapFill, KeepsTheWayAndTheLengthOfLimbs) {
     EXPECT_NEAR((r.frames[i][Joint::kWristLeft] - r.frames[i][Joint::kElbowLeft]).norm(), kLength, 1e-12);
     EXPECT_LT((r.frames[i][Joint::kWristLeft] - whole.frames[i][Joint::kWristLeft]).norm(), 2e-4);
     EXPECT_EQ(r.frames[i].state[static_cast<std::size_t>(Joint::kWristLeft)], JointState::kInferred);
+    // Unseen since frame 19 and until frame 30.
+    const double unseen =
+        std::min(whole.frames[i].t - whole.frames[19].t, whole.frames[30].t - whole.frames[i].t);
+    EXPECT_NEAR(kReachQuantile * r.frames[i].spread[static_cast<std::size_t>(Joint::kNeck)],
+                kPersonSpeed * unseen, 1e-12);
   }
   EXPECT_EQ(fillGaps(r.frames, 0.05).filled, 0u);
 }
