@@ -15,7 +15,7 @@ struct Arguments {
   std::string scene, min_distance, margins, junit, report;
   std::vector<std::string> recordings;
   std::string poses, react{"on"};
-  bool dry_run{false}, strict{false}, swept{false};
+  bool dry_run{false}, strict{false}, swept{false}, cut_things{false};
   PackagePaths packages;
 };
 
@@ -55,6 +55,7 @@ int run(const CommandLine& line, const Arguments& args) {
   for (const auto& recording : recordings) {
     SessionOptions options;
     options.recording = recording;
+    options.cut_things = args.cut_things;
     options.poses = args.poses;
     options.cache = line.cache;
     options.monitor = buildMonitor(line);
@@ -113,6 +114,9 @@ void addCheck(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<Arguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--recording", args->recordings, "recordings, each checked in turn");
+  command->add_flag(
+      "--cut-things", args->cut_things,
+      "the depth images show the scene's robots and objects where the scene has them: they are cut out");
   command->add_option("--poses", args->poses, "CSV of poses that named objects follow");
   command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
   command->add_option("--margins", args->margins,

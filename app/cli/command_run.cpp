@@ -156,6 +156,9 @@ void addRun(CLI::App& root, CommandLine& line) {
                  "abstand run data/scenes/hug_boxing.yaml --json --pairs-out pairs.csv");
   auto args = std::make_shared<Arguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
+  command->add_flag(
+      "--cut-things", args->session.cut_things,
+      "the depth images show the scene's robots and objects where the scene has them: they are cut out");
   command->add_option("--poses", args->session.poses, "CSV of poses that named objects follow");
   command->add_option("--recording", args->session.recording, "recording that replaces the scene's");
   command->add_option("--start", args->start, "first time in s");

@@ -5,6 +5,14 @@ namespace {
 
 constexpr double kSagitta = 5e-4;  // m, of the meshes of shapes
 
+SceneDescription thingsAlone(SceneDescription scene) {
+  scene.humans.clear();
+  scene.threads.clear();
+  scene.pairs = {};
+  scene.pairs.standard = PairDefault::kNone;
+  return scene;
+}
+
 }  // namespace
 
 SceneThings::SceneThings(const Session& session, bool with_people) : scene_(session.scene()) {
@@ -22,7 +30,7 @@ void SceneThings::draw(const Transform& X_CW, DepthRender& render) const {
 }
 
 RobotView::RobotView(SceneDescription scene, const SessionOptions& options)
-    : session_(std::move(scene), options), things_(session_, false) {}
+    : session_(thingsAlone(std::move(scene)), options), things_(session_, false) {}
 
 const DepthImage& RobotView::at(double t, const DepthCamera& camera) {
   if (!render_) render_.emplace(camera);

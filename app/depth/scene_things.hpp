@@ -21,7 +21,7 @@ class SceneThings {
 /// What a camera would see of a scene's robots and objects alone, at any time. Owns the session.
 class RobotView {
  public:
-  /// Throws ParseError and UsageError.
+  /// People and pairs are left out. Throws ParseError and UsageError.
   explicit RobotView(SceneDescription scene, const SessionOptions& options);
   /// At time t (s) of the scene; there until the next call. A `camera` with a distortion is a UsageError.
   const DepthImage& at(double t, const DepthCamera& camera);

@@ -33,7 +33,7 @@ HumanOptions optionsOf(const HumanDescription& d) {
   return o;
 }
 
-std::optional<Recording> recordingOf(const HumanDescription& d) {
+std::optional<Recording> recordingOf(const HumanDescription& d, const KnownThings& known) {
   if (d.recording.file.empty()) return std::nullopt;
   RecordingOptions o;
   o.format = d.recording.format;
@@ -43,7 +43,7 @@ std::optional<Recording> recordingOf(const HumanDescription& d) {
   o.mirror = d.recording.mirror;
   o.joint_map = d.recording.joint_map;
   o.marker_set = d.recording.marker_set;
-  Recording recording = openAnyRecording(d.recording.file, o, std::nullopt);
+  Recording recording = openAnyRecording(d.recording.file, o, std::nullopt, known);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
@@ -78,8 +78,8 @@ PoseState poseState(PartState s) {
 
 }  // namespace
 
-HumanDriver::HumanDriver(const HumanDescription& d)
-    : recording_(recordingOf(d)),
+HumanDriver::HumanDriver(const HumanDescription& d, const KnownThings& known)
+    : recording_(recordingOf(d, known)),
       model_(modelOf(d, recording_)),
       poser_(model_, d.follow_lengths),
       X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {

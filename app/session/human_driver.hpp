@@ -4,15 +4,16 @@
 #include "core/scene/scene.hpp"
 #include "core/scene/scene_description.hpp"
 #include "humanmodel/poser.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand {
 
 /// One person of a session. Loop thread only.
 class HumanDriver {
  public:
-  /// Reads the recording (if any) and makes the model. Throws ParseError, UsageError.
-  explicit HumanDriver(const HumanDescription& description);
+  /// Reads the recording (if any) and makes the model. `known`: what a depth camera that stands in the scene
+  /// sees of other things. Throws ParseError, UsageError.
+  explicit HumanDriver(const HumanDescription& description, const KnownThings& known = {});
   HumanDriver(const HumanDriver&) = delete;
   HumanDriver& operator=(const HumanDriver&) = delete;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/depth/scene_things.hpp"
 #include "core/scene/pair_selection.hpp"
 
 namespace abstand {
@@ -28,12 +29,13 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   for (auto& human : description_.humans) {
     if (!options.recording.empty()) human.recording.file = options.recording;
     human.recording.speed *= options.person_speed;
+    human.recording.cut_things |= options.cut_things;
   }
 
   // Everything that can fail by a bad file is read before anything costly is built.
   std::vector<Planned> plan;
   planMechanisms(plan);
-  planHumans(plan);
+  planHumans(plan, options);
   planObjects(plan);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
   Skipping& skipping = description_.skipping;
@@ -89,9 +91,20 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
   }
 }
 
-void Session::planHumans(std::vector<Planned>& plan) {
+void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& options) {
+  // Made when a depth recording asks for it.
+  std::unique_ptr<RobotView> things;
+  const KnownThings known = [&](double t, const DepthCamera& camera) {
+    if (!things) {
+      SessionOptions same;
+      same.cache = options.cache;
+      same.monitor = options.monitor;
+      things = std::make_unique<RobotView>(description_, same);
+    }
+    return &things->at(t, camera);
+  };
   for (const auto& d : description_.humans) {
-    humans_.push_back(std::make_unique<HumanDriver>(d));
+    humans_.push_back(std::make_unique<HumanDriver>(d, d.recording.cut_things ? known : KnownThings()));
     HumanDriver* driver = humans_.back().get();
     const int first = static_cast<int>(plan.size());
     for (const HumanPart& part : driver->model().parts) {
@@ -119,6 +132,7 @@ void Session::planHumans(std::vector<Planned>& plan) {
                          " up, stature " + std::to_string(report.stature).substr(0, 4) + " m");
       for (const auto& part : report.missing_parts)
         remarks_.push_back(fileName(d.recording.file) + ": nothing moves " + part);
+      for (const auto& note : report.notes) remarks_.push_back(fileName(d.recording.file) + ": " + note);
     }
   }
 }

@@ -15,6 +15,7 @@ namespace abstand {
 
 struct SessionOptions {
   std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
+  bool cut_things{false};           ///< as RecordingDescription::cut_things, of every person
   double person_speed{1.0};         ///< people move this much faster than recorded
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
@@ -86,7 +87,7 @@ class Session {
     std::function<void(ObjectId)> placed;
   };
   void planMechanisms(std::vector<Planned>& plan);
-  void planHumans(std::vector<Planned>& plan);
+  void planHumans(std::vector<Planned>& plan, const SessionOptions& options);
   void planObjects(std::vector<Planned>& plan);
   void selectAndAddPairs();
   void bindPoses(const std::filesystem::path& file);

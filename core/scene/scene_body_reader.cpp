@@ -24,6 +24,11 @@ constexpr YamlRange kSizeRange{0.0, 1e3, "m", true};
 constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
 constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
+/// `key: true` or `key: false`; false where it is not there.
+bool flag(const YamlFields& fields, const char* key) {
+  return fields.choice(key, {"true", "false"}).value_or("false") == "true";
+}
+
 constexpr YamlRange kThingMassRange{0.0, 1e5, "kg", true};
 constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr YamlRange kRateRange{0.0, 1e6, "Hz", true};
@@ -205,7 +210,7 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
   }
   meshOrShape(fields, l);
   l.X_FL = pose(fields, "pose");
-  l.held = fields.choice("held", {"true", "false"}).value_or("false") == "true";
+  l.held = flag(fields, "held");
   l.settings = settings(fields);
   return l;
 }
@@ -288,7 +293,7 @@ void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
 RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
   const YamlFields fields(
       node, file_, "`recording`",
-      {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place"});
+      {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place", "cut_things"});
   RecordingDescription r;
   r.pos = fields.pos();
   r.file = existingFile(fields.need("file"), "`file`", "a recording");
@@ -308,6 +313,7 @@ RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
     if (r.marker_set != "auto" && r.marker_set != "none")
       r.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
   }
+  r.cut_things = flag(fields, "cut_things");
   if (const auto* place = fields.find("place")) {
     const YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
     r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);

@@ -62,7 +62,9 @@ struct RecordingDescription {
   std::string marker_set{"auto"};        ///< "auto", "none" or a file
   Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
   double place_yaw{0.0};                 ///< rad, about world z
-  double speed{1.0};                     ///< 2: twice as fast as recorded, from its first frame on
+  /// Depth images that show the scene's robots and objects where the scene has them: they are cut out.
+  bool cut_things{false};
+  double speed{1.0};  ///< 2: twice as fast as recorded, from its first frame on
   SourcePos pos;
 };
 

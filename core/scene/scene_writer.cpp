@@ -105,6 +105,7 @@ std::string recordingText(const RecordingDescription& r) {
   if (r.mirror != "none") said += ", mirror: " + r.mirror;
   if (!r.joint_map.empty()) said += ", joint_map: " + scalar(r.joint_map.string());
   if (r.marker_set != "auto") said += ", marker_set: " + scalar(r.marker_set);
+  if (r.cut_things) said += ", cut_things: true";
   return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
          ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) + said +
          ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";

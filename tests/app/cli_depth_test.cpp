@@ -76,6 +76,13 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
   EXPECT_EQ(ran["frames"], 19);
   EXPECT_NEAR(ran["min_distance"]["value"].get<double>(),
               runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
+
+  // Of a scene whose things stood there too.
+  const std::string cut = (folder_.path() / "cut.csv").string();
+  EXPECT_EQ(run("track " + clip + " --scene " + scene + " --out " + cut).code, 0);
+  EXPECT_NEAR(
+      runJson("run " + scene + " --cut-things --recording " + clip)["min_distance"]["value"].get<double>(),
+      runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
 }
 
 TEST_F(Cli, CalibratePlacesACamera) {

@@ -20,14 +20,15 @@ struct ClipMoment {
   const TrackedBody& body;
 };
 
+/// Depths (m; 0: none) of what is known to be there at a time, like a robot; pixels of it are nobody's.
+using KnownThings = std::function<const DepthImage*(double, const DepthCamera&)>;
+
 struct ClipTrackerOptions {
   TrackedPerson::Options person;
   std::function<void(std::size_t, std::size_t)> progress;  ///< images done, and all; may be empty
   std::function<bool()> interrupted;                       ///< may be empty
-  /// Depths (m; 0: none) of what is known to be there at a time, like a robot; pixels of it are nobody's. May
-  /// be empty.
-  std::function<const DepthImage*(double, const DepthCamera&)> known;
-  std::function<void(const ClipMoment&)> watch;  ///< may be empty
+  KnownThings known;                                       ///< may be empty
+  std::function<void(const ClipMoment&)> watch;            ///< may be empty
 };
 
 /// What became of one person.

@@ -61,7 +61,7 @@ bool isDepthRecording(const std::filesystem::path& path) {
 }
 
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height) {
+                           std::optional<double> height, const KnownThings& known) {
   if (!isDepthRecording(path)) return openRecording(path, options);
   DepthStreamOptions stream_options;
   stream_options.rate = options.rate;
@@ -69,10 +69,19 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   const auto stream = openDepthStream(path, stream_options);
   ClipTrackerOptions tracker;
   tracker.person.height = height;
+  if (known && !stream->facts().pose_known)
+    throw ParseError(
+        {path.string()},
+        "found depth images that do not say how their camera stands, expected a camera with T_WC, "
+        "to cut the things of the scene out of them");
+  tracker.known = known;
   const ClipTrack track = trackClip(*stream, tracker);
   if (track.people.empty())
     throw ParseError({path.string()}, "found nobody in the depth recording, expected a person");
-  return recordingOf(track, stream->facts(), 0);
+  Recording recording = recordingOf(track, stream->facts(), 0);
+  if (known)
+    recording.report.notes.emplace_back("the robots and objects of the scene were cut out of the images");
+  return recording;
 }
 
 }  // namespace abstand

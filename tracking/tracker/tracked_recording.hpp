@@ -17,8 +17,9 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 bool isDepthRecording(const std::filesystem::path& path);
 
 /// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it
-/// is measured. Throws ParseError and UsageError.
+/// is measured. With `known`, which cuts out what is no person, the recording has to say how its camera
+/// stands. Throws ParseError and UsageError.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height);
+                           std::optional<double> height, const KnownThings& known = {});
 
 }  // namespace abstand
