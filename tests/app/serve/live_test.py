@@ -28,7 +28,13 @@ mechanisms:
     base: {xyz: [-1.5, 0, 0]}
     links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.1}}}]
 humans:
-  - {name: visitor}
+  - {name: visitor, height: 1.75}
+"""
+# Of the person alone, as the camera sees one, with the structures of the one above.
+SHOWN = """abstand: 1
+defaults: {voxel: 0.02, point: 0.02}
+humans:
+  - {name: visitor, height: 1.75}
 """
 SLIDE = "chain\n    frame   1   0      0          d    0\nend_chain\n"
 # s without a skeleton until the robot stops. Far more than between two images, so that a busy machine may pause.
@@ -46,9 +52,10 @@ class Live(unittest.TestCase):
         (cls.path / "slide.mech").write_text(SLIDE)
         (cls.path / "scene.yaml").write_text(SCENE)
         cls.environment = dict(os.environ, ABSTAND_CACHE=str(cls.path / "cache"))
+        (cls.path / "shown.yaml").write_text(SHOWN)
         cls.dump = cls.path / "dump"
-        subprocess.run([PROGRAM, "render-depth", "--recording", str(root / "data/scenes/hug_reach.bvh"), "--format",
-                        "freenect", "--body", "skin", "--room", "--rate", "15", "--end", "1.4", "--out", str(cls.dump),
+        subprocess.run([PROGRAM, "render-depth", str(cls.path / "shown.yaml"), "--recording", str(root / "data/scenes/hug_reach.bvh"), 
+                        "--format", "freenect", "--body", "skin", "--room", "--rate", "15", "--end", "1.4", "--out", str(cls.dump),
                         "--quiet"], check=True, env=cls.environment)
         # The driver says how its fake is found: by the loader's path, under the true library's name.
         cls.camera = dict(cls.environment, FAKENECT_PATH=str(cls.dump), LD_LIBRARY_PATH=os.path.dirname(FAKENECT))
