@@ -35,14 +35,12 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
     case DepthFileKind::kMat:
       return openDepthMat(path, options);
     case DepthFileKind::kOni:
-      throw ParseError({path.string()},
-                       "found an OpenNI recording, which this program does not read; expected another format",
-                       "OpenNI's NiViewer or NiRecordToImages saves it as images");
+      return openOni(path, options);
     case DepthFileKind::kOther:
-      throw ParseError(
-          {path.string()},
-          "found a file that is no depth recording, expected PNG of 16 bits, TIFF, PCD, NumPy or MATLAB",
-          "a folder of images is opened by the folder's name");
+      throw ParseError({path.string()},
+                       "found a file that is no depth recording, expected PNG of 16 bits, TIFF, PCD, NumPy, "
+                       "OpenNI or MATLAB",
+                       "a folder of images is opened by the folder's name");
     default:
       return openDepthFiles(path, options);
   }
