@@ -1,6 +1,7 @@
 // abstand track live:kinect
 #include "app/cli/live_track.hpp"
 
+#include <csignal>
 #include <iostream>
 
 #include "app/serve/skeleton_sender.hpp"
@@ -32,6 +33,7 @@ LiveOutcome follow(LiveDepth& camera, LiveTracker& tracker, serve::SkeletonSende
   LiveFrame live;
   while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
     outcome.interrupted = interrupted();
+    if (sender && sender->isClosed()) break;
     const LiveDepth::Outcome next = camera.next(live, kLook);
     if (next == LiveDepth::Outcome::kEnded) break;
     if (next == LiveDepth::Outcome::kNothingYet) continue;
@@ -60,6 +62,8 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (to_stdout && line.json) throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
+  // Whoever reads standard output may end; what was tracked is kept all the same.
+  if (to_stdout) std::signal(SIGPIPE, SIG_IGN);
   LiveDepth camera(args.camera, args.stream);
   const DepthFacts& facts = camera.facts();
   // A skeleton in a world that the camera made up would stand anywhere beside the robot.
@@ -125,6 +129,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     line.print(document, text);
   else if (!line.quiet)
     std::cerr << text;
+  if (sender && sender->isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
   if (ended.empty()) return outcome.interrupted ? kInterrupted : kDone;
   std::cerr << end.what() << std::endl;
   return kPartly;

@@ -22,6 +22,8 @@ class SkeletonSender {
   /// One person of an image at `t` (s, rises), whose number stays the same while in view.
   void send(int id, double t, const SkeletonFrame& frame) noexcept;
 
+  /// Whether nobody reads standard output any more. (The caller ignores SIGPIPE.)
+  bool isClosed() const { return !to_ && refused_ > 0; }
   long sent() const { return sent_; }
   long refused() const { return refused_; }    ///< by the system
   long nameless() const { return nameless_; }  ///< of people for whom there was no name

@@ -134,6 +134,18 @@ class Live(unittest.TestCase):
         self.assertEqual([line["seq"] for line in lines], list(range(len(lines))))
         self.assertTrue(all(line["type"] == "skeleton" and line["person"] == "operator" for line in lines))
 
+    def test_what_was_tracked_is_kept_when_the_reader_ends(self):
+        csv = self.path / "kept.csv"
+        reader, writer = os.pipe()
+        os.close(reader)
+        run = subprocess.run([PROGRAM, "track", "live:kinect", "--camera", str(self.dump / "camera.yaml"), "--height",
+                              "1.75", "--usual-body", "--send", "-", "--out", str(csv)], stdout=writer,
+                             stderr=subprocess.PIPE, text=True, env=self.camera, timeout=100)
+        os.close(writer)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("nobody reads standard output any more", run.stderr)
+        self.assertIn("pelvis", csv.read_text())
+
     def test_what_is_wrong_is_one_sentence(self):
         broken = self.path / "broken"
         broken.mkdir()
