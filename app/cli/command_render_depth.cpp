@@ -12,7 +12,7 @@ namespace {
 struct Arguments {
   std::filesystem::path scene, recording, camera, out;
   std::string eye, look, noise{"kinect"}, rate{"30"}, start, end;
-  std::string body{"model"}, girth, clothing, height;
+  std::string format{"png"}, body{"model"}, girth, clothing, height;
   std::uint64_t seed{1}, body_seed{0};
   int width{640};
   bool room{false};
@@ -82,6 +82,7 @@ int run(const CommandLine& line, const Arguments& args) {
   if (!args.start.empty()) options.start = number(args.start, "--start");
   if (!args.end.empty()) options.end = number(args.end, "--end");
   options.seed = args.seed;
+  if (args.format == "freenect") options.format = ClipFormat::kFreenect;
   options.skin = skinOf(args);
   options.room = args.room;
   options.progress = progressBar(line, "frames");
@@ -119,6 +120,10 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   command->add_option("SCENE", args->scene,
                       "scene file (.yaml); without one: the person of --recording alone");
   command->add_option("--out", args->out, "folder of the clip")->required();
+  command
+      ->add_option("--format", args->format,
+                   "png: PNG and depth.txt; freenect: what libfreenect records, for its fakenect, too")
+      ->check(CLI::IsMember({"png", "freenect"}));
   command->add_option("--recording", args->recording, "moves every person, instead of the scene's");
   command->add_option("--camera", args->camera, "camera file; default: a Kinect before the first person");
   command->add_option("--eye", args->eye, "X,Y,Z, m: where the camera is, with --look");

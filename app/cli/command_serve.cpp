@@ -1,4 +1,6 @@
 // abstand serve: the live loop over the network.
+#include <unistd.h>
+
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
@@ -17,7 +19,7 @@ struct Arguments {
   std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
   std::size_t nearest{8};
   int threads{1};
-  bool layout{false};
+  bool layout{false}, from_stdin{false};
 };
 
 ReactionDescription reactionOf(const Arguments& args) {
@@ -60,6 +62,7 @@ nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& sce
   return {
       {"seconds", s.seconds},
       {"packets", s.packets},
+      {"lines", s.lines},
       {"joints", s.joints},
       {"skeletons", s.skeletons},
       {"answered", s.answered},
@@ -99,6 +102,7 @@ int run(const CommandLine& line, const Arguments& args) {
   ServeOptions options;
   options.stale = served.reaction.watch.input_age;
   options.interrupted = interrupted;
+  if (args.from_stdin) options.lines_from = STDIN_FILENO;
   if (!args.rate.empty()) options.rate = numberWithin(args.rate, "--rate", 0.1, 1e5, "Hz");
   if (!args.duration.empty()) options.duration = numberWithin(args.duration, "--duration", 0.0, 1e9, "s");
   SessionOptions session;
@@ -146,6 +150,8 @@ void addServe(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(0, 256));
   command->add_option("--threads", args->threads, "threads of a cycle (0: all cores; default 1)")
       ->check(CLI::Range(0, 256));
+  command->add_flag("--stdin", args->from_stdin,
+                    "skeletons come as lines of JSON from standard input, too (docs/serve.md)");
   command->add_flag("--layout", args->layout, "print the offsets of all packets of the scene, and end");
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });

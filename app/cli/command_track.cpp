@@ -1,7 +1,8 @@
-// abstand track: a person in a depth recording becomes a recording of a skeleton.
-#include "app/cli/command_line.hpp"
+// abstand track: a person in a depth recording, or before a camera, becomes a recording of a skeleton.
+#include "app/cli/live_track.hpp"
 #include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
+#include "tracking/depth/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/track_picture.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
@@ -12,7 +13,8 @@ namespace {
 struct Arguments {
   std::filesystem::path depth, camera, out, pictures, scene;
   PackagePaths packages;
-  std::string height, rate;
+  std::string height, rate, seconds, send;
+  std::vector<std::string> names;
   int person{1};
   bool usual_body{false}, mirror{false};
   std::uint64_t seed{1};
@@ -32,6 +34,27 @@ void draw(const ClipMoment& moment, const std::filesystem::path& folder) {
   saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder / name);
 }
 
+int live(const CommandLine& line, const Arguments& args, const DepthStreamOptions& stream,
+         const ClipTrackerOptions& options) {
+  if (!args.scene.empty())
+    throw UsageError(
+        "--scene: found with a camera that looks now, expected a recording, whose robots move "
+        "as the scene says");
+  if (args.send.empty() && !args.names.empty())
+    throw UsageError("--as: found without --send, expected them together");
+  LiveTrackArguments own;
+  own.camera = args.depth.string();
+  own.stream = stream;
+  own.person = options.person;
+  own.watch = options.watch;
+  if (!args.seconds.empty()) own.seconds = positive(args.seconds, "--seconds", 1e-3, 1e9);
+  own.out = args.out;
+  own.chosen = static_cast<std::size_t>(args.person - 1);
+  own.send = args.send;
+  own.names = args.names.empty() ? std::vector<std::string>{"operator"} : args.names;
+  return runLiveTrack(line, own);
+}
+
 int run(const CommandLine& line, const Arguments& args) {
   DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
@@ -44,6 +67,9 @@ int run(const CommandLine& line, const Arguments& args) {
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
   if (!args.pictures.empty()) options.watch = [&](const ClipMoment& moment) { draw(moment, args.pictures); };
+  if (isLiveSource(args.depth.string())) return live(line, args, stream_options, options);
+  if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
+    throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
   std::optional<RobotView> robots;
   if (!args.scene.empty()) {
     SessionOptions session_options;
@@ -107,7 +133,9 @@ void addTrack(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(root, line, "track", "finds and follows a person in a depth recording",
                              "abstand track clip --out person.csv");
   auto args = std::make_shared<Arguments>();
-  command->add_option("DEPTH", args->depth, "folder or file of depth images; docs/recordings.md lists them")
+  command
+      ->add_option("DEPTH", args->depth,
+                   "folder or file of depth images, which docs/recordings.md lists; or live:kinect")
       ->required();
   command->add_option("--camera", args->camera, "camera file (.yaml)");
   command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
@@ -126,6 +154,15 @@ void addTrack(CLI::App& root, CommandLine& line) {
                     "lengths and girths usual for the height, instead of fitted to the first seconds");
   command->add_flag("--mirror", args->mirror, "the images are those of a mirror");
   command->add_option("--seed", args->seed, "of the search for limbs");
+  command->add_option("--seconds", args->seconds, "of live:kinect; default: Ctrl-C ends it");
+  command->add_option("--send", args->send,
+                      "HOST:PORT of a running `abstand serve`, or - for standard output: skeletons of "
+                      "live:kinect as lines of JSON; needs a camera file with T_WC");
+  command
+      ->add_option(
+          "--as", args->names,
+          "names in the scene of the people who are sent, in the order in which they come (operator)")
+      ->delimiter(',');
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

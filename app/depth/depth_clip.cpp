@@ -1,6 +1,7 @@
 // What a depth camera would see of a scene, as a clip on disk.
 #include "app/depth/depth_clip.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/depth/clip_people.hpp"
@@ -8,6 +9,7 @@
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
 #include "tracking/depth/depth_png.hpp"
+#include "tracking/depth/freenect_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {
@@ -52,6 +54,53 @@ void writeTruth(const ClipPeople& people, std::span<const double> times,
   }
 }
 
+/// Files of images, and the list of them, in one of the formats.
+class ClipFiles {
+ public:
+  ClipFiles(ClipFormat form, double depth_scale, std::filesystem::path folder)
+      : format_{form}, depth_scale_{depth_scale}, folder_{std::move(folder)} {}
+
+  void add(double t, const DepthImage& image) {
+    char name[64], line[96];
+    if (format_ == ClipFormat::kFreenect) {
+      const auto stamp = static_cast<std::uint32_t>(std::llround(1e6 * t));
+      std::snprintf(name, sizeof name, "d-%.6f-%u.pgm", t, static_cast<unsigned>(stamp));
+      std::snprintf(line, sizeof line, "%s\n", name);
+      writeFile(folder_ / name, freenectDump(image));
+    } else {
+      std::snprintf(name, sizeof name, "depth_%06zu.png", count_);
+      std::snprintf(line, sizeof line, "%.6f %s\n", t, name);
+      saveDepthPng(image, depth_scale_, folder_ / name);
+    }
+    list_ += line;
+    ++count_;
+  }
+  void finish() const {
+    if (format_ == ClipFormat::kFreenect)
+      writeFile(folder_ / "INDEX.txt", list_);
+    else
+      writeFile(folder_ / "depth.txt", "# time [s], file\n" + list_);
+  }
+
+ private:
+  ClipFormat format_;
+  double depth_scale_;
+  std::filesystem::path folder_;
+  std::string list_;
+  std::size_t count_{0};
+};
+
+void checkFreenect(const DepthCamera& camera, std::span<const double> times) {
+  if (camera.width != kKinectWidth || camera.height != kKinectHeight)
+    throw UsageError("--format freenect: found a camera of " + std::to_string(camera.width) + " x " +
+                     std::to_string(camera.height) + " pixels, expected 640 x 480, those of its driver");
+  if (!camera.distortion.isZero(0.0))
+    throw UsageError("--format freenect: found a camera with distortion, expected one without");
+  // Names hold times from 0.
+  if (!times.empty() && times.front() < 0.0)
+    throw UsageError("--format freenect: found times below 0, expected --start 0 or later");
+}
+
 }  // namespace
 
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
@@ -59,6 +108,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   DepthRender render(options.camera);
   const std::vector<double> times =
       timesBetween(session.frameTimes(options.rate), options.start, options.end);
+  if (options.format == ClipFormat::kFreenect) checkFreenect(options.camera, times);
   std::error_code ec;
   std::filesystem::create_directories(folder, ec);
   writeFile(folder / "camera.yaml", describeDepthCamera(options.camera));
@@ -76,7 +126,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   const Transform X_CW = options.camera.X_WC.inverse();
   DepthClipSummary summary;
   std::size_t measured = 0;
-  std::string list = "# time [s], file\n";
+  ClipFiles files(options.format, options.camera.depth_scale, folder);
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (options.interrupted && options.interrupted()) {
       summary.interrupted = true;
@@ -92,15 +142,11 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
         options.noise ? seenByKinect(render.image(), options.camera, *options.noise, options.seed, i)
                       : render.image();
     for (const float z : image.z) measured += z > 0.0f;
-    char name[32], line[64];
-    std::snprintf(name, sizeof name, "depth_%06zu.png", i);
-    std::snprintf(line, sizeof line, "%.6f %s\n", times[i], name);
-    saveDepthPng(image, options.camera.depth_scale, folder / name);
-    list += line;
+    files.add(times[i], image);
     ++summary.frames;
     if (options.progress) options.progress(i + 1, times.size());
   }
-  writeFile(folder / "depth.txt", list);
+  files.finish();
   if (summary.frames > 0) writeTruth(people, std::span(times).first(summary.frames), folder);
   const double pixels = static_cast<double>(summary.frames) * options.camera.width * options.camera.height;
   summary.measured = pixels > 0.0 ? static_cast<double>(measured) / pixels : 0.0;

@@ -12,7 +12,14 @@
 
 namespace abstand {
 
+/// How the images of a clip lie on disk.
+enum class ClipFormat : std::uint8_t {
+  kPng,      ///< `depth.txt` and PNG of 16 bits in the camera's units
+  kFreenect  ///< what libfreenect's `record` writes of a Kinect, disparities of 11 bits; 640 x 480 pixels
+};
+
 struct DepthClipOptions {
+  ClipFormat format{ClipFormat::kPng};
   DepthCamera camera;
   std::optional<SkinOptions> skin;   ///< people are bodies of smooth skin; none: their parts in the scene
   bool room{false};                  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
@@ -32,7 +39,8 @@ struct DepthClipSummary {
 };
 
 /// Writes into `folder`, which it makes: `camera.yaml`, `depth_000000.png` and so on (16 bits, in the
-/// camera's units), `depth.txt`, a line `TIME FILE` for each (s, of the scene), and of the first person
+/// camera's units), `depth.txt`, a line `TIME FILE` for each (s, of the scene), or for libfreenect
+/// `INDEX.txt` and `d-TIME-STAMP.pgm` (both of the scene, in s and in us); and of the first person
 /// `truth.csv`, a table of the joints that were shown (world, m); of the others `truth_2.csv` and so on.
 /// Throws UsageError.
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,

@@ -41,6 +41,7 @@ ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& 
   if (bytes > kMostPacketBytes)
     throw UsageError("the answer of this scene has " + std::to_string(bytes) + " bytes, expected at most " +
                      std::to_string(kMostPacketBytes) + ", what fits into a datagram");
+  if (options.lines_from >= 0) lines_.emplace(options.lines_from, kMostPacketBytes);
   scene_.cycle(now());
 }
 
@@ -64,7 +65,8 @@ void ServeLoop::onRequest() {
     const double t = now();
     double until = std::min(scene_.nextStale() + kPast, t + kLongestWait);
     if (options_.duration) until = std::min(until, *options_.duration);
-    socket_.wait(until - t);
+    socket_.wait(until - t, lines_ ? lines_->handle() : -1);
+    drainLines();
     drain(true);
     if (now() < scene_.nextStale()) continue;
     cycle(now());
@@ -80,6 +82,7 @@ void ServeLoop::onRequest() {
 void ServeLoop::freeRun() {
   Pacer pacer{std::chrono::nanoseconds(static_cast<long>(1e9 / *options_.rate))};
   while (goesOn()) {
+    drainLines();
     drain(false);
     const double begin = steady();
     cycle(now());
@@ -97,7 +100,7 @@ void ServeLoop::drain(bool answer) {
     const double begin = steady();
     ++summary_.packets;
     const double t = now();
-    if (!take(*bytes, from, t) || packet_.type != PacketType::kJoints) continue;
+    if (!take(parse(*bytes), from, t) || packet_.type != PacketType::kJoints) continue;
     if (!answer) continue;
     cycle(t);
     send(false);
@@ -107,10 +110,39 @@ void ServeLoop::drain(bool answer) {
   }
 }
 
-/// True when packet_ was accepted and its values are in the scene.
-bool ServeLoop::take(std::size_t bytes, const Address& from, double t) {
-  PacketFault fault = PacketFault::kSize;
-  if (bytes <= in_.size()) fault = parsePacket(std::span(in_).first(bytes), scene_.format(), packet_);
+void ServeLoop::drainLines() {
+  if (!lines_) return;
+  const long too_long = lines_->tooLong();
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const auto line = lines_->next();
+    if (!line) break;
+    if (line->find_first_not_of(" \t\r") == line->npos) continue;
+    ++summary_.packets;
+    ++summary_.lines;
+    // A sender without an address: nobody else has its streams.
+    take(parse(*line), Address{}, now());
+  }
+  for (long i = too_long; i < lines_->tooLong(); ++i) {
+    ++summary_.packets;
+    ++summary_.lines;
+    take(PacketFault::kSize, Address{}, now());
+  }
+}
+
+PacketFault ServeLoop::parse(std::size_t bytes) noexcept {
+  if (bytes > in_.size()) return PacketFault::kSize;
+  return parsePacket(std::span(in_).first(bytes), scene_.format(), packet_);
+}
+
+/// Joints cannot come here, as there is nobody to answer.
+PacketFault ServeLoop::parse(std::string_view line) noexcept {
+  const PacketFault fault = parseJsonPacket(line, scene_.format(), packet_);
+  if (fault != PacketFault::kNone) return fault;
+  return packet_.type == PacketType::kSkeleton ? PacketFault::kNone : PacketFault::kType;
+}
+
+/// True when packet_, parsed with that fault, was accepted and its values are in the scene.
+bool ServeLoop::take(PacketFault fault, const Address& from, double t) {
   if (fault != PacketFault::kNone) {
     ++summary_.faults[static_cast<std::size_t>(fault)];
     ++summary_.bad;

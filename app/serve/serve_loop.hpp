@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/serve/line_input.hpp"
 #include "app/serve/packet_stream.hpp"
 #include "app/serve/served_scene.hpp"
 #include "app/serve/udp_socket.hpp"
@@ -15,11 +16,13 @@ struct ServeOptions {
   double stale{0.1};           ///< s, after which a silent stream may begin anew
   std::optional<double> rate;  ///< Hz: cycles and answers at this rate; none: one for each packet of joints
   std::optional<double> duration;  ///< s, after which it ends; none: it runs until it is interrupted
+  int lines_from{-1};              ///< file descriptor of lines of JSON with skeletons; -1: none
   std::function<bool()> interrupted;
 };
 
 struct ServeSummary {
-  long packets{0};  ///< datagrams that came
+  long packets{0};  ///< datagrams and lines that came
+  long lines{0};    ///< of these, lines
   long joints{0};   ///< accepted packets of joints
   long skeletons{0};
   long answered{0};  ///< accepted packets of joints with an answer of their own
@@ -34,8 +37,9 @@ struct ServeSummary {
 };
 
 /// One thread does everything: it waits for datagrams, never longer than until the next input becomes stale,
-/// so that a stop comes in time where nothing comes in. A change of a state of stop that no packet brought
-/// about is told to the last sender of joints unasked.
+/// so that a stop comes in time where nothing comes in. Lines are one sender of skeletons more; when they
+/// end, their people become stale. A change of a state of stop that no packet brought about is told to the
+/// last sender of joints unasked.
 ///
 /// After the first cycle it allocates nothing and locks nothing.
 class ServeLoop {
@@ -51,7 +55,10 @@ class ServeLoop {
   bool goesOn();
   double now() const;
   void drain(bool answer);
-  bool take(std::size_t bytes, const Address& from, double t);
+  void drainLines();
+  PacketFault parse(std::size_t bytes) noexcept;
+  PacketFault parse(std::string_view line) noexcept;
+  bool take(PacketFault fault, const Address& from, double t);
   void cycle(double t);
   void send(bool unasked);
   void countInReport();
@@ -66,6 +73,7 @@ class ServeLoop {
   std::vector<PacketStream> skeletons_;  ///< of each person
   Packet packet_;
   std::vector<std::byte> in_, out_;
+  std::optional<LineInput> lines_;
   /// The last accepted packet of joints: who is to be answered.
   struct Last {
     Address from;

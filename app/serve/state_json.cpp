@@ -1,58 +1,12 @@
-#include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/serve/json_line.hpp"
 #include "app/serve/state_packet.hpp"
 
 namespace abstand::serve {
 namespace {
 
-/// Writes into a given room; once it is full, nothing more.
-class Line {
- public:
-  explicit Line(std::span<std::byte> room)
-      : begin_(reinterpret_cast<char*>(room.data())), at_(begin_), end_(begin_ + room.size()) {}
-
-  Line& text(std::string_view s) {
-    if (s.size() > static_cast<std::size_t>(end_ - at_)) full_ = true;
-    if (full_) return *this;
-    at_ = std::copy(s.begin(), s.end(), at_);
-    return *this;
-  }
-  template <class Number>
-  Line& number(Number v) {
-    if constexpr (std::is_floating_point_v<Number>)
-      if (!std::isfinite(v)) return text("null");
-    char buffer[32];
-    const auto r = std::to_chars(buffer, buffer + sizeof buffer, v);
-    return text({buffer, static_cast<std::size_t>(r.ptr - buffer)});
-  }
-  Line& vector(const Vector3d& v) {
-    text("[").number(v.x());
-    text(",").number(v.y());
-    text(",").number(v.z());
-    return text("]");
-  }
-  /// `each(i)` for i below n, commas between, in brackets.
-  template <class Each>
-  Line& list(std::size_t n, Each each) {
-    text("[");
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i > 0) text(",");
-      each(i);
-    }
-    return text("]");
-  }
-  std::size_t size() const { return full_ ? 0 : static_cast<std::size_t>(at_ - begin_); }
-
- private:
-  char* begin_;
-  char* at_;
-  char* end_;
-  bool full_{false};
-};
-
-void writePair(Line& out, const PairReport& p, const StateNames& names) {
+void writePair(JsonLine& out, const PairReport& p, const StateNames& names) {
   constexpr std::array<std::string_view, 3> kTrust{"\"none\"", "\"inferred\"", "\"fresh\""};
   const auto object = [&](int i) -> std::string_view {
     return i < 0 ? std::string_view("null") : std::string_view(names.objects[static_cast<std::size_t>(i)]);
@@ -65,7 +19,7 @@ void writePair(Line& out, const PairReport& p, const StateNames& names) {
   out.text(",\"witness_b\":").vector(p.witness_b);
 }
 
-void writeRobot(Line& out, const RobotReport& r, std::string_view name) {
+void writeRobot(JsonLine& out, const RobotReport& r, std::string_view name) {
   out.text("{\"name\":").text(name);
   out.text(",\"speed_scale\":").number(r.speed_scale);
   out.text(",\"input_age\":").number(r.input_age);
@@ -100,7 +54,7 @@ StateNames quoted(StateNames names) {
 
 std::size_t writeStateJson(const StateReport& r, const ReplyTo& to, const PacketFormat& format,
                            const StateNames& names, std::span<std::byte> into) noexcept {
-  Line out(into);
+  JsonLine out(into);
   out.text("{\"type\":\"state\",\"seq\":").number(to.sequence);
   out.text(",\"time_us\":").number(to.time_us);
   out.text(",\"unasked\":").text(to.unasked ? "true" : "false");

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <ctime>
@@ -36,11 +37,12 @@ UdpSocket::UdpSocket(const Address& bind)
 
 UdpSocket::~UdpSocket() { ::close(handle_); }
 
-bool UdpSocket::wait(double seconds) noexcept {
-  pollfd p{handle_, POLLIN, 0};
+bool UdpSocket::wait(double seconds, int also) noexcept {
+  // A negative descriptor is left out by the system.
+  std::array<pollfd, 2> p{{{handle_, POLLIN, 0}, {also, POLLIN, 0}}};
   const double s = std::clamp(seconds, 0.0, 1.0);
   const timespec limit{static_cast<time_t>(s), static_cast<long>(1e9 * (s - std::floor(s)))};
-  return ::ppoll(&p, 1, &limit, nullptr) > 0;
+  return ::ppoll(p.data(), p.size(), &limit, nullptr) > 0;
 }
 
 std::optional<std::size_t> UdpSocket::receive(std::span<std::byte> into, Address& from) noexcept {

@@ -19,8 +19,9 @@ class UdpSocket {
   UdpSocket& operator=(const UdpSocket&) = delete;
 
   Address address() const { return address_; }  ///< with the port that the system chose
-  /// Until a datagram is there or `seconds` have passed; false after the latter and at a signal.
-  bool wait(double seconds) noexcept;
+  /// Until a datagram is there, or something to be read from the file descriptor `also` (-1: none), or
+  /// `seconds` have passed; false after the latter and at a signal.
+  bool wait(double seconds, int also = -1) noexcept;
   /// Bytes of the next datagram, whose beginning is in `into`; nothing when none is there.
   std::optional<std::size_t> receive(std::span<std::byte> into, Address& from) noexcept;
   bool send(std::span<const std::byte> bytes, const Address& to) noexcept;  ///< false: the system refused it

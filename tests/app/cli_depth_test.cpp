@@ -1,5 +1,6 @@
 // The contract of the commands about depth images.
 #include "tests/app/program.hpp"
+#include "tracking/depth/depth_stream.hpp"
 
 namespace abstand::testing {
 namespace {
@@ -45,6 +46,30 @@ TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
   EXPECT_EQ(run("render-depth --recording " + bvh + " --girth 1.1 --out " + clip).code, 2);
   EXPECT_EQ(run("render-depth --recording " + bvh + " --body skin --girth 9 --out " + clip).code, 2);
   EXPECT_EQ(run("render-depth --recording none.bvh --out " + clip).code, 3);
+}
+
+TEST_F(Cli, RenderDepthWritesWhatAKinectsDriverRecords) {
+  const std::string png = (folder_.path() / "png").string(), dump = (folder_.path() / "dump").string();
+  const std::string scene = write(
+      "ball.yaml",
+      "abstand: 1\nobjects:\n  - {name: a, shape: {sphere: {radius: 0.4}}, voxel: 0.05, point: 0.05}\n");
+  const std::string view = " --noise none --eye 2,0,0.5 --look 0,0,0";
+  runJson("render-depth " + scene + " --out " + png + view);
+  EXPECT_EQ(runJson("render-depth " + scene + " --format freenect --out " + dump + view)["frames"], 1);
+  DepthFrame a, b;
+  openDepthStream(png)->next(a);
+  const auto stream = openDepthStream(dump);
+  EXPECT_EQ(stream->facts().format, "freenect");
+  EXPECT_TRUE(stream->facts().camera_known);
+  ASSERT_TRUE(stream->next(b));
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < a.image.z.size(); ++i) {
+    // Half a millimetre of the PNG, and half a step of a disparity at 2 m.
+    EXPECT_NEAR(a.image.z[i], b.image.z[i], 5e-4 + 0.5 * 0.0031 * 4.0 * 1.05);
+    seen += b.image.z[i] > 0.0f;
+  }
+  EXPECT_GT(seen, 10000u);
+  EXPECT_EQ(run("render-depth " + scene + " --format freenect --width 320 --out " + dump).code, 2);
 }
 
 TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {

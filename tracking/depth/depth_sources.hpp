@@ -45,6 +45,9 @@ DepthSource openFreenectRecord(const std::filesystem::path& folder, const DepthS
 /// All images, clouds or arrays of a folder in natural order (2 before 10), or one file alone. One kind only.
 DepthSource openDepthFiles(const std::filesystem::path& path, const DepthStreamOptions& options);
 
+/// A recording of OpenNI 1 or 2, its first stream of depth.
+DepthSource openOni(const std::filesystem::path& file, const DepthStreamOptions& options);
+
 /// UTD-MHAD: a MATLAB file with d_depth, rows x columns x frames, mm.
 DepthSource openDepthMat(const std::filesystem::path& file, const DepthStreamOptions& options);
 

@@ -2,7 +2,6 @@
 #include "tracking/depth/depth_stream.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -10,28 +9,6 @@
 
 namespace abstand {
 namespace {
-
-constexpr float kFarthest = 100.0f;  // m; no depth camera measures beyond
-
-/// Where the pixel (u, v) of a camera without distortion lies in the image of the camera with it (Brown's
-/// model in OpenCV's order); row-major number of the nearest pixel, -1 beside the image.
-std::vector<int> pixelsWithDistortion(const DepthCamera& c) {
-  std::vector<int> from;
-  from.reserve(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
-  const auto& k = c.distortion;
-  for (int v = 0; v < c.height; ++v) {
-    for (int u = 0; u < c.width; ++u) {
-      const double x = (u - c.cx) / c.fx, y = (v - c.cy) / c.fy, rr = x * x + y * y;
-      const double radial = 1.0 + rr * (k[0] + rr * (k[1] + rr * k[4]));
-      const double xd = x * radial + 2.0 * k[2] * x * y + k[3] * (rr + 2.0 * x * x);
-      const double yd = y * radial + k[2] * (rr + 2.0 * y * y) + 2.0 * k[3] * x * y;
-      const double ud = std::round(c.fx * xd + c.cx), vd = std::round(c.fy * yd + c.cy);
-      const bool inside = ud >= 0.0 && vd >= 0.0 && ud < c.width && vd < c.height;
-      from.push_back(inside ? static_cast<int>(vd) * c.width + static_cast<int>(ud) : -1);
-    }
-  }
-  return from;
-}
 
 double medianRate(const std::vector<double>& t) {
   if (t.size() < 2) return 0.0;
@@ -58,14 +35,12 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
     case DepthFileKind::kMat:
       return openDepthMat(path, options);
     case DepthFileKind::kOni:
-      throw ParseError({path.string()},
-                       "found an OpenNI recording, which this program does not read; expected another format",
-                       "OpenNI's NiViewer or NiRecordToImages saves it as images");
+      return openOni(path, options);
     case DepthFileKind::kOther:
-      throw ParseError(
-          {path.string()},
-          "found a file that is no depth recording, expected PNG of 16 bits, TIFF, PCD, NumPy or MATLAB",
-          "a folder of images is opened by the folder's name");
+      throw ParseError({path.string()},
+                       "found a file that is no depth recording, expected PNG of 16 bits, TIFF, PCD, NumPy, "
+                       "OpenNI or MATLAB",
+                       "a folder of images is opened by the folder's name");
     default:
       return openDepthFiles(path, options);
   }
@@ -73,15 +48,18 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
 
 }  // namespace
 
-DepthStream::DepthStream(DepthSource source) : source_(std::move(source)), camera_(source_.camera) {
+void noteStraightening(DepthFacts& facts, const DepthCamera& camera, bool is_mirrored) {
+  if (!camera.distortion.isZero(0.0))
+    facts.notes.push_back("the camera's distortion is taken out of the images, by the nearest pixel");
+  if (is_mirrored)
+    facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
+}
+
+DepthStream::DepthStream(DepthSource source)
+    : source_(std::move(source)), straight_(source_.camera, source_.mirrored) {
   ABSTAND_CHECK(!source_.t.empty() && source_.load);
   source_.facts.rate = medianRate(source_.t);
-  if (!camera_.distortion.isZero(0.0)) {
-    from_ = pixelsWithDistortion(camera_);
-    camera_.distortion.setZero();
-    source_.facts.notes.push_back("the camera's distortion is taken out of the images, by the nearest pixel");
-  }
-  if (source_.mirrored) camera_.cx = camera_.width - 1 - camera_.cx;
+  noteStraightening(source_.facts, source_.camera, source_.mirrored);
 }
 
 bool DepthStream::next(DepthFrame& frame) {
@@ -89,19 +67,7 @@ bool DepthStream::next(DepthFrame& frame) {
   frame.t = source_.t[next_];
   frame.image = source_.load(next_);
   ++next_;
-  ABSTAND_CHECK(frame.image.width == camera_.width && frame.image.height == camera_.height);
-  // Written so that NaN is not measured.
-  for (float& z : frame.image.z)
-    if (!(z > 0.0f && z <= kFarthest)) z = 0.0f;
-  if (!from_.empty()) {
-    DepthImage straight(camera_.width, camera_.height);
-    for (std::size_t i = 0; i < from_.size(); ++i)
-      if (from_[i] >= 0) straight.z[i] = frame.image.z[static_cast<std::size_t>(from_[i])];
-    frame.image = std::move(straight);
-  }
-  if (source_.mirrored)
-    for (int v = 0; v < camera_.height; ++v)
-      std::reverse(&frame.image.at(0, v), &frame.image.at(0, v) + camera_.width);
+  straight_.straighten(frame.image);
   return true;
 }
 
@@ -112,8 +78,6 @@ std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
     throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames a second");
   DepthSource source = openSource(path, options);
   if (options.mirror) source.mirrored = !source.mirrored;
-  if (source.mirrored)
-    source.facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
   return std::make_unique<DepthStream>(std::move(source));
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tracking/depth/depth_camera.hpp"
-#include "tracking/depth/depth_image.hpp"
+#include "tracking/depth/straight_images.hpp"
 
 namespace abstand {
 
@@ -47,6 +47,9 @@ struct DepthSource {
   std::function<DepthImage(std::size_t)> load;
 };
 
+/// Notes what StraightImages does to the images of such a camera.
+void noteStraightening(DepthFacts& facts, const DepthCamera& camera, bool is_mirrored);
+
 /// Reads frame by frame, and holds one. Not shared between threads.
 class DepthStream {
  public:
@@ -54,7 +57,7 @@ class DepthStream {
 
   /// Without distortion: where the file's camera has one, next() takes it out of the images. Of mirrored
   /// images: after they were turned back.
-  const DepthCamera& camera() const { return camera_; }
+  const DepthCamera& camera() const { return straight_.camera(); }
   const DepthFacts& facts() const { return source_.facts; }
   std::size_t size() const { return source_.t.size(); }
   const std::vector<double>& times() const { return source_.t; }
@@ -66,8 +69,7 @@ class DepthStream {
 
  private:
   DepthSource source_;
-  DepthCamera camera_;
-  std::vector<int> from_;  ///< of a camera with distortion: the pixel that each one is taken from; -1: none
+  StraightImages straight_;
   std::size_t next_{0};
 };
 

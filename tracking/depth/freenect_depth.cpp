@@ -2,6 +2,7 @@
 #include "tracking/depth/freenect_depth.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -14,6 +15,8 @@ namespace {
 constexpr int kNoDisparity = 2047;
 constexpr int kMostMillimetres = 10000;  // FREENECT_DEPTH_MM_MAX_VALUE
 constexpr double kFarthest = 10.0;       // m
+// 1 / m, and 1 / m a step: the line of freenectDepth().
+constexpr double kLineAtZero = 3.3309495161, kLineStep = 0.0030711016;
 
 struct Header {
   int width{0}, height{0};
@@ -83,7 +86,7 @@ FreenectUnits unitsOf(std::string_view pixels, std::size_t count, const std::str
       if (largest > limit) continue;
       FreenectUnits units;
       units.is_low_first = is_low_first;
-      units.is_raw = limit == kNoDisparity && none > zero;
+      units.is_raw = limit == kNoDisparity && none >= zero;
       units.reason = units.is_raw ? "numbers up to 2047, which stands for none: disparities of 11 bits"
                                   : "numbers up to " + std::to_string(largest) + ", 0 for none: millimetres";
       units.reason += is_low_first ? "; the low byte first, as record writes them"
@@ -98,8 +101,27 @@ FreenectUnits unitsOf(std::string_view pixels, std::size_t count, const std::str
 
 float freenectDepth(int raw) {
   if (raw < 0 || raw >= kNoDisparity) return 0.0f;
-  const double inverse = 3.3309495161 - 0.0030711016 * raw;
+  const double inverse = kLineAtZero - kLineStep * raw;
   return inverse > 1.0 / kFarthest ? static_cast<float>(1.0 / inverse) : 0.0f;
+}
+
+int freenectRaw(float z) {
+  // Written so that NaN has none.
+  if (!(z > 0.0f)) return kNoDisparity;
+  const double raw = std::round((kLineAtZero - 1.0 / static_cast<double>(z)) / kLineStep);
+  if (!(raw >= 0.0 && raw < kNoDisparity)) return kNoDisparity;
+  return freenectDepth(static_cast<int>(raw)) > 0.0f ? static_cast<int>(raw) : kNoDisparity;
+}
+
+std::string freenectDump(const DepthImage& image) {
+  std::string bytes = "P5 " + std::to_string(image.width) + " " + std::to_string(image.height) + " 65535\n";
+  bytes.reserve(bytes.size() + 2 * image.z.size());
+  for (const float z : image.z) {
+    const int raw = freenectRaw(z);
+    bytes += static_cast<char>(raw & 0xff);
+    bytes += static_cast<char>(raw >> 8);
+  }
+  return bytes;
 }
 
 FreenectImage parseFreenectDepth(std::string_view bytes, const std::string& file,

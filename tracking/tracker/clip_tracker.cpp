@@ -5,40 +5,14 @@
 #include <cmath>
 #include <ctime>
 
-#include "tracking/depth/people_finder.hpp"
+#include "tracking/tracker/camera_stand.hpp"
 
 namespace abstand {
 namespace {
 
 constexpr double kLearning = 5.0;  // s of the stream that sizes are learned from
-constexpr std::size_t kFloorImages = 5;
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Camera over a plane: z up, x along the level part of the optical axis, the origin below the camera.
-Transform overFloor(const FloorPlane& floor) {
-  const Vector3d z = floor.up.normalized();
-  Vector3d x = Vector3d::UnitZ() - z.z() * z;
-  x = x.norm() > 1e-3 ? Vector3d(x.normalized()) : z.unitOrthogonal();
-  Matrix3d R_WC;
-  R_WC.row(0) = x.transpose();
-  R_WC.row(1) = z.cross(x).transpose();
-  R_WC.row(2) = z.transpose();
-  Transform X_WC = Transform::Identity();
-  X_WC.linear() = R_WC;
-  X_WC.translation() = Vector3d(0.0, 0.0, floor.height);
-  return X_WC;
-}
-
-/// Lowest point of anyone in an image, m, z of the world.
-double lowest(const DepthImage& image, const DepthCamera& camera, const PeopleImage& people) {
-  double z = kInfinity;
-  for (int v = 0; v < image.height; ++v)
-    for (int u = 0; u < image.width; ++u)
-      if (people.label[static_cast<std::size_t>(v * image.width + u)] != 0)
-        z = std::min(z, (camera.X_WC * camera.at(u, v, static_cast<double>(image.at(u, v)))).z());
-  return z;
-}
 
 class Walk {
  public:
@@ -65,24 +39,12 @@ class Walk {
     }
     stream_.seek(0);
     DepthFrame frame;
-    PeopleFinder finder(track_.camera);
-    double low = kInfinity;
-    Transform level = overFloor({});
-    for (std::size_t i = 0; i < kFloorImages && stream_.next(frame); ++i) {
-      const PeopleImage& people = finder.find(frame.t, frame.image);
-      if (people.floor) {
-        track_.camera.X_WC = overFloor(*people.floor);
-        track_.world = "the floor in sight is z = 0";
-        return;
-      }
-      DepthCamera camera = track_.camera;
-      camera.X_WC = level;
-      low = std::min(low, lowest(frame.image, camera, people));
+    CameraStand stand(track_.camera);
+    while (stream_.next(frame) && !stand.see(frame.t, frame.image)) {
     }
-    if (std::isfinite(low)) level.translation().z() = -low;
-    track_.camera.X_WC = level;
-    track_.world =
-        "no floor in sight: the camera is taken to be level, the lowest that is seen of a person at z = 0";
+    stand.settle();
+    track_.camera.X_WC = stand.X_WC();
+    track_.world = stand.reason();
   }
 
   /// All images before `end`; learns `bodies`, or tracks with them.

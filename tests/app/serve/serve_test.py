@@ -57,11 +57,11 @@ class Serve(unittest.TestCase):
             self.program.kill()
             self.program.communicate()
 
-    def start(self, *options):
+    def start(self, *options, stdin=None):
         self.program = subprocess.Popen(
             [PROGRAM, "serve", self.scene, "--bind", "127.0.0.1:0", "--json", "--duration", "60", "--stale", str(STALE),
              *options],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment)
+            stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment)
         listening = self.program.stderr.readline()
         match = re.fullmatch(r"serve: listening on 127\.0\.0\.1:(\d+)\n", listening)
         self.assertTrue(match, listening)
@@ -177,14 +177,51 @@ class Serve(unittest.TestCase):
         self.assertGreaterEqual(summary["bad_by_reason"]["number"], 1)
         self.assertGreaterEqual(summary["bad_by_reason"]["json"], 1)
 
-    def test_lines_of_json(self):
-        c = self.start()
+    def skeleton_line(self, sequence, **changes):
         joints = {name: [x + PLACE[0], y, z] for name, (x, y, z) in zip(
             ["pelvis", "spine", "thorax", "neck", "head", "head_top"] +
             [j + side for side in ("_left", "_right") for j in ("shoulder", "elbow", "wrist", "hand")] +
             [j + side for side in ("_left", "_right") for j in ("hip", "knee", "ankle", "toe")], client.STANDING)}
-        c.socket.send(json.dumps({"type": "skeleton", "seq": 0, "time_us": 0, "person": "operator",
-                                  "joints": joints}).encode())
+        line = {"type": "skeleton", "seq": sequence, "time_us": 0, "person": "operator", "joints": joints}
+        return json.dumps({**line, **changes})
+
+    def test_skeletons_from_standard_input(self):
+        c = self.start("--stdin", "--resume", "0", stdin=subprocess.PIPE)
+        lines = self.program.stdin
+        for bad in ("hello", "", "{", self.skeleton_line(1, person="nobody"), "x" * 100000,
+                    json.dumps({"type": "joints", "seq": 5, "time_us": 0, "q": [0.25]})):
+            lines.write(bad + "\n")
+        begin = time.monotonic()
+        sequence, running = 0, False
+        while not running and time.monotonic() - begin < ALLOWANCE:
+            lines.write(self.skeleton_line(sequence) + "\n")
+            lines.flush()
+            sequence += 1
+            c.joints([0.0])
+            answer = c.receive(0.5)
+            running = answer is not None and client.robot_of(answer, 0, 1)["state"] == "running"
+        self.assertTrue(running)
+        # The end of the input is a person who is not seen any more.
+        lines.close()
+        self.program.stdin = None
+        begin, robot = time.monotonic(), None
+        while time.monotonic() - begin < ALLOWANCE and (robot is None or robot["state"] == "running"):
+            c.joints([0.0])
+            answer = c.receive(0.01)
+            robot = client.robot_of(answer, 0, 1) if answer else robot
+        self.assertNotEqual(robot["state"], "running")
+        self.assertEqual(robot["reason"], 4)  # lost person
+        self.assertEqual(robot["speed_scale"], 0.0)
+        summary = self.finish()
+        self.assertEqual(summary["skeletons"], sequence)
+        self.assertEqual(summary["lines"], sequence + 5)
+        self.assertEqual(summary["bad"], 5)
+        reasons = {k: v for k, v in summary["bad_by_reason"].items() if v}
+        self.assertEqual(reasons, {"json": 2, "index": 1, "size": 1, "type": 1})
+
+    def test_lines_of_json(self):
+        c = self.start()
+        c.socket.send(self.skeleton_line(0).encode())
         c.socket.send(json.dumps({"type": "joints", "seq": 5, "time_us": 0, "q": [0.25]}).encode())
         state = json.loads(c.receive(5.0))
         self.assertEqual(state["seq"], 5)

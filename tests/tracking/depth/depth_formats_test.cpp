@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.hpp"
 #include "tests/tracking/depth/depth_files.hpp"
@@ -182,6 +183,28 @@ TEST(PcdCloud, RefusesWhatHasNoPixels) {
                       fitCamera({4, 3, std::vector<Vector3f>(12, Vector3f::Zero())}, "a.pcd");
                     }),
                     "found 0 points"));
+}
+
+TEST(FreenectDepth, DumpsWhatItReads) {
+  int depths = 0;
+  for (int raw = 0; raw < 2048; ++raw) {
+    const float z = freenectDepth(raw);
+    EXPECT_EQ(freenectRaw(z), z > 0.0f ? raw : 2047) << raw;
+    depths += z > 0.0f;
+  }
+  EXPECT_GT(depths, 1000);
+  for (const float none : {0.0f, -1.0f, 0.29f, 10.5f, std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::infinity()})
+    EXPECT_EQ(freenectRaw(none), 2047) << none;
+  // Half a step of the line off, at most: dz = z^2 / 2 * step.
+  for (float z = 0.31f; z < 9.0f; z += 0.01f)
+    EXPECT_NEAR(freenectDepth(freenectRaw(z)), z, 0.5 * 0.0030711016 * z * z * 1.02 + 1e-6) << z;
+  DepthImage image(3, 2);
+  image.z = {0.0f, freenectDepth(800), 0.0f, freenectDepth(1), freenectDepth(1050), 0.0f};
+  const FreenectImage read = parseFreenectDepth(freenectDump(image), "d.pgm");
+  EXPECT_TRUE(read.units.is_raw);
+  EXPECT_TRUE(read.units.is_low_first);
+  EXPECT_EQ(read.image.z, image.z);
 }
 
 TEST(FreenectDepth, TellsDisparitiesFromMillimetresInBothOrders) {

@@ -1,0 +1,138 @@
+// abstand track live:kinect
+#include "app/cli/live_track.hpp"
+
+#include <csignal>
+#include <iostream>
+
+#include "app/serve/skeleton_sender.hpp"
+#include "core/base/error.hpp"
+#include "core/scene/cycle_statistics.hpp"
+#include "tracking/depth/live_depth.hpp"
+#include "tracking/table/skeleton_csv.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr double kLook = 0.05;  // s between two looks at whether to go on
+
+double since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+/// What became of the images, beside the track.
+struct LiveOutcome {
+  double seconds{0.0};                 ///< from the first image to the last
+  CycleStatistics latency{kInfinity};  ///< from the driver to the end of the work on the image
+  bool interrupted{false};
+};
+
+LiveOutcome follow(LiveDepth& camera, LiveTracker& tracker, serve::SkeletonSender* sender,
+                   const std::optional<double>& seconds) {
+  LiveOutcome outcome;
+  LiveFrame live;
+  while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
+    outcome.interrupted = interrupted();
+    if (sender && sender->isClosed()) break;
+    const LiveDepth::Outcome next = camera.next(live, kLook);
+    if (next == LiveDepth::Outcome::kEnded) break;
+    if (next == LiveDepth::Outcome::kNothingYet) continue;
+    for (const LiveTracker::Seen& seen : tracker.see(live.frame))
+      if (sender) sender->send(seen.id, live.frame.t, seen.body->frame);
+    outcome.latency.add(since(live.came));
+    outcome.seconds = live.frame.t;
+  }
+  return outcome;
+}
+
+nlohmann::ordered_json peopleJson(const ClipTrack& track) {
+  auto people = nlohmann::ordered_json::array();
+  for (const ClipPerson& p : track.people)
+    people.push_back({{"id", p.id},
+                      {"tracked", p.found},
+                      {"height_estimate", p.body.height},
+                      {"residual_mm", 1e3 * p.residual}});
+  return people;
+}
+
+}  // namespace
+
+int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
+  const bool to_stdout = args.send == "-";
+  if (to_stdout && line.json) throw UsageError("--send -: found with --json, expected one of them on stdout");
+  std::optional<serve::SkeletonSender> sender;
+  if (!args.send.empty()) sender.emplace(args.send, args.names);
+  // Whoever reads standard output may end; what was tracked is kept all the same.
+  if (to_stdout) std::signal(SIGPIPE, SIG_IGN);
+  LiveDepth camera(args.camera, args.stream);
+  const DepthFacts& facts = camera.facts();
+  // A skeleton in a world that the camera made up would stand anywhere beside the robot.
+  if (sender && !facts.pose_known)
+    throw UsageError(
+        "--send: found a camera that does not say how it stands, expected a camera file with T_WC "
+        "(--camera; abstand calibrate makes one)");
+  LiveTracker tracker(camera.camera(), facts.pose_known,
+                      {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
+  if (!line.quiet) std::cerr << "track: looking through " << args.camera << std::endl;
+  const LiveOutcome outcome = follow(camera, tracker, sender ? &*sender : nullptr, args.seconds);
+  const ClipTrack track = tracker.track();
+  const std::string ended = camera.ended();
+  const ParseError end({args.camera}, ended);
+  if (track.people.empty()) {
+    if (!ended.empty()) throw end;
+    throw ParseError({args.camera},
+                     "found nobody in " + std::to_string(track.images) + " images, expected a person");
+  }
+  if (args.chosen >= track.people.size())
+    throw UsageError("--person: found " + std::to_string(track.people.size()) + " people, expected " +
+                     std::to_string(args.chosen + 1) + " or more");
+  const ClipPerson& person = track.people[args.chosen];
+  if (!args.out.empty()) writeSkeletonCsv(args.out, recordingOf(track, facts, args.chosen));
+
+  const double rate = outcome.seconds > 0.0 ? static_cast<double>(track.images - 1) / outcome.seconds : 0.0;
+  const CycleStatistics& latency = outcome.latency;
+  nlohmann::ordered_json document{
+      {"format", facts.format},
+      {"frames", track.images},
+      {"tracked", person.found},
+      {"lost", track.images - person.found},
+      {"dropped", camera.dropped()},
+      {"fps", rate},
+      {"latency_ms",
+       {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
+      {"height_estimate", person.body.height},
+      {"residual_mm", 1e3 * person.residual},
+      {"people", peopleJson(track)},
+      {"camera_reason", facts.camera_reason},
+      {"world", track.world},
+      {"notes", facts.notes},
+      {"ended", ended.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(ended)}};
+  std::string text =
+      format("%s: %zu images of %d x %d in %.1f s, %zu dropped for newer ones\n", facts.format.c_str(),
+             track.images, track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
+  text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
+  text +=
+      format("people: %zu; number %d (--person) tracked in %zu images, %.2f m tall, %.1f mm from the body\n",
+             track.people.size(), static_cast<int>(args.chosen) + 1, person.found, person.body.height,
+             1e3 * person.residual);
+  text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
+                 1e3 * latency.median(), 1e3 * latency.p99(), 1e3 * latency.max());
+  if (sender) {
+    document["sent"] = sender->sent();
+    document["unsent"] = sender->refused();
+    document["nameless"] = sender->nameless();
+    text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
+                   sender->sent(), sender->refused(), sender->nameless());
+  }
+  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  if (!to_stdout)
+    line.print(document, text);
+  else if (!line.quiet)
+    std::cerr << text;
+  if (sender && sender->isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
+  if (ended.empty()) return outcome.interrupted ? kInterrupted : kDone;
+  std::cerr << end.what() << std::endl;
+  return kPartly;
+}
+
+}  // namespace abstand::cli

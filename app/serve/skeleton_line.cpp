@@ -1,0 +1,29 @@
+#include "app/serve/skeleton_line.hpp"
+
+#include "app/serve/json_line.hpp"
+
+namespace abstand::serve {
+
+bool isLineName(std::string_view name) {
+  const auto fits = [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\'; };
+  return !name.empty() && name.size() <= kMostNameBytes && std::all_of(name.begin(), name.end(), fits);
+}
+
+std::size_t writeSkeletonLine(const SkeletonFrame& frame, std::string_view person, std::uint32_t sequence,
+                              std::uint64_t time_us, std::span<std::byte> into) noexcept {
+  JsonLine out(into);
+  out.text("{\"type\":\"skeleton\",\"seq\":").number(sequence).text(",\"time_us\":").number(time_us);
+  out.text(",\"person\":\"").text(person).text("\",\"joints\":{");
+  bool first = true;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    const auto joint = static_cast<Joint>(j);
+    if (!frame.has(joint)) continue;
+    out.text(first ? "\"" : ",\"").text(jointName(joint)).text("\":[");
+    first = false;
+    out.number(frame.p[j].x()).text(",").number(frame.p[j].y()).text(",").number(frame.p[j].z());
+    out.text(frame.state[j] == JointState::kInferred ? ",\"inferred\"]" : "]");
+  }
+  return out.text("}}").size();
+}
+
+}  // namespace abstand::serve

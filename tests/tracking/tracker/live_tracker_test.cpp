@@ -1,0 +1,125 @@
+// One walk through images as they come.
+#include "tracking/tracker/live_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.hpp"
+#include "tests/tracking/tracker/simulated_clip.hpp"
+
+namespace abstand::testing {
+namespace {
+
+// m; twice what two walks with a fitted body leave on the mean (docs/tracking.md), as here the body is the
+// usual one.
+constexpr double kOfLiveBody = 0.08;
+
+constexpr double kFloorNoise = 0.05;  // m, at 3 m from a Kinect (tracking/depth/README.md)
+
+SimulatedClip someoneReaching(double end, bool room = false) {
+  return simulate({.recording = projectFile("data/scenes/hug_reach.bvh"), .end = end, .room = room});
+}
+
+/// The usual body, of that height or of the measured one.
+LiveTrackerOptions usual(std::optional<double> height) {
+  LiveTrackerOptions options;
+  options.person.height = height;
+  options.person.fit_body = false;
+  return options;
+}
+
+TEST(LiveTracker, SeesEveryImageOnce) {
+  SimulatedClip clip = someoneReaching(1.5);
+  LiveTrackerOptions options = usual(1.75);
+  std::size_t watched = 0;
+  options.watch = [&](const ClipMoment& moment) { EXPECT_EQ(moment.image, watched++); };
+  LiveTracker tracker(clip.stream->camera(), true, options);
+  std::vector<SkeletonFrame> seen;
+  DepthFrame frame;
+  while (clip.stream->next(frame)) {
+    const auto people = tracker.see(frame);
+    ASSERT_EQ(people.size(), 1u) << frame.t;
+    EXPECT_EQ(people[0].id, 1);
+    seen.push_back(people[0].body->frame);
+    EXPECT_EQ(seen.back().t, frame.t);
+  }
+  EXPECT_EQ(watched, clip.stream->size());
+  const JointErrors errors = compare(seen, clip.truth);
+  EXPECT_LE(JointErrors::mean(errors.raw), kOfLiveBody);
+  EXPECT_EQ(errors.lost, 0u);
+  const ClipTrack track = tracker.track();
+  ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_EQ(track.people[0].found, clip.stream->size());
+  EXPECT_EQ(track.people[0].frames.size(), clip.stream->size());
+  EXPECT_EQ(track.people[0].body.height, 1.75);
+  EXPECT_GT(track.people[0].residual, 0.0);
+  EXPECT_LT(track.people[0].residual, 0.03);
+  EXPECT_EQ(track.world, "the camera's pose is that of its file");
+}
+
+/// Measured first: nobody to send, then somebody of about the right height.
+TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
+  SimulatedClip clip = someoneReaching(0.7);
+  LiveTrackerOptions options = usual(std::nullopt);
+  options.keep = false;
+  LiveTracker tracker(clip.stream->camera(), true, options);
+  DepthFrame frame;
+  std::size_t first = 0, images = 0;
+  while (clip.stream->next(frame)) {
+    ++images;
+    if (!tracker.see(frame).empty() && first == 0) first = images;
+  }
+  EXPECT_GT(first, 1u);
+  EXPECT_LT(first, images);
+  const ClipTrack track = tracker.track();
+  ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_NEAR(track.people[0].body.height, 1.75, 0.08);
+  EXPECT_TRUE(track.people[0].frames.empty()) << "nothing is kept";
+}
+
+/// Where the camera does not say how it stands, the floor does, and nothing is tracked before.
+TEST(LiveTracker, StandsOnTheFloorThatItSees) {
+  SimulatedClip clip = someoneReaching(0.3, true);
+  DepthCamera camera = clip.stream->camera();
+  const Transform X_WC = camera.X_WC;
+  camera.X_WC = Transform::Identity();
+  LiveTracker tracker(camera, false, usual(1.75));
+  DepthFrame frame;
+  while (clip.stream->next(frame)) tracker.see(frame);
+  const ClipTrack track = tracker.track();
+  EXPECT_EQ(track.world, "the floor in sight is z = 0");
+  // Height and tilt are those of the true camera; where it stands on the floor nobody can know.
+  EXPECT_NEAR(track.camera.X_WC.translation().z(), X_WC.translation().z(), kFloorNoise);
+  EXPECT_NEAR((track.camera.X_WC.linear().row(2) - X_WC.linear().row(2)).norm(), 0.0, 0.02);
+
+  LiveTracker blind(camera, false, {});
+  frame.image = DepthImage(camera.width, camera.height);
+  for (int i = 0; i < 10; ++i) {
+    frame.t = 0.1 * i;
+    EXPECT_TRUE(blind.see(frame).empty());
+  }
+  EXPECT_EQ(blind.track().world, "not decided: nothing was seen");
+  EXPECT_TRUE(blind.track().people.empty());
+}
+
+TEST(LiveTracker, LosesWhoGoes) {
+  SimulatedClip clip = someoneReaching(0.2);
+  LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
+  DepthFrame frame;
+  while (clip.stream->next(frame)) tracker.see(frame);
+  const std::size_t with = clip.stream->size();
+  frame.image = DepthImage(frame.image.width, frame.image.height);
+  // Longer than anybody is remembered.
+  for (int i = 1; i <= 15; ++i) {
+    frame.t += 1.0;
+    EXPECT_TRUE(tracker.see(frame).empty()) << i;
+  }
+  const ClipTrack track = tracker.track();
+  ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_EQ(track.people[0].found, with);
+  EXPECT_GT(track.people[0].frames.size(), with);
+  EXPECT_LT(track.people[0].frames.size(), with + 15) << "who is gone for good is no longer noted as lost";
+  EXPECT_FALSE(track.people[0].frames.back().has(Joint::kPelvis));
+}
+
+}  // namespace
+}  // namespace abstand::testing

@@ -1,0 +1,97 @@
+// People of a camera that looks now, image by image.
+#include "tracking/tracker/live_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand {
+namespace {
+
+// s; so long beyond the time that the finder keeps a number, so that nobody comes back to a body that is
+// gone.
+constexpr double kForgotten = 10.0;
+
+}  // namespace
+
+LiveTracker::LiveTracker(const DepthCamera& camera, bool pose_known, const LiveTrackerOptions& options)
+    : options_(options) {
+  track_.camera = camera;
+  seen_.reserve(PeopleFinder::kMostPeople);
+  if (pose_known) {
+    track_.world = "the camera's pose is that of its file";
+    finder_.emplace(camera);
+  } else {
+    track_.world = "not decided: nothing was seen";
+    stand_.emplace(camera);
+  }
+}
+
+std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
+  seen_.clear();
+  ++track_.images;
+  if (stand_) {
+    if (!stand_->see(frame.t, frame.image)) return seen_;
+    track_.camera.X_WC = stand_->X_WC();
+    track_.world = stand_->reason();
+    finder_.emplace(track_.camera);
+    stand_.reset();
+  }
+  const PeopleImage& people = finder_->find(frame.t, frame.image);
+  for (const FoundPerson& person : people.persons) {
+    Follower& follower = followers_.try_emplace(person.id, options_.person).first->second;
+    follower.last = frame.t;
+    TrackedPerson& tracker = follower.person;
+    finder_->mask(person.id, mask_);
+    const TrackedBody* body = tracker.see(frame.t, frame.image, track_.camera, mask_);
+    note(person.id, frame.t, body);
+    if (!body) continue;
+    if (body->found) seen_.push_back({person.id, body});
+    if (options_.watch)
+      options_.watch({track_.images - 1, person.id, frame, track_.camera, *tracker.rig(), *body});
+  }
+  forget(frame.t);
+  return seen_;
+}
+
+/// Who is not in this image is lost in it, and after a while for good.
+void LiveTracker::forget(double t) {
+  SkeletonFrame none;
+  none.t = t;
+  for (auto it = followers_.begin(); it != followers_.end();) {
+    const auto& [id, follower] = *it;
+    ClipPerson& person = track_.people[place_.at(id)];
+    if (follower.person.body()) person.body = *follower.person.body();
+    if (options_.keep && follower.last < t) person.frames.push_back(none);
+    it = follower.last + kForgotten < t ? followers_.erase(it) : std::next(it);
+  }
+}
+
+void LiveTracker::note(int id, double t, const TrackedBody* body) {
+  const auto [it, is_new] = place_.try_emplace(id, track_.people.size());
+  if (is_new) {
+    track_.people.emplace_back();
+    track_.people.back().id = id;
+    track_.people.back().residual = 0.0;
+  }
+  ClipPerson& person = track_.people[it->second];
+  if (options_.keep) {
+    SkeletonFrame none;
+    none.t = t;
+    person.frames.push_back(body ? body->frame : none);
+    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track_.camera.spread);
+  }
+  if (!body || !body->found) return;
+  ++person.found;
+  person.residual += body->misfit.residual;
+}
+
+ClipTrack LiveTracker::track() const {
+  ClipTrack track = track_;
+  for (ClipPerson& person : track.people)
+    person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
+  std::stable_sort(track.people.begin(), track.people.end(),
+                   [](const ClipPerson& a, const ClipPerson& b) { return a.found > b.found; });
+  return track;
+}
+
+}  // namespace abstand
