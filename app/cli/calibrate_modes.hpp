@@ -13,6 +13,10 @@ struct CalibrateArguments {
   std::string squares, square;
   std::vector<std::string> boards;  ///< X,Y,Z[,R,P,Y] each
   bool intrinsics{false};
+  std::filesystem::path links;  ///< a depth recording
+  std::string robot;
+  PackagePaths packages;
+  std::uint64_t seed{1};
 };
 
 /// By points that are known both to the camera and in the world. Each writes --out and prints, and throws
@@ -20,6 +24,8 @@ struct CalibrateArguments {
 int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args);
 /// By pictures of a chessboard.
 int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args);
+/// By depth images of a robot's links.
+int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args);
 
 /// The twelve numbers of `T_WC` in JSON.
 std::vector<double> rowsOf(const Transform& X_WC);

@@ -6,14 +6,20 @@ namespace abstand::cli {
 namespace {
 
 int run(const CommandLine& line, const CalibrateArguments& args) {
+  if (args.links.empty() && !args.robot.empty())
+    throw UsageError("--robot: found without --links, expected a depth recording there");
   if (!args.images.empty()) {
+    if (!args.links.empty()) throw UsageError("--chessboard: found beside --links, expected one of them");
     if (!args.input.empty())
       throw UsageError("--chessboard: found beside " + args.input.string() + ", expected one of them");
     return calibrateByBoard(line, args);
   }
   if (!args.squares.empty() || !args.square.empty() || !args.boards.empty() || args.intrinsics)
     throw UsageError("found --squares, --square, --board or --intrinsics without --chessboard, expected it");
-  if (args.input.empty()) throw UsageError("found neither POINTS nor --chessboard, expected one of them");
+  if (args.input.empty())
+    throw UsageError(
+        "found neither a table of points, nor --chessboard, nor SCENE with --links, expected one of them");
+  if (!args.links.empty()) return calibrateByLinks(line, args);
   if (args.camera.empty()) throw UsageError("--camera: found none, expected a camera file");
   return calibrateByPoints(line, args);
 }
@@ -27,12 +33,17 @@ std::vector<double> rowsOf(const Transform& X_WC) {
 
 void addCalibrate(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(
-      root, line, "calibrate", "where a depth camera stands, from matched points or a chessboard",
+      root, line, "calibrate",
+      "where a depth camera stands, from matched points, a chessboard or a robot's links",
       "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml\n"
-      "         abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
-      "--camera kinect.yaml --out placed.yaml");
+      "  abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
+      "--camera kinect.yaml --out placed.yaml\n  "
+      "abstand calibrate data/scenes/hug_boxing.yaml --links clip --robot left_arm --camera rough.yaml "
+      "--out placed.yaml");
   auto args = std::make_shared<CalibrateArguments>();
-  command->add_option("POINTS", args->input, "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world");
+  command->add_option(
+      "POINTS", args->input,
+      "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene file");
   command->add_option("--camera", args->camera, "camera file with the intrinsics");
   command->add_option("--out", args->out, "the same with the pose T_WC and its spread");
   command->add_option("--chessboard", args->images, "PNG images of a board, infrared or colour");
@@ -49,6 +60,15 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
       "--intrinsics", args->intrinsics,
       "measures the lens by 5 or more images of the board in different poses, of which the first "
       "are those of --board");
+  command->add_option(
+      "--links", args->links,
+      "depth recording of a robot of SCENE, at the scene's times; the start is the camera file's T_WC, "
+      "wrong by 0.1 m and 10 degrees at most");
+  command->add_option("--robot", args->robot,
+                      "mechanism of SCENE whose links are seen; where it has one: that");
+  command->add_option("--seed", args->seed, "of the search with --links");
+  addPackagePath(command, args->packages);
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -170,6 +170,38 @@ TEST_F(Cli, CalibrateMeasuresTheLens) {
   EXPECT_LT((found.X_WC.translation() - first.X_WC.translation()).norm(), 0.01);
 }
 
+TEST_F(Cli, CalibrateByTheLinksOfARobot) {
+  const std::string clip = (folder_.path() / "clip").string(), scene = "data/scenes/arm6.yaml";
+  runJson("render-depth " + scene + " --out " + clip +
+          " --end 0 --width 320 --eye 1.6,0.6,0.9 --look 0.1,0,0.4");
+  const DepthCamera truth = loadDepthCamera(folder_.path() / "clip" / "camera.yaml");
+  DepthCamera start = truth;
+  start.X_WC = truth.X_WC * fromXyzRpy({0.05, -0.06, 0.05}, {0.08, -0.1, 0.06});
+  const std::string rough = write("rough.yaml", describeDepthCamera(start));
+  const auto placed = folder_.path() / "placed.yaml";
+  const std::string calibrate = "calibrate " + scene + " --links " + clip;
+  const json j = runJson(calibrate + " --robot arm6 --camera " + rough + " --out " + placed.string());
+  EXPECT_EQ(j["robot"], "arm6");
+  EXPECT_EQ(j["images"], 1);
+  EXPECT_GT(j["explained"].get<double>(), 0.9);
+  const DepthCamera found = loadDepthCamera(placed);
+  // A tenth of the way that it was off, and less than a step of the Kinect's depth.
+  EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.008);
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  EXPECT_NEAR(j["moved"].get<double>(), std::sqrt(0.0086), 0.008);
+  DepthCamera unplaced = truth;
+  unplaced.X_WC = Transform::Identity();
+  const std::string nowhere = write(
+      "nowhere.yaml", describeDepthCamera(unplaced).substr(0, describeDepthCamera(unplaced).find("T_WC")));
+  for (const std::string& bad :
+       std::vector<std::string>{calibrate + " --robot nobody", calibrate + " --camera " + nowhere,
+                                "calibrate " + scene + " --robot arm6", "calibrate --links " + clip,
+                                calibrate + " --chessboard a.png"})
+    EXPECT_EQ(run(bad).code, 2) << bad;
+  EXPECT_EQ(run("calibrate " + scene + " --links data/scenes").code, 3);
+  EXPECT_EQ(run("calibrate data/scenes/arm6.yaml --camera " + rough).code, 3);
+}
+
 TEST_F(Cli, TrackSaysWhatIsWrong) {
   const std::string csv = (folder_.path() / "person.csv").string();
   for (const char* bad : {"track", "track data --height 9", "track data --person 0", "track data --rate x"})
