@@ -54,23 +54,46 @@ Corners toCv(const BoardCorners& corners) {
   return out;
 }
 
-/// Brightness at the middle of the squares of the origin's colour, less that of the others; of those squares
-/// that have four inner corners.
-double originBrighterBy(const GreyImage& image, const Chessboard& board, const BoardCorners& corners) {
+/// Whether the squares are dark and light by turns, the outermost ones too, which a grid that is off by a
+/// square does not have.
+struct Colours {
+  bool alternate{false};
+  bool origin_is_light{false};  ///< of square (0, 0)
+};
+
+/// Pixel in the middle of a square; of those at the rim as their neighbours' sides go on.
+Eigen::Vector2d middleOf(const Chessboard& board, const BoardCorners& corners, int column, int row) {
   const int across = board.columns - 1, along = board.rows - 1;
-  double sum[2] = {0.0, 0.0};
-  int count[2] = {0, 0};
-  for (int r = 0; r + 1 < along; ++r)
-    for (int c = 0; c + 1 < across; ++c) {
-      const auto i = static_cast<std::size_t>(r * across + c), up = i + static_cast<std::size_t>(across);
-      const Eigen::Vector2d middle = 0.25 * (corners[i] + corners[i + 1] + corners[up] + corners[up + 1]);
-      const int u = static_cast<int>(std::lround(middle.x())), v = static_cast<int>(std::lround(middle.y()));
-      if (u < 0 || v < 0 || u >= image.width || v >= image.height) continue;
-      // Square (1, 1) of the board, behind the first inner corner, has the colour of square (0, 0).
-      sum[(r + c) % 2] += image.at(u, v);
-      ++count[(r + c) % 2];
+  const int c = std::clamp(column - 1, 0, across - 2), r = std::clamp(row - 1, 0, along - 2);
+  const double x = column - 0.5 - c, y = row - 0.5 - r;
+  const auto i = static_cast<std::size_t>(r * across + c), up = i + static_cast<std::size_t>(across);
+  return (1.0 - y) * ((1.0 - x) * corners[i] + x * corners[i + 1]) +
+         y * ((1.0 - x) * corners[up] + x * corners[up + 1]);
+}
+
+Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCorners& corners) {
+  constexpr double kLeastRight = 0.95;  // of the squares; a shine may cover some
+  std::vector<double> level[2];         // of squares of the origin's colour, and of the others
+  for (int r = 0; r < board.rows; ++r)
+    for (int c = 0; c < board.columns; ++c) {
+      const Eigen::Vector2d p = middleOf(board, corners, c, r);
+      if (!(p.x() >= 0.0 && p.y() >= 0.0 && p.x() <= image.width - 1.0 && p.y() <= image.height - 1.0))
+        continue;
+      level[(r + c) % 2].push_back(
+          image.at(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))));
     }
-  return sum[0] / std::max(count[0], 1) - sum[1] / std::max(count[1], 1);
+  if (level[0].empty() || level[1].empty()) return {};
+  const auto mean = [](const std::vector<double>& v) {
+    double sum = 0.0;
+    for (const double x : v) sum += x;
+    return sum / static_cast<double>(v.size());
+  };
+  const double own = mean(level[0]), other = mean(level[1]), between = 0.5 * (own + other);
+  std::size_t right = 0;
+  for (const double x : level[0]) right += (x > between) == (own > other);
+  for (const double x : level[1]) right += (x > between) == (other > own);
+  const auto all = static_cast<double>(level[0].size() + level[1].size());
+  return {static_cast<double>(right) >= kLeastRight * all, own > other};
 }
 
 /// Half the side of a window that holds one corner alone, wherever the board leans, pixels.
@@ -92,28 +115,37 @@ int windowOf(const Corners& corners, int across, int along) {
 std::optional<BoardCorners> findChessboard(const GreyImage& image, const Chessboard& board) {
   const int across = board.columns - 1, along = board.rows - 1;
   const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
-  Corners found;
-  if (!cv::findChessboardCornersSB(
-          grey, cv::Size(across, along), found,
-          cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_ACCURACY) ||
-      found.size() != board.corners())
-    return std::nullopt;
-  // What finds the board is off by up to a quarter of a pixel where noise is strong.
-  const int window = windowOf(found, across, along);
-  cv::cornerSubPix(grey, found, cv::Size(window, window), cv::Size(-1, -1),
-                   cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4));
-  BoardCorners corners;
-  for (const cv::Point2f& p : found) corners.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y));
-  // Seen from the front, y is to the left of x: the image's rows count down.
-  const Eigen::Vector2d x = corners[static_cast<std::size_t>(across - 1)] - corners.front();
-  const Eigen::Vector2d y = corners[static_cast<std::size_t>(across * (along - 1))] - corners.front();
-  if (x.x() * y.y() - x.y() * y.x() > 0.0)
-    for (int r = 0; r < along / 2; ++r)
-      std::swap_ranges(corners.begin() + r * across, corners.begin() + (r + 1) * across,
-                       corners.begin() + (along - 1 - r) * across);
-  if (!board.isSameTurned() && originBrighterBy(image, board, corners) > 0.0)
-    std::reverse(corners.begin(), corners.end());
-  return corners;
+  // Two ways to look, as each now and then takes the rim for a row of squares.
+  for (const bool by_sectors : {true, false}) {
+    Corners found;
+    const cv::Size size(across, along);
+    const bool is_found =
+        by_sectors ? cv::findChessboardCornersSB(
+                         grey, size, found,
+                         cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_ACCURACY)
+                   : cv::findChessboardCorners(grey, size, found,
+                                               cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
+    if (!is_found || found.size() != board.corners()) continue;
+    // What finds the board is off by up to a quarter of a pixel where noise is strong.
+    const int window = windowOf(found, across, along);
+    cv::cornerSubPix(grey, found, cv::Size(window, window), cv::Size(-1, -1),
+                     cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4));
+    BoardCorners corners;
+    for (const cv::Point2f& p : found)
+      corners.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y));
+    // Seen from the front, y is to the left of x: the image's rows count down.
+    const Eigen::Vector2d x = corners[static_cast<std::size_t>(across - 1)] - corners.front();
+    const Eigen::Vector2d y = corners[static_cast<std::size_t>(across * (along - 1))] - corners.front();
+    if (x.x() * y.y() - x.y() * y.x() > 0.0)
+      for (int r = 0; r < along / 2; ++r)
+        std::swap_ranges(corners.begin() + r * across, corners.begin() + (r + 1) * across,
+                         corners.begin() + (along - 1 - r) * across);
+    const Colours colours = coloursOf(image, board, corners);
+    if (!colours.alternate) continue;
+    if (!board.isSameTurned() && colours.origin_is_light) std::reverse(corners.begin(), corners.end());
+    return corners;
+  }
+  return std::nullopt;
 }
 
 std::vector<Transform> posesOfBoard(const DepthCamera& camera, const Chessboard& board,

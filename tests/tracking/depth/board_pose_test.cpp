@@ -53,6 +53,19 @@ TEST(Chessboard, CornersAreFoundInTheBoardsOrder) {
   }
 }
 
+TEST(Chessboard, TheRimIsNoRowOfSquares) {
+  // A view in which OpenCV's search by sectors takes the rim for a row.
+  DepthCamera camera;
+  camera.X_WC.linear() = Quaterniond(-0.445374, 0.057295, 0.882136, 0.142112).normalized().toRotationMatrix();
+  camera.X_WC.translation() = Vector3d(0.628633, -0.166231, 0.394025);
+  camera.distortion << -0.2, 0.06, 0.001, -0.0005, 0.0;
+  const PlacedBoard board = seen(camera, kBoard, Transform::Identity(), {.seed = 17});
+  for (std::size_t i = 0; i < board.corners.size(); ++i) {
+    const Eigen::Vector2d truth = camera.pixelOf(camera.X_WC.inverse() * kBoard.corner(i));
+    EXPECT_LT((board.corners[i] - truth).norm(), 2.0 * kCornerOff) << i;  // it leans by 60 degrees
+  }
+}
+
 TEST(Chessboard, NothingWhereThereIsNoneOrAnother) {
   const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.4, 0.0, 0.0);
   const GreyImage image = pictureOf(camera, kBoard, boardOnTable());
