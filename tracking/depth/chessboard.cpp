@@ -115,7 +115,7 @@ int windowOf(const Corners& corners, int across, int along) {
 std::optional<BoardCorners> findChessboard(const GreyImage& image, const Chessboard& board) {
   const int across = board.columns - 1, along = board.rows - 1;
   const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
-  // Two ways to look, as each now and then takes the rim for a row of squares.
+  // A second way to look, for boards of which the first takes the rim for a row of squares.
   for (const bool by_sectors : {true, false}) {
     Corners found;
     const cv::Size size(across, along);
@@ -125,7 +125,7 @@ std::optional<BoardCorners> findChessboard(const GreyImage& image, const Chessbo
                          cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_EXHAUSTIVE | cv::CALIB_CB_ACCURACY)
                    : cv::findChessboardCorners(grey, size, found,
                                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
-    if (!is_found || found.size() != board.corners()) continue;
+    if (!is_found || found.size() != board.corners()) return std::nullopt;
     // What finds the board is off by up to a quarter of a pixel where noise is strong.
     const int window = windowOf(found, across, along);
     cv::cornerSubPix(grey, found, cv::Size(window, window), cv::Size(-1, -1),
