@@ -222,7 +222,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface*
         "elsewhere, or the camera's start is more than 0.1 m or 10 degrees off",
         100.0 * best.explained);
   if (!(leastHeld(sum) >= kLeastHeld))
-    refuse(
+    throw UsageError(
         "--links: found surfaces that leave a freedom of the camera open, as a ball does, expected links "
         "that "
         "point to different sides");
