@@ -1,53 +1,74 @@
-// abstand calibrate: where a depth camera stands, from matched points.
-#include "app/cli/command_line.hpp"
-#include "core/base/output_file.hpp"
-#include "core/base/text_file.hpp"
-#include "tracking/depth/depth_camera.hpp"
-#include "tracking/depth/pose_from_points.hpp"
+// abstand calibrate: where a depth camera stands.
+#include "app/cli/calibrate_modes.hpp"
+#include "core/base/error.hpp"
 
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
-  std::filesystem::path points, camera, out;
-};
-
-int run(const CommandLine& line, const Arguments& args) {
-  DepthCamera camera = loadDepthCamera(args.camera);
-  const std::vector<MatchedPoint> points = readMatchedPoints(readFile(args.points), args.points.string());
-  const PoseFit fit = fitPose(points);
-  camera.X_WC = fit.X_WC;
-  camera.spread = fit.spread;
-  if (!args.out.empty()) writeFile(args.out, describeDepthCamera(camera));
-
-  const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> T = fit.X_WC.matrix().topRows<3>();
-  const nlohmann::ordered_json document{{"points", points.size()},
-                                        {"T_WC", std::vector<double>(T.data(), T.data() + T.size())},
-                                        {"rms", fit.rms},
-                                        {"worst", fit.worst},
-                                        {"worst_line", fit.worst_point + 2},
-                                        {"spread", fit.spread}};
-  const Vector3d p = fit.X_WC.translation();
-  line.print(
-      document,
-      format(
-          "%zu points: %.2f mm off on the mean square, line %zu worst with %.2f mm\n"
-          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
-          points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst, p.x(), p.y(), p.z(),
-          1e3 * fit.spread));
-  return kDone;
+int run(const CommandLine& line, const CalibrateArguments& args) {
+  if (args.links.empty() && !args.robot.empty())
+    throw UsageError("--robot: found without --links, expected a depth recording there");
+  if (!args.images.empty()) {
+    if (!args.links.empty()) throw UsageError("--chessboard: found beside --links, expected one of them");
+    if (!args.input.empty())
+      throw UsageError("--chessboard: found beside " + args.input.string() + ", expected one of them");
+    return calibrateByBoard(line, args);
+  }
+  if (!args.squares.empty() || !args.square.empty() || !args.boards.empty() || args.intrinsics)
+    throw UsageError("found --squares, --square, --board or --intrinsics without --chessboard, expected it");
+  if (args.input.empty())
+    throw UsageError(
+        "found neither a table of points, nor --chessboard, nor SCENE with --links, expected one of them");
+  if (!args.links.empty()) return calibrateByLinks(line, args);
+  if (args.camera.empty()) throw UsageError("--camera: found none, expected a camera file");
+  return calibrateByPoints(line, args);
 }
 
 }  // namespace
 
+std::vector<double> rowsOf(const Transform& X_WC) {
+  const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> T = X_WC.matrix().topRows<3>();
+  return {T.data(), T.data() + T.size()};
+}
+
 void addCalibrate(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "calibrate", "where a depth camera stands, from matched points",
-                             "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml");
-  auto args = std::make_shared<Arguments>();
-  command->add_option("POINTS", args->points, "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world")
-      ->required();
-  command->add_option("--camera", args->camera, "camera file with the intrinsics")->required();
+  auto* command = addCommand(
+      root, line, "calibrate",
+      "where a depth camera stands, from matched points, a chessboard or a robot's links",
+      "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml\n"
+      "  abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
+      "--camera kinect.yaml --out placed.yaml\n  "
+      "abstand calibrate data/scenes/hug_boxing.yaml --links clip --robot left_arm --camera rough.yaml "
+      "--out placed.yaml");
+  auto args = std::make_shared<CalibrateArguments>();
+  command->add_option(
+      "POINTS", args->input,
+      "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene file");
+  command->add_option("--camera", args->camera, "camera file with the intrinsics");
   command->add_option("--out", args->out, "the same with the pose T_WC and its spread");
+  command->add_option("--chessboard", args->images, "PNG images of a board, infrared or colour");
+  command->add_option("--squares", args->squares, "of the board, along x and y: 8x5");
+  command->add_option("--square", args->square, "m, side of a square");
+  command
+      ->add_option(
+          "--board", args->boards,
+          "X,Y,Z or X,Y,Z,ROLL,PITCH,YAW (m, rad): the board's frame in world, once or once an image; its "
+          "origin is the inner corner at the dark corner square, x along the first side of --squares, z "
+          "towards the viewer")
+      ->allow_extra_args(false);
+  command->add_flag(
+      "--intrinsics", args->intrinsics,
+      "measures the lens by 5 or more images of the board in different poses, of which the first "
+      "are those of --board");
+  command->add_option(
+      "--links", args->links,
+      "depth recording of a robot of SCENE, at the scene's times; the start is the camera file's T_WC, "
+      "wrong by 0.1 m and 10 degrees at most");
+  command->add_option("--robot", args->robot,
+                      "mechanism of SCENE whose links are seen; where it has one: that");
+  command->add_option("--seed", args->seed, "of the search with --links");
+  addPackagePath(command, args->packages);
+  addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

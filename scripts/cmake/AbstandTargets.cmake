@@ -21,7 +21,7 @@ set(abstand_common_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <fu
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # The first for the compiler cache. With precompiled headers GCC 12 takes the library's own strings for code of ours, and finds
   # bounds broken in them that are not (GCC bug 105651 and its kin); clang and the sanitizers look at bounds.
-  target_compile_options(abstand_flags INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-restrict)
+  target_compile_options(abstand_flags INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
 endif()
 
 # abstand_library(NAME [sources]): one library a folder, seen by others as abstand::NAME.

@@ -1,5 +1,7 @@
 // The contract of the commands about depth images.
 #include "tests/app/program.hpp"
+#include "tests/tracking/depth/board_picture.hpp"
+#include "tracking/depth/colour_png.hpp"
 #include "tracking/depth/depth_stream.hpp"
 
 namespace abstand::testing {
@@ -128,6 +130,101 @@ TEST_F(Cli, CalibratePlacesACamera) {
   EXPECT_EQ(run("calibrate " + camera + " --camera " + camera).code, 3);
   EXPECT_EQ(run("calibrate " + points).code, 2);
   EXPECT_EQ(run("calibrate " + placed + "x --camera " + placed).code, 3);
+}
+
+/// As an infrared camera's image.
+void save(const GreyImage& grey, const std::filesystem::path& file) {
+  ColourImage image(grey.width, grey.height);
+  for (std::size_t i = 0; i < grey.pixels.size(); ++i) image.pixels[i].fill(grey.pixels[i]);
+  saveColourPng(image, file);
+}
+
+TEST_F(Cli, CalibrateByAChessboard) {
+  const Chessboard board{8, 5, 0.03};
+  const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
+  const DepthCamera truth = cameraBefore(board, X_WO, 0.7, 0.5, 0.3, 0.2);
+  const auto image = folder_.path() / "board.png", placed = folder_.path() / "placed.yaml";
+  save(pictureOf(truth, board, X_WO), image);
+  const std::string camera = write("kinect.yaml", describeDepthCamera(DepthCamera{}));
+  const std::string chessboard = "calibrate --chessboard " + image.string();
+  const std::string lens = " --camera " + camera, place = " --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5";
+  const json j = runJson(chessboard + " --squares 8x5" + place + lens + " --out " + placed.string());
+  EXPECT_EQ(j["corners"], 28);
+  EXPECT_LT(j["rms_px"].get<double>(), 0.2);
+  const DepthCamera found = loadDepthCamera(placed);
+  EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.003);
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  // Inner corners instead of squares.
+  const Answer corners = run(chessboard + " --squares 7x4" + place + lens);
+  EXPECT_EQ(corners.code, 3);
+  EXPECT_NE(corners.err.find("counts squares, not inner corners"), std::string::npos) << corners.err;
+  for (const std::string& bad : std::vector<std::string>{
+           " --squares 8x5 --square 0.03" + lens, " --squares 8x8" + place + lens,
+           " --squares 8" + place + lens, " --squares 8x5" + place,
+           " --squares 8x5" + place + " --intrinsics", " --squares 8x5" + place + " --board 0,0,0" + lens,
+           " --squares 8x5 --square 0.03 --board 1,2" + lens,
+           " --squares 8x5 --square 0 --board 0,0,0" + lens})
+    EXPECT_EQ(run(chessboard + bad).code, 2) << bad;
+  EXPECT_EQ(run("calibrate --chessboard " + camera + " --squares 8x5" + place + lens).code, 3);
+  const std::string small =
+      write("small.yaml", "width: 320\nheight: 240\nfx: 290\nfy: 290\ncx: 160\ncy: 120\ndepth_scale: 1000\n");
+  EXPECT_EQ(run(chessboard + " --squares 8x5" + place + " --camera " + small).code, 3);
+  EXPECT_EQ(run("calibrate points.csv --squares 8x5 --camera " + camera).code, 2);
+}
+
+TEST_F(Cli, CalibrateMeasuresTheLens) {
+  const Chessboard board{8, 5, 0.03};
+  const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
+  std::string images;
+  DepthCamera first;
+  for (int i = 0; i < 5; ++i) {
+    const DepthCamera camera = cameraBefore(board, X_WO, 0.5, 0.6, 1.3 * i, 0.4 * i);
+    if (i == 0) first = camera;
+    const auto file = folder_.path() / ("board" + std::to_string(i) + ".png");
+    save(pictureOf(camera, board, X_WO), file);
+    images += " " + file.string();
+  }
+  const auto placed = folder_.path() / "placed.yaml";
+  const json j = runJson("calibrate --chessboard" + images +
+                         " --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5 --intrinsics --out " +
+                         placed.string());
+  EXPECT_NEAR(j["intrinsics"]["fx"].get<double>(), 580.0, 6.0);
+  const DepthCamera found = loadDepthCamera(placed);
+  EXPECT_EQ(found.fx, j["intrinsics"]["fx"].get<double>());
+  // A lens that is a hundredth off puts the camera a hundredth of its distance off.
+  EXPECT_LT((found.X_WC.translation() - first.X_WC.translation()).norm(), 0.01);
+}
+
+TEST_F(Cli, CalibrateByTheLinksOfARobot) {
+  const std::string clip = (folder_.path() / "clip").string(), scene = "data/scenes/arm6.yaml";
+  runJson("render-depth " + scene + " --out " + clip +
+          " --end 0 --width 320 --eye 1.6,0.6,0.9 --look 0.1,0,0.4");
+  const DepthCamera truth = loadDepthCamera(folder_.path() / "clip" / "camera.yaml");
+  DepthCamera start = truth;
+  start.X_WC = truth.X_WC * fromXyzRpy({0.05, -0.06, 0.05}, {0.08, -0.1, 0.06});
+  const std::string rough = write("rough.yaml", describeDepthCamera(start));
+  const auto placed = folder_.path() / "placed.yaml";
+  const std::string calibrate = "calibrate " + scene + " --links " + clip;
+  const json j = runJson(calibrate + " --robot arm6 --camera " + rough + " --out " + placed.string());
+  EXPECT_EQ(j["robot"], "arm6");
+  EXPECT_EQ(j["images"], 1);
+  EXPECT_GT(j["explained"].get<double>(), 0.9);
+  const DepthCamera found = loadDepthCamera(placed);
+  // A tenth of the way that it was off, and less than a step of the Kinect's depth.
+  EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.008);
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  EXPECT_NEAR(j["moved"].get<double>(), std::sqrt(0.0086), 0.008);
+  DepthCamera unplaced = truth;
+  unplaced.X_WC = Transform::Identity();
+  const std::string nowhere = write(
+      "nowhere.yaml", describeDepthCamera(unplaced).substr(0, describeDepthCamera(unplaced).find("T_WC")));
+  for (const std::string& bad :
+       std::vector<std::string>{calibrate + " --robot nobody", calibrate + " --camera " + nowhere,
+                                "calibrate " + scene + " --robot arm6", "calibrate --links " + clip,
+                                calibrate + " --chessboard a.png"})
+    EXPECT_EQ(run(bad).code, 2) << bad;
+  EXPECT_EQ(run("calibrate " + scene + " --links data/scenes").code, 3);
+  EXPECT_EQ(run("calibrate data/scenes/arm6.yaml --camera " + rough).code, 3);
 }
 
 TEST_F(Cli, TrackSaysWhatIsWrong) {

@@ -35,6 +35,15 @@ std::string listed(const Vector3d& v) {
 
 }  // namespace
 
+Eigen::Vector2d DepthCamera::pixelOf(const Vector3d& p_C) const {
+  const auto& k = distortion;
+  const double x = p_C.x() / p_C.z(), y = p_C.y() / p_C.z(), rr = x * x + y * y;
+  const double radial = 1.0 + rr * (k[0] + rr * (k[1] + rr * k[4]));
+  const double xd = x * radial + 2.0 * k[2] * x * y + k[3] * (rr + 2.0 * x * x);
+  const double yd = y * radial + k[2] * (rr + 2.0 * y * y) + 2.0 * k[3] * x * y;
+  return {fx * xd + cx, fy * yd + cy};
+}
+
 DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
   const YamlNode root = parseYaml(text, file);
   const YamlFields fields(

@@ -22,6 +22,8 @@ struct DepthCamera {
 
   /// The point in the camera's frame that is seen at (u, v), z (m) along the optical axis. Undistorted.
   Vector3d at(double u, double v, double z) const { return {(u - cx) / fx * z, (v - cy) / fy * z, z}; }
+  /// Pixel (u, v) of a point before the camera, distortion included (Brown's model in OpenCV's order).
+  Eigen::Vector2d pixelOf(const Vector3d& p_C) const;
 };
 
 /// Reads a camera file: YAML with `width, height, fx, fy, cx, cy, depth_scale`, and optional `distortion:

@@ -8,39 +8,20 @@
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
-#include "tracking/depth/depth_camera.hpp"
 #include "tracking/depth/depth_decode.hpp"
+#include "tracking/depth/png_header.hpp"
 
 namespace abstand {
 namespace {
 
 constexpr double kMost = 65535.0;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
-// Signature, length and name of the first chunk, width, height, bits, colour type.
-constexpr std::size_t kHeader = 26;
-
-std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
 /// Before the decoder reserves memory for what a stranger says.
 void checkHeader(const std::string& bytes, const std::string& file) {
-  const SourcePos place{file};
-  if (bytes.size() < kHeader || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0 ||
-      bytes.compare(12, 4, "IHDR") != 0)
-    throw ParseError(place, "found no PNG, expected a depth image (grey, 16 bits)");
-  const std::uint32_t width = bigEndian(bytes, 16), height = bigEndian(bytes, 20);
-  const auto bits = static_cast<unsigned>(static_cast<unsigned char>(bytes[24]));
-  const auto colour = static_cast<unsigned>(static_cast<unsigned char>(bytes[25]));
-  if (bits != 16 || colour != 0)
-    throw ParseError(place, "found a PNG of " + std::to_string(bits) + " bits and colour type " +
-                                std::to_string(colour) + ", expected 16 bits of grey (type 0)");
-  if (width == 0 || height == 0 || width > DepthCamera::kMostPixels || height > DepthCamera::kMostPixels)
-    throw ParseError(place, "found " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels, expected 1 to " + std::to_string(DepthCamera::kMostPixels) +
-                                " along a side");
+  const PngHeader header = readPngHeader(bytes, file, "a depth image (grey, 16 bits)");
+  if (header.bits != 16 || header.colour != 0)
+    throw ParseError({file}, "found a PNG of " + std::to_string(header.bits) + " bits and colour type " +
+                                 std::to_string(header.colour) + ", expected 16 bits of grey (type 0)");
 }
 
 }  // namespace

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/random.hpp"
+#include "tracking/depth/floor_consensus.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr int kTries = 1500;  // most of them are not level, and cost nothing
+constexpr int kTries = 1500;               // most of them are not level, and cost nothing
+constexpr double kCertainty = 1.0 - 1e-9;  // less, and the seeds find floors of an image 4 cm apart
 constexpr std::size_t kPoints = 2000;
 constexpr double kTilt = 35.0;         // degrees
 constexpr double kLeastHeight = 0.3;   // m, of a camera over the floor
@@ -49,46 +50,27 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
   const double pixels = static_cast<double>(image.z.size());
   const int step = std::max(1, static_cast<int>(std::sqrt(pixels / static_cast<double>(kPoints))));
   const int columns = (image.width + step - 1) / step, rows = (image.height + step - 1) / step;
-  grid_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Vector3d::Zero());
+  grid_.columns = columns;
+  grid_.rows = rows;
+  grid_.points.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Vector3d::Zero());
   points_.clear();
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
       const auto z = static_cast<double>(image.at(c * step, r * step));
       if (!(z > 0.0 && z < kFarthest)) continue;
       points_.push_back(camera.at(c * step, r * step, z));
-      grid_[static_cast<std::size_t>(r * columns + c)] = points_.back();
+      grid_.points[static_cast<std::size_t>(r * columns + c)] = points_.back();
     }
   if (points_.size() < 50) return std::nullopt;
   const auto total = static_cast<double>(points_.size());
-  // Three that lie near each other in the image are on one plane more often than three of all.
-  const int reach = std::max(2, columns / 5);
-  const auto near = [&](int c, int r, Random& from) -> const Vector3d& {
-    const int dc = static_cast<int>(from.below(static_cast<std::size_t>(2 * reach + 1))) - reach;
-    const int dr = static_cast<int>(from.below(static_cast<std::size_t>(2 * reach + 1))) - reach;
-    return grid_[static_cast<std::size_t>(std::clamp(r + dr, 0, rows - 1) * columns +
-                                          std::clamp(c + dc, 0, columns - 1))];
-  };
-
-  Random random(seed, 0);
-  std::optional<FloorPlane> best;
-  std::size_t most = static_cast<std::size_t>(kLeastShare * total);
-  for (int i = 0; i < kTries; ++i) {
-    const int column = static_cast<int>(random.below(static_cast<std::size_t>(columns)));
-    const int row = static_cast<int>(random.below(static_cast<std::size_t>(rows)));
-    const Vector3d& a = grid_[static_cast<std::size_t>(row * columns + column)];
-    const Vector3d &b = near(column, row, random), &c = near(column, row, random);
-    if (a.isZero(0.0) || b.isZero(0.0) || c.isZero(0.0)) continue;
-    Vector3d up = (b - a).cross(c - a);
-    if (up.norm() < 1e-4) continue;
-    up.normalize();
-    if (up.y() > 0.0) up = -up;
-    const FloorPlane plane{up, -up.dot(a)};
-    if (!isLevel(up) || plane.height < kLeastHeight) continue;
+  const auto least = static_cast<std::size_t>(kLeastShare * total);
+  const auto count_floor = [&](const FloorPlane& plane) -> std::size_t {
+    if (plane.height < kLeastHeight) return 0;
     const Count count = countOn(points_, plane);
-    if (count.on <= most || static_cast<double>(count.below) > kMostBelow * total) continue;
-    most = count.on;
-    best = plane;
-  }
+    return count.on <= least || static_cast<double>(count.below) > kMostBelow * total ? 0 : count.on;
+  };
+  std::optional<FloorPlane> best =
+      consensusPlane(grid_, {unit::deg(kTilt), kCertainty, kTries, seed}, count_floor);
   if (!best) return std::nullopt;
   for (int round = 0; round < 3; ++round) {
     Vector3d mean = Vector3d::Zero();

@@ -7,6 +7,7 @@
 
 #include "tracking/depth/depth_camera.hpp"
 #include "tracking/depth/depth_image.hpp"
+#include "tracking/depth/point_grid.hpp"
 
 namespace abstand {
 
@@ -32,7 +33,7 @@ class FloorFinder {
   std::optional<FloorPlane> find(const DepthImage& image, const DepthCamera& camera, std::uint64_t seed);
 
  private:
-  std::vector<Vector3d> grid_;    ///< row by row; 0 where nothing was measured
+  PointGrid grid_;
   std::vector<Vector3d> points_;  ///< those that are not 0
 };
 

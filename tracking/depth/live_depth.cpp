@@ -38,9 +38,9 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
   noteStraightening(source.facts, source.camera, options.mirror);
   driver_ = std::make_unique<FreenectCamera>([this](const std::uint16_t* numbers) { keep(numbers); });
   facts_ = source.facts;
-  facts_.notes.push_back(driver_->isRaw()
-                             ? "disparities of 11 bits, made into depths by the line of README.md"
-                             : "millimetres by the camera's own calibration");
+  facts_.notes.emplace_back(driver_->isRaw()
+                                ? "disparities of 11 bits, made into depths by the line of README.md"
+                                : "millimetres by the camera's own calibration");
   for (int i = 0; i < static_cast<int>(depth_of_.size()); ++i) {
     const float mm = i <= kMostMillimetres ? static_cast<float>(i) * 0.001f : 0.0f;
     depth_of_[static_cast<std::size_t>(i)] = driver_->isRaw() ? freenectDepth(i) : mm;

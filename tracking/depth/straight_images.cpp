@@ -11,19 +11,15 @@ namespace {
 
 constexpr float kFarthest = 100.0f;  // m; no depth camera measures beyond
 
-/// Where the pixel (u, v) of a camera without distortion lies in the image of the camera with it (Brown's
-/// model in OpenCV's order); row-major number of the nearest pixel, -1 beside the image.
+/// Where the pixel (u, v) of a camera without distortion lies in the image of the camera with it; row-major
+/// number of the nearest pixel, -1 beside the image.
 std::vector<int> pixelsWithDistortion(const DepthCamera& c) {
   std::vector<int> from;
   from.reserve(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
-  const auto& k = c.distortion;
   for (int v = 0; v < c.height; ++v) {
     for (int u = 0; u < c.width; ++u) {
-      const double x = (u - c.cx) / c.fx, y = (v - c.cy) / c.fy, rr = x * x + y * y;
-      const double radial = 1.0 + rr * (k[0] + rr * (k[1] + rr * k[4]));
-      const double xd = x * radial + 2.0 * k[2] * x * y + k[3] * (rr + 2.0 * x * x);
-      const double yd = y * radial + k[2] * (rr + 2.0 * y * y) + 2.0 * k[3] * x * y;
-      const double ud = std::round(c.fx * xd + c.cx), vd = std::round(c.fy * yd + c.cy);
+      const Eigen::Vector2d with = c.pixelOf(c.at(u, v, 1.0));
+      const double ud = std::round(with.x()), vd = std::round(with.y());
       const bool inside = ud >= 0.0 && vd >= 0.0 && ud < c.width && vd < c.height;
       from.push_back(inside ? static_cast<int>(vd) * c.width + static_cast<int>(ud) : -1);
     }

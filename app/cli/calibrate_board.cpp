@@ -1,0 +1,143 @@
+// abstand calibrate --chessboard: where a camera stands, and its lens, from pictures of a board.
+#include "app/cli/calibrate_modes.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/output_file.hpp"
+#include "tracking/depth/board_pose.hpp"
+
+namespace abstand::cli {
+namespace {
+
+Chessboard boardOf(const CalibrateArguments& args) {
+  Chessboard board;
+  const std::string_view text = args.squares;
+  const std::size_t cross = std::min(text.find('x'), text.size());
+  board.columns = parseInt(text.substr(0, cross)).value_or(0);
+  board.rows = parseInt(text.substr(std::min(cross + 1, text.size()))).value_or(0);
+  if (std::min(board.columns, board.rows) < Chessboard::kLeastSquares ||
+      std::max(board.columns, board.rows) > Chessboard::kMostSquares)
+    throw UsageError("--squares: found '" + args.squares +
+                     "', expected the squares along both sides, 4 to 40 each, like 8x5");
+  if (board.columns == board.rows)
+    throw UsageError(
+        "--squares: found a square board, which looks the same from all four sides, expected 8x5 or the "
+        "like");
+  board.square = numberWithin(args.square, "--square", 1e-3, 1.0, "m");
+  return board;
+}
+
+Transform placeOf(const std::string& text) {
+  const std::vector<double> v = numberList(text, "--board");
+  if (v.size() != 3 && v.size() != 6)
+    throw UsageError("--board: found '" + text + "', expected X,Y,Z or X,Y,Z,ROLL,PITCH,YAW (m, rad)");
+  return fromXyzRpy({v[0], v[1], v[2]}, v.size() == 6 ? Vector3d(v[3], v[4], v[5]) : Vector3d::Zero());
+}
+
+/// Where somebody counted inner corners, or squares as corners.
+std::string hintOf(const GreyImage& image, const Chessboard& board) {
+  for (const int more : {1, -1}) {
+    const Chessboard other{board.columns + more, board.rows + more, board.square};
+    if (std::min(other.columns, other.rows) >= Chessboard::kLeastSquares && findChessboard(image, other))
+      return "it shows one of " + std::to_string(other.columns) + " x " + std::to_string(other.rows) +
+             " squares; --squares counts squares, not inner corners";
+  }
+  return {};
+}
+
+/// The corners in each image, all of one size.
+std::vector<BoardCorners> cornersIn(const CalibrateArguments& args, const Chessboard& board, int& width,
+                                    int& height) {
+  std::vector<BoardCorners> views;
+  for (const std::filesystem::path& file : args.images) {
+    const GreyImage image = loadGreyPng(file);
+    if (width == 0) width = image.width, height = image.height;
+    if (image.width != width || image.height != height)
+      throw ParseError({file.string()}, format("found %d x %d pixels, expected the camera's %d x %d",
+                                               image.width, image.height, width, height));
+    auto corners = findChessboard(image, board);
+    if (!corners)
+      throw ParseError(
+          {file.string()},
+          format("found no whole chessboard, expected one of %d x %d squares", board.columns, board.rows),
+          hintOf(image, board));
+    views.push_back(std::move(*corners));
+  }
+  return views;
+}
+
+/// Each view with the place of its board: one place for all, or one for each of the first views.
+std::vector<PlacedBoard> placed(const CalibrateArguments& args, const std::vector<BoardCorners>& views) {
+  const std::size_t places = args.boards.size();
+  if (places > views.size() || (!args.intrinsics && places != 1 && places != views.size()))
+    throw UsageError(format("--board: found %zu places for %zu images, expected one for all or one for each",
+                            places, views.size()));
+  const std::size_t count = args.intrinsics ? places : views.size();
+  std::vector<PlacedBoard> boards;
+  for (std::size_t i = 0; i < count; ++i)
+    boards.push_back({views[i], placeOf(args.boards[places == 1 ? 0 : i])});
+  return boards;
+}
+
+}  // namespace
+
+int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
+  if (args.squares.empty() || args.square.empty())
+    throw UsageError("--chessboard: found no --squares or no --square, expected both");
+  if (args.boards.empty() && !args.intrinsics)
+    throw UsageError("--chessboard: found neither --board nor --intrinsics, expected one or both");
+  if (args.camera.empty() && !args.intrinsics)
+    throw UsageError("--camera: found none, expected a camera file, or --intrinsics");
+  const Chessboard board = boardOf(args);
+  DepthCamera camera;
+  int width = 0, height = 0;
+  if (!args.camera.empty()) {
+    camera = loadDepthCamera(args.camera);
+    width = camera.width;
+    height = camera.height;
+  }
+  const std::vector<BoardCorners> views = cornersIn(args, board, width, height);
+  nlohmann::ordered_json document{{"images", views.size()}, {"corners", views.size() * board.corners()}};
+  std::string text = format("%zu images, %zu corners\n", views.size(), views.size() * board.corners());
+  if (args.intrinsics) {
+    const IntrinsicsFit fit = fitIntrinsics(board, views, width, height);
+    const DepthCamera& c = fit.camera;
+    camera.width = c.width;
+    camera.height = c.height;
+    camera.fx = c.fx;
+    camera.fy = c.fy;
+    camera.cx = c.cx;
+    camera.cy = c.cy;
+    camera.distortion = c.distortion;
+    document["intrinsics"] = {{"fx", c.fx},
+                              {"fy", c.fy},
+                              {"cx", c.cx},
+                              {"cy", c.cy},
+                              {"distortion", std::vector<double>(c.distortion.begin(), c.distortion.end())},
+                              {"rms_px", fit.rms},
+                              {"focal_spread", fit.focal_spread}};
+    text += format("lens: fx %.2f, fy %.2f, cx %.2f, cy %.2f, %.3f pixels off; focal lengths to %.2f %%\n",
+                   c.fx, c.fy, c.cx, c.cy, fit.rms, 100.0 * fit.focal_spread);
+  }
+  if (!args.boards.empty()) {
+    const BoardFit fit = fitBoardPose(camera, board, placed(args, views));
+    camera.X_WC = fit.X_WC;
+    camera.spread = fit.spread;
+    document["T_WC"] = rowsOf(fit.X_WC);
+    document["rms_px"] = fit.rms;
+    document["worst_px"] = fit.worst;
+    document["worst_image"] = args.images[fit.worst_view].string();
+    document["depth"] = fit.depth;
+    document["spread"] = fit.spread;
+    const Vector3d p = fit.X_WC.translation();
+    text += format(
+        "%.3f pixels off on the mean square at %.2f m, worst %.3f in %s\n"
+        "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
+        fit.rms, fit.depth, fit.worst, args.images[fit.worst_view].filename().string().c_str(), p.x(), p.y(),
+        p.z(), 1e3 * fit.spread);
+  }
+  if (!args.out.empty()) writeFile(args.out, describeDepthCamera(camera));
+  line.print(document, text);
+  return kDone;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,76 @@
+// abstand calibrate SCENE --links: where a camera stands, from depth images of a robot.
+#include "app/cli/calibrate_modes.hpp"
+#include "app/depth/robot_links.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "tracking/depth/depth_stream.hpp"
+#include "tracking/depth/surface_pose.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr std::size_t kMostImages = 8;
+
+/// Evenly spread over the recording.
+std::vector<DepthFrame> imagesOf(DepthStream& stream) {
+  std::vector<DepthFrame> frames;
+  const std::size_t count = std::min(kMostImages, stream.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    stream.seek(count > 1 ? i * (stream.size() - 1) / (count - 1) : 0);
+    DepthFrame frame;
+    if (stream.next(frame)) frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+}  // namespace
+
+int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
+  DepthStreamOptions stream_options;
+  stream_options.camera = args.camera;
+  const auto stream = openDepthStream(args.links, stream_options);
+  if (!stream->facts().pose_known)
+    throw UsageError(
+        "--links: found a recording that does not say how the camera stands, expected a camera file with a "
+        "rough "
+        "T_WC (--camera)");
+  SessionOptions session_options;
+  session_options.cache = line.cache;
+  session_options.monitor = buildMonitor(line);
+  RobotLinks links(loadScene(args.input, args.packages), args.robot, session_options);
+  std::vector<SurfaceView> views;
+  for (DepthFrame& frame : imagesOf(*stream)) views.push_back({std::move(frame.image), links.at(frame.t)});
+  if (views.empty()) throw ParseError({args.links.string()}, "found no image, expected one or more");
+  const SurfaceFit fit = fitPoseToSurfaces(stream->camera(), links.surfaces(), views, args.seed);
+  if (!args.out.empty()) {
+    DepthCamera camera = args.camera.empty() ? stream->camera() : loadDepthCamera(args.camera);
+    camera.X_WC = fit.X_WC;
+    camera.spread = fit.spread;
+    writeFile(args.out, describeDepthCamera(camera));
+  }
+  const nlohmann::ordered_json document{{"robot", links.robot()},
+                                        {"links", links.surfaces().size()},
+                                        {"images", views.size()},
+                                        {"points", fit.points},
+                                        {"explained", fit.explained},
+                                        {"T_WC", rowsOf(fit.X_WC)},
+                                        {"rms", fit.rms},
+                                        {"moved", fit.moved},
+                                        {"turned", fit.turned},
+                                        {"spread", fit.spread}};
+  const Vector3d p = fit.X_WC.translation();
+  line.print(
+      document,
+      format(
+          "%s: %zu points on %zu links in %zu images, %.2f mm off on the mean square; %.0f %% of what would "
+          "be seen "
+          "is there\n"
+          "moved by %.1f mm and turned by %.2f degrees from the start\n"
+          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
+          links.robot().c_str(), fit.points, links.surfaces().size(), views.size(), 1e3 * fit.rms,
+          100.0 * fit.explained, 1e3 * fit.moved, fit.turned / unit::deg(1.0), p.x(), p.y(), p.z(),
+          1e3 * fit.spread));
+  return kDone;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,31 @@
+// abstand calibrate: where a depth camera stands, from matched points.
+#include "app/cli/calibrate_modes.hpp"
+#include "core/base/output_file.hpp"
+#include "core/base/text_file.hpp"
+#include "tracking/depth/pose_from_points.hpp"
+
+namespace abstand::cli {
+
+int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args) {
+  DepthCamera camera = loadDepthCamera(args.camera);
+  const std::vector<MatchedPoint> points = readMatchedPoints(readFile(args.input), args.input.string());
+  const PoseFit fit = fitPose(points);
+  camera.X_WC = fit.X_WC;
+  camera.spread = fit.spread;
+  if (!args.out.empty()) writeFile(args.out, describeDepthCamera(camera));
+
+  const nlohmann::ordered_json document{
+      {"points", points.size()}, {"T_WC", rowsOf(fit.X_WC)},          {"rms", fit.rms},
+      {"worst", fit.worst},      {"worst_line", fit.worst_point + 2}, {"spread", fit.spread}};
+  const Vector3d p = fit.X_WC.translation();
+  line.print(
+      document,
+      format(
+          "%zu points: %.2f mm off on the mean square, line %zu worst with %.2f mm\n"
+          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
+          points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst, p.x(), p.y(), p.z(),
+          1e3 * fit.spread));
+  return kDone;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,54 @@
+// The links of one robot of a scene, as surfaces that move.
+#include "app/depth/robot_links.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+namespace {
+
+std::string nameOf(const SceneDescription& scene, const std::string& robot) {
+  std::vector<std::string> names;
+  for (const MechanismDescription& m : scene.mechanisms) names.push_back(m.name);
+  if (names.empty())
+    throw UsageError("--robot: found a scene without a mechanism, expected one with a robot");
+  if (robot.empty() && names.size() == 1) return names.front();
+  if (std::find(names.begin(), names.end(), robot) != names.end()) return robot;
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw UsageError("--robot: found " + (robot.empty() ? "none" : "'" + robot + "'") +
+                   ", expected one of the scene's mechanisms: " + list);
+}
+
+/// Nobody asks for its distances, so nothing else of the scene is loaded, and no pairs.
+SceneDescription alone(SceneDescription scene, const std::string& robot) {
+  std::erase_if(scene.mechanisms, [&](const MechanismDescription& m) { return m.name != robot; });
+  scene.mechanisms.front().reaction.reset();
+  scene.humans.clear();
+  scene.objects.clear();
+  scene.pairs = {};
+  scene.pairs.standard = PairDefault::kNone;
+  scene.threads = {};
+  return scene;
+}
+
+}  // namespace
+
+RobotLinks::RobotLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options)
+    : robot_(nameOf(scene, robot)),
+      session_(std::make_unique<Session>(alone(std::move(scene), robot_), options)) {
+  for (const Object& object : session_->scene().objects())
+    surfaces_.push_back(object.spec.structure->surface.get());
+  if (surfaces_.empty())
+    throw UsageError("--robot: found no links of '" + robot_ + "', expected some with shapes or meshes");
+}
+
+std::vector<Transform> RobotLinks::at(double t) {
+  session_->applyMotion(t);
+  std::vector<Transform> X_WB;
+  for (const Object& object : session_->scene().objects()) X_WB.push_back(object.X_WB);
+  return X_WB;
+}
+
+}  // namespace abstand

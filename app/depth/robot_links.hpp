@@ -1,0 +1,28 @@
+// The links of one robot of a scene, as surfaces that move.
+#pragma once
+
+#include <memory>
+
+#include "app/session/session.hpp"
+
+namespace abstand {
+
+/// Owns a session of that robot alone.
+class RobotLinks {
+ public:
+  /// `robot`: name of a mechanism of the scene; empty where it has one alone. Throws UsageError where there
+  /// is no such robot, or it has no links, and ParseError for its files.
+  RobotLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options);
+
+  const std::string& robot() const { return robot_; }
+  const std::vector<const Surface*>& surfaces() const { return surfaces_; }
+  /// Poses of surfaces() at time t (s) of the scene, in world.
+  std::vector<Transform> at(double t);
+
+ private:
+  std::string robot_;
+  std::unique_ptr<Session> session_;
+  std::vector<const Surface*> surfaces_;
+};
+
+}  // namespace abstand

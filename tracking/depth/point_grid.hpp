@@ -1,0 +1,18 @@
+// Every so many points of a depth image, where they were.
+#pragma once
+
+#include <vector>
+
+#include "core/math/transform.hpp"
+
+namespace abstand {
+
+/// Points of an image (m, camera's frame), row by row; 0 where nothing was measured.
+struct PointGrid {
+  int columns{0}, rows{0};
+  std::vector<Vector3d> points;
+
+  int indexOf(int column, int row) const { return row * columns + column; }
+};
+
+}  // namespace abstand
