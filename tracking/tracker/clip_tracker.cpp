@@ -26,8 +26,7 @@ class Walk {
     const double end = times.empty() ? 0.0 : times.front() + kLearning;
     go(end, bodies, false);
     go(kInfinity, bodies, true);
-    std::stable_sort(track_.people.begin(), track_.people.end(),
-                     [](const ClipPerson& a, const ClipPerson& b) { return a.found > b.found; });
+    finishTrack(track_);
     return std::move(track_);
   }
 
@@ -74,7 +73,7 @@ class Walk {
         finder.mask(person.id, mask);
         const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);
         if (!keep) continue;
-        note(person.id, frame.t, body, place);
+        noteMoment(track_, place, person.id, frame.t, body, true);
         if (!body || !options_.watch) continue;
         const double pause = processorSeconds();
         options_.watch({i, person.id, frame, track_.camera, *it->second.rig(), *body});
@@ -99,26 +98,6 @@ class Walk {
       bodies.insert_or_assign(id, *person.body());
       if (keep && place.count(id) > 0) track_.people[place[id]].body = *person.body();
     }
-    if (keep)
-      for (ClipPerson& person : track_.people)
-        person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
-  }
-
-  void note(int id, double t, const TrackedBody* body, std::map<int, std::size_t>& place) {
-    const auto [it, is_new] = place.try_emplace(id, track_.people.size());
-    if (is_new) {
-      track_.people.push_back({});
-      track_.people.back().id = id;
-      track_.people.back().residual = 0.0;
-    }
-    ClipPerson& person = track_.people[it->second];
-    SkeletonFrame none;
-    none.t = t;
-    person.frames.push_back(body ? body->frame : none);
-    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track_.camera.spread);
-    if (!body || !body->found) return;
-    ++person.found;
-    person.residual += body->misfit.residual;
   }
 
   DepthStream& stream_;
@@ -127,6 +106,33 @@ class Walk {
 };
 
 }  // namespace
+
+void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, double t,
+                const TrackedBody* body, bool keep) {
+  const auto [it, is_new] = place.try_emplace(id, track.people.size());
+  if (is_new) {
+    track.people.emplace_back();
+    track.people.back().id = id;
+    track.people.back().residual = 0.0;
+  }
+  ClipPerson& person = track.people[it->second];
+  if (keep) {
+    SkeletonFrame none;
+    none.t = t;
+    person.frames.push_back(body ? body->frame : none);
+    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track.camera.spread);
+  }
+  if (!body || !body->found) return;
+  ++person.found;
+  person.residual += body->misfit.residual;
+}
+
+void finishTrack(ClipTrack& track) {
+  for (ClipPerson& person : track.people)
+    person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
+  std::stable_sort(track.people.begin(), track.people.end(),
+                   [](const ClipPerson& a, const ClipPerson& b) { return a.found > b.found; });
+}
 
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options) {
   return Walk(stream, options).run();

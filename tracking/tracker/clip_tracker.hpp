@@ -49,6 +49,13 @@ struct ClipTrack {
   bool interrupted{false};
 };
 
+/// What an image showed of person `id` of the finder; `body` may be null: not found. `place` says where each
+/// number is in track.people, and grows. Frames are added where `keep`, with the camera's spread.
+void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, double t,
+                const TrackedBody* body, bool keep);
+/// Behind the last image: sums of residuals become means, and who was found in most images comes first.
+void finishTrack(ClipTrack& track);
+
 /// Two walks through the stream: the first seconds to learn the sizes of the people, then all of it. People
 /// who come later are measured when they come. Where the recording does not say how the camera stands, its
 /// floor does; without a floor in sight the camera is taken to be level, over a floor on which the lowest

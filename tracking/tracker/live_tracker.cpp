@@ -1,9 +1,6 @@
 // People of a camera that looks now, image by image.
 #include "tracking/tracker/live_tracker.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace abstand {
 namespace {
 
@@ -43,7 +40,7 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
     TrackedPerson& tracker = follower.person;
     finder_->mask(person.id, mask_);
     const TrackedBody* body = tracker.see(frame.t, frame.image, track_.camera, mask_);
-    note(person.id, frame.t, body);
+    noteMoment(track_, place_, person.id, frame.t, body, options_.keep);
     if (!body) continue;
     if (body->found) seen_.push_back({person.id, body});
     if (options_.watch)
@@ -66,31 +63,9 @@ void LiveTracker::forget(double t) {
   }
 }
 
-void LiveTracker::note(int id, double t, const TrackedBody* body) {
-  const auto [it, is_new] = place_.try_emplace(id, track_.people.size());
-  if (is_new) {
-    track_.people.emplace_back();
-    track_.people.back().id = id;
-    track_.people.back().residual = 0.0;
-  }
-  ClipPerson& person = track_.people[it->second];
-  if (options_.keep) {
-    SkeletonFrame none;
-    none.t = t;
-    person.frames.push_back(body ? body->frame : none);
-    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track_.camera.spread);
-  }
-  if (!body || !body->found) return;
-  ++person.found;
-  person.residual += body->misfit.residual;
-}
-
 ClipTrack LiveTracker::track() const {
   ClipTrack track = track_;
-  for (ClipPerson& person : track.people)
-    person.residual /= std::max<double>(1.0, static_cast<double>(person.found));
-  std::stable_sort(track.people.begin(), track.people.end(),
-                   [](const ClipPerson& a, const ClipPerson& b) { return a.found > b.found; });
+  finishTrack(track);
   return track;
 }
 

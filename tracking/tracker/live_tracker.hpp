@@ -42,7 +42,6 @@ class LiveTracker {
     double last{0.0};  ///< s, when in view
   };
   void forget(double t);
-  void note(int id, double t, const TrackedBody* body);
 
   LiveTrackerOptions options_;
   std::optional<CameraStand> stand_;  ///< while the world is not decided

@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "tests/tracking/depth/depth_files.hpp"
+#include "tests/tracking/depth/refusal.hpp"
 #include "tracking/depth/depth_tiff.hpp"
 #include "tracking/depth/freenect_depth.hpp"
 #include "tracking/depth/lzf.hpp"
@@ -14,19 +15,6 @@
 
 namespace abstand::testing {
 namespace {
-
-/// What a reader says of bytes that it refuses.
-template <class Read>
-std::string refusal(const Read& read) {
-  try {
-    read();
-  } catch (const ParseError& e) {
-    return e.what();
-  }
-  return "nothing was refused";
-}
-
-bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 TEST(NpyArray, ReadsNumbersOfAllKinds) {
   const auto only = [](const std::string& type, const std::string& data) {

@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/depth/oni_files.hpp"
+#include "tests/tracking/depth/refusal.hpp"
 #include "tracking/depth/depth_stream.hpp"
 #include "tracking/depth/oni_recording.hpp"
 
@@ -15,16 +16,6 @@ namespace {
 
 using Numbers = std::vector<std::uint16_t>;
 
-template <class Read>
-std::string refusal(const Read& read) {
-  try {
-    read();
-  } catch (const ParseError& e) {
-    return e.what();
-  }
-  return "nothing was refused";
-}
-
 std::string refusalOf(const std::string& bytes) {
   std::istringstream in(bytes);
   return refusal([&] {
@@ -32,8 +23,6 @@ std::string refusalOf(const std::string& bytes) {
     for (const OniFrame& frame : depth.frames) readOniImage(in, depth, frame, "a.oni");
   });
 }
-
-bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 /// Recorded by OpenNI2 2.2.0.33 of Debian 12 from its driver DummyDevice: 320 x 240 pixels, the first row at
 /// 2 m, and a disc with its centre at (n, n) in image n, 1 m + 3 mm (x - y) away. The zeros behind its last
