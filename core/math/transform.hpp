@@ -1,7 +1,7 @@
 // Poses, wrenches and twists. SI units; right-handed; X_WB takes points of B into W.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <limits>
 #include <numbers>

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/math/turn_between.hpp"
 #include "core/mechanism/joint_range.hpp"
 
 namespace abstand {
@@ -71,7 +72,7 @@ class DhBuilder {
     // The joint's frame, at first at the robot's own with z turned onto the axis; below it the next joint.
     Transform X_LJ = Transform::Identity();
     if (f.axis != Vector3d::UnitZ())
-      X_LJ.linear() = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), f.axis).toRotationMatrix();
+      X_LJ.linear() = turnBetween(Vector3d::UnitZ(), f.axis).toRotationMatrix();
     if (const int k = next_[i + 1]; k >= 0) {
       const auto& next = from_.frames[static_cast<std::size_t>(k)];
       Transform X_LK = constantPart(next);

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/base/number.hpp"
+#include "core/math/turn_between.hpp"
 #include "core/mechanism/urdf_model.hpp"
 
 namespace abstand {
@@ -137,7 +138,7 @@ class UrdfBuilder {
     const UrdfJoint& joint = model_.joints[j];
     constexpr auto kAlong = JointType::kPrismatic, kAbout = JointType::kRevolute;
     if (joint.type == UrdfJointType::kPlanar) {
-      const Matrix3d R = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), joint.axis).toRotationMatrix();
+      const Matrix3d R = turnBetween(Vector3d::UnitZ(), joint.axis).toRotationMatrix();
       const std::array<Value, 3> values{
           {{"x", kAlong, R.col(0)}, {"y", kAlong, R.col(1)}, {"yaw", kAbout, joint.axis}}};
       return joinBy(values, j, link, parent);

@@ -1,5 +1,6 @@
 #include "core/mechanism/urdf_text.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>

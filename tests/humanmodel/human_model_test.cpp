@@ -2,6 +2,7 @@
 #include "humanmodel/human_model.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 

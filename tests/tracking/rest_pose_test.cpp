@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/number.hpp"
+#include "core/math/turn_between.hpp"
 #include "tracking/bvh/bvh_recording.hpp"
 
 namespace abstand {
@@ -72,9 +73,8 @@ std::string bvhOf(const std::vector<Bone>& bones) {
     R_W.resize(static_cast<std::size_t>(b.depth) + 1, Matrix3d::Identity());
     const Bone& child = bones[i + 1];
     const bool is_limb = b.depth >= 1 && child.depth == b.depth + 1;
-    const Matrix3d own = is_limb
-                             ? Eigen::Quaterniond::FromTwoVectors(child.rest, child.moved).toRotationMatrix()
-                             : Matrix3d(Matrix3d::Identity());
+    const Matrix3d own =
+        is_limb ? turnBetween(child.rest, child.moved).toRotationMatrix() : Matrix3d(Matrix3d::Identity());
     const Matrix3d R =
         b.depth == 0 ? own : Matrix3d(R_W[static_cast<std::size_t>(b.depth) - 1].transpose() * own);
     R_W[static_cast<std::size_t>(b.depth)] = own;

@@ -1,5 +1,6 @@
 // A session that is only made up.
 #include "tests/ui/fake_session.hpp"
+#include "core/math/turn_between.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ const Part kParts[] = {{"torso", {0, 0, 1.18}, {0.13, 0.19, 0.31}, 0.7},
 
 Transform along(const Vector3d& from, const Vector3d& direction, double offset) {
   Transform X = Transform::Identity();
-  X.linear() = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction.normalized()).toRotationMatrix();
+  X.linear() = turnBetween(Vector3d::UnitZ(), direction.normalized()).toRotationMatrix();
   X.translation() = from + offset * direction.normalized();
   return X;
 }

@@ -1,8 +1,11 @@
 // Summing rows, assembling the normal equations, stepping.
 #include "tracking/body/body_solver.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/turn_between.hpp"
 
 namespace abstand {
 namespace {
@@ -112,8 +115,8 @@ void BodySolver::addLimits(double w) {
     if (away > part.cone && across.norm() > 1e-9) drive(across.normalized(), away - part.cone);
     // Neutral is the shortest turn to the middle; from there the swing, and what is left is the twist. Only
     // straight opposite to the middle, out of reach, the swing is not unique.
-    const Quaterniond neutral = Quaterniond::FromTwoVectors(part.along, part.middle);
-    const Quaterniond swing = Quaterniond::FromTwoVectors(part.middle, points);
+    const Quaterniond neutral = turnBetween(part.along, part.middle);
+    const Quaterniond swing = turnBetween(part.middle, points);
     const double twist =
         rotationVector(neutral.conjugate() * swing.conjugate() * pose_.R_PS[i]).dot(part.along);
     if (std::abs(twist) > part.twist) drive(std::copysign(1.0, twist) * points, std::abs(twist) - part.twist);

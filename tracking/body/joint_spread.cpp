@@ -1,5 +1,7 @@
 #include "tracking/body/joint_spread.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace abstand {

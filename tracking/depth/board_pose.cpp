@@ -1,6 +1,7 @@
 // Where a camera stands, from chessboards at known places.
 #include "tracking/depth/board_pose.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

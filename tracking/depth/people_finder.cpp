@@ -23,7 +23,6 @@ constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
 constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
 // Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
 // metre), like arms and head of who bows towards the camera, or is small (m^2), like a foot.
-constexpr double kBowReach = 1.4;  // from the legs to the hands
 constexpr double kMostStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
 constexpr double kGate = 0.35, kGateGrowth = 1.5, kMostGate = 1.0;  // m, m/s, m: from where a person was
 constexpr double kJump = 0.3;   // m: nobody moves so far between two images

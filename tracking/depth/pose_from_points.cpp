@@ -1,6 +1,7 @@
 #include "tracking/depth/pose_from_points.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <cmath>
 
 #include "core/base/error.hpp"

@@ -1,6 +1,7 @@
 // Where a camera stands, from depth images of things whose surfaces and places are known.
 #include "tracking/depth/surface_pose.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

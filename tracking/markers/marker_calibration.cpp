@@ -1,5 +1,6 @@
 #include "tracking/markers/marker_calibration.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // Robust Gauss-Newton steps, and where to start them.
 #include "tracking/markers/marker_solver.hpp"
 
+#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 

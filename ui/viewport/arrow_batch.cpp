@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/turn_between.hpp"
+
 namespace abstand::ui {
 
 namespace {
@@ -124,7 +126,7 @@ void ArrowBatch::begin() { used_ = 0; }
 
 void ArrowBatch::add(const Vector3d& p_W, const Vector3d& direction, double length, double radius) {
   if (used_ == capacity_ || !p_W.allFinite() || !direction.allFinite()) return;
-  const Matrix3d R = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction).toRotationMatrix();
+  const Matrix3d R = turnBetween(Vector3d::UnitZ(), direction).toRotationMatrix();
   const double head = std::min(kHeadLength * radius, 0.6 * length);
   const double shaft = head / kHeadLength;  // short arrows are thin too
   auto at = static_cast<vtkIdType>(vertices_.size()) * used_;

@@ -4,6 +4,7 @@
 
 #include "core/haptic/pair_query.hpp"
 #include "core/haptic/structure_cache.hpp"
+#include "core/math/turn_between.hpp"
 #include "core/verify/brute_force.hpp"
 #include "core/verify/meshes.hpp"
 #include "tests/support/bumpy_meshes.hpp"
@@ -164,7 +165,7 @@ TEST(Scale, AShellOfAMillionPoints) {
   const auto wall = buildHapticStructure("wall", makeSurface(Cuboid{{2.0, 2.0, 1.0}}),
                                          {.voxel_size = 0.05, .point_spacing = 0.05});
   Transform X = Transform::Identity();
-  X.linear() = Quaterniond::FromTwoVectors(Vector3d::Ones(), -Vector3d::UnitZ()).toRotationMatrix();
+  X.linear() = turnBetween(Vector3d::Ones(), -Vector3d::UnitZ()).toRotationMatrix();
   X.translation() = Vector3d(0.0, 0.0, 0.5 + std::sqrt(0.75) * kEdge - kDeep);
   PairScratch scratch;
   PairResult r;

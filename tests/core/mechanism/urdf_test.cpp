@@ -1,4 +1,5 @@
 // URDF: what is understood, against closed forms.
+#include "core/math/turn_between.hpp"
 #include "core/mechanism/urdf_file.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ const Vector3d kAxis(1, -2, 0.5);
 TEST(Urdf, EveryTypeOfJointMovesItsLink) {
   const std::string origin = "<origin xyz='0.1 0.2 0.3' rpy='0.4 -0.5 0.6'/><axis xyz='1 -2 0.5'/>";
   const Transform X = fromXyzRpy({0.1, 0.2, 0.3}, {0.4, -0.5, 0.6});
-  const Matrix3d toAxis = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), kAxis).toRotationMatrix();
+  const Matrix3d toAxis = turnBetween(Vector3d::UnitZ(), kAxis).toRotationMatrix();
   const struct {
     std::string type, limit;
     std::vector<double> q;

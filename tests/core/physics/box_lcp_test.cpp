@@ -2,6 +2,7 @@
 #include "core/physics/box_lcp.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include "tests/core/mechanism/robots.hpp"
 

@@ -1,7 +1,9 @@
 // The solver against differences, dense sums and known answers.
 #include "tracking/body/body_solver.hpp"
+#include "core/math/turn_between.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Cholesky>
 
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
@@ -107,7 +109,7 @@ TEST(BodySolver, LimitsDriveJointsBack) {
     const RigPart& arm = rig()[RigSegment::kUpperArmLeft];
     pose.R_PS[index(RigSegment::kUpperArmLeft)] =
         Quaterniond(Eigen::AngleAxisd(sign * unit::deg(150), arm.middle)) *
-        Quaterniond::FromTwoVectors(arm.along, arm.middle);
+        turnBetween(arm.along, arm.middle);
     BodySolver solver(rig());
     for (int i = 0; i < 50; ++i) {
       solver.begin(pose);
