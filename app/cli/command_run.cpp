@@ -61,7 +61,9 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
     j["slowest_pair"] = {
         {"a", s.slowest_pair->a}, {"b", s.slowest_pair->b}, {"mean_us", s.slowest_pair->value}};
   if (s.profile)
-    j["profile_us"] = {{"processor", timesJson(s.profile->work())}, {"empty", timesJson(s.profile->empty())}};
+    j["profile_us"] = {{"processor", timesJson(s.profile->work())},
+                       {"empty", timesJson(s.profile->empty())},
+                       {"empty_processor", timesJson(s.profile->emptyWork())}};
   j["skipping"] = skippingJson(s);
   if (s.cycles > 0) {
     j["cycles"] = s.cycles;
@@ -89,7 +91,8 @@ std::string summaryText(const RunSummary& s, const Session& session) {
                  s.p99_us, s.p999_us, s.max_us, s.overruns);
   if (s.profile)
     text += timesText("  processor time of it", s.profile->work()) +
-            timesText("  an empty loop as long", s.profile->empty());
+            timesText("  an empty loop as long", s.profile->empty()) +
+            timesText("  processor time of that", s.profile->emptyWork());
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);

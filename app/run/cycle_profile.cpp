@@ -18,7 +18,7 @@ double processorTime() {
 void CycleProfile::begin() { begun_ = processorTime(); }
 
 void CycleProfile::end(double seconds) {
-  const double worked = processorTime() - begun_;
+  const double ended = processorTime(), worked = ended - begun_;
   work_.add(worked);
   // As long as the work took, not as long as somebody else made it: the empty loop would inherit that.
   const double wanted = worked < seconds ? worked : seconds;
@@ -27,6 +27,7 @@ void CycleProfile::end(double seconds) {
   double passed = 0.0;
   while (passed < wanted) passed = std::chrono::duration<double>(Clock::now() - begin).count();
   empty_.add(passed);
+  empty_work_.add(processorTime() - ended);
 }
 
 }  // namespace abstand
