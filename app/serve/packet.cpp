@@ -29,6 +29,7 @@ PacketFault readSkeleton(std::span<const std::byte> bytes, const PacketFormat& f
   if (out.index >= format.people.size()) return PacketFault::kIndex;
   if (bytes.size() != skeletonBytes()) return PacketFault::kSize;
   constexpr std::size_t kStates = kHeaderBytes + 24 * kJointCount;
+  out.skeleton.spread.fill(0.0);
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const auto state = load<std::uint8_t>(bytes, kStates + j);
     if (state > static_cast<std::uint8_t>(JointState::kTracked)) return PacketFault::kNumber;

@@ -30,7 +30,7 @@ bool readValues(JsonScanner& in, Packet& out) {
   return in.mark(']');
 }
 
-/// [x, y, z], [x, y, z, "inferred"] or null.
+/// [x, y, z], then perhaps "inferred" or "tracked", then perhaps the spread (m); or null.
 bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
   if (in.word("null")) return true;
   Vector3d p;
@@ -38,14 +38,15 @@ bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
       !in.number(p.z()))
     return false;
   JointState state = JointState::kTracked;
-  if (in.mark(',')) {
-    std::string_view how;
-    if (!in.string(how)) return false;
+  bool more = in.mark(',');
+  if (std::string_view how; more && in.string(how)) {
     if (how == "inferred")
       state = JointState::kInferred;
     else if (how != "tracked")
       return false;
+    more = in.mark(',');
   }
+  if (more && !in.number(out.spread[static_cast<std::size_t>(joint)])) return false;
   out.set(joint, p, state);
   return in.mark(']');
 }
@@ -53,6 +54,7 @@ bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
 bool readJoints(JsonScanner& in, SkeletonFrame& out) {
   for (std::size_t j = 0; j < kJointCount; ++j)
     out.set(static_cast<Joint>(j), Vector3d::Constant(kNaN), JointState::kMissing);
+  out.spread.fill(0.0);
   if (!in.mark('{')) return false;
   if (in.mark('}')) return true;
   std::array<bool, kJointCount> seen{};
@@ -126,6 +128,8 @@ PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Pac
     if (out.skeleton.has(static_cast<Joint>(j)))
       for (const double v : out.skeleton.p[j])
         if (!usable(v)) return PacketFault::kNumber;
+  for (const double spread : out.skeleton.spread)
+    if (!usable(spread) || spread < 0.0) return PacketFault::kNumber;
   return PacketFault::kNone;
 }
 

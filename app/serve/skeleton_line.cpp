@@ -21,7 +21,9 @@ std::size_t writeSkeletonLine(const SkeletonFrame& frame, std::string_view perso
     out.text(first ? "\"" : ",\"").text(jointName(joint)).text("\":[");
     first = false;
     out.number(frame.p[j].x()).text(",").number(frame.p[j].y()).text(",").number(frame.p[j].z());
-    out.text(frame.state[j] == JointState::kInferred ? ",\"inferred\"]" : "]");
+    if (frame.state[j] == JointState::kInferred) out.text(",\"inferred\"");
+    if (frame.spread[j] > 0.0) out.text(",").number(frame.spread[j]);
+    out.text("]");
   }
   return out.text("}}").size();
 }

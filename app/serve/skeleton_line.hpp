@@ -8,7 +8,7 @@
 
 namespace abstand::serve {
 
-/// Bytes that a line has room in: 22 joints of three numbers, and a name of up to kMostNameBytes.
+/// Bytes that a line has room in: 22 joints of four numbers, and a name of up to kMostNameBytes.
 inline constexpr std::size_t kMostLineBytes = 4096, kMostNameBytes = 256;
 
 /// Whether a name can stand in such a line: printable, without quotes and backslashes, not too long.

@@ -106,6 +106,7 @@ SkeletonFrame someone() {
     if (j % 5 != 4)
       frame.set(static_cast<Joint>(j), {coordinate(random), coordinate(random), coordinate(random)},
                 j % 3 == 0 ? JointState::kInferred : JointState::kTracked);
+  for (std::size_t j = 0; j < kJointCount; j += 2) frame.spread[j] = 1e-3 * (coordinate(random) + 3.5);
   return frame;
 }
 
@@ -125,6 +126,7 @@ TEST(SkeletonLine, IsReadBackBitByBit) {
   for (std::size_t j = 0; j < kJointCount; ++j)
     if (frame.has(static_cast<Joint>(j))) {
       EXPECT_EQ(packet.skeleton.p[j], frame.p[j]) << j;
+      EXPECT_EQ(packet.skeleton.spread[j], frame.spread[j]) << j;
     }
 
   const std::size_t empty = writeSkeletonLine({}, "operator", 0, 0, room);
@@ -139,6 +141,7 @@ TEST(SkeletonLine, TheLongestFits) {
   SkeletonFrame frame;
   for (std::size_t j = 0; j < kJointCount; ++j)
     frame.set(static_cast<Joint>(j), Vector3d::Constant(-1.2345678901234567e-300), JointState::kInferred);
+  frame.spread.fill(1.2345678901234567e-300);
   std::array<std::byte, kMostLineBytes> room{};
   EXPECT_GT(writeSkeletonLine(frame, std::string(kMostNameBytes, 'n'), 4294967295u, ~std::uint64_t{0}, room),
             0u);

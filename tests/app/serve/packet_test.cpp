@@ -156,6 +156,29 @@ TEST(ServePacket, Json) {
   EXPECT_FALSE(p.skeleton.has(Joint::kHead));
 }
 
+TEST(ServePacket, JsonTellsHowWellAJointIsKnown) {
+  Packet p = makePacket(kFormat);
+  const auto parsed = [&](const std::string& joints) {
+    return parse(R"({"type":"skeleton","seq":1,"time_us":1,"person":"visitor","joints":{)" + joints + "}}",
+                 p);
+  };
+  const auto spread = [&](Joint j) { return p.skeleton.spread[static_cast<std::size_t>(j)]; };
+  ASSERT_EQ(parsed(R"("pelvis":[0,0,1,0.02],"neck":[0,0,1.5,"inferred",0.5],"head":[0,0,1.7,"tracked",0])"),
+            PacketFault::kNone);
+  EXPECT_EQ(spread(Joint::kPelvis), 0.02);
+  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(Joint::kPelvis)], JointState::kTracked);
+  EXPECT_EQ(spread(Joint::kNeck), 0.5);
+  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
+  EXPECT_EQ(spread(Joint::kHead), 0.0);
+  ASSERT_EQ(parsed(R"("pelvis":[0,0,1])"), PacketFault::kNone);
+  EXPECT_EQ(spread(Joint::kPelvis), 0.0) << "nothing stays of the packet before";
+  EXPECT_EQ(parsed(R"("pelvis":[0,0,1,-0.1])"), PacketFault::kNumber);
+  EXPECT_EQ(parsed(R"("pelvis":[0,0,1,1e7])"), PacketFault::kNumber);
+  for (const char* bad : {R"("pelvis":[0,0,1,0.1,"inferred"])", R"("pelvis":[0,0,1,"inferred",])",
+                          R"("pelvis":[0,0,1,0.1,0.1])", R"("pelvis":[0,0,1,])"})
+    EXPECT_EQ(parsed(bad), PacketFault::kJson) << bad;
+}
+
 TEST(ServePacket, BadJsonIsNamed) {
   for (const char* bad :
        {"{", "{}", "{\"seq\":1}", R"({"type":"joints","seq":1,"time_us":1})",
