@@ -87,23 +87,29 @@ void LiveDepth::end(const std::string& why) {
 }
 
 LiveDepth::Outcome LiveDepth::next(LiveFrame& frame, double wait) {
-  if (!news_.try_acquire_for(std::chrono::duration<double>(wait))) return Outcome::kNothingYet;
-  while (news_.try_acquire()) {
+  const auto end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
+  // The news of an image may come after the image was taken: then they are none.
+  while (news_.try_acquire_until(end)) {
+    while (news_.try_acquire()) {
+    }
+    // Asked before the image: the last one is still taken.
+    const bool has_ended = has_ended_.load(std::memory_order_acquire);
+    const Image& image = images_.latest();
+    if (image.number > taken_) {
+      dropped_ += image.number - taken_ - 1;
+      taken_ = image.number;
+      frame = image.live;
+      straight_->straighten(frame.frame.image);
+      if (has_ended) news_.release();
+      return Outcome::kFrame;
+    }
+    if (has_ended) {
+      news_.release();
+      return Outcome::kEnded;
+    }
   }
-  // Asked before the image: the last one is still taken.
-  const bool has_ended = has_ended_.load(std::memory_order_acquire);
-  const Image& image = images_.latest();
-  if (image.number > taken_) {
-    dropped_ += image.number - taken_ - 1;
-    taken_ = image.number;
-    frame = image.live;
-    straight_->straighten(frame.frame.image);
-    if (has_ended) news_.release();
-    return Outcome::kFrame;
-  }
-  if (!has_ended) return Outcome::kNothingYet;
-  news_.release();
-  return Outcome::kEnded;
+  return Outcome::kNothingYet;
 }
 
 std::string LiveDepth::ended() const { return has_ended_.load(std::memory_order_acquire) ? why_ : ""; }
