@@ -1,5 +1,6 @@
 // abstand track: a person in a depth recording, or before a camera, becomes a recording of a skeleton.
 #include "app/cli/live_track.hpp"
+#include "app/cli/track_people.hpp"
 #include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
 #include "tracking/depth/live_depth.hpp"
@@ -13,7 +14,7 @@ namespace {
 struct Arguments {
   std::filesystem::path depth, camera, out, pictures, scene;
   PackagePaths packages;
-  std::string height, rate, seconds, send;
+  std::string height, rate, seconds, send, facing{"auto"};
   std::vector<std::string> names;
   int person{1};
   bool usual_body{false}, mirror{false};
@@ -46,6 +47,7 @@ int live(const CommandLine& line, const Arguments& args, const DepthStreamOption
   own.camera = args.depth.string();
   own.stream = stream;
   own.person = options.person;
+  own.person.fit_aside = true;
   own.watch = options.watch;
   if (!args.seconds.empty()) own.seconds = positive(args.seconds, "--seconds", 1e-3, 1e9);
   own.out = args.out;
@@ -64,6 +66,7 @@ int run(const CommandLine& line, const Arguments& args) {
   if (!args.height.empty()) options.person.height = positive(args.height, "--height", 0.5, 2.5);
   options.person.fit_body = !args.usual_body;
   options.person.seed = args.seed;
+  options.person.away = awayOf(args.facing);
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
   if (!args.pictures.empty()) options.watch = [&](const ClipMoment& moment) { draw(moment, args.pictures); };
@@ -92,26 +95,21 @@ int run(const CommandLine& line, const Arguments& args) {
 
   const ClipPerson& person = track.people[chosen];
   const DepthFacts& facts = stream->facts();
-  auto others = nlohmann::ordered_json::array();
-  for (const ClipPerson& p : track.people)
-    others.push_back({{"id", p.id},
-                      {"tracked", p.found},
-                      {"height_estimate", p.body.height},
-                      {"residual_mm", 1e3 * p.residual}});
   const double fps = track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0;
-  const nlohmann::ordered_json document{{"format", facts.format},
-                                        {"frames", track.images},
-                                        {"tracked", person.found},
-                                        {"lost", track.images - person.found},
-                                        {"fps", fps},
-                                        {"height_estimate", person.body.height},
-                                        {"residual_mm", 1e3 * person.residual},
-                                        {"people", others},
-                                        {"rate", facts.rate},
-                                        {"rate_reason", facts.rate_reason},
-                                        {"camera_reason", facts.camera_reason},
-                                        {"world", track.world},
-                                        {"notes", recording.report.notes}};
+  nlohmann::ordered_json document{{"format", facts.format},
+                                  {"frames", track.images},
+                                  {"tracked", person.found},
+                                  {"lost", track.images - person.found},
+                                  {"fps", fps},
+                                  {"height_estimate", person.body.height},
+                                  {"residual_mm", 1e3 * person.residual},
+                                  {"people", peopleJson(track)},
+                                  {"rate", facts.rate},
+                                  {"rate_reason", facts.rate_reason},
+                                  {"camera_reason", facts.camera_reason},
+                                  {"world", track.world},
+                                  {"notes", recording.report.notes}};
+  addFacing(document, person.facing);
   std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
                             facts.format.c_str(), track.images, track.camera.width, track.camera.height);
   text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
@@ -122,6 +120,7 @@ int run(const CommandLine& line, const Arguments& args) {
       "height: %.2f m (--height), %.1f mm from the body on the mean, %.0f images a second of processor "
       "time\n",
       person.body.height, 1e3 * person.residual, fps);
+  text += facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
   line.print(document, text);
   return track.interrupted ? kInterrupted : kDone;
@@ -152,6 +151,9 @@ void addTrack(CLI::App& root, CommandLine& line) {
   command->add_option("--rate", args->rate, "Hz: image i lies at t = i / rate");
   command->add_flag("--usual-body", args->usual_body,
                     "lengths and girths usual for the height, instead of fitted to the first seconds");
+  command->add_option("--facing", args->facing,
+                      "where the person looks at first: camera, away, or auto: what explains the first "
+                      "seconds better; with --usual-body auto is camera");
   command->add_flag("--mirror", args->mirror, "the images are those of a mirror");
   command->add_option("--seed", args->seed, "of the search for limbs");
   command->add_option("--seconds", args->seconds, "of live:kinect; default: Ctrl-C ends it");

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "app/cli/track_people.hpp"
 #include "app/serve/skeleton_sender.hpp"
 #include "core/base/error.hpp"
 #include "core/scene/cycle_statistics.hpp"
@@ -43,16 +44,6 @@ LiveOutcome follow(LiveDepth& camera, LiveTracker& tracker, serve::SkeletonSende
     outcome.seconds = live.frame.t;
   }
   return outcome;
-}
-
-nlohmann::ordered_json peopleJson(const ClipTrack& track) {
-  auto people = nlohmann::ordered_json::array();
-  for (const ClipPerson& p : track.people)
-    people.push_back({{"id", p.id},
-                      {"tracked", p.found},
-                      {"height_estimate", p.body.height},
-                      {"residual_mm", 1e3 * p.residual}});
-  return people;
 }
 
 }  // namespace
@@ -124,6 +115,8 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
                    sender->sent(), sender->refused(), sender->nameless());
   }
+  addFacing(document, person.facing);
+  text += facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
   if (!to_stdout)
     line.print(document, text);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kApart = 0.2;  // s
 constexpr double kExplained = 0.8;
 constexpr int kSteps = 5;                          // of the fit of an image to a changed body
+constexpr int kTurnSteps = 15;                     // and to one that faces the other way
 constexpr std::array kChanges{0.06, 0.03, 0.015};  // of a size, by sweep
 // Of the cost, for each size that is 10 % off the usual one; keeps sizes that no image shows where they are.
 constexpr double kUnusual = 0.01;
@@ -67,14 +69,39 @@ void BodyCalibration::add(double t, const BodyTracker& tracker) {
   images_.push_back({t, tracker.seen(), body.pose});
 }
 
-double BodyCalibration::costOf(const HumanOptions& options, std::vector<RigPose>& poses) const {
+std::vector<RigPose> BodyCalibration::poses() const {
+  std::vector<RigPose> poses;
+  for (const Image& image : images_) poses.push_back(image.pose);
+  return poses;
+}
+
+std::vector<RigPose> BodyCalibration::turnedPoses(const HumanOptions& body) const {
+  const BodyRig rig = makeRig(makeHuman(body));
+  std::vector<RigPose> turned = poses();
+  for (RigPose& pose : turned) pose = turnedRound(rig, pose);
+  return turned;
+}
+
+double BodyCalibration::whenTurned(const HumanOptions& body) const {
+  if (images_.empty()) return kNaN;
+  std::vector<RigPose> as_tracked = poses(), turned = turnedPoses(body);
+  return costOf(body, kTurnSteps, turned) / costOf(body, kTurnSteps, as_tracked);
+}
+
+void BodyCalibration::turnRound(const HumanOptions& body) {
+  std::vector<RigPose> turned = turnedPoses(body);
+  costOf(body, kTurnSteps, turned);
+  for (std::size_t i = 0; i < images_.size(); ++i) images_[i].pose = turned[i];
+}
+
+double BodyCalibration::costOf(const HumanOptions& options, int steps, std::vector<RigPose>& poses) const {
   const BodyRig rig = makeRig(makeHuman(options));
   DepthFit fit(rig);
   DepthFit::Weights weights;
   weights.prior.setConstant(1.0);
   double sum = 0.0;
   for (std::size_t i = 0; i < images_.size(); ++i) {
-    fit.refine(images_[i].seen, poses[i], weights, kSteps, poses[i]);
+    fit.refine(images_[i].seen, poses[i], weights, steps, poses[i]);
     RigPlacement X_WS;
     place(rig, poses[i], X_WS);
     sum += fit.misfit(images_[i].seen, X_WS).cost;
@@ -84,17 +111,16 @@ double BodyCalibration::costOf(const HumanOptions& options, std::vector<RigPose>
 
 HumanOptions BodyCalibration::fit(const HumanOptions& start) const {
   if (images_.empty()) return start;
-  std::vector<RigPose> poses;
-  for (const Image& image : images_) poses.push_back(image.pose);
+  std::vector<RigPose> poses = this->poses();
   Sizes best;
   best.fill(1.0);
-  double least = costOf(start, poses);
+  double least = costOf(start, kSteps, poses);
   const auto attempt = [&](const Sizes& sizes) {
     double unusual = 0.0;
     for (const double f : sizes) unusual += std::pow((f - 1.0) / 0.1, 2);
     try {
       std::vector<RigPose> moved = poses;
-      const double cost = costOf(optionsOf(start, sizes), moved) * (1.0 + kUnusual * unusual);
+      const double cost = costOf(optionsOf(start, sizes), kSteps, moved) * (1.0 + kUnusual * unusual);
       if (cost >= least) return false;
       least = cost;
       poses = std::move(moved);

@@ -17,6 +17,12 @@ class BodyCalibration {
   void add(double t, const BodyTracker& tracker);
   bool complete() const { return images_.size() == kMostImages; }
 
+  /// How much worse the images are explained when the person faces the other way: ratio of the costs, each
+  /// image fitted anew. NaN without images.
+  double whenTurned(const HumanOptions& body) const;
+  /// From now on the images are of a person who faces the other way.
+  void turnRound(const HumanOptions& body);
+
   /// Lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image fitted
   /// anew, as long as the images are explained better. The height of `start` stays, and so do the parts that
   /// it overrides. Without images `start` itself.
@@ -28,7 +34,9 @@ class BodyCalibration {
     SeenBody seen;
     RigPose pose;
   };
-  double costOf(const HumanOptions& options, std::vector<RigPose>& poses) const;
+  std::vector<RigPose> poses() const;
+  std::vector<RigPose> turnedPoses(const HumanOptions& body) const;
+  double costOf(const HumanOptions& options, int steps, std::vector<RigPose>& poses) const;
 
   std::vector<Image> images_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tracking/body/joint_spread.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand {
 namespace {
@@ -23,6 +24,7 @@ constexpr int kBadImages = 5;
 constexpr double kNoise = 3.0, kShapeError = 0.02;  // 1, m
 constexpr double kSeen = 0.3;                       // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
+constexpr double kTurns = 1.0;  // s; who was out of sight for longer may have turned round
 
 BodySolver::Vector priorsOf(const BodyRig& rig) {
   BodySolver::Vector w;
@@ -63,6 +65,14 @@ const TrackedBody& BodyTracker::track(double t, const DepthImage& image, const D
   if (!body_.found && seen_.points().count >= kFewestPoints) find();
   finish(t);
   return body_;
+}
+
+void BodyTracker::resume(const RigPose& pose) {
+  body_.pose = pose;
+  body_.found = true;
+  velocity_.setZero();
+  badly_ = 0;
+  front_ = yawOf(pose);
 }
 
 void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
@@ -112,7 +122,7 @@ void BodyTracker::find() {
   away.z() = 0.0;
   if (away.norm() < 1e-6) away = Vector3d::UnitX();
   away.normalize();
-  const double facing = std::atan2(-away.y(), -away.x());
+  const double facing = front_ ? *front_ : std::atan2(-away.y(), -away.x()) + (away_ ? kPi : 0.0);
   RigPlacement X_WS;
   place(*rig_, RigPose{}, X_WS);
   const std::size_t vertex = static_cast<std::size_t>(Joint::kHeadTop);
@@ -146,7 +156,12 @@ void BodyTracker::finish(double t) {
   body_.frame = SkeletonFrame{};
   body_.frame.t = t;
   body_.visible.fill(0.0);
-  if (!body_.found) return;
+  if (!body_.found) {
+    if (t - found_t_ > kTurns) front_.reset();
+    return;
+  }
+  found_t_ = t;
+  front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
   const auto spread = jointSpreads(*rig_, fit_.problem(), fit_.problem().information());

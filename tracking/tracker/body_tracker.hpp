@@ -1,6 +1,7 @@
 // Follows one person through depth images.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "tracking/tracker/limb_search.hpp"
@@ -19,10 +20,10 @@ struct TrackedBody {
 };
 
 /// Expectation from the last two poses, fit, search for limbs that were left behind, fit again. A person is
-/// first looked for upright, in front of the camera and facing it; turned up to 60 degrees away is found
-/// too, the back is not told from the front. After that left stays left, as nothing moves far between two
-/// images. Lost when more than a third of the person's points lie far from the body for some images; then
-/// looked for anew.
+/// first looked for upright, in front of the camera and facing it, or with the back to it (expectAway());
+/// turned up to 60 degrees from there is found too. After that left stays left, as nothing moves far between
+/// two images. Lost when more than a third of the person's points lie far from the body for some images; then
+/// looked for anew, within a second as the person last stood.
 ///
 /// One tracker follows one person, on one thread. The rig must outlive it. track() allocates nothing after
 /// the first image; it does not throw.
@@ -33,6 +34,10 @@ class BodyTracker {
   /// `t` (s) rises. `is_person` of every pixel; with no pixel set the person is not in view, and lost.
   const TrackedBody& track(double t, const DepthImage& image, const DepthCamera& camera,
                            std::span<const std::uint8_t> is_person);
+  /// Who is first looked for has the back to the camera.
+  void expectAway() { away_ = true; }
+  /// Goes on from a pose, as if it had been found in the last image.
+  void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }
   const SeenBody& seen() const { return seen_; }
 
@@ -50,7 +55,9 @@ class BodyTracker {
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
-  double last_t_{kNaN};
+  double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last with the body
+  std::optional<double> front_;          ///< rad, where the person last faced
+  bool away_{false};
   int badly_{0};  ///< images in a row that the body did not explain
 };
 

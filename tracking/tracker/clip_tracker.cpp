@@ -21,11 +21,11 @@ class Walk {
   ClipTrack run() {
     track_.camera = stream_.camera();
     stand();
-    std::map<int, HumanOptions> bodies;
+    std::map<int, Learned> learned;
     const std::vector<double>& times = stream_.times();
     const double end = times.empty() ? 0.0 : times.front() + kLearning;
-    go(end, bodies, false);
-    go(kInfinity, bodies, true);
+    go(end, learned, false);
+    go(kInfinity, learned, true);
     finishTrack(track_);
     return std::move(track_);
   }
@@ -46,8 +46,14 @@ class Walk {
     track_.world = stand.reason();
   }
 
-  /// All images before `end`; learns `bodies`, or tracks with them.
-  void go(double end, std::map<int, HumanOptions>& bodies, bool keep) {
+  /// What the first seconds tell of a person.
+  struct Learned {
+    HumanOptions body;
+    Facing facing;
+  };
+
+  /// All images before `end`; learns, or tracks with what was learned.
+  void go(double end, std::map<int, Learned>& learned, bool keep) {
     stream_.seek(0);
     PeopleFinder finder(track_.camera);
     std::map<int, TrackedPerson> trackers;
@@ -65,10 +71,11 @@ class Walk {
       for (const FoundPerson& person : people.persons) {
         auto it = trackers.find(person.id);
         if (it == trackers.end()) {
-          const auto body_of = bodies.find(person.id);
-          it = body_of != bodies.end()
-                   ? trackers.try_emplace(person.id, options_.person, body_of->second).first
-                   : trackers.try_emplace(person.id, options_.person).first;
+          const auto of = learned.find(person.id);
+          it =
+              of != learned.end()
+                  ? trackers.try_emplace(person.id, options_.person, of->second.body, of->second.facing).first
+                  : trackers.try_emplace(person.id, options_.person).first;
         }
         finder.mask(person.id, mask);
         const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);
@@ -95,8 +102,10 @@ class Walk {
         person.settle();
       }
       if (!person.body()) continue;
-      bodies.insert_or_assign(id, *person.body());
-      if (keep && place.count(id) > 0) track_.people[place[id]].body = *person.body();
+      learned.insert_or_assign(id, Learned{*person.body(), person.facing()});
+      if (!keep || place.count(id) == 0) continue;
+      track_.people[place[id]].body = *person.body();
+      track_.people[place[id]].facing = person.facing();
     }
   }
 

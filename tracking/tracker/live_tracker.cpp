@@ -57,7 +57,10 @@ void LiveTracker::forget(double t) {
   for (auto it = followers_.begin(); it != followers_.end();) {
     const auto& [id, follower] = *it;
     ClipPerson& person = track_.people[place_.at(id)];
-    if (follower.person.body()) person.body = *follower.person.body();
+    if (follower.person.body()) {
+      person.body = *follower.person.body();
+      person.facing = follower.person.facing();
+    }
     if (options_.keep && follower.last < t) person.frames.push_back(none);
     it = follower.last + kForgotten < t ? followers_.erase(it) : std::next(it);
   }

@@ -2,8 +2,10 @@
 #include "tracking/tracker/tracked_person.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include "tracking/derived_joints.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand {
 namespace {
@@ -33,6 +35,7 @@ double uprightExtent(const DepthImage& image, const DepthCamera& camera,
 }
 
 TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
+  facing_.away = options.away.value_or(false);
   if (!options.height) return;
   HumanOptions body;
   body.height = *options.height;
@@ -40,7 +43,8 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   fitted_ = !options.fit_body;
 }
 
-TrackedPerson::TrackedPerson(const Options& options, const HumanOptions& body) : options_{options} {
+TrackedPerson::TrackedPerson(const Options& options, const HumanOptions& body, const Facing& facing)
+    : options_{options}, facing_{facing} {
   use(body);
   fitted_ = true;
 }
@@ -49,6 +53,7 @@ void TrackedPerson::use(const HumanOptions& body) {
   body_ = body;
   auto rig = std::make_unique<BodyRig>(makeRig(makeHuman(body)));
   tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
+  if (facing_.away) tracker_->expectAway();
   rig_ = std::move(rig);
 }
 
@@ -61,14 +66,18 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
     settle();
   }
   const TrackedBody* body = &tracker_->track(t, image, camera, is_person);
-  if (!fitted_) {
+  if (fitted_) return body;
+  if (!fitting_.valid()) {
     calibration_.add(t, *tracker_);
-    if (calibration_.complete()) {
-      settle();
-      body = &tracker_->track(t, image, camera, is_person);
-    }
+    if (!calibration_.complete()) return body;
+    if (options_.fit_aside)
+      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), *body_, facing_,
+                            options_.away.has_value());
   }
-  return body;
+  if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return body;
+  settle();
+  return &tracker_->track(t, image, camera, is_person);
 }
 
 void TrackedPerson::settle() {
@@ -79,9 +88,28 @@ void TrackedPerson::settle() {
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    use(calibration_.fit(*body_));
-    fitted_ = true;
+    take(fitting_.valid() ? fitting_.get()
+                          : fit(std::move(calibration_), *body_, facing_, options_.away.has_value()));
   }
+}
+
+TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const HumanOptions& body, Facing facing,
+                                      bool given) {
+  if (!given) facing.ratio = images.whenTurned(body);
+  if (facing.ratio < Facing::kBackBelow) {
+    facing.away = true;
+    images.turnRound(body);
+  }
+  return {images.fit(body), facing};
+}
+
+void TrackedPerson::take(const Fit& fit) {
+  const bool turn = fit.facing.away != facing_.away;
+  facing_ = fit.facing;
+  const TrackedBody last = tracker_->body();
+  use(fit.body);
+  if (last.found) tracker_->resume(turn ? turnedRound(*rig_, last.pose) : last.pose);
+  fitted_ = true;
 }
 
 }  // namespace abstand

@@ -1,6 +1,8 @@
 // Choosing the reader, and what a track says as a recording.
 #include "tracking/tracker/tracked_recording.hpp"
 
+#include <cmath>
+
 #include "core/base/error.hpp"
 #include "tracking/depth/depth_sources.hpp"
 #include "tracking/part_joints.hpp"
@@ -33,7 +35,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.up = "z";
   r.up_reason = track.world;
   r.sides = "agree";
-  r.sides_reason = "who is found first is taken to face the camera";
+  r.sides_reason = facingReason(tracked.facing);
   r.stature = tracked.body.height;
   r.joint_map = "tracked";
   for (std::size_t j = 0; j < kJointCount; ++j) r.joints.emplace_back(jointName(static_cast<Joint>(j)));
@@ -45,6 +47,17 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
                     " images, " + metres(tracked.residual) + " from the body on the mean");
   return recording;
+}
+
+std::string facingReason(const Facing& facing) {
+  const std::string side =
+      facing.away ? "with the back to the camera at first" : "facing the camera at first";
+  if (std::isnan(facing.ratio)) return side + ", which was given or could not be compared";
+  char text[120];
+  std::snprintf(text, sizeof text,
+                ": facing away explains the first seconds %.2f times as badly as facing it, and %s %.2f",
+                facing.ratio, facing.away ? "that is below" : "not below", Facing::kBackBelow);
+  return side + text;
 }
 
 bool isDepthRecording(const std::filesystem::path& path) {

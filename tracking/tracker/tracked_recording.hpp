@@ -13,6 +13,9 @@ namespace abstand {
 /// from 0, the one who was found in most images.
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person);
 
+/// Where the person looked at first, and why that is thought, in a sentence's rest.
+std::string facingReason(const Facing& facing);
+
 /// Whether a path is a depth recording: a folder, or a file of images, clouds or arrays of depth.
 bool isDepthRecording(const std::filesystem::path& path);
 

@@ -13,6 +13,8 @@ namespace {
 // usual one.
 constexpr double kOfLiveBody = 0.08;
 
+constexpr int kMostImages = 20000;  // some minutes; a body is fitted in seconds, also under a sanitizer
+
 constexpr double kFloorNoise = 0.05;  // m, at 3 m from a Kinect (tracking/depth/README.md)
 
 SimulatedClip someoneReaching(double end, bool room = false) {
@@ -54,6 +56,36 @@ TEST(LiveTracker, SeesEveryImageOnce) {
   EXPECT_GT(track.people[0].residual, 0.0);
   EXPECT_LT(track.people[0].residual, 0.03);
   EXPECT_EQ(track.world, "the camera's pose is that of its file");
+}
+
+/// Fitting on a thread of its own comes to the same body, later, and nobody is lost meanwhile.
+TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
+  const auto fitted = [](bool aside) {
+    SimulatedClip clip = someoneReaching(4.0);
+    LiveTrackerOptions options;
+    options.person.height = 1.75;
+    options.person.fit_aside = aside;
+    LiveTracker tracker(clip.stream->camera(), true, options);
+    DepthFrame frame;
+    int lost = 0, images = 0;
+    for (; images < kMostImages; ++images) {
+      // The last image stays until the body is there.
+      const double t = frame.t;
+      if (!clip.stream->next(frame)) frame.t = t + 1.0 / 30.0;
+      lost += tracker.see(frame).empty();
+      const bool over = static_cast<std::size_t>(images) >= clip.stream->size();
+      if (over && !tracker.track().people.at(0).body.overrides.empty()) break;
+    }
+    EXPECT_LT(images, kMostImages);
+    EXPECT_EQ(lost, 0);
+    return tracker.track().people.at(0).body;
+  };
+  const HumanModel aside = makeHuman(fitted(true)), at_once = makeHuman(fitted(false));
+  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    EXPECT_EQ(aside.part(part).length, at_once.part(part).length);
+    EXPECT_EQ(aside.part(part).contour, at_once.part(part).contour);
+  }
 }
 
 /// Measured first: nobody to send, then somebody of about the right height.
