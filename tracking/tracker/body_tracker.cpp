@@ -161,6 +161,7 @@ void BodyTracker::finish(double t) {
     return;
   }
   found_t_ = t;
+  away_ = false;
   front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);

@@ -57,8 +57,8 @@ class BodyTracker {
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last with the body
   std::optional<double> front_;          ///< rad, where the person last faced
-  bool away_{false};
-  int badly_{0};  ///< images in a row that the body did not explain
+  bool away_{false};                     ///< until somebody is found
+  int badly_{0};                         ///< images in a row that the body did not explain
 };
 
 }  // namespace abstand
