@@ -55,8 +55,8 @@ std::string facingReason(const Facing& facing) {
   if (std::isnan(facing.ratio)) return side + ", which was given or could not be compared";
   char text[120];
   std::snprintf(text, sizeof text,
-                ": facing away explains the first seconds %.2f times as badly as facing it, and %s %.2f",
-                facing.ratio, facing.away ? "that is below" : "not below", Facing::kBackBelow);
+                ": facing away explains the first seconds %.2f times as badly; below %.2f the back is taken",
+                facing.ratio, Facing::kBackBelow);
   return side + text;
 }
 
