@@ -54,6 +54,12 @@ SurfacePoint MeshSurface::closest(const Vector3d& p, std::uint32_t hint) const {
   return {nearest.point, nearest.distance, nearest.slot};
 }
 
+SurfacePoint MeshSurface::nearby(const Vector3d& p, std::uint32_t hint) const {
+  if (hint >= tree_.size() || !watertight()) return closest(p, hint);
+  const TriangleTree::Nearest nearest = sides_.downhill(mesh_, tree_, p, hint);
+  return {nearest.point, nearest.distance, nearest.slot};
+}
+
 bool MeshSurface::inside(const Vector3d& p) const {
   if (((p - bounds_.lower).array() < 0.0).any() || ((bounds_.upper - p).array() < 0.0).any()) return false;
   return embedded() ? sides_.behind(tree_.closest(p), p) : std::abs(winding_.at(p)) > 0.5;

@@ -22,6 +22,7 @@ class MeshSurface final : public Surface {
   }
 
   SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const override;
+  SurfacePoint nearby(const Vector3d& p, std::uint32_t hint) const override;
   bool inside(const Vector3d& p) const override;
   bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const override;
   bool triangle(std::uint32_t hint, TriangleCorners& corners) const override;

@@ -20,6 +20,9 @@ class MeshSides {
   /// For embedded meshes: p lies behind the surface at its nearest point (Baerentzen, Aanaes, Signed Distance
   /// Computation Using the Angle Weighted Pseudonormal, 2005).
   bool behind(const TriangleTree::Nearest& nearest, const Vector3d& p) const;
+  /// For watertight meshes: from one triangle to the next as long as that is nearer to p.
+  TriangleTree::Nearest downhill(const TriangleMesh& mesh, const TriangleTree& tree, const Vector3d& p,
+                                 std::uint32_t slot) const;
   template <class Archive>
   void archive(Archive& ar) {
     ar(watertight_, embedded_, slots_, vertex_normals_);

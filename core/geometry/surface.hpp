@@ -25,6 +25,9 @@ class Surface {
 
   /// Nearest point of the surface. `hint` is the hint of an earlier answer, or kNoHint.
   virtual SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const = 0;
+  /// Downhill along the surface from where an answer nearby was found: the nearest point of the
+  /// neighbourhood, and the nearest of all where the surface is convex. Without a hint, closest(p).
+  virtual SurfacePoint nearby(const Vector3d& p, std::uint32_t) const { return closest(p); }
   /// True inside. Shapes: exact. Meshes that are closed and do not intersect themselves: the side of the
   /// angle-weighted normal at the nearest point (Baerentzen, Aanaes 2005). Others: generalised winding number
   /// (Jacobson, Kavan, Sorkine-Hornung 2013) beyond one half, of either sign, as pieces of such meshes may be

@@ -10,10 +10,13 @@ namespace abstand {
 namespace {
 
 double distanceFrom(const HapticStructure& P, const Transform& X_WP, std::uint32_t near,
-                    const HapticStructure& F, const Transform& X_WF) {
+                    const HapticStructure& F, const Transform& X_WF, double margin) {
   if (near == kNoPoint) return kInfinity;
   const Transform X_FP = X_WF.inverse() * X_WP;
-  return refineWitness(*P.surface, *F.surface, nearField(F), X_FP, X_FP * P.tree.at(near),
+  const Vector3d start = X_FP * P.tree.at(near);
+  // A walk outside never leads inside.
+  if (margin <= 0.0 && !F.surface->inside(start)) return kInfinity;
+  return refineWitness(*P.surface, *F.surface, nearField(F), X_FP, start,
                        X_FP.linear() * P.tree.normalAt(near), P.shell.spacing, kNoHint)
       .distance;
 }
@@ -23,8 +26,8 @@ double distanceFrom(const HapticStructure& P, const Transform& X_WP, std::uint32
 double depthBetweenPoints(const HapticStructure& a, const Transform& X_WA, std::uint32_t near_a,
                           const HapticStructure& b, const Transform& X_WB, std::uint32_t near_b,
                           double margin) noexcept {
-  const double least =
-      std::min(distanceFrom(a, X_WA, near_a, b, X_WB), distanceFrom(b, X_WB, near_b, a, X_WA));
+  const double least = std::min(distanceFrom(a, X_WA, near_a, b, X_WB, margin),
+                                distanceFrom(b, X_WB, near_b, a, X_WA, margin));
   return std::max(0.0, margin - least);
 }
 

@@ -115,7 +115,8 @@ double HapticStructure::errorBound() const {
 }
 
 std::size_t HapticStructure::memoryBytes() const {
-  std::size_t bytes = far_field.memoryBytes() + support.memoryBytes() + bytesOf(shell) + bytesOf(tree);
+  std::size_t bytes =
+      far_field.memoryBytes() + support.memoryBytes() + parts.memoryBytes() + bytesOf(shell) + bytesOf(tree);
   if (voxelmap) bytes += voxelmap->layer.capacity() * sizeof(std::int16_t);
   if (near_field) bytes += near_field->memoryBytes();
   return bytes;
@@ -190,8 +191,9 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   if (s.pieces.size() == 1) s.pieces.clear();
   s.bounding_sphere = sphereAbout(*s.surface, mesh);
   s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
+  s.parts = s.surface->shape() ? SurfaceParts(s.bounding_sphere) : SurfaceParts(mesh, *s.surface);
   Shrink shrink;
-  shrink(s.shell, s.tree, s.support);
+  shrink(s.shell, s.tree, s.support, s.parts);
   watch.end();
   s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return structure;

@@ -9,6 +9,7 @@
 #include "core/haptic/field_view.hpp"
 #include "core/haptic/haptic_options.hpp"
 #include "core/haptic/support_map.hpp"
+#include "core/haptic/surface_parts.hpp"
 #include "core/haptic/voxelmap.hpp"
 
 namespace abstand {
@@ -23,6 +24,7 @@ struct HapticStructure {
   std::optional<NearField> near_field;  ///< field: float and mixed
   FarField far_field;
   SupportMap support;
+  SurfaceParts parts;  ///< of a mesh
   Pointshell shell;
   PointSphereTree tree;
   FieldView
@@ -48,7 +50,7 @@ struct HapticStructure {
   /// All but name and surface.
   template <class Archive>
   void archive(Archive& ar) {
-    ar(options, voxelmap, near_field, far_field, support, shell, tree, mass_properties.volume,
+    ar(options, voxelmap, near_field, far_field, support, parts, shell, tree, mass_properties.volume,
        mass_properties.com, mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius,
        grid, surface_voxels, solid_voxels, triangles, build_ms);
   }

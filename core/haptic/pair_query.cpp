@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/haptic/parts_apart.hpp"
 #include "core/haptic/penalty_force.hpp"
 #include "core/haptic/search_kernels.hpp"
 #include "core/haptic/separation.hpp"
@@ -14,7 +15,7 @@ namespace {
 constexpr double kFloatRounding = 1e-6;
 // Beyond this distance the answer may exceed the smallest distance by this part of it; the bound says so.
 constexpr double kFarFrom = 0.1;  // m
-constexpr double kFarPart = 0.01;
+constexpr double kFarPart = 0.0099;
 // Of what is allowed: the surface between the points may be nearer than they are.
 constexpr double kPointsPart = 0.75;
 // A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
@@ -44,6 +45,8 @@ constexpr double kDeeper = 0.1;
 constexpr double kCrossing = 0.5;
 // Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
 constexpr double kHome = 6.0;
+// m; points that have left each other by so much between two queries are a bad start.
+constexpr double kJump = 0.01;
 // A line found anew gains little after that.
 constexpr int kRounds = 3;
 
@@ -53,8 +56,9 @@ double allowed(double distance) { return distance > kFarFrom ? kFarPart * distan
 /// One query: P gives the points, F the field.
 class Query {
  public:
-  Query(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF)
-      : P_(P), F_(F), X_WP_(X_WP), X_WF_(X_WF), X_FP_(X_WF.inverse() * X_WP) {}
+  Query(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF,
+        PartLines& part_lines)
+      : P_(P), F_(F), X_WP_(X_WP), X_WF_(X_WF), X_FP_(X_WF.inverse() * X_WP), part_lines_(part_lines) {}
 
   /// Where the nearest points were may be where they are: proven when no points can be much nearer.
   bool remember(const PairMemory& memory, bool from_a) {
@@ -70,12 +74,18 @@ class Query {
     witness_.hint_field = from_a ? memory.hint_b : memory.hint_a;
     witness_.distance = (witness_.on_points - witness_.on_field).norm();
     hulls_ = memory.hulls;
-    if (witness_.distance > kTouching && isKnown()) return remembered_ = true;
-    if (isProven()) return remembered_ = true;
+    if (!(witness_.distance > kTouching)) return false;
+    if (isKnown()) return remembered_ = true;
+    by_parts_ = memory.by_parts;
+    if (by_parts_ && witness_.distance > kFarFrom && provenByParts()) return remembered_ = true;
+    const Vector3d n_P = from_a ? memory.n_a : -memory.n_b, n_F = from_a ? memory.n_b : -memory.n_a;
+    const bool jumped = std::abs(witness_.distance - memory.distance) > kJump;
+    if (jumped && turned(n_P, n_F)) return true;
+    if (walked()) return true;
     // Farther away a search is the shorter way.
     if (witness_.distance > kFarFrom) {
-      if (memory.hulls && turned(from_a ? memory.n_a : -memory.n_b, from_a ? memory.n_b : -memory.n_a))
-        return true;
+      if (!jumped && memory.hulls && turned(n_P, n_F)) return true;
+      if (partsTurned()) return true;
       if (witness_.distance > kFarFrom) return false;
     }
     slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
@@ -113,7 +123,8 @@ class Query {
   /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
   /// of it inside of P.
   void searchOtherWay(PairScratch& scratch) {
-    Query other(F_, X_WF_, P_, X_WP_);
+    PartLines none;
+    Query other(F_, X_WF_, P_, X_WP_, none);
     other.hint_field_ = hint_points_;
     other.witness_.distance = witness_.distance;
     const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
@@ -131,7 +142,9 @@ class Query {
 
   void keep(PairMemory& memory, bool from_a) const {
     memory.apart = witness_.distance > kTouching;
+    memory.distance = witness_.distance;
     memory.hulls = hulls_;
+    memory.by_parts = by_parts_;
     if (!remembered_ && memory.apart) {
       const Vector3d n = (witness_.on_points - witness_.on_field) / witness_.distance;
       const Vector3d n_P = X_FP_.linear().transpose() * n;
@@ -152,6 +165,19 @@ class Query {
  private:
   Vector3d normalAt(std::uint32_t point) const { return X_FP_.linear() * P_.tree.normalAt(point); }
 
+  /// From where they were, as long as there is much to gain.
+  bool walked() {
+    for (int round = 1; round <= kRounds; ++round) {
+      const bool more = walkWitness(*P_.surface, *F_.surface, X_FP_, witness_) && round < kRounds;
+      if ((by_parts_ && more) || !isProven()) {
+        if (more) continue;
+        return false;
+      }
+      return true;
+    }
+    return false;
+  }
+
   /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
   /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
   /// the axes of each.
@@ -159,24 +185,49 @@ class Query {
     Vector3d n = X_FP_.linear() * n_P;
     if (separation(n) < separation(n_F)) n = n_F;
     for (int round = 0; round < kRounds; ++round) {
-      const Vector3d on_points = X_FP_ * P_.support.extreme(X_FP_.linear().transpose() * -n);
-      const Vector3d on_field = F_.support.extreme(n);
       const double before = witness_.distance;
-      take(on_points, witness_.on_field);
-      take(witness_.on_points, on_field);
-      take(on_points, on_field);
-      if (isProven()) return true;
+      take(P_.support.extreme(X_FP_.linear().transpose() * -n), F_.support.extreme(n));
+      if (!(witness_.distance > kTouching)) return false;
+      if (provenByHulls(X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance)))
+        return true;
       if (!(witness_.distance < before)) return false;
       n = (witness_.on_points - witness_.on_field) / witness_.distance;
     }
     return false;
   }
 
-  /// These points of the surfaces, when they are nearer.
-  void take(const Vector3d& on_points, const Vector3d& on_field) {
-    const double distance = (on_points - on_field).norm();
-    if (!(distance < witness_.distance)) return;
-    witness_ = {on_points, on_field, distance, kNoHint, kNoHint};
+  /// The same with the parts of the bodies.
+  bool partsTurned() {
+    if (!haveParts()) return false;
+    for (int round = 0; round < kRounds; ++round) {
+      const double before = witness_.distance;
+      const Vector3d n = (witness_.on_points - witness_.on_field) / before;
+      FacingParts::Parts between;
+      if (partsApart(n, between)) return true;
+      take(partExtreme(P_, between.of_points, X_FP_.linear().transpose() * -n),
+           partExtreme(F_, between.of_field, n));
+      if (!(witness_.distance < before)) return false;
+    }
+    return false;
+  }
+
+  /// One of these points of the surfaces or both, when they are nearer.
+  void take(const ExtremePoint& of_points, const ExtremePoint& of_field) {
+    const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
+    const Vector3d p_0 = witness_.on_points, q_0 = witness_.on_field;
+    const double d_p = (p - q_0).norm(), d_q = (p_0 - q).norm(), d = (p - q).norm();
+    const double least = std::min({d_p, d_q, d});
+    if (!(least < witness_.distance)) return;
+    witness_.distance = least;
+    const bool other_points = d_q > least, other_field = d_p > least || !other_points;
+    if (other_points) {
+      witness_.on_points = p;
+      witness_.hint_points = of_points.hint;
+    }
+    if (other_field) {
+      witness_.on_field = q;
+      witness_.hint_field = of_field.hint;
+    }
   }
 
   /// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
@@ -216,7 +267,8 @@ class Query {
       found_ = lower_bound;
       return lower_bound;
     }
-    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field)
+    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field,
+                                            (1.0 + kStayPart) * static_cast<double>(nearest.estimate))
                               : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start,
                                               normalAt(nearest.point), spacing, hint_field_);
     if (!apart || found.distance < witness_.distance) witness_ = found;
@@ -264,6 +316,11 @@ class Query {
   bool isProven() {
     if (!(witness_.distance > kTouching)) return false;
     const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
+    if (by_parts_ && provenByParts()) return true;
+    return provenByHulls(n) || (!by_parts_ && provenByParts());
+  }
+
+  bool provenByHulls(const Vector3d& n) {
     for (const bool closely : {false, true}) {
       const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
       certify(separation - kPlaneRounding);
@@ -273,9 +330,25 @@ class Query {
       // What the first look may have lost.
       if (witness_.distance - separation >
           kHullLoss * (P_.bounding_sphere.radius + F_.bounding_sphere.radius))
-        return false;
+        break;
     }
     return false;
+  }
+
+  bool haveParts() const { return P_.parts.size() > 1 || F_.parts.size() > 1; }
+
+  bool provenByParts() {
+    FacingParts::Parts between;
+    return haveParts() &&
+           (by_parts_ = partsApart((witness_.on_points - witness_.on_field) / witness_.distance, between));
+  }
+
+  bool partsApart(const Vector3d& n, FacingParts::Parts& between) {
+    const double by = witness_.distance - allowed(witness_.distance);
+    if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_lines_).apart(n, between))
+      return false;
+    certify(by);
+    return true;
   }
 
   const HapticStructure& P_;
@@ -283,12 +356,14 @@ class Query {
   const Transform& X_WP_;
   const Transform& X_WF_;
   const Transform X_FP_;
+  PartLines& part_lines_;
   Witness witness_;
   double certified_{-kInfinity};
   double motion_{kInfinity};  ///< m, since the last search
   double of_points_{-kInfinity};
   std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
   double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
+  bool by_parts_{false};      ///< the hulls of their parts told last
   bool separated_{false};     ///< a plane parts the hulls
   bool hulls_{false};         ///< the witness is about as near as the hulls
   bool remembered_{false};    ///< it is the one of the last query
@@ -301,14 +376,18 @@ namespace {
 
 /// Most pairs: the nearest points are still where they were, and the hulls prove it.
 bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
-            double margin, const PairMemory& memory, PairResult& result) {
+            double margin, PairMemory& memory, PairResult& result) {
   if (!memory.apart || !memory.hulls) return false;
-  const Vector3d on_a = X_WA * memory.on_a, on_b = X_WB * memory.on_b;
-  const double distance = (on_a - on_b).norm();
+  const Vector3d on_a = X_WA.linear() * memory.on_a + X_WA.translation(),
+                 on_b = X_WB.linear() * memory.on_b + X_WB.translation();
+  // Along a vector of any length: the separation times that.
+  const Vector3d way = on_a - on_b;
+  const double separated = separationAlong(way, a, X_WA, b, X_WB, false);
+  const double distance = way.norm();
   if (!(distance > kTouching)) return false;
-  const double certified =
-      separationAlong((on_a - on_b) / distance, a, X_WA, b, X_WB, false) - kPlaneRounding;
+  const double certified = separated / distance - kPlaneRounding;
   if (distance - certified > allowed(distance) || certified <= margin) return false;
+  memory.distance = distance;
   result = {};
   result.distance = distance;
   result.bound = std::max(0.0, distance - certified);
@@ -331,7 +410,7 @@ void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStru
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;
   const Transform& X_WF = from_a ? X_WB : X_WA;
-  Query query(P, from_a ? X_WA : X_WB, F, X_WF);
+  Query query(P, from_a ? X_WA : X_WB, F, X_WF, memory.part_lines);
 
   if (!query.remember(memory, from_a)) {
     query.search(memory, scratch);

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/haptic/between_points.hpp"
+#include "core/haptic/parts_apart.hpp"
 #include "core/haptic/separation.hpp"
 
 namespace abstand {
@@ -18,7 +19,7 @@ constexpr double kPlaneRounding = 1e-8;
 constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
 constexpr int kSteps = 10;
-constexpr std::uint32_t kIdle = 16;
+constexpr std::uint32_t kIdle = 16, kPartsIdle = 4;
 
 }  // namespace
 
@@ -49,7 +50,7 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Bodies& pair = pairs_[i];
     if (ballsApart(pair, options.margin) || knownApart(i, X_WB, options.margin)) continue;
-    if (seekLine(i, X_WB, options.margin)) continue;
+    if (seekLine(i, X_WB, options.margin) || partsApart(i, X_WB, options.margin)) continue;
     const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
     const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
     const double between = kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
@@ -75,7 +76,9 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   PairResult result;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const double least = nearest_.result.distance;
-    if (i == first || ballsApart(pairs_[i], least) || knownApart(i, X_WB, least)) continue;
+    if (i == first || ballsApart(pairs_[i], least) || knownApart(i, X_WB, least) ||
+        partsApart(i, X_WB, least))
+      continue;
     query(i, result);
     if (result.distance < nearest_.result.distance) nearest_ = {static_cast<std::uint32_t>(i), result};
   }
@@ -107,6 +110,24 @@ bool PairSet::knownApart(std::size_t i, std::span<const Transform> X_WB, double 
   return apart(X_WB[pair.a].linear() * line.in_a) || apart(X_WB[pair.b].linear() * line.in_b);
 }
 
+bool PairSet::partsApart(std::size_t i, std::span<const Transform> X_WB, double by) {
+  const Bodies& pair = pairs_[i];
+  const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
+  if (a.parts.size() == 1 && b.parts.size() == 1) return false;
+  Line& line = lines_[i];
+  if (line.parts_idle > 0) {
+    --line.parts_idle;
+    return false;
+  }
+  const Transform X_BA = X_WB[pair.b].inverse() * X_WB[pair.a];
+  const Vector3d between_balls = X_BA * a.bounding_sphere.centre - b.bounding_sphere.centre;
+  const Vector3d n = line.in_b.isZero() ? between_balls.normalized() : line.in_b;
+  FacingParts::Parts between;
+  if (FacingParts(a, b, X_BA, by, false, line.of_parts).apart(n, between)) return true;
+  line.parts_idle = kPartsIdle;
+  return false;
+}
+
 // Walks from one pair of outermost points to the next, always to the point of the way that is nearest
 // (Frank, Wolfe 1956, on the difference of the two hulls; Gilbert, Johnson, Keerthi 1988 keep more corners).
 bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by) {
@@ -121,8 +142,8 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
   Vector3d v = balls_[pair.a].centre - balls_[pair.b].centre;
   for (int step = 0; step < kSteps && v.squaredNorm() > 0.0; ++step) {
     const Vector3d n = v.normalized();
-    const Vector3d w = X_WA * a.support.extreme(X_WA.linear().transpose() * -n) -
-                       X_WB_b * b.support.extreme(X_WB_b.linear().transpose() * n);
+    const Vector3d w = X_WA * a.support.extreme(X_WA.linear().transpose() * -n).point -
+                       X_WB_b * b.support.extreme(X_WB_b.linear().transpose() * n).point;
     if (n.dot(w) > by && separationAlong(n, a, X_WA, b, X_WB_b, false) > by + kPlaneRounding) {
       keepLine(i, X_WB, n);
       return true;
@@ -139,7 +160,10 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
 }
 
 void PairSet::keepLine(std::size_t i, std::span<const Transform> X_WB, const Vector3d& n) {
-  lines_[i] = {X_WB[pairs_[i].a].linear().transpose() * n, X_WB[pairs_[i].b].linear().transpose() * n, 0};
+  Line& line = lines_[i];
+  line.in_a = X_WB[pairs_[i].a].linear().transpose() * n;
+  line.in_b = X_WB[pairs_[i].b].linear().transpose() * n;
+  line.idle = 0;
 }
 
 }  // namespace abstand

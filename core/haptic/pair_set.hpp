@@ -47,7 +47,9 @@ class PairSet {
   /// Unit vector from B to A along which the two were apart, in the axes of each.
   struct Line {
     Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
-    std::uint32_t idle{0};  ///< calls until it is worth to look for another one
+    PartLines of_parts;
+    std::uint32_t idle{0};        ///< calls until it is worth to look for another one
+    std::uint32_t parts_idle{0};  ///< likewise for lines of the parts
   };
   struct Ball {
     Vector3d centre;  ///< world
@@ -58,6 +60,8 @@ class PairSet {
   bool ballsApart(const Bodies& pair, double by) const;
   /// The pair's hulls are known to be farther apart than this (m).
   bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by) const;
+  /// The same of all of their parts.
+  bool partsApart(std::size_t pair, std::span<const Transform> X_WB, double by);
   bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
   void keepLine(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);
 

@@ -3,6 +3,7 @@
 
 #include "core/haptic/field_view.hpp"
 #include "core/haptic/pair_query.hpp"
+#include "core/haptic/surface_parts.hpp"
 
 namespace abstand {
 
@@ -55,6 +56,10 @@ struct SearchKernels {
   /// Which of them it is.
   std::size_t (*extreme)(const float* x, const float* y, const float* z, std::size_t count, float gx,
                          float gy, float gz);
+  /// Which parts of two bodies may be nearer than `by` (m), by their spheres: bit 8 j + i for part j of the
+  /// first `count` of F and part i of P. X_FP as in TreeView.
+  std::uint64_t (*meeting)(const float* X_FP, const SurfaceParts::Spheres& P, const SurfaceParts::Spheres& F,
+                           std::size_t count, float by);
   const char* name;
 };
 

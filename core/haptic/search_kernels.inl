@@ -279,5 +279,19 @@ std::size_t extreme(const float* x, const float* y, const float* z, std::size_t 
   return static_cast<std::size_t>(first[lane]) + lane;
 }
 
+std::uint64_t meeting(const float* X_FP, const SurfaceParts::Spheres& P, const SurfaceParts::Spheres& F,
+                      std::size_t count, float by) {
+  const Point8 centres = moved(X_FP, load(P.x), load(P.y), load(P.z));
+  const Float8 radius = load(P.radius) + splat(by), zero = splat(0.0f);
+  std::uint64_t pairs = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const Float8 x = centres.x - splat(F.x[j]), y = centres.y - splat(F.y[j]), z = centres.z - splat(F.z[j]);
+    const Float8 reach = max(radius + splat(F.radius[j]), zero);
+    const Mask8 near = multiplyAdd(x, x, multiplyAdd(y, y, z * z)) < reach * reach;
+    pairs |= static_cast<std::uint64_t>(bits(near)) << (8 * j);
+  }
+  return pairs;
+}
+
 }  // namespace
 }  // namespace abstand

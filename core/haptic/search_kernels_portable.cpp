@@ -2,5 +2,6 @@
 #include "core/haptic/search_kernels.inl"
 
 namespace abstand {
-extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts, support, extreme, "portable"};
+extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts,  support,
+                                            extreme, meeting,        "portable"};
 }  // namespace abstand

@@ -5,17 +5,9 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/geometry/convex_hull.hpp"
-#include "core/haptic/search_kernels.hpp"
 
 namespace abstand {
 namespace {
-
-// Relative to the radius: points and directions in float, three products and two sums, and storing.
-// Of the largest coordinate; far below kRounding.
-constexpr double kOutside = 1e-12;
-constexpr std::size_t kLanes = 8;
-constexpr float kRounding = 8.0f * 0x1p-24f;
 
 /// h(g) of each shape, exact to rounding of double.
 struct ShapeSupport {
@@ -52,17 +44,6 @@ struct ShapeExtreme {
   }
 };
 
-/// The corners of the mesh's hull; all of its vertices where there is no telling.
-std::vector<Vector3d> hullCorners(const TriangleMesh& mesh) {
-  const std::optional<ConvexHull> hull = convexHull(mesh.vertices);
-  double largest = 0.0;
-  for (const Vector3d& p : mesh.vertices) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  if (!hull || hull->farthest_outside > kOutside * largest) return mesh.vertices;
-  std::vector<Vector3d> corners;
-  for (const std::uint32_t i : hull->corners) corners.push_back(mesh.vertices[i]);
-  return corners;
-}
-
 /// The direction through the corner (u, v) of a face of the cube [-1, 1]^3.
 Vector3f corner(int face, float u, float v) {
   const int axis = face / 2;
@@ -81,22 +62,13 @@ SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const V
                        int threads) {
   setShape(surface);
   if (shape_) return;
-  centre_ = centre;
-  for (const Vector3d& vertex : hullCorners(mesh)) {
-    const Vector3f p = (vertex - centre).cast<float>();
-    radius_ = std::max(radius_, p.norm());
-    x_.push_back(p.x());
-    y_.push_back(p.y());
-    z_.push_back(p.z());
-  }
-  for (std::vector<float>* v : {&x_, &y_, &z_})
-    v->resize((v->size() + kLanes - 1) / kLanes * kLanes, v->back());
+  hull_ = HullPoints(mesh.vertices, centre, surface);
   values_.resize(6 * kCorners * kCorners);
   parallelFor(threads, 6 * kCorners, [&](std::size_t row) {
     const int face = static_cast<int>(row) / kCorners, j = static_cast<int>(row) % kCorners;
     for (int i = 0; i < kCorners; ++i) {
       const Vector3f g = corner(face, along(i), along(j));
-      values_[row * kCorners + static_cast<std::size_t>(i)] = reach(g);
+      values_[row * kCorners + static_cast<std::size_t>(i)] = hull_.reachAboutCentre(g);
     }
   });
 }
@@ -105,39 +77,39 @@ void SupportMap::setShape(const Surface& surface) {
   if (const Shape* shape = surface.shape()) shape_ = *shape;
 }
 
-float SupportMap::reach(const Vector3f& g) const {
-  const float farthest =
-      searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
-  return farthest + kRounding * g.lpNorm<1>() * radius_;
-}
-
 double SupportMap::closeUpper(const Vector3d& g) const {
   if (shape_) return std::visit(ShapeSupport{g}, *shape_);
-  return g.dot(centre_) + static_cast<double>(reach(g.cast<float>()));
+  return hull_.reach(g);
 }
 
-Vector3d SupportMap::extreme(const Vector3d& g) const {
-  if (shape_) return std::visit(ShapeExtreme{g}, *shape_);
-  const Vector3f d = g.cast<float>();
-  const std::size_t i =
-      searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
-  return centre_ + Vector3f(x_[i], y_[i], z_[i]).cast<double>();
+ExtremePoint SupportMap::extreme(const Vector3d& g) const {
+  if (shape_) return {std::visit(ShapeExtreme{g}, *shape_), kNoHint};
+  return hull_.extreme(g);
+}
+
+double SupportMap::farthest(const Vector3d& g, ExtremePoint& extreme) const {
+  if (!shape_) return hull_.farthest(g, extreme);
+  extreme = this->extreme(g);
+  return closeUpper(g);
 }
 
 double SupportMap::upper(const Vector3d& g) const {
   if (shape_) return std::visit(ShapeSupport{g}, *shape_);
-  int axis;
-  const double length = g.cwiseAbs().maxCoeff(&axis);
+  // The face of the cube without a branch: which one it is cannot be foreseen.
+  const double x = std::abs(g.x()), y = std::abs(g.y()), z = std::abs(g.z());
+  const int axis = z > std::max(x, y) ? 2 : static_cast<int>(y > x);
+  const double length = std::max({x, y, z});
+  const int u_axis = axis == 2 ? 0 : axis + 1, v_axis = axis == 0 ? 2 : axis - 1;
   const int face = 2 * axis + (g[axis] > 0.0 ? 0 : 1);
   // Cells along the face, from 0 to kCells.
   const double scale = 0.5 * kCells / length;
-  const double u = g[(axis + 1) % 3] * scale + 0.5 * kCells, v = g[(axis + 2) % 3] * scale + 0.5 * kCells;
+  const double u = g[u_axis] * scale + 0.5 * kCells, v = g[v_axis] * scale + 0.5 * kCells;
   const int i = std::clamp(static_cast<int>(u), 0, kCells - 1),
             j = std::clamp(static_cast<int>(v), 0, kCells - 1);
-  const double x = u - i, y = v - j;
+  const double s = u - i, t = v - j;
   const float* h = &values_[static_cast<std::size_t>((face * kCorners + j) * kCorners + i)];
-  const double low = h[0] + x * (h[1] - h[0]), high = h[kCorners] + x * (h[kCorners + 1] - h[kCorners]);
-  return g.dot(centre_) + length * (low + y * (high - low));
+  const double low = h[0] + s * (h[1] - h[0]), high = h[kCorners] + s * (h[kCorners + 1] - h[kCorners]);
+  return g.dot(hull_.centre()) + length * (low + t * (high - low));
 }
 
 }  // namespace abstand

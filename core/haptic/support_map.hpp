@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/surface.hpp"
+#include "core/haptic/hull_points.hpp"
 
 namespace abstand {
 
@@ -33,23 +34,21 @@ class SupportMap {
   /// The same, and above h(g) by rounding in float only: looks at every corner of the hull.
   double closeUpper(const Vector3d& g) const;
   /// A point of the surface that reaches as far along g, to rounding in float.
-  Vector3d extreme(const Vector3d& g) const;
-  std::size_t memoryBytes() const { return sizeof(float) * (values_.capacity() + 3 * x_.capacity()); }
+  ExtremePoint extreme(const Vector3d& g) const;
+  /// closeUpper (but for a rounding more) and extreme at once.
+  double farthest(const Vector3d& g, ExtremePoint& extreme) const;
+  std::size_t memoryBytes() const { return sizeof(float) * values_.capacity() + hull_.memoryBytes(); }
   template <class Archive>
   void archive(Archive& ar) {
-    ar(centre_, radius_, values_, x_, y_, z_);
+    ar(hull_, values_);
   }
 
  private:
   static constexpr int kCorners = kCells + 1;
 
-  float reach(const Vector3f& g) const;
-
   std::optional<Shape> shape_;
-  Vector3d centre_{Vector3d::Zero()};
-  float radius_{0.0f};
-  std::vector<float> x_, y_, z_;  ///< the hull's corners about the centre, padded to whole lanes with copies
-  std::vector<float> values_;     ///< of h about the centre; face (2 axis + side), v, u; rounded up
+  HullPoints hull_;            ///< of a mesh
+  std::vector<float> values_;  ///< of h about the centre; face (2 axis + side), v, u; rounded up
 };
 
 }  // namespace abstand

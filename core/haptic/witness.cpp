@@ -149,17 +149,33 @@ Witness refineWitness(const Surface& points, const Surface& field, const NearFie
 }
 
 Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
-                    std::uint32_t hint) noexcept {
+                    std::uint32_t hint, double enough) noexcept {
   Witness w;
-  w.hint_field = hint;
-  Surfaces surfaces(points, field, X_FP, w);
-  const Vector3d q = surfaces.toField(start);
-  set(w, start, q, (start - q).norm());
+  SurfacePoint foot = field.nearby(start, hint);
+  if (foot.distance > enough) foot = field.closest(start, foot.hint);
+  w.hint_field = foot.hint;
+  w.hint_points = points.closest(X_FP.inverse() * start).hint;
+  set(w, start, foot.point, foot.distance);
   return w;
 }
 
 void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
   Surfaces(points, field, X_FP, w).slide();
+}
+
+bool walkWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+  const Transform X_PF = X_FP.inverse();
+  if (w.hint_points == kNoHint && !points.shape()) w.hint_points = points.closest(X_PF * w.on_points).hint;
+  if (w.hint_field == kNoHint && !field.shape()) w.hint_field = field.closest(w.on_field).hint;
+  const SurfacePoint on_points = points.nearby(X_PF * w.on_field, w.hint_points);
+  const Vector3d p = X_FP * on_points.point;
+  const SurfacePoint on_field = field.nearby(p, w.hint_field);
+  const double gain = w.distance - on_field.distance;
+  if (!(gain > 0.0)) return false;
+  set(w, p, on_field.point, on_field.distance);
+  w.hint_points = on_points.hint;
+  w.hint_field = on_field.hint;
+  return gain >= std::max(kEnough, kEnoughPart * w.distance);
 }
 
 void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,

@@ -26,12 +26,17 @@ Witness refineWitness(const Surface& points, const Surface& field, const NearFie
                       const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
                       std::uint32_t hint) noexcept;
 
-/// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it.
+/// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it, or one that is
+/// no farther than `enough` (m).
 Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
-                    std::uint32_t hint) noexcept;
+                    std::uint32_t hint, double enough) noexcept;
 
 /// To the nearest points of the two triangles on which they are; nothing changes where a body has none.
 void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
+
+/// One round of projections within the neighbourhoods of two points that are apart (Surface::nearby), which
+/// costs little when they have not far to go. False when it gained next to nothing.
+bool walkWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
 
 /// The walk from two points that are apart, until a round of projections gains less than 0.1 % of the
 /// distance.

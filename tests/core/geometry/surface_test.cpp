@@ -140,6 +140,42 @@ TEST(MeshSurface, SliversAndFarCoordinatesStayExact) {
   expectClosestPointsExact(MeshSurface(moved(mesh, {1000.0, -2000.0, 500.0})), 50);
 }
 
+TEST(MeshSurface, DownhillOnAConvexMeshEndsAtTheNearestPoint) {
+  const MeshSurface egg(tessellate(Ellipsoid{{0.04, 0.05, 0.12}}, 1e-4));
+  const MeshSurface cube(box(0.1));
+  int walks = 0;
+  for (const MeshSurface* surface : {&egg, &cube}) {
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      // From outside: inside, several ways out may be downhill.
+      const Vector3d p = testing::randomPose(i).linear().col(0) * (0.2 + 0.3 * (i % 7));
+      const std::uint32_t hint = i * 31 % static_cast<std::uint32_t>(surface->tree().size());
+      // On the side that is turned away, the foot on a face has no way down.
+      if (surface->tree().normal(hint).dot(p - surface->tree().closestOn(hint, p).point) < 0.0) continue;
+      const SurfacePoint exact = surface->closest(p), walked = surface->nearby(p, hint);
+      ASSERT_NEAR(walked.distance, exact.distance, kExact) << i;
+      ASSERT_NEAR((p - walked.point).norm(), walked.distance, kExact);
+      ASSERT_NEAR(surface->closest(walked.point, walked.hint).distance, 0.0, kExact);
+      ++walks;
+    }
+  }
+  EXPECT_GT(walks, 300);
+}
+
+TEST(MeshSurface, DownhillNeverGoesUpAndOpenMeshesAreSearched) {
+  TriangleMesh open = box(0.1);
+  open.triangles.pop_back();
+  const MeshSurface pierced(open), twins(together(box(0.1), moved(box(0.1), {0.3, 0.0, 0.0})));
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const Vector3d p = randomPoint(i, 0.4);
+    EXPECT_EQ(pierced.nearby(p, i % 11).distance, pierced.closest(p).distance);
+    EXPECT_EQ(twins.nearby(p, kNoHint).distance, twins.closest(p).distance);
+    const std::uint32_t hint = i % static_cast<std::uint32_t>(twins.tree().size());
+    const double walked = twins.nearby(p, hint).distance;
+    EXPECT_LE(walked, twins.tree().closestOn(hint, p).distance);
+    EXPECT_GE(walked, twins.closest(p).distance - kExact);
+  }
+}
+
 TEST(MeshSurface, TiesGiveTheSameAnswerWhateverTheHint) {
   const MeshSurface surface(box(2.0));
   for (std::uint32_t hint = 0; hint < 12; ++hint) {
@@ -219,6 +255,7 @@ TEST(MeshSurface, QueriesAllocateNothingAndSurviveAnyInput) {
   for (const double v : {kNaN, kInfinity, -kInfinity, 1e300, 1e30, -1e18, 0.0}) {
     for (const std::uint32_t hint : {kNoHint, 0u, 123456789u}) {
       const SurfacePoint nearest = surface.closest({v, 0.5, v}, hint);
+      surface.nearby({v, 0.5, v}, hint);
       surface.inside({v, 0.5, v});
       surface.inside({v, 0.5, v}, nearest);
     }

@@ -40,7 +40,7 @@ TEST_P(Support, OfAMeshIsNeverTooSmall) {
     ASSERT_LE(map.closeUpper(g), exact + kFloat);
     // A cell is 1/16 wide, and the longest hull edge two radii long (support_map.hpp).
     ASSERT_LE(map.upper(g), exact + 2.0 * radius / 64.0);
-    ASSERT_NEAR(g.dot(map.extreme(g)), exact, kFloat);
+    ASSERT_NEAR(g.dot(map.extreme(g).point), exact, kFloat);
   }
 }
 
@@ -52,8 +52,8 @@ TEST_P(Support, OfAShapeIsThatOfItsPoints) {
     const Vector3d g = direction(i);
     ASSERT_NEAR(map.upper(g), farthest(mesh, g), kSagitta);
     ASSERT_NEAR(map.upper(2.0 * g), 2.0 * map.upper(g), 1e-12);
-    ASSERT_NEAR(g.dot(map.extreme(g)), map.upper(g), 1e-12);
-    ASSERT_LT(surface->closest(map.extreme(g)).distance, 1e-9);
+    ASSERT_NEAR(g.dot(map.extreme(g).point), map.upper(g), 1e-12);
+    ASSERT_LT(surface->closest(map.extreme(g).point).distance, 1e-9);
   }
 }
 
