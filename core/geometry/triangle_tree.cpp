@@ -2,6 +2,7 @@
 #include "core/geometry/triangle_tree.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -284,31 +285,30 @@ TriangleTree::Nearest TriangleTree::closestOn(std::uint32_t slot, const Vector3d
 }
 
 // The same as closestLocal without branches, for a leaf's triangles at once and in float.
-TriangleTree::Lanes TriangleTree::squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q) {
-  const Lanes px = q.x() - leaf.a[0], py = q.y() - leaf.a[1], pz = q.z() - leaf.a[2];
-  const Lanes x = px * leaf.ex[0] + py * leaf.ex[1] + pz * leaf.ex[2];
-  const Lanes y = px * leaf.ey[0] + py * leaf.ey[1] + pz * leaf.ey[2];
-  const Lanes z = px * leaf.n[0] + py * leaf.n[1] + pz * leaf.n[2];
-  const Lanes from_b = leaf.bx - x;
-  const Lanes ab_x = x - x.max(0.0f).min(leaf.bx);
-  const Lanes ac = ((x * leaf.cx + y * leaf.cy) * leaf.per_ac2).max(0.0f).min(1.0f);
-  const Lanes ac_x = x - ac * leaf.cx, ac_y = y - ac * leaf.cy;
-  const Lanes bc = ((from_b * leaf.ux + y * leaf.cy) * leaf.per_bc2).max(0.0f).min(1.0f);
-  const Lanes bc_x = from_b - bc * leaf.ux, bc_y = y - bc * leaf.cy;
-  const Lanes edges = (ab_x * ab_x + y * y).min(ac_x * ac_x + ac_y * ac_y).min(bc_x * bc_x + bc_y * bc_y);
-  const Lanes left = leaf.cy * x - leaf.cx * y, right = leaf.cy * from_b - leaf.ux * y;
-  const Lanes within = y.min(left).min(right);
-  return z * z + (within >= 0.0f).select(Lanes::Zero(), edges);
+Four TriangleTree::squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q) {
+  const Four px = q.x() - leaf.a[0], py = q.y() - leaf.a[1], pz = q.z() - leaf.a[2];
+  const Four x = px * leaf.ex[0] + py * leaf.ex[1] + pz * leaf.ex[2];
+  const Four y = px * leaf.ey[0] + py * leaf.ey[1] + pz * leaf.ey[2];
+  const Four z = px * leaf.n[0] + py * leaf.n[1] + pz * leaf.n[2];
+  const Four zero{}, one = splat(1.0f), from_b = leaf.bx - x;
+  const Four ab_x = x - min(max(x, zero), leaf.bx);
+  const Four ac = min(max((x * leaf.cx + y * leaf.cy) * leaf.per_ac2, zero), one);
+  const Four ac_x = x - ac * leaf.cx, ac_y = y - ac * leaf.cy;
+  const Four bc = min(max((from_b * leaf.ux + y * leaf.cy) * leaf.per_bc2, zero), one);
+  const Four bc_x = from_b - bc * leaf.ux, bc_y = y - bc * leaf.cy;
+  const Four edges = min(min(ab_x * ab_x + y * y, ac_x * ac_x + ac_y * ac_y), bc_x * bc_x + bc_y * bc_y);
+  const Four left = leaf.cy * x - leaf.cx * y, right = leaf.cy * from_b - leaf.ux * y;
+  const Four within = min(min(y, left), right);
+  return z * z + (within >= 0.0f ? zero : edges);
 }
 
-TriangleTree::Lanes TriangleTree::squaredDistances(const Node& node, const Eigen::Vector3f& low,
-                                                   const Eigen::Vector3f& high) {
+Four TriangleTree::squaredDistances(const Node& node, const Eigen::Vector3f& low,
+                                    const Eigen::Vector3f& high) {
   static_assert(kWidth == kLeafTriangles);
-  Lanes d2 = Lanes::Zero();
+  Four d2{};
   for (int k = 0; k < 3; ++k) {
-    const Lanes lower = Eigen::Map<const Lanes, Eigen::Aligned16>(node.lower[k]);
-    const Lanes upper = Eigen::Map<const Lanes, Eigen::Aligned16>(node.upper[k]);
-    const Lanes gap = (lower - high[k]).max(low[k] - upper).max(0.0f);
+    // At most one of the two is above zero; NaN stays, so that far beyond float no box is near.
+    const Four gap = max(Four{}, load(node.lower[k]) - high[k]) + max(Four{}, low[k] - load(node.upper[k]));
     d2 += gap * gap;
   }
   return d2;
@@ -319,14 +319,14 @@ std::uint32_t TriangleTree::descend(const Eigen::Vector3f& q) const {
   std::uint32_t index = 0;
   for (;;) {
     const Node& node = nodes_[index];
-    const Lanes d2 = squaredDistances(node, q, q);
+    const Four d2 = squaredDistances(node, q, q);
     int nearest = 0;
     for (int c = 1; c < kWidth; ++c) {
       if (d2[c] < d2[nearest]) nearest = c;
     }
     index = node.index[nearest];
     if (node.count[nearest] == 0) continue;
-    const Lanes in_leaf = squaredDistances(leaves_[index], q);
+    const Four in_leaf = squaredDistances(leaves_[index], q);
     std::uint32_t lane = 0;
     for (std::uint32_t i = 1; i < node.count[nearest]; ++i) {
       if (in_leaf[i] < in_leaf[lane]) lane = i;
@@ -363,9 +363,9 @@ TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hin
     if (!(entry.d2 <= box_limit)) continue;
     if (entry.count > 0) {
       const Leaf& leaf = leaves_[entry.index];
-      const Lanes d2 = squaredDistances(leaf, qf);
-      if (!(d2.minCoeff() <= leaf_limit)) continue;
-      for (std::uint32_t i = 0; i < entry.count; ++i) {
+      const Four d2 = squaredDistances(leaf, qf);
+      for (int near = bits(d2 <= leaf_limit) & ((1 << entry.count) - 1); near != 0; near &= near - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(static_cast<unsigned>(near)));
         const std::uint32_t slot = leaf.first + i;
         if (!(d2[i] <= leaf_limit) || slot == best_slot) continue;
         const double exact = closestLocal(triangles_[slot], q - triangles_[slot].a).d2;
@@ -380,7 +380,7 @@ TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hin
     // With the hint's or the descent's triangle as a limit the order hardly matters; so nothing is sorted,
     // and nothing depends on a branch that is hard to foresee.
     const Node& node = nodes_[entry.index];
-    const Lanes d2 = squaredDistances(node, low, high);
+    const Four d2 = squaredDistances(node, low, high);
     for (int c = 0; c < kWidth; ++c) {
       stack[top] = {d2[c], node.index[c], node.count[c]};
       top += d2[c] <= box_limit;

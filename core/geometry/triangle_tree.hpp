@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_mesh.hpp"
+#include "core/math/four.hpp"
 
 namespace abstand {
 
@@ -78,20 +79,19 @@ class TriangleTree {
     std::uint32_t rotation;
   };
   struct Local;
-  using Lanes = Eigen::Array<float, kLeafTriangles, 1>;
   /// A leaf's triangles side by side in float, to tell which of them are worth a look in double. Unused lanes
   /// repeat the last triangle.
   struct Leaf {
     using ArchivedAsBytes = void;
-    Lanes a[3], ex[3], ey[3], n[3];
-    Lanes bx, cx, cy, ux;    ///< ux = bx - cx
-    Lanes per_ac2, per_bc2;  ///< 1 / squared lengths of edges AC and BC
+    Four a[3], ex[3], ey[3], n[3];
+    Four bx, cx, cy, ux;    ///< ux = bx - cx
+    Four per_ac2, per_bc2;  ///< 1 / squared lengths of edges AC and BC
     std::uint32_t first, count;
   };
 
   static Local closestLocal(const Triangle& t, const Vector3d& ap);
-  static Lanes squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q);
-  static Lanes squaredDistances(const Node& node, const Eigen::Vector3f& low, const Eigen::Vector3f& high);
+  static Four squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q);
+  static Four squaredDistances(const Node& node, const Eigen::Vector3f& low, const Eigen::Vector3f& high);
   std::uint32_t descend(const Eigen::Vector3f& q) const;
 
   Vector3d origin_{Vector3d::Zero()};

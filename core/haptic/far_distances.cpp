@@ -6,11 +6,12 @@
 #include <bit>
 #include <cmath>
 
+#include "core/math/four.hpp"
+
 namespace abstand {
 namespace {
 
 constexpr int kLanes = 4;
-using Lanes = Eigen::Array<float, kLanes, 1>;
 constexpr float kFar = std::numeric_limits<float>::max();
 /// Relative, for what rounding in float does to a squared distance: some ten operations, and a reserve.
 constexpr double kRounding = 16.0 * 0x1p-23;
@@ -159,16 +160,14 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   const Vector3f c = -2.0f * middle.cast<float>(), r = half.cast<float>();
   const std::size_t n = list.size;
   search.at_middle.resize(n);
-  const auto at = [](const std::vector<float>& v, std::size_t i) {
-    return Eigen::Map<const Lanes>(v.data() + i);
-  };
-  Lanes least = Lanes::Constant(kFar);
+  const auto at = [](const std::vector<float>& v, std::size_t i) { return load(&v[i]); };
+  Four least = splat(kFar);
   for (std::size_t i = 0; i < n; i += kLanes) {
-    const Lanes g = at(list.power, i) + c.x() * at(list.x, i) + c.y() * at(list.y, i) + c.z() * at(list.z, i);
-    Lanes::Map(&search.at_middle[i]) = g;
-    least = least.min(g);
+    const Four g = at(list.power, i) + c.x() * at(list.x, i) + c.y() * at(list.y, i) + c.z() * at(list.z, i);
+    store(g, &search.at_middle[i]);
+    least = min(least, g);
   }
-  const float nearest = least.minCoeff();
+  const float nearest = leastOf(least);
   const std::size_t w = static_cast<std::size_t>(
       std::find(search.at_middle.begin(), search.at_middle.end(), nearest) - search.at_middle.begin());
 
@@ -179,13 +178,12 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   const float wx = list.x[w], wy = list.y[w], wz = list.z[w],
               limit = nearest + 2.0f * static_cast<float>(slack);
   for (std::size_t i = 0; i < n; i += kLanes) {
-    const Lanes gain = 2.0f * (r.x() * (at(list.x, i) - wx).abs() + r.y() * (at(list.y, i) - wy).abs() +
-                               r.z() * (at(list.z, i) - wz).abs());
-    const Lanes best = at(search.at_middle, i) - gain;
-    if (!(best.minCoeff() <= limit)) continue;
-    for (std::size_t k = i; k < i + kLanes; ++k)
-      kept.add(list.x[k], list.y[k], list.z[k], list.power[k],
-               best[static_cast<Eigen::Index>(k - i)] <= limit);
+    const Four gain = 2.0f * (r.x() * abs(at(list.x, i) - wx) + r.y() * abs(at(list.y, i) - wy) +
+                              r.z() * abs(at(list.z, i) - wz));
+    const int near = bits(at(search.at_middle, i) - gain <= limit);
+    if (near == 0) continue;
+    for (std::size_t k = 0; k < kLanes; ++k)
+      kept.add(list.x[i + k], list.y[i + k], list.z[i + k], list.power[i + k], (near >> k & 1) != 0);
   }
   kept.pad();
 
@@ -209,7 +207,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   // Four vertices of a row at once; from one to the next row the same is added.
   const Vector3f first = -2.0f * (h * block.first.cast<double>()).cast<float>();
   const float step = -2.0f * static_cast<float>(h);
-  const Lanes along(0.0f, step, 2.0f * step, 3.0f * step);
+  const Four along{0.0f, step, 2.0f * step, 3.0f * step};
   for (int i = 0; i < block.size.x(); i += kLanes) {
     const float x0 = first.x() + static_cast<float>(i) * step;
     for (int k0 = 0; k0 < block.size.z(); k0 += kLanes) {
@@ -217,22 +215,22 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
         const int nj = std::min(kLanes, block.size.y() - j0), nk = std::min(kLanes, block.size.z() - k0);
         const float y0 = first.y() + static_cast<float>(j0) * step,
                     z0 = first.z() + static_cast<float>(k0) * step;
-        std::array<Lanes, kLanes * kLanes> nearest_of;
-        nearest_of.fill(Lanes::Constant(kFar));
+        std::array<Four, kLanes * kLanes> nearest_of;
+        nearest_of.fill(splat(kFar));
         for (std::size_t s = 0; s < kept.size; ++s) {
           const float x = kept.x[s], y = kept.y[s], z = kept.z[s];
-          Lanes slice = kept.power[s] + (x0 * x + y0 * y + z0 * z) + x * along;
+          Four slice = kept.power[s] + (x0 * x + y0 * y + z0 * z) + x * along;
           for (int k = 0; k < nk; ++k, slice += step * z) {
-            Lanes row = slice;
+            Four row = slice;
             for (int j = 0; j < nj; ++j, row += step * y) {
-              Lanes& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
-              best = best.min(row);
+              Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
+              best = min(best, row);
             }
           }
         }
         for (int k = 0; k < nk; ++k) {
           for (int j = 0; j < nj; ++j) {
-            const Lanes& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
+            const Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
             float* out = values + static_cast<std::size_t>(i) +
                          search.row * static_cast<std::size_t>(j0 + j) +
                          search.slice * static_cast<std::size_t>(k0 + k);

@@ -65,45 +65,82 @@ struct Shrink {
   }
 };
 
-/// Tells the monitor of every loop of the build. The shares of the phases are those of a robot's link of
-/// 5,000 triangles at 5 mm, roughly; they only make the bar steady.
-class BuildWatch final : public LoopWatch {
+/// What the phases of a build tell the monitor: how much is done of those that run beside each other, and the
+/// name of the first of them that is not over.
+class BuildWatch {
  public:
-  explicit BuildWatch(const BuildMonitor& monitor) : monitor_(monitor), before_(loop_watch) {
-    if (monitor.progress || monitor.cancelled) loop_watch = this;
+  explicit BuildWatch(const BuildMonitor& monitor) : monitor_(monitor) {}
+  bool listens() const { return monitor_.progress || monitor_.cancelled; }
+  void stopIfCancelled() {
+    if (!monitor_.cancelled) return;
+    const std::scoped_lock lock(mutex_);
+    // What was cancelled once stays so: nobody asks again.
+    if (cancelled_ || (cancelled_ = monitor_.cancelled())) throw BuildCancelled();
   }
-  ~BuildWatch() override { loop_watch = before_; }
-
-  void begin(std::string_view phase, double share) {
-    start_ += share_;
-    share_ = share;
-    phase_ = phase;
-    next(0, 1);
+  /// From now on this is what the monitor hears of.
+  void begin(std::string_view name) {
+    const std::scoped_lock lock(mutex_);
+    name_ = name;
+    report();
   }
+  /// `more`: how much more of the whole is done.
+  void advance(double more) {
+    const std::scoped_lock lock(mutex_);
+    done_ += more;
+    report();
+  }
+  /// All is done, whatever the shares add up to.
   void end() {
     const std::scoped_lock lock(mutex_);
-    report(1.0);
-  }
-  void next(std::size_t index, std::size_t count) override {
-    if (monitor_.cancelled && monitor_.cancelled()) throw BuildCancelled();
-    // Who comes while another reports has no more to say.
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (lock) report(start_ + share_ * static_cast<double>(index) / static_cast<double>(count));
+    done_ = 1.0;
+    report();
   }
 
  private:
-  void report(double fraction) {
-    // A phase may have several loops, each from its own beginning.
-    if (fraction < told_) return;
-    told_ = fraction;
-    if (monitor_.progress) monitor_.progress(fraction, phase_);
+  void report() const {
+    if (monitor_.progress) monitor_.progress(std::min(done_, 1.0), name_);
   }
 
   const BuildMonitor& monitor_;
+  std::mutex mutex_;
+  std::string_view name_{"voxels"};
+  double done_{0.0};
+  bool cancelled_{false};
+};
+
+/// Hears of every loop of one phase while it lives. The shares of the phases are those of a robot's link of
+/// 5,000 triangles at 5 mm, roughly; they only make the bar steady.
+class BuildPhase final : public LoopWatch {
+ public:
+  BuildPhase(BuildWatch& watch, double share) : watch_(watch), share_(share), before_(loop_watch) {
+    watch_.stopIfCancelled();
+    if (watch_.listens()) loop_watch = this;
+  }
+  ~BuildPhase() override { loop_watch = before_; }
+  /// All of the phase is done.
+  void end() { advance(1.0); }
+
+  void next(std::size_t index, std::size_t count) override {
+    watch_.stopIfCancelled();
+    advance(static_cast<double>(index) / static_cast<double>(count));
+  }
+
+ private:
+  void advance(double to) {
+    // Who comes while another reports has no more to say, unless it is the end.
+    std::unique_lock lock(mutex_, std::defer_lock);
+    if (to < 1.0 ? !lock.try_lock() : (lock.lock(), false)) return;
+    // A phase may have several loops, each from its own beginning.
+    if (to <= done_) return;
+    watch_.advance(share_ * (to - done_));
+    done_ = to;
+  }
+
+  BuildWatch& watch_;
+  double share_;
   LoopWatch* before_;
   std::mutex mutex_;
-  std::string_view phase_;
-  double start_{0.0}, share_{0.0}, told_{0.0};
+  double done_{0.0};
 };
 
 }  // namespace
@@ -164,34 +201,49 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   const double h = options.voxel_size;
   s.grid = makeGrid(box, h, options.outer_layers);
 
-  watch.begin("voxels", 0.1);
-  if (options.field == FieldKind::kLayered) {
-    s.voxelmap = makeVoxelmap(*s.surface, h, options.outer_layers, threads);
-    s.surface_voxels = s.voxelmap->surface_voxels;
-    s.solid_voxels = s.voxelmap->solid_voxels;
-  } else {
-    const VoxelSides sides = findVoxelSides(*s.surface, h, threads);
-    s.surface_voxels = sides.surface_voxels;
-    s.solid_voxels = sides.solid_voxels;
-    watch.begin("near field", 0.4);
-    s.near_field.emplace(*s.surface, s.grid, options.field == FieldKind::kMixed ? kBand * h : kInfinity,
-                         threads);
-  }
-  watch.begin("far field", 0.1);
-  s.far_field = FarField(*s.surface, farSpacing(box, h), kFarReach, threads);
-  watch.begin("pointshell", 0.4);
-  s.shell = makePointshell(*s.surface, options.point_spacing, threads);
-  s.tree = makeTree(s.shell);
+  const auto makeFields = [&] {
+    watch.begin("voxels");
+    BuildPhase voxels(watch, 0.1);
+    if (options.field == FieldKind::kLayered) {
+      s.voxelmap = makeVoxelmap(*s.surface, h, options.outer_layers, threads);
+      s.surface_voxels = s.voxelmap->surface_voxels;
+      s.solid_voxels = s.voxelmap->solid_voxels;
+      voxels.end();
+    } else {
+      const VoxelSides sides = findVoxelSides(*s.surface, h, threads);
+      s.surface_voxels = sides.surface_voxels;
+      s.solid_voxels = sides.solid_voxels;
+      voxels.end();
+      watch.begin("near field");
+      BuildPhase near(watch, 0.4);
+      s.near_field.emplace(*s.surface, s.grid, options.field == FieldKind::kMixed ? kBand * h : kInfinity,
+                           threads);
+      near.end();
+    }
+    watch.begin("far field");
+    BuildPhase far(watch, 0.1);
+    s.far_field = FarField(*s.surface, farSpacing(box, h), kFarReach, threads);
+    far.end();
+    watch.begin("pointshell");
+  };
+  const auto makePoints = [&] {
+    BuildPhase points(watch, 0.4);
+    s.shell = makePointshell(*s.surface, options.point_spacing, threads);
+    s.tree = makeTree(s.shell);
 
-  s.mass_properties = s.surface->massProperties();
-  s.com = s.mass_properties.com;
-  const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
-  s.triangles = mesh.triangles.size();
-  s.pieces = abstand::pieces(mesh);
-  if (s.pieces.size() == 1) s.pieces.clear();
-  s.bounding_sphere = sphereAbout(*s.surface, mesh);
-  s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
-  s.parts = s.surface->shape() ? SurfaceParts(s.bounding_sphere) : SurfaceParts(mesh, *s.surface);
+    s.mass_properties = s.surface->massProperties();
+    s.com = s.mass_properties.com;
+    const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
+    s.triangles = mesh.triangles.size();
+    s.pieces = abstand::pieces(mesh);
+    if (s.pieces.size() == 1) s.pieces.clear();
+    s.bounding_sphere = sphereAbout(*s.surface, mesh);
+    s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
+    s.parts = s.surface->shape() ? SurfaceParts(s.bounding_sphere) : SurfaceParts(mesh, *s.surface);
+    points.end();
+  };
+  // Much of the shell is made by one thread alone; the fields keep the others busy.
+  parallelFor(threads, 2, [&](std::size_t part) { part == 0 ? makeFields() : makePoints(); });
   Shrink shrink;
   shrink(s.shell, s.tree, s.support, s.parts);
   watch.end();

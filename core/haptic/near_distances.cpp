@@ -15,7 +15,6 @@ constexpr float kCompared = 1e-5f;
 /// Half-spaces of an edge or a vertex; what is more would help little.
 constexpr std::size_t kMostHalfSpaces = 8;
 constexpr float kFar = std::numeric_limits<float>::max();
-using Lanes = Eigen::Array4f;
 
 /// An edge of a triangle: the one from corner `side` to the next.
 struct Side {
@@ -59,6 +58,7 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
   const double size = surface.bounds().extent().norm();
   tolerance_ = static_cast<float>(kPlane * spacing + kPlaneOfBody * size);
   features_.reserve(3 * tree.size());
+  balls_.reserve(3 * tree.size());
   half_spaces_.reserve(4 * tree.size());
 
   for (std::uint32_t s = 0; s < tree.size(); ++s) {
@@ -113,7 +113,7 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
 
 void NearDistances::addHalfSpace(std::size_t n, const Vector3d& normal, const Vector3d& through) {
   const auto lane = static_cast<Eigen::Index>(n % 4);
-  if (lane == 0) half_spaces_.push_back({Four::Zero(), Four::Zero(), Four::Zero(), Four::Zero()});
+  if (lane == 0) half_spaces_.push_back(HalfSpaces{});
   HalfSpaces& four = half_spaces_.back();
   four.x[lane] = static_cast<float>(normal.x());
   four.y[lane] = static_cast<float>(normal.y());
@@ -124,12 +124,8 @@ void NearDistances::addHalfSpace(std::size_t n, const Vector3d& normal, const Ve
 void NearDistances::addFeature(Kind kind, std::uint32_t slot, const Vector3d& centre, double radius,
                                std::uint32_t first) {
   const Vector3f at = (centre - middle_).cast<float>();
-  features_.push_back({{at.x(), at.y(), at.z()},
-                       static_cast<float>(radius),
-                       first,
-                       static_cast<std::uint32_t>(half_spaces_.size()) - first,
-                       slot,
-                       kind});
+  balls_.push_back({{at.x(), at.y(), at.z(), static_cast<float>(radius)}});
+  features_.push_back({first, static_cast<std::uint32_t>(half_spaces_.size()) - first, slot, kind});
 }
 
 void NearDistances::addFace(std::uint32_t slot, const Vector3d (&corner)[3]) {
@@ -165,8 +161,7 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   const float reach = r.norm(), distance = static_cast<float>(nearest.distance);
   const float limit = distance * distance * (1.0f + kCompared);
   const float plane_limit = (distance + reach) * (1.0f + kCompared) + tolerance_;
-  const Four lowest_face(-tolerance_, -tolerance_, -tolerance_, -plane_limit),
-      lowest = Four::Constant(-tolerance_);
+  const Four lowest_face{-tolerance_, -tolerance_, -tolerance_, -plane_limit}, lowest = splat(-tolerance_);
 
   // Four at once: whether their balls may be near enough.
   constexpr std::size_t kLanes = 4;
@@ -174,29 +169,27 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   kept.resize(n);
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; i += kLanes) {
-    const Feature* four[kLanes];
-    for (std::size_t k = 0; k < kLanes; ++k) four[k] = &features_[list[std::min(i + k, n - 1)]];
-    const auto centre = [&](int axis) {
-      return Four(four[0]->centre[axis], four[1]->centre[axis], four[2]->centre[axis], four[3]->centre[axis]);
-    };
-    const Four x = centre(0), y = centre(1), z = centre(2);
-    const Four radius(four[0]->radius, four[1]->radius, four[2]->radius, four[3]->radius);
-    const Four way2 = (x - c.x()).square() + (y - c.y()).square() + (z - c.z()).square();
-    const Four apart = (way2.sqrt() * (1.0f - kCompared) - (radius + tolerance_)).max(0.0f);
-    const Four gain = 2.0f * (r.x() * (x - w.x()).abs() + r.y() * (y - w.y()).abs() +
-                              r.z() * (z - w.z()).abs() + reach * (radius + tolerance_));
-    const Four beyond = apart.square() * (1.0f - kCompared) - (limit + gain * (1.0f + kCompared));
+    const auto ball = [&](std::size_t k) { return load(balls_[list[std::min(i + k, n - 1)]].v); };
+    Four x = ball(0), y = ball(1), z = ball(2), radius = ball(3);
+    transpose(x, y, z, radius);
+    const auto square = [](Four v) { return v * v; };
+    const Four way2 = square(x - c.x()) + square(y - c.y()) + square(z - c.z());
+    const Four apart = max(sqrt(way2) * (1.0f - kCompared) - (radius + tolerance_), Four{});
+    const Four gain = 2.0f * (r.x() * abs(x - w.x()) + r.y() * abs(y - w.y()) + r.z() * abs(z - w.z()) +
+                              reach * (radius + tolerance_));
+    const int beyond = bits(square(apart) * (1.0f - kCompared) - (limit + gain * (1.0f + kCompared)) > 0.0f);
+    if (beyond == 15) continue;
     for (std::size_t k = 0; k < std::min(kLanes, n - i); ++k) {
-      if (beyond[static_cast<Eigen::Index>(k)] > 0.0f) continue;
-      const Feature& f = *four[k];
+      if ((beyond >> k & 1) != 0) continue;
+      const Feature& f = features_[list[i + k]];
       // The highest that a corner of the block comes.
       bool misses = false;
       const bool face = f.kind == Kind::kFace;
       for (std::uint32_t s = f.first; s < f.first + f.fours && !misses; ++s) {
         const HalfSpaces& m = half_spaces_[s];
         const Four at_middle = m.x * c.x() + m.y * c.y() + m.z * c.z() + m.offset;
-        const Four width = m.x.abs() * r.x() + m.y.abs() * r.y() + m.z.abs() * r.z();
-        misses = (at_middle + width - (face ? lowest_face : lowest)).minCoeff() < 0.0f ||
+        const Four width = abs(m.x) * r.x() + abs(m.y) * r.y() + abs(m.z) * r.z();
+        misses = bits(at_middle + width - (face ? lowest_face : lowest) < 0.0f) != 0 ||
                  (face && at_middle[3] - width[3] > plane_limit);
       }
       kept[count] = list[i + k];
@@ -209,40 +202,41 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
 void NearDistances::distances(const Block& block, const List& list, Nearest& nearest) const {
   constexpr int kGroups = (kMostSize + 3) / 4;
   struct Best {
-    Lanes distance2, slot;
+    Four distance2, slot;
   };
   Best best[kMostSize][kMostSize][kGroups];
   const int nx = (block.size.x() + 3) / 4, ny = block.size.y(), nz = block.size.z();
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) best[k][j][i] = {Lanes::Constant(kFar), Lanes::Zero()};
+      for (int i = 0; i < nx; ++i) best[k][j][i] = {splat(kFar), Four{}};
     }
   }
   const Vector3f p0 = (place(block.first.cast<double>()) - middle_).cast<float>();
   const auto h = static_cast<float>(spacing_);
-  const Lanes steps(0.0f, h, 2.0f * h, 3.0f * h);
-  const auto offer = [](Best& b, const Lanes& distance2, const Lanes& slot) {
-    b.slot = (distance2 < b.distance2).select(slot, b.slot);
-    b.distance2 = b.distance2.min(distance2);
+  const Four steps{0.0f, h, 2.0f * h, 3.0f * h};
+  const auto square = [](Four v) { return v * v; };
+  const auto offer = [](Best& b, Four distance2, Four slot) {
+    b.slot = distance2 < b.distance2 ? slot : b.slot;
+    b.distance2 = min(distance2, b.distance2);
   };
   for (const std::uint32_t id : list) {
     const Feature& f = features_[id];
-    const Lanes slot = Lanes::Constant(std::bit_cast<float>(f.slot));
-    const Vector3f from = p0 - Vector3f(f.centre[0], f.centre[1], f.centre[2]);
+    const Four slot = splat(std::bit_cast<float>(f.slot)), far = splat(kFar);
+    const Vector3f from = p0 - Vector3f::Map(balls_[id].v);
     const HalfSpaces& m = half_spaces_[f.first];
     if (f.kind == Kind::kFace) {
       const Four first = m.x * p0.x() + m.y * p0.y() + m.z * p0.z() + m.offset;
-      const auto start = [&](int n, int i) -> Lanes {
+      const auto start = [&](int n, int i) -> Four {
         return (first[n] + 4.0f * h * static_cast<float>(i) * m.x[n]) + m.x[n] * steps;
       };
       const Four along_y = h * m.y, along_z = h * m.z;
       for (int i = 0; i < nx; ++i) {
-        Lanes e0 = start(0, i), e1 = start(1, i), e2 = start(2, i), s = start(3, i);
+        Four e0 = start(0, i), e1 = start(1, i), e2 = start(2, i), s = start(3, i);
         for (int k = 0; k < nz; ++k) {
-          Lanes r0 = e0, r1 = e1, r2 = e2, rs = s;
+          Four r0 = e0, r1 = e1, r2 = e2, rs = s;
           for (int j = 0; j < ny; ++j) {
-            const Lanes over = r0.min(r1).min(r2);
-            offer(best[k][j][i], (over >= -tolerance_).select(rs.square(), Lanes::Constant(kFar)), slot);
+            const Four over = min(min(r0, r1), r2);
+            offer(best[k][j][i], over >= -tolerance_ ? square(rs) : far, slot);
             r0 += along_y[0], r1 += along_y[1], r2 += along_y[2], rs += along_y[3];
           }
           e0 += along_z[0], e1 += along_z[1], e2 += along_z[2], s += along_z[3];
@@ -251,20 +245,19 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
       continue;
     }
     const bool edge = f.kind == Kind::kEdge;
-    const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = f.radius;
+    const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = balls_[id].v[3];
     for (int i = 0; i < nx; ++i) {
-      const Lanes x = from.x() + 4.0f * h * static_cast<float>(i) + steps;
+      const Four x = from.x() + 4.0f * h * static_cast<float>(i) + steps;
       for (int k = 0; k < nz; ++k) {
         const float z = from.z() + h * static_cast<float>(k);
         for (int j = 0; j < ny; ++j) {
           const float y = from.y() + h * static_cast<float>(j);
           if (edge) {
-            const Lanes u = (x * along[0] + (y * along[1] + z * along[2])).max(-half).min(half);
+            const Four u = min(max(x * along[0] + (y * along[1] + z * along[2]), splat(-half)), splat(half));
             offer(best[k][j][i],
-                  (x - u * along[0]).square() + (y - u * along[1]).square() + (z - u * along[2]).square(),
-                  slot);
+                  square(x - u * along[0]) + square(y - u * along[1]) + square(z - u * along[2]), slot);
           } else {
-            offer(best[k][j][i], x.square() + (y * y + z * z), slot);
+            offer(best[k][j][i], square(x) + (y * y + z * z), slot);
           }
         }
       }

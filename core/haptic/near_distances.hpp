@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/mesh_surface.hpp"
+#include "core/math/four.hpp"
 
 namespace abstand {
 
@@ -42,15 +43,16 @@ class NearDistances {
 
  private:
   enum class Kind : std::uint8_t { kFace, kEdge, kVertex };
-  using Four = Eigen::Array4f;
   /// Four half-spaces side by side, n . p + offset >= 0 about middle_; unused ones hold everything. A face's
   /// fourth is its plane, the first of an edge leads along it.
   struct HalfSpaces {
     Four x, y, z, offset;
   };
+  /// About a feature: its centre, on the feature and about middle_, and its radius.
+  struct Ball {
+    float v[4];
+  };
   struct Feature {
-    float centre[3];      ///< about middle_, on the feature
-    float radius;         ///< of a ball about it
     std::uint32_t first;  ///< of its half-spaces, and how many fours
     std::uint32_t fours;
     std::uint32_t slot;
@@ -67,6 +69,7 @@ class NearDistances {
   double spacing_;
   float tolerance_;  ///< m, for half-spaces
   std::vector<Feature> features_;
+  std::vector<Ball> balls_;  ///< of the features, apart from them: most are looked at for their balls alone
   std::vector<HalfSpaces> half_spaces_;
 };
 

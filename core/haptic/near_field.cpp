@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
+#include <utility>
 
 #include "core/base/error.hpp"
 #include "core/base/parallel.hpp"
@@ -46,6 +48,20 @@ bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int
   }
   return false;
 }
+
+// A row of a block's values and how far two such are apart, side by side.
+using EightNumbers [[gnu::vector_size(16)]] = std::int16_t;
+using EightSlopes [[gnu::vector_size(16)]] = std::uint16_t;
+struct EightValues {
+  explicit EightValues(const std::int16_t* p) { std::memcpy(&v, p, sizeof v); }
+  EightNumbers v;
+};
+static_assert(sizeof(EightNumbers) == kCells * sizeof(std::int16_t));
+EightSlopes apart(const EightValues& a, const EightValues& b) {
+  const auto p = reinterpret_cast<EightSlopes>(a.v), q = reinterpret_cast<EightSlopes>(b.v);
+  return a.v > b.v ? p - q : q - p;
+}
+EightSlopes larger(EightSlopes a, EightSlopes b) { return a > b ? a : b; }
 
 // Which blocks are kept, as seen from one of them: at (1, 0, 0) the next along x, and so on.
 struct Neighbours {
@@ -301,22 +317,24 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
 float NearField::steepest(int threads) const {
   std::vector<float> of_block(blocks(), 0.0f);
   parallelFor(threads, blocks(), [&](std::size_t b) {
-    constexpr int kStep[3] = {1, kVertices, kVertices * kVertices};
     const std::int16_t* values = &values_[b * kBlockValues];
     std::int64_t most = 0;
-    for (int cell = 0; cell < kCells * kCells * kCells; ++cell) {
-      const std::int16_t* v = values +
-                              (cell / (kCells * kCells) * kVertices + cell / kCells % kCells) * kVertices +
-                              cell % kCells;
-      std::int64_t squares = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const int along = kStep[axis], p = kStep[(axis + 1) % 3], q = kStep[(axis + 2) % 3];
-        std::int64_t steep = 0;
-        for (const int from : {0, p, q, p + q})
-          steep = std::max<std::int64_t>(steep, std::abs(v[from + along] - v[from]));
-        squares += steep * steep;
+    for (int k = 0; k < kCells; ++k) {
+      for (int j = 0; j < kCells; ++j) {
+        const auto row = [&](int i, int dj, int dk) {
+          return EightValues(values + ((k + dk) * kVertices + j + dj) * kVertices + i);
+        };
+        EightSlopes x{}, y{}, z{};
+        for (const auto& [p, q] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+          x = larger(x, apart(row(1, p, q), row(0, p, q)));
+          y = larger(y, apart(row(p, 1, q), row(p, 0, q)));
+          z = larger(z, apart(row(p, q, 1), row(p, q, 0)));
+        }
+        for (int i = 0; i < kCells; ++i) {
+          const auto square = [](std::int64_t v) { return v * v; };
+          most = std::max(most, square(x[i]) + square(y[i]) + square(z[i]));
+        }
       }
-      most = std::max(most, squares);
     }
     of_block[b] = std::sqrt(static_cast<float>(most));
   });

@@ -8,7 +8,7 @@
 #include "core/haptic/pointshell_balance.hpp"
 #include "core/haptic/pointshell_cover.hpp"
 #include "core/haptic/pointshell_pool.hpp"
-#include "core/haptic/pointshell_samples.hpp"
+#include "core/haptic/pointshell_spread.hpp"
 #include "core/haptic/pointshell_tips.hpp"
 
 namespace abstand {
@@ -49,7 +49,7 @@ std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>&
   std::vector<Cell> cells(count);
   pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
     Cell& cell = cells[nearest[i]];
-    const double area = double(pool.area(i));
+    const double area = piece.area();
     const Vector3d& normal = pool.normal(piece.triangle());
     const Vector3d centroid = piece.centroid();
     cell.area += area;
@@ -57,7 +57,7 @@ std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>&
     cell.spread_moment += area / density[i] * centroid;
     cell.moment += area * centroid;
     cell.normal += area * normal;
-    cell.second_moment += area * (centroid.squaredNorm() + double(pool.spread(i)));
+    cell.second_moment += area * (centroid.squaredNorm() + piece.spread());
     if (piece.sharp() == 0) return;
     for (int e = 0; e < 3; ++e) {
       if ((piece.sharp() >> e & 1u) != 0)
@@ -181,13 +181,14 @@ void keepTotalArea(std::vector<BalancePoint>& points) {
 
 /// Points per area at each piece, as a multiple of the usual density, within kMostExtra.
 std::vector<float> pointDensity(const SurfacePool& pool) {
-  std::vector<float> density(pool.size());
+  std::vector<float> density(pool.size(), 1.0f);
+  if (pool.plain()) return density;
   double area = 0.0, extra = 0.0;
-  for (std::uint32_t i = 0; i < pool.size(); ++i) {
+  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
     density[i] = 1.0f / (pool.pitch(i) * pool.pitch(i));
-    area += double(pool.area(i));
-    extra += double(pool.area(i) * (density[i] - 1.0f));
-  }
+    area += piece.area();
+    extra += piece.area() * double(density[i] - 1.0f);
+  });
   if (extra > (kMostExtra - 1.0) * area) {
     const float share = static_cast<float>((kMostExtra - 1.0) * area / extra);
     for (float& d : density) d = 1.0f + share * (d - 1.0f);
@@ -201,16 +202,25 @@ std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double lengt
   return out;
 }
 
-/// One a piece.
-std::vector<Sample> takeSamples(const SurfacePool& pool, const std::vector<float>& density,
-                                double normal_length) {
-  std::vector<Sample> out;
-  out.reserve(pool.size());
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
-    out.push_back({piece.centroid().cast<float>(),
-                   (normal_length * pool.normal(piece.triangle())).cast<float>(), density[i]});
-  });
-  return out;
+/// A surface shared out among points.
+struct Shares {
+  std::vector<std::uint32_t> nearest;  ///< of each piece: its cell
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> order;  ///< of the cells, as the shell's
+};
+
+Shares share(const SurfacePool& pool, double spacing) {
+  const double normal_length = kNormalLength * spacing;
+  const std::vector<float> density = pointDensity(pool);
+  SurfaceSpread spread(pool, density, normal_length, kCell * spacing);
+  spread.spread(kStop * spacing);
+  std::vector<Cell> cells = gatherCells(pool, density, spread.nearest(), spread.count());
+  std::vector<Vector3f> centred;
+  for (const Vector3d& p : targets(cells)) centred.push_back(p.cast<float>());
+  spread.fill(std::move(centred), scaledNormals(cells, normal_length), kFill * spacing);
+  cells = gatherCells(pool, density, spread.nearest(), spread.count());
+  std::vector<std::uint32_t> order = spread.order();
+  return {spread.takeNearest(), std::move(cells), std::move(order)};
 }
 
 }  // namespace
@@ -224,27 +234,18 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   const PitchField field(mesh, spacing);
   const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
   if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
-  const double normal_length = kNormalLength * spacing;
-  const std::vector<float> density = pointDensity(pool);
-
-  SampleCover cover(takeSamples(pool, density, normal_length), kCell * spacing);
-  std::uint32_t count = cover.spread(kStop * spacing);
-  std::vector<std::uint32_t> nearest = cover.nearest();
-  std::vector<Cell> cells = gatherCells(pool, density, nearest, count);
-  std::vector<Vector3f> centred;
-  for (const Vector3d& p : targets(cells)) centred.push_back(p.cast<float>());
-  cover.recentre(centred, scaledNormals(cells, normal_length), kFill * spacing);
-  count = cover.fill(kFill * spacing);
-  nearest = cover.nearest();
-  cells = gatherCells(pool, density, nearest, count);
+  Shares shares = share(pool, spacing);
+  std::vector<std::uint32_t>& nearest = shares.nearest;
+  std::vector<Cell>& cells = shares.cells;
   const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
 
   double pool_area = 0.0;
   for (const Cell& cell : cells) pool_area += cell.area;
   const double area_scale = shape != nullptr ? surface.area() / pool_area : 1.0;
   std::vector<BalancePoint> balanced;
-  std::vector<std::uint32_t> cell_of, kept(count, 0);
-  for (std::uint32_t k = 0; k < count; ++k) {
+  balanced.reserve(points.size());
+  std::vector<std::uint32_t> cell_of, kept(points.size(), 0);
+  for (const std::uint32_t k : shares.order) {
     if (cells[k].area <= 0.0) continue;
     kept[k] = static_cast<std::uint32_t>(balanced.size());
     cell_of.push_back(k);
@@ -254,6 +255,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
         {points[k], -cells[k].normal.normalized(), area, points[k], area, ShellBalance::kReach * spacing});
     if (shape != nullptr) settle(surface, balanced.back());
   }
+  cells = {};
   if (!field.plain()) {
     const ShellBalance balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(), balanced,
                                spacing, threads);

@@ -7,8 +7,10 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "core/base/parallel.hpp"
+#include "core/math/four.hpp"
 
 namespace abstand {
 namespace {
@@ -81,7 +83,86 @@ std::size_t stride(std::size_t n) {
 }
 
 constexpr std::size_t kLanes = 4;
-using Lanes = Eigen::Array<float, kLanes, 1>;
+
+/// A point while its place and area are mended: in float, about the middle of the points, with the spacing as
+/// unit.
+struct Active {
+  Four now;    ///< place and area
+  Four still;  ///< normal, and the area at first
+  Four home;   ///< the place at first, and the reach
+};
+
+Four four(const Vector3d& v, double w) { return Four{float(v.x()), float(v.y()), float(v.z()), float(w)}; }
+
+/// What four points have in common, side by side.
+struct Columns {
+  Four x, y, z, w;
+  Columns(Four a, Four b, Four c, Four d) : x(a), y(b), z(c), w(d) { transpose(x, y, z, w); }
+};
+
+/// What a press gives, and what unit changes of each point do to it, squared: along its normal, as everything
+/// it does.
+struct Pressed {
+  Vector3f force;
+  Matrix3d gram;
+};
+
+/// Sets the `depths` too.
+Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t> inside, const Vector3f& u,
+                float level, float move2, std::vector<float>& depths) {
+  Four fx{}, fy{}, fz{}, g00{}, g01{}, g02{}, g11{}, g12{}, g22{};
+  for (std::size_t k = 0; k < inside.size(); k += kLanes) {
+    const Active &a = active[inside[k]], &b = active[inside[k + 1]], &c = active[inside[k + 2]],
+                 &d = active[inside[k + 3]];
+    const Columns now(a.now, b.now, c.now, d.now), still(a.still, b.still, c.still, d.still);
+    const Four nx = still.x, ny = still.y, nz = still.z, home = still.w;
+    const Four depth = max(level - u.x() * now.x - u.y() * now.y - u.z() * now.z, Four{});
+    store(depth, &depths[k]);
+    const Four push = now.w * depth;
+    fx += push * nx, fy += push * ny, fz += push * nz;
+    const Four un = u.x() * nx + u.y() * ny + u.z() * nz;
+    const Four g = depth > 0.0f ? home * home * (depth * depth + move2 * (1.0f - un * un)) : Four{};
+    const Four gx = g * nx, gy = g * ny;
+    g00 += gx * nx, g01 += gx * ny, g02 += gx * nz, g11 += gy * ny, g12 += gy * nz, g22 += g * nz * nz;
+  }
+  Pressed pressed;
+  pressed.force = {sumOf(fx), sumOf(fy), sumOf(fz)};
+  const double xy = double(sumOf(g01)), xz = double(sumOf(g02)), yz = double(sumOf(g12));
+  pressed.gram << double(sumOf(g00)), xy, xz, xy, double(sumOf(g11)), yz, xz, yz, double(sumOf(g22));
+  return pressed;
+}
+
+/// Changes areas, and places where move2 is not 0, as far as the pull does.
+void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depths, const Vector3f& u,
+          const Vector3f& pull, float move2, std::vector<Active>& active) {
+  for (std::size_t k = 0; k < inside.size(); k += kLanes) {
+    const Four depth = load(&depths[k]);
+    const FourInts in = depth > 0.0f;
+    if (bits(in) == 0) continue;
+    Active &a = active[inside[k]], &b = active[inside[k + 1]], &c = active[inside[k + 2]],
+           &d = active[inside[k + 3]];
+    Columns now(a.now, b.now, c.now, d.now);
+    const Columns still(a.still, b.still, c.still, d.still);
+    const Four g = still.w * (still.x * pull.x() + still.z * pull.z() + still.y * pull.y());
+    const Four area = min(max(now.w + still.w * depth * g, ShellBalance::kLeastArea * still.w),
+                          ShellBalance::kMostArea * still.w);
+    now.w = in ? area : now.w;
+    if (move2 > 0.0f) {
+      const Columns home(a.home, b.home, c.home, d.home);
+      const Four un = u.x() * still.x + u.z() * still.z + u.y() * still.y, back = move2 * g;
+      const Four x = now.x - home.x - back * (u.x() - un * still.x),
+                 y = now.y - home.y - back * (u.y() - un * still.y),
+                 z = now.z - home.z - back * (u.z() - un * still.z);
+      const Four length2 = x * x + z * z + y * y, one = splat(1.0f);
+      const Four shorter = length2 > home.w * home.w ? home.w / sqrt(length2) : one;
+      now.x = in ? home.x + x * shorter : now.x;
+      now.y = in ? home.y + y * shorter : now.y;
+      now.z = in ? home.z + z * shorter : now.z;
+    }
+    transpose(now.x, now.y, now.z, now.w);
+    a.now = now.x, b.now = now.y, c.now = now.z, d.now = now.w;
+  }
+}
 
 /// What one direction's half-spaces should give, and their points.
 struct Presses {
@@ -126,6 +207,9 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
       if (presses.force[d].isZero(0.0)) presses.points[d].clear();
   });
 
+  order_ = points_below.order();
+  std::vector<std::uint32_t> place(points.size());
+  for (std::uint32_t k = 0; k < order_.size(); ++k) place[order_[k]] = k;
   // Neighbouring directions far apart in time, so that one place is not mended twice in a row.
   const std::size_t n = directions.size() * kDepths, step = stride(n);
   for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMostVisits; ++i, r = (r + step) % n) {
@@ -136,33 +220,28 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
     presses_.push_back({directions[r / kDepths], presses.level[d], presses.force[d], presses.weight[d],
                         static_cast<std::uint32_t>(points_.size()),
                         static_cast<std::uint32_t>(inside.size())});
-    points_.insert(points_.end(), inside.begin(), inside.end());
-    for (const std::uint32_t point : inside) pressed_[point] = true;
+    for (const std::uint32_t point : inside) {
+      points_.push_back(place[point]);
+      pressed_[point] = true;
+    }
     while (points_.size() % kLanes != 0) points_.push_back(static_cast<std::uint32_t>(points.size()));
     presses_.back().count = static_cast<std::uint32_t>(points_.size()) - presses_.back().first;
   }
 }
 
 void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
-  // In float, about the middle of the points, with the spacing as unit. In fours: place and area, normal and
-  // the area at first, the place at first and the reach.
-  struct Active {
-    Eigen::Array4f now, still, home;
-  };
   const double s = spacing_, s2 = s * s;
   Vector3d middle = Vector3d::Zero();
   for (const BalancePoint& p : points) middle += p.home / static_cast<double>(points.size());
-  const auto four = [](const Vector3d& v, double w) {
-    return Eigen::Array4f(float(v.x()), float(v.y()), float(v.z()), float(w));
-  };
   std::vector<Active> active;
   active.reserve(points.size() + 1);
-  for (const BalancePoint& p : points) {
+  for (const std::uint32_t i : order_) {
+    const BalancePoint& p = points[i];
     active.push_back({four((p.position - middle) / s, p.area / s2), four(p.normal, p.home_area / s2),
                       four((p.home - middle) / s, p.reach / s)});
   }
   // Padding of the presses.
-  active.push_back({Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()});
+  active.push_back(Active{});
 
   const float move2 = freedom == Freedom::kArea ? 0.0f : kMove * kMove;
   const int sweeps = freedom == Freedom::kArea ? kAreaSweeps : kSweeps;
@@ -170,62 +249,29 @@ void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) co
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const double step = kFirstStep + (kLastStep - kFirstStep) * sweep / (sweeps - 1);
     for (const Press& press : presses_) {
-      const std::uint32_t* inside = &points_[press.first];
+      const std::span<const std::uint32_t> inside(&points_[press.first], press.count);
       const Vector3f u = press.direction.cast<float>();
       const float level = static_cast<float>((press.level - press.direction.dot(middle)) / s);
       depths.resize(press.count);
-      // What the force is, and what unit changes of each point do to it, squared: along its normal, as
-      // everything it does.
-      Lanes fx = Lanes::Zero(), fy = fx, fz = fx, g00 = fx, g01 = fx, g02 = fx, g11 = fx, g12 = fx, g22 = fx;
-      for (std::uint32_t k = 0; k < press.count; k += kLanes) {
-        const Active &a = active[inside[k]], &b = active[inside[k + 1]], &c = active[inside[k + 2]],
-                     &d = active[inside[k + 3]];
-        const auto now = [&](int i) { return Lanes(a.now[i], b.now[i], c.now[i], d.now[i]); };
-        const auto still = [&](int i) { return Lanes(a.still[i], b.still[i], c.still[i], d.still[i]); };
-        const Lanes nx = still(0), ny = still(1), nz = still(2), home = still(3);
-        const Lanes depth = (level - u.x() * now(0) - u.y() * now(1) - u.z() * now(2)).max(0.0f);
-        Lanes::Map(&depths[k]) = depth;
-        const Lanes push = now(3) * depth;
-        fx += push * nx, fy += push * ny, fz += push * nz;
-        const Lanes un = u.x() * nx + u.y() * ny + u.z() * nz;
-        const Lanes g =
-            (depth > 0.0f).select(home * home * (depth * depth + move2 * (1.0f - un * un)), Lanes::Zero());
-        const Lanes gx = g * nx, gy = g * ny;
-        g00 += gx * nx, g01 += gx * ny, g02 += gx * nz, g11 += gy * ny, g12 += gy * nz, g22 += g * nz * nz;
-      }
+      const Pressed pressed = measure(active, inside, u, level, move2, depths);
       const Vector3f wanted = (press.force / (s2 * s)).cast<float>();
-      const Vector3f error = wanted - Vector3f(fx.sum(), fy.sum(), fz.sum());
+      const Vector3f error = wanted - pressed.force;
       if (error.squaredNorm() <= kEnough * kEnough * wanted.squaredNorm()) continue;
-      Matrix3d gram;
-      gram << g00.sum(), g01.sum(), g02.sum(), g01.sum(), g11.sum(), g12.sum(), g02.sum(), g12.sum(),
-          g22.sum();
+      Matrix3d gram = pressed.gram;
       const double damping = kDamping * gram.trace();
       if (!(damping > 0.0)) continue;
       gram.diagonal().array() += damping;
       const Vector3f pull = (step * press.weight * (gram.inverse() * error.cast<double>())).cast<float>();
-      const Eigen::Array4f pull4(pull.x(), pull.y(), pull.z(), 0.0f), u4(u.x(), u.y(), u.z(), 0.0f);
-      for (std::uint32_t k = 0; k < press.count; ++k) {
-        if (depths[k] <= 0.0f) continue;
-        Active& p = active[inside[k]];
-        const float home_area = p.still[3], g = home_area * (p.still * pull4).sum();
-        const float area =
-            std::clamp(p.now[3] + home_area * depths[k] * g, kLeastArea * home_area, kMostArea * home_area);
-        if (move2 > 0.0f) {
-          Eigen::Array4f moved = p.now - p.home - move2 * g * (u4 - (u4 * p.still).sum() * p.still);
-          moved[3] = 0.0f;
-          const float length2 = moved.square().sum(), reach = p.home[3];
-          if (length2 > reach * reach) moved *= reach / std::sqrt(length2);
-          p.now = p.home + moved;
-        }
-        p.now[3] = area;
-      }
+      mend(inside, depths, u, pull, move2, active);
     }
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::uint32_t i = order_[k];
     if (!pressed_[i]) continue;
-    const Active& a = active[i];
+    const Active& a = active[k];
     points[i].area = s2 * double(a.now[3]);
-    if (move2 > 0.0f) points[i].position = middle + s * a.now.head<3>().matrix().cast<double>();
+    if (move2 > 0.0f)
+      points[i].position = middle + s * Vector3d(double(a.now[0]), double(a.now[1]), double(a.now[2]));
   }
 }
 

@@ -57,9 +57,10 @@ class ShellBalance {
   };
 
   double spacing_;
-  std::vector<Press> presses_;  ///< in the order in which they are mended
-  std::vector<std::uint32_t> points_;
-  std::vector<bool> pressed_;  ///< by point
+  std::vector<Press> presses_;         ///< in the order in which they are mended
+  std::vector<std::uint32_t> order_;   ///< place in it -> point: neighbours in space are neighbours in memory
+  std::vector<std::uint32_t> points_;  ///< their places
+  std::vector<bool> pressed_;          ///< by point
 };
 
 }  // namespace abstand

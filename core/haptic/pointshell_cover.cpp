@@ -16,7 +16,7 @@ constexpr std::uint32_t kNeighbours = 16;
 
 struct Candidate {
   double bound;
-  SubTriangle piece;
+  std::uint32_t piece;  ///< of the pool; from its size on, of the parts
   bool operator<(const Candidate& other) const { return bound < other.bound; }
 };
 
@@ -49,7 +49,9 @@ double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& poin
   // Only pieces that may decide are looked at; the rest is covered within `floor` as it is.
   double floor = 0.0;
   std::vector<Candidate> heap;
-  for (const SubTriangle& piece : pool.degenerate()) heap.push_back({kInfinity, piece});
+  std::vector<SubTriangle> parts = pool.degenerate();
+  const auto partAt = [&](std::size_t i) { return static_cast<std::uint32_t>(pool.size() + i); };
+  for (std::size_t i = 0; i < parts.size(); ++i) heap.push_back({kInfinity, partAt(i)});
   pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
     if (double(bounds2[i]) <= floor * floor) return;
     double bound = std::sqrt(double(bounds2[i]));
@@ -59,7 +61,7 @@ double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& poin
       const std::uint32_t first = i > kNeighbours ? i - kNeighbours : 0;
       for (std::uint32_t n = first; n < std::min(i + kNeighbours, pool.size()) && bound > reached; ++n)
         if (nearest[n] != nearest[i]) bound = std::min(bound, cornerBound(whole, points[nearest[n]]));
-      if (bound > reached) heap.push_back({bound, whole});
+      if (bound > reached) heap.push_back({bound, i});
     }
     if (bound <= reached) floor = std::max(floor, bound);
   });
@@ -69,17 +71,20 @@ double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& poin
     const Candidate top = heap.back();
     heap.pop_back();
     if (top.bound <= std::max(floor, reached * (1.0 + kCoverSlack))) return std::max(floor, top.bound);
-    reached = std::max(reached, finder.distance(top.piece.centroid(), q));
-    const double bound = std::min(top.bound, cornerBound(top.piece, points[q]));
+    const SubTriangle piece =
+        top.piece < pool.size() ? pool.piece(top.piece) : parts[top.piece - pool.size()];
+    reached = std::max(reached, finder.distance(piece.centroid(), q));
+    const double bound = std::min(top.bound, cornerBound(piece, points[q]));
     if (bound <= std::max(floor, reached)) {
       floor = std::max(floor, bound);
       continue;
     }
     SubTriangle halves[2];
-    top.piece.split(halves[0], halves[1]);
+    piece.split(halves[0], halves[1]);
     for (const SubTriangle& half : halves) {
       finder.distance(half.centroid(), q);
-      heap.push_back({std::min(bound, cornerBound(half, points[q])), half});
+      heap.push_back({std::min(bound, cornerBound(half, points[q])), partAt(parts.size())});
+      parts.push_back(half);
       std::push_heap(heap.begin(), heap.end());
     }
   }

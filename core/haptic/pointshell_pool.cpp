@@ -2,6 +2,7 @@
 #include "core/haptic/pointshell_pool.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/base/error.hpp"
 
@@ -11,6 +12,9 @@ namespace {
 /// In multiples of the longest edge allowed: parts larger than this are not yet asked what is near them.
 /// Twice, as most of a surface is far from all.
 constexpr double kAskFirst = 8.0, kAskAgain = 2.0;
+
+/// With more pieces than these, at a rough guess, triangles are cut as they lie in space.
+constexpr double kManyPieces = 2e5;
 
 /// Squared length over area from which on a piece is a sliver, whose square of the longest edge may only be
 /// this part of others': its middle says less of where its ends are.
@@ -32,11 +36,11 @@ void measure(const Vector3d (&corner)[3], double (&length2)[3]) {
 
 /// Of the halves at edge e. Edges of the first: e (half), cut, g. Edges of the second: e (half), f, cut.
 struct HalfSharp {
-  unsigned first, second;
+  std::uint16_t first, second;
   HalfSharp(unsigned sharp, int e) {
     const auto bit = [&](int edge) { return (sharp >> (edge % 3)) & 1u; };
-    first = bit(e) | bit(e + 2) << 2;
-    second = bit(e) | bit(e + 1) << 1;
+    first = static_cast<std::uint16_t>(bit(e) | bit(e + 2) << 2);
+    second = static_cast<std::uint16_t>(bit(e) | bit(e + 1) << 1);
   }
 };
 
@@ -80,6 +84,7 @@ struct SurfacePool::Part {
   Piece piece;
   double length2[3];  ///< squared lengths of its edges
   double area;
+  std::uint32_t frame;
   int asked;  ///< how often; not once more
   PitchField::Near near;
 };
@@ -99,74 +104,111 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
                      " million surface pieces, at most " + std::to_string(kMaxPieces / 1e6) +
                      " million are allowed");
   }
-  // Room that is not used takes no memory.
-  const auto room = static_cast<std::size_t>(pieces);
+  // Room that is not used takes no memory. A fine pitch takes more.
+  const auto room = static_cast<std::size_t>(field.plain() ? pieces : 2.0 * pieces);
   pieces_.reserve(room);
-  for (auto* v : {&area_, &spread_, &pitch_}) v->reserve(room);
+  if (!field.plain()) pitch_.reserve(room);
+  std::vector<std::uint32_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (pieces > kManyPieces) {
+    std::vector<Vector3f> middles;
+    middles.reserve(order.size());
+    for (const std::uint32_t t : order)
+      middles.push_back(((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0).cast<float>());
+    order = mortonOrder(middles);
+  }
   std::vector<Part> stack;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (const std::uint32_t t : order) {
     if (!normals_[t].isZero()) cut(t, max_area, field, stack);
   }
+}
+
+SurfacePool::Frame SurfacePool::frameOf(std::uint32_t t, std::uint32_t frame) const {
+  if (frame != kTriangle) return frames_[frame];
+  const Vector3d& a = mesh_.corner(t, 0);
+  return {a, mesh_.corner(t, 1) - a, mesh_.corner(t, 2) - a};
 }
 
 void SurfacePool::cut(std::uint32_t t, double max_area, const PitchField& field, std::vector<Part>& stack) {
   const double max_edge2 = max_edge_ * max_edge_;
   const SubTriangle whole{{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u};
-  const Vector3d &a = whole.corner[0], ab = whole.corner[1] - a, ac = whole.corner[2] - a;
-  Part root{{{0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, t, field.sharp()[t]},
+  constexpr std::uint16_t kOne = kWhole;
+  Part root{{{0, kOne, 0}, {0, 0, kOne}, 0, field.sharp()[t]},
             {},
             whole.area(),
+            kTriangle,
             field.plain() ? 2 : 0,
             {}};
   measure(whole.corner, root.length2);
   stack.push_back(root);
+  View view;
+  view.frame_ = frameOf(t, kTriangle);
+  std::uint32_t frame = kTriangle;
+  bool new_run = true;
   while (!stack.empty()) {
     Part part = stack.back();
     stack.pop_back();
     const Piece& piece = part.piece;
-    const auto centroid = [&]() -> Vector3d {
-      return a + (double(piece.b[0]) + double(piece.b[1]) + double(piece.b[2])) / 3.0 * ab +
-             (double(piece.c[0]) + double(piece.c[1]) + double(piece.c[2])) / 3.0 * ac;
-    };
+    if (part.frame != frame) {
+      frame = part.frame;
+      view.frame_ = frameOf(t, frame);
+      new_run = true;
+    }
+    view.piece_ = &piece;
     const int e = longest(part.length2);
     const double length = std::sqrt(part.length2[e]);
     if (part.asked < 2 && length <= (part.asked == 0 ? kAskFirst : kAskAgain) * max_edge_) {
-      part.near = field.near(centroid(), 2.0 / 3.0 * length);
+      part.near = field.near(view.centroid(), 2.0 / 3.0 * length);
       part.asked = part.near.none() || length <= kAskAgain * max_edge_ ? 2 : 1;
     }
     double pitch = 1.0;
     bool halved = part.area > max_area || part.length2[e] > max_edge2 ||
                   (part.length2[e] > kSliver * part.area && part.length2[e] > kSliverEdge * max_edge2);
     if (!halved && !part.near.none()) {
-      pitch = field.pitch(centroid(), part.near);
+      pitch = field.pitch(view.centroid(), part.near);
       halved = part.area > pitch * pitch * max_area;
     }
     if (!halved) {
+      if (new_run) runs_.push_back({size(), t, frame});
+      new_run = false;
       pieces_.push_back(piece);
-      area_.push_back(static_cast<float>(part.area));
-      // A twelfth of the sum over the corners, and that is a third of the sum over the edges.
-      spread_.push_back(static_cast<float>((part.length2[0] + part.length2[1] + part.length2[2]) / 36.0));
-      pitch_.push_back(static_cast<float>(pitch));
+      if (!field.plain()) pitch_.push_back(static_cast<float>(pitch));
       continue;
     }
     const int f = (e + 1) % 3, g = (e + 2) % 3;
-    const float mb = 0.5f * (piece.b[e] + piece.b[f]), mc = 0.5f * (piece.c[e] + piece.c[f]);
+    if ((piece.b[e] + piece.b[f]) % 2 != 0 || (piece.c[e] + piece.c[f]) % 2 != 0) {
+      // Too fine for this frame: on in its own.
+      const Vector3d a = view.corner(0);
+      frames_.push_back({a, view.corner(1) - a, view.corner(2) - a});
+      part.piece = {{0, kOne, 0}, {0, 0, kOne}, piece.level, piece.sharp};
+      part.frame = static_cast<std::uint32_t>(frames_.size() - 1);
+      stack.push_back(part);
+      continue;
+    }
+    const auto mb = static_cast<std::uint16_t>((piece.b[e] + piece.b[f]) / 2),
+               mc = static_cast<std::uint16_t>((piece.c[e] + piece.c[f]) / 2),
+               level = static_cast<std::uint16_t>(piece.level + 1);
     // The cut is the median.
     const double half2 = 0.25 * part.length2[e],
                  cut2 = std::max(0.0, 0.5 * (part.length2[f] + part.length2[g]) - half2);
     const HalfSharp half(piece.sharp, e);
-    const Part first{{{piece.b[e], mb, piece.b[g]}, {piece.c[e], mc, piece.c[g]}, t, half.first},
-                     {half2, cut2, part.length2[g]},
-                     0.5 * part.area,
-                     part.asked,
-                     part.near};
-    stack.push_back({{{mb, piece.b[f], piece.b[g]}, {mc, piece.c[f], piece.c[g]}, t, half.second},
-                     {half2, part.length2[f], cut2},
-                     0.5 * part.area,
-                     part.asked,
-                     part.near});
+    Part first = part, second = part;
+    first.area = second.area = 0.5 * part.area;
+    first.piece = {{piece.b[e], mb, piece.b[g]}, {piece.c[e], mc, piece.c[g]}, level, half.first};
+    second.piece = {{mb, piece.b[f], piece.b[g]}, {mc, piece.c[f], piece.c[g]}, level, half.second};
+    first.length2[0] = second.length2[0] = half2;
+    first.length2[1] = second.length2[2] = cut2;
+    first.length2[2] = part.length2[g];
+    second.length2[1] = part.length2[f];
+    stack.push_back(second);
     stack.push_back(first);
   }
+}
+
+SubTriangle SurfacePool::piece(std::uint32_t index) const {
+  SubTriangle piece;
+  walk(index, index + 1, [&](std::uint32_t, const View& view) { piece = view.whole(); });
+  return piece;
 }
 
 std::vector<SubTriangle> SurfacePool::degenerate() const {

@@ -49,12 +49,19 @@ std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i
 
 }  // namespace
 
-SampleCover::SampleCover(const std::vector<Sample>& samples, double cell) : cell_(static_cast<float>(cell)) {
+void SampleCover::start(const std::vector<Sample>& samples, double cell, std::uint32_t first_centre) {
+  cell_ = static_cast<float>(cell);
+  per_cell_ = 1.0f / cell_;
+  centres_.clear();
+  first_centre_ = first_centre;
   arrange(samples);
 }
 
 Vector3i SampleCover::cellOf(const Vector3f& p) const {
-  return ((p - lower_) / cell_).array().max(0.0f).min(kMostCells - 1.0f).cast<int>();
+  const Four from = Four{p.x() - lower_.x(), p.y() - lower_.y(), p.z() - lower_.z(), 0.0f} * per_cell_;
+  const Four at = min(max(from, Four{}), splat(kMostCells - 1.0f));
+  const auto cell = __builtin_convertvector(at, FourInts);
+  return {cell[0], cell[1], cell[2]};
 }
 
 const SampleCover::Brick* SampleCover::brickAt(const Vector3i& at) const {
@@ -82,25 +89,37 @@ std::uint32_t SampleCover::addBrick(const Vector3i& at) {
   return brick;
 }
 
+inline void SampleCover::put(std::uint32_t at, const Sample& sample, float distance2) {
+  Group& g = groups_[at / kLanes];
+  const auto lane = at % kLanes;
+  g.x[lane] = sample.position.x(), g.y[lane] = sample.position.y(), g.z[lane] = sample.position.z();
+  g.nx[lane] = sample.normal.x(), g.ny[lane] = sample.normal.y(), g.nz[lane] = sample.normal.z();
+  g.weight[lane] = sample.weight;
+  g.distance2[lane] = distance2;
+  g.nearest[lane] = 0.0f;
+}
+
 void SampleCover::arrange(const std::vector<Sample>& samples) {
-  const std::size_t n = samples_ = samples.size();
+  const std::size_t n = samples.size();
+  bricks_.clear();
   lower_ = samples.front().position;
   for (const Sample& sample : samples) lower_ = lower_.cwiseMin(sample.position);
 
   // Bricks in the order in which samples come to them: neighbours in a mesh often are neighbours in space.
-  std::vector<std::uint32_t> cell_of(n);  // first the brick, times its cells, and the bit
+  cell_of_.resize(n);  // first the brick, times its cells, and the bit
   constexpr std::uint32_t kCells = kBrick * kBrick * kBrick;
   brick_table_.assign(64, kNone);
   std::uint32_t brick = kNone;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3i cell = cellOf(samples[i].position), at = cell / kBrick;
+    const Vector3i cell = cellOf(samples[i].position),
+                   at(cell.x() >> kBrickBits, cell.y() >> kBrickBits, cell.z() >> kBrickBits);
     if (brick == kNone || bricks_[brick].at != at) {
       const Brick* known = brickAt(at);
       brick = known != nullptr ? static_cast<std::uint32_t>(known - bricks_.data()) : addBrick(at);
     }
     const int bit = bitOf(cell);
     bricks_[brick].kept |= std::uint64_t{1} << bit;
-    cell_of[i] = brick * kCells + static_cast<std::uint32_t>(bit);
+    cell_of_[i] = brick * kCells + static_cast<std::uint32_t>(bit);
   }
   std::uint32_t cells = 0;
   for (Brick& b : bricks_) {
@@ -115,7 +134,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
 
   // Count, then place, each cell padded to whole groups.
   std::vector<std::uint32_t> next(cells, 0);
-  for (std::uint32_t& c : cell_of) {
+  for (std::uint32_t& c : cell_of_) {
     const Brick& b = bricks_[c / kCells];
     c = b.first + b.place[c % kCells];
     ++next[c];
@@ -124,7 +143,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   std::uint32_t groups = 0;
   for (std::size_t c = 0; c < cells; ++c) {
     const std::uint32_t end = groups + (next[c] + kLanes - 1) / kLanes;
-    cells_[c] = {Lanes::Constant(kFar), Lanes::Constant(-kFar), kFar, kFar, groups, end};
+    cells_[c] = {splat(kFar), splat(-kFar), kFar, kFar, groups, end};
     next[c] = groups * kLanes;
     groups = end;
   }
@@ -132,12 +151,12 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   order_.assign(groups * kLanes, kNone);
   for (std::uint32_t i = 0; i < n; ++i) {
     const Sample& sample = samples[i];
-    Cell& cell = cells_[cell_of[i]];
-    const Lanes p(sample.position.x(), sample.position.y(), sample.position.z(), 0.0f);
-    cell.lower = cell.lower.min(p);
-    cell.upper = cell.upper.max(p);
+    Cell& cell = cells_[cell_of_[i]];
+    const Four p{sample.position.x(), sample.position.y(), sample.position.z(), 0.0f};
+    cell.lower = min(cell.lower, p);
+    cell.upper = max(cell.upper, p);
     cell.least_weight = std::min(cell.least_weight, sample.weight);
-    const std::uint32_t at = next[cell_of[i]]++;
+    const std::uint32_t at = next[cell_of_[i]]++;
     order_[at] = i;
     put(at, sample, kFar);
   }
@@ -146,40 +165,31 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   }
 }
 
-void SampleCover::put(std::uint32_t at, const Sample& sample, float distance2) {
-  Group& g = groups_[at / kLanes];
-  const auto lane = static_cast<Eigen::Index>(at % kLanes);
-  g.x[lane] = sample.position.x(), g.y[lane] = sample.position.y(), g.z[lane] = sample.position.z();
-  g.nx[lane] = sample.normal.x(), g.ny[lane] = sample.normal.y(), g.nz[lane] = sample.normal.z();
-  g.weight[lane] = sample.weight;
-  g.distance2[lane] = distance2;
-  g.nearest[lane] = 0.0f;
-}
-
 Sample SampleCover::sample(std::uint32_t at) const {
   const Group& g = groups_[at / kLanes];
-  const auto lane = static_cast<Eigen::Index>(at % kLanes);
+  const auto lane = at % kLanes;
   return {{g.x[lane], g.y[lane], g.z[lane]}, {g.nx[lane], g.ny[lane], g.nz[lane]}, g.weight[lane]};
 }
 
 void SampleCover::visit(Cell& cell, const Centre& centre) {
-  const float apart2 = (cell.lower - centre.p).max(centre.p - cell.upper).max(0.0f).square().sum();
-  if (apart2 * cell.least_weight >= cell.farthest) return;
-  Lanes farthest = Lanes::Constant(-1.0f);
+  const Four gap = max(max(cell.lower - centre.p, centre.p - cell.upper), Four{});
+  if (sumOf(gap * gap) * cell.least_weight >= cell.farthest) return;
+  const auto square = [](Four a) { return a * a; };
+  Four farthest = splat(-1.0f);
   for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
     Group& g = groups_[i];
-    const Lanes d2 = g.weight * ((g.x - centre.p[0]).square() + (g.y - centre.p[1]).square() +
-                                 (g.z - centre.p[2]).square() + (g.nx - centre.n[0]).square() +
-                                 (g.ny - centre.n[1]).square() + (g.nz - centre.n[2]).square());
-    g.nearest = (d2 < g.distance2).select(Lanes::Constant(centre.id), g.nearest);
-    g.distance2 = g.distance2.min(d2);
-    farthest = farthest.max(g.distance2);
+    const Four d2 =
+        g.weight * (square(g.x - centre.p[0]) + square(g.y - centre.p[1]) + square(g.z - centre.p[2]) +
+                    square(g.nx - centre.n[0]) + square(g.ny - centre.n[1]) + square(g.nz - centre.n[2]));
+    g.nearest = d2 < g.distance2 ? splat(centre.id) : g.nearest;
+    g.distance2 = min(g.distance2, d2);
+    farthest = max(farthest, g.distance2);
   }
-  cell.farthest = farthest.maxCoeff();
+  cell.farthest = largestOf(farthest);
 }
 
 void SampleCover::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, float radius) {
-  const Centre centre{std::bit_cast<float>(id), Lanes(p.x(), p.y(), p.z(), 0.0f), n};
+  const Centre centre{std::bit_cast<float>(id), Four{p.x(), p.y(), p.z(), 0.0f}, n};
   const Vector3i low = cellOf(p.array() - radius), high = cellOf(p.array() + radius);
   const Vector3i first = low / kBrick, last = high / kBrick;
   if (((last - first).cast<double>().array() + 1.0).prod() > static_cast<double>(bricks_.size())) {
@@ -199,17 +209,22 @@ void SampleCover::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, fl
   }
 }
 
-void SampleCover::addSample(std::uint32_t at, float radius) {
+void SampleCover::addSample(std::uint32_t at, float radius, float distance2) {
   const Sample centre = sample(at);
-  centres_.push_back(at);
-  add(count_++, centre.position, centre.normal, radius);
+  const auto id = first_centre_ + static_cast<std::uint32_t>(centres_.size());
+  centres_.push_back({at, distance2});
+  add(id, centre.position, centre.normal, radius);
+}
+
+void SampleCover::offer(std::uint32_t centre, const Vector3f& point, const Vector3f& normal, double reach) {
+  add(centre, point, normal, static_cast<float>(reach));
 }
 
 std::uint32_t SampleCover::farthestOf(const Cell& cell) const {
   float farthest = -1.0f;
   std::uint32_t at = 0;
   for (std::uint32_t i = cell.begin * kLanes; i < cell.end * kLanes; ++i) {
-    const float d2 = groups_[i / kLanes].distance2[static_cast<Eigen::Index>(i % kLanes)];
+    const float d2 = groups_[i / kLanes].distance2[i % kLanes];
     if (d2 > farthest) farthest = d2, at = i;
   }
   return at;
@@ -220,67 +235,76 @@ void SampleCover::descend(float from, float reach) {
        before = round, round = std::max(kRound * round, reach)) {
     const float round2 = round * round;
     for (Cell& cell : cells_) {
-      while (cell.farthest > round2) addSample(farthestOf(cell), before);
+      while (cell.farthest > round2) addSample(farthestOf(cell), before, cell.farthest);
     }
     if (round <= reach) return;
   }
 }
 
-std::uint32_t SampleCover::spread(double reach) {
+void SampleCover::spread(double reach) {
   if (cells_.size() <= kFewCells) {
-    addSample(0, kFar);
-    return fill(reach);
+    for (Cell& cell : cells_) {
+      while (cell.farthest == kFar) addSample(farthestOf(cell), kFar, kFar);
+    }
+    fill(reach);
+    return;
   }
   std::vector<Sample> few;
   few.reserve(cells_.size());
   for (const Cell& cell : cells_) few.push_back(sample(cell.begin * kLanes));
-  const float far = kCoarser * cell_;
-  SampleCover coarse(few, double(far));
+  const float far = kCoarser * cell_, reach2 = static_cast<float>(reach * reach);
+  SampleCover coarse;
+  coarse.start(few, double(far));
   coarse.spread(double(far));
-  // Its samples are our cells' first ones.
-  for (const std::uint32_t centre : coarse.centres_)
-    addSample(cells_[coarse.order_[centre]].begin * kLanes, kCoarseReach * far);
+  // Its samples are our cells' first ones. Some may be near centres that were offered.
+  for (const Taken& taken : coarse.centres_) {
+    const std::uint32_t at = cells_[coarse.order_[taken.at]].begin * kLanes;
+    if (groups_[at / kLanes].distance2[at % kLanes] > reach2)
+      addSample(at, kCoarseReach * far, taken.distance2);
+  }
   descend(far, static_cast<float>(reach));
-  return count_;
 }
 
-std::uint32_t SampleCover::fill(double reach) {
-  float farthest2 = 0.0f;
-  for (const Cell& cell : cells_) farthest2 = std::max(farthest2, cell.farthest);
-  descend(std::sqrt(farthest2), static_cast<float>(reach));
-  return count_;
+float SampleCover::farthest2() const {
+  float farthest = 0.0f;
+  for (const Cell& cell : cells_) farthest = std::max(farthest, cell.farthest);
+  return farthest;
 }
 
-void SampleCover::recentre(const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
-                           double reach) {
-  std::vector<bool> used(count_, false);
+void SampleCover::fill(double reach) { descend(std::sqrt(farthest2()), static_cast<float>(reach)); }
+
+void SampleCover::restart(std::span<const std::uint32_t> nearest, const std::vector<Vector3f>& points,
+                          const std::vector<Vector3f>& normals, std::uint32_t first_centre) {
+  centres_.clear();
+  first_centre_ = first_centre;
   for (Cell& cell : cells_) {
     cell.farthest = -1.0f;
     for (std::uint32_t i = cell.begin * kLanes; i < cell.end * kLanes; ++i) {
       if (order_[i] == kNone) continue;
-      const auto lane = static_cast<Eigen::Index>(i % kLanes);
-      const auto centre = std::bit_cast<std::uint32_t>(groups_[i / kLanes].nearest[lane]);
+      const std::uint32_t lane = i % kLanes, centre = nearest[order_[i]];
       const Sample from = sample(i);
       const float d2 = from.weight * ((points[centre] - from.position).squaredNorm() +
                                       (normals[centre] - from.normal).squaredNorm());
+      groups_[i / kLanes].nearest[lane] = std::bit_cast<float>(centre);
       groups_[i / kLanes].distance2[lane] = d2;
       cell.farthest = std::max(cell.farthest, d2);
-      used[centre] = true;
     }
-  }
-  for (std::uint32_t k = 0; k < count_; ++k) {
-    if (used[k]) add(k, points[k], normals[k], static_cast<float>(reach));
   }
 }
 
-std::vector<std::uint32_t> SampleCover::nearest() const {
-  std::vector<std::uint32_t> out(samples_);
+std::vector<SampleCover::Found> SampleCover::found() const {
+  std::vector<Found> out;
+  out.reserve(centres_.size());
+  for (const Taken& taken : centres_) out.push_back({sample(taken.at), taken.distance2});
+  return out;
+}
+
+void SampleCover::nearest(std::span<std::uint32_t> out) const {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     if (order_[i] == kNone) continue;
-    out[order_[i]] =
-        std::bit_cast<std::uint32_t>(groups_[i / kLanes].nearest[static_cast<Eigen::Index>(i % kLanes)]);
+    const float id = groups_[i / kLanes].nearest[i % kLanes];
+    out[order_[i]] = std::bit_cast<std::uint32_t>(id);
   }
-  return out;
 }
 
 }  // namespace abstand

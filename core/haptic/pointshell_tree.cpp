@@ -20,6 +20,8 @@ std::uint64_t spread(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249ULL;
 }
 
+}  // namespace
+
 std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points) {
   Vector3f lower = Vector3f::Constant(std::numeric_limits<float>::infinity()), upper = -lower;
   for (const Vector3f& p : points) {
@@ -41,8 +43,6 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points) {
   for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].second;
   return order;
 }
-
-}  // namespace
 
 BlockTree::BlockTree(const std::vector<Vector3f>& points) : order(mortonOrder(points)) {
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;

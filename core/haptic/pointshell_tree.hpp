@@ -10,6 +10,9 @@
 
 namespace abstand {
 
+/// Indices of the points, neighbours in space beside each other.
+std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points);
+
 /// Points in Morton order, in blocks of kBlock, under a complete binary tree of boxes.
 struct BlockTree {
   static constexpr std::size_t kBlock = 16;
@@ -60,6 +63,8 @@ class NearestOfPoints {
 class PointsBelow {
  public:
   explicit PointsBelow(const std::vector<Vector3f>& points) : tree_(points) {}
+  /// The points' indices, neighbours in space beside each other.
+  const std::vector<std::uint32_t>& order() const { return tree_.order; }
   /// Least u . p over all points; infinite when there are none.
   float lowest(const Vector3f& u) const;
   /// Appends the indices of the points with u . p < level; stops once there are more than `most`, in blocks.
