@@ -15,8 +15,9 @@ constexpr std::size_t kLanes = 8;
 // Relative to the radius: points and directions in float, three products and two sums, and storing.
 constexpr float kRounding = 8.0f * 0x1p-24f;
 
-/// The corners of the hull; all of the points where there is no telling.
-std::vector<Vector3d> corners(const std::vector<Vector3d>& points) {
+}  // namespace
+
+std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points) {
   const std::optional<ConvexHull> hull = convexHull(points);
   double largest = 0.0;
   for (const Vector3d& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
@@ -26,11 +27,9 @@ std::vector<Vector3d> corners(const std::vector<Vector3d>& points) {
   return corners;
 }
 
-}  // namespace
-
 HullPoints::HullPoints(const std::vector<Vector3d>& points, const Vector3d& centre, const Surface& surface)
     : centre_(centre) {
-  for (const Vector3d& corner : corners(points)) {
+  for (const Vector3d& corner : hullCorners(points)) {
     const Vector3f p = (corner - centre).cast<float>();
     radius_ = std::max(radius_, p.norm());
     x_.push_back(p.x());

@@ -7,6 +7,9 @@
 
 namespace abstand {
 
+/// The points at the corners of the hull; all of them where there is no telling, as of points in a plane.
+std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points);
+
 struct ExtremePoint {
   Vector3d point;               ///< of the surface
   std::uint32_t hint{kNoHint};  ///< where on it that is

@@ -15,13 +15,11 @@ constexpr double kRounding = 1e-6;
 
 struct Part {
   std::vector<std::uint32_t> triangles;
-  std::vector<Vector3d> points;
-  EnclosingSphere sphere;
-  HullPoints hull;
-  double gap{0.0};  ///< m, between the hull and the planes of the triangles
+  std::vector<Vector3d> corners;  ///< of the hull
+  double gap{0.0};                ///< m, between the hull and the planes of the triangles
 };
 
-Part makePart(const TriangleMesh& mesh, const Surface& surface, std::vector<std::uint32_t> triangles) {
+Part makePart(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles) {
   Part part;
   std::vector<std::uint32_t> used;
   used.reserve(3 * triangles.size());
@@ -29,24 +27,22 @@ Part makePart(const TriangleMesh& mesh, const Surface& surface, std::vector<std:
     used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  part.points.reserve(used.size());
-  for (const std::uint32_t v : used) part.points.push_back(mesh.vertices[v]);
-  part.sphere = minimalSphere(part.points);
-  part.hull = HullPoints(part.points, part.sphere.centre, surface);
+  part.corners.reserve(used.size());
+  for (const std::uint32_t v : used) part.corners.push_back(mesh.vertices[v]);
+  part.corners = hullCorners(part.corners);
   const std::size_t stride = (triangles.size() + kLooks - 1) / kLooks;
   for (std::size_t i = 0; i < triangles.size(); i += stride) {
-    const std::size_t t = triangles[i];
-    const Vector3d a = mesh.corner(t, 0);
-    const Vector3d n = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a);
-    if (n.squaredNorm() > 0.0)
-      part.gap = std::max(part.gap, part.hull.reach(n.normalized()) - n.normalized().dot(a));
+    const Vector3d a = mesh.corner(triangles[i], 0);
+    const Vector3d n =
+        (mesh.corner(triangles[i], 1) - a).cross(mesh.corner(triangles[i], 2) - a).normalized();
+    for (const Vector3d& corner : part.corners) part.gap = std::max(part.gap, n.dot(corner - a));
   }
   part.triangles = std::move(triangles);
   return part;
 }
 
 /// At the median of the triangles' middles, across the axis along which they reach farthest.
-std::pair<Part, Part> halves(const TriangleMesh& mesh, const Surface& surface, Part& part) {
+std::pair<Part, Part> halves(const TriangleMesh& mesh, Part& part) {
   const auto middle = [&](std::uint32_t t) {
     return Vector3d(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
   };
@@ -63,7 +59,7 @@ std::pair<Part, Part> halves(const TriangleMesh& mesh, const Surface& surface, P
     const double a = middle(s)[axis], b = middle(t)[axis];
     return a != b ? a < b : s < t;
   });
-  return {makePart(mesh, surface, {all.begin(), half}), makePart(mesh, surface, {half, all.end()})};
+  return {makePart(mesh, {all.begin(), half}), makePart(mesh, {half, all.end()})};
 }
 
 }  // namespace
@@ -73,22 +69,24 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
   for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<std::uint32_t>(t);
   if (all.empty()) return;
   std::vector<Part> parts;
-  parts.push_back(makePart(mesh, surface, std::move(all)));
-  const double convex = kConvex * parts.front().sphere.radius;
+  parts.push_back(makePart(mesh, std::move(all)));
+  const EnclosingSphere whole = minimalSphere(parts.front().corners);
+  const double convex = kConvex * whole.radius;
   while (parts.size() < kMost) {
     const auto worst = std::max_element(parts.begin(), parts.end(),
                                         [](const Part& l, const Part& r) { return l.gap < r.gap; });
     if (worst->gap <= convex || worst->triangles.size() < 2) break;
-    auto [first, second] = halves(mesh, surface, *worst);
+    auto [first, second] = halves(mesh, *worst);
     *worst = std::move(first);
     parts.push_back(std::move(second));
   }
-  *this = SurfaceParts(parts.front().sphere);
+  *this = SurfaceParts(whole);
   if (parts.size() == 1) return;
   hulls_.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    setSphere(i, parts[i].sphere);
-    hulls_.push_back(std::move(parts[i].hull));
+    const EnclosingSphere sphere = minimalSphere(parts[i].corners);
+    setSphere(i, sphere);
+    hulls_.emplace_back(parts[i].corners, sphere.centre, surface);
   }
 }
 
