@@ -167,15 +167,12 @@ class Query {
 
   /// From where they were, as long as there is much to gain.
   bool walked() {
-    for (int round = 1; round <= kRounds; ++round) {
+    for (int round = 1;; ++round) {
       const bool more = walkWitness(*P_.surface, *F_.surface, X_FP_, witness_) && round < kRounds;
-      if ((by_parts_ && more) || !isProven()) {
-        if (more) continue;
-        return false;
-      }
-      return true;
+      // What parts prove is looked at once, at the end.
+      if (!(by_parts_ && more) && isProven()) return true;
+      if (!more) return false;
     }
-    return false;
   }
 
   /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along

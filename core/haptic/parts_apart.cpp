@@ -53,6 +53,14 @@ class Reaches {
   unsigned known_{0};
 };
 
+/// Surfaces that are apart may still lie one inside the other. Not a surface of one piece that reaches out of
+/// the other's sphere: from the centre of a minimal sphere, in every direction, some point of the body on it
+/// lies no lower than the centre.
+bool reachesOut(const HapticStructure& body, const HapticStructure& other, double between_centres2) {
+  const double r = body.bounding_sphere.radius, reach = other.bounding_sphere.radius + kSphereRounding;
+  return body.pieces.empty() && between_centres2 + r * r > reach * reach;
+}
+
 }  // namespace
 
 ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Vector3d& g) noexcept {
@@ -62,6 +70,9 @@ ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Ve
 FacingParts::FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
                          bool closely, PartLines& lines) noexcept
     : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), lines_(lines) {
+  const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
+  swallowed_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
+  if (swallowed_) return;
   float m[12];
   for (int i = 0; i < 12; ++i) m[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
   facing_ = searchKernels().meeting(m, P.parts.spheres(), F.parts.spheres(), F.parts.size(),
@@ -104,6 +115,8 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
 }
 
 bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
+  between = {};
+  if (swallowed_) return false;
   Reaches of_points(P_, X_FP_.linear().transpose() * -n, closely_), of_field(F_, n, closely_);
   const double along = n.dot(X_FP_.translation());
   double least = kInfinity;

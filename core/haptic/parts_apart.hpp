@@ -24,9 +24,9 @@ class FacingParts {
   FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
               bool closely, PartLines& lines) noexcept;
 
-  /// True when no point of one body is nearer to the other than `by`: all facing parts lie on both sides of a
-  /// slab of this width, across n or another one for two of them. n: unit, from F to P, in F's axes.
-  /// Else `between` is a pair of parts for which none was found.
+  /// True when neither body lies inside the other, and no points of theirs are nearer than `by`: all facing
+  /// parts lie on both sides of a slab of this width, across n or another one for two of them. n: unit, from
+  /// F to P, in F's axes. Else `between` is a pair of parts for which none was found.
   bool apart(const Vector3d& n, Parts& between) noexcept;
 
  private:
@@ -39,7 +39,8 @@ class FacingParts {
   double by_;
   bool closely_;
   PartLines& lines_;
-  std::uint64_t facing_;
+  bool swallowed_;  ///< one of the bodies, or a piece of it, may lie inside the other
+  std::uint64_t facing_{0};
 };
 
 }  // namespace abstand

@@ -1,7 +1,9 @@
 // Parts of bodies that are not convex, and what they prove.
 #include <gtest/gtest.h>
 
+#include "core/geometry/mass_properties.hpp"
 #include "core/geometry/triangle_pair.hpp"
+#include "core/haptic/pair_set.hpp"
 #include "core/haptic/parts_apart.hpp"
 #include "core/haptic/search_kernels.hpp"
 #include "core/haptic/separation.hpp"
@@ -32,6 +34,31 @@ void add(TriangleMesh& mesh, const TriangleMesh& more) {
 TriangleMesh bracket() {
   TriangleMesh mesh = cuboid({0.4, 0.04, 0.04}, {0.2, 0.0, 0.0});
   add(mesh, cuboid({0.04, 0.4, 0.04}, {0.0, 0.2, 0.0}));
+  return mesh;
+}
+
+/// A square bar bent along most of a circle in the plane z = 0, closed at its ends: one piece.
+TriangleMesh bend(double radius, double half, double angle) {
+  constexpr std::uint32_t kRings = 13;
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < kRings; ++i) {
+    const double a = angle * i / (kRings - 1);
+    const Vector3d out(std::cos(a), std::sin(a), 0.0), up(0.0, 0.0, half);
+    for (const auto& [r, z] : {std::pair(-half, -1.0), {half, -1.0}, {half, 1.0}, {-half, 1.0}})
+      mesh.vertices.push_back((radius + r) * out + z * up);
+  }
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (std::uint32_t i = 0; i + 1 < kRings; ++i)
+    for (std::uint32_t k = 0; k < 4; ++k)
+      quad(4 * i + k, 4 * i + (k + 1) % 4, 4 * i + 4 + (k + 1) % 4, 4 * i + 4 + k);
+  quad(0, 3, 2, 1);
+  quad(4 * kRings - 4, 4 * kRings - 3, 4 * kRings - 2, 4 * kRings - 1);
+  // Outwards, whichever way that came out.
+  if (massProperties(mesh).volume < 0.0)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
@@ -107,7 +134,8 @@ TEST(SurfaceParts, OfACleftBodyAreSmall) {
 
 /// What is proven is true, and between hulls that overlap much is proven.
 TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
-  const TriangleMesh meshes[] = {bracket(), dice(), tessellate(Ellipsoid{{0.03, 0.04, 0.1}}, 8e-3)};
+  const TriangleMesh meshes[] = {bend(0.2, 0.02, 4.5), bend(0.15, 0.03, 2.0),
+                                 tessellate(Ellipsoid{{0.03, 0.04, 0.1}}, 8e-3)};
   std::shared_ptr<const HapticStructure> bodies[3];
   for (std::size_t k = 0; k < 3; ++k) bodies[k] = made(meshes[k]);
   int proven = 0, beyond_hulls = 0;
@@ -140,6 +168,37 @@ TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
   EXPECT_GT(beyond_hulls, 30);
 }
 
+TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
+  // The parts of a dented globe are shells, whose hulls are far from its middle.
+  TriangleMesh globe = tessellate(Sphere{0.2}, 2e-3);
+  for (Vector3d& v : globe.vertices)
+    if (v.z() > 0.15) v.z() = 0.3 - v.z();
+  const auto dented = made(globe), ball = made(tessellate(Sphere{0.02}, 1e-3));
+  ASSERT_GT(dented->parts.size(), 1u);
+  ASSERT_TRUE(dented->pieces.empty() && ball->pieces.empty());
+  const Transform inside(Eigen::Translation3d(0.01, 0.0, 0.0)), outside(Eigen::Translation3d(0.0, 0.0, 0.4));
+  PartLines lines;
+  FacingParts::Parts between{};
+  constexpr double kBy = 0.04;
+  for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)}) {
+    EXPECT_FALSE(FacingParts(*ball, *dented, inside, kBy, false, lines).apart(n, between));
+    EXPECT_FALSE(FacingParts(*dented, *ball, inside.inverse(), kBy, false, lines).apart(n, between));
+  }
+  EXPECT_TRUE(FacingParts(*ball, *dented, outside, kBy, false, lines).apart({0, 0, 1}, between));
+  // A pair that remembers being apart sees it too, and so do pairs asked together.
+  PairMemory memory;
+  PairScratch scratch;
+  PairResult result;
+  PairSet set({dented.get(), ball.get()}, {{0, 1}});
+  for (const Transform& X : {outside, outside, inside}) {
+    queryPair(*dented, Transform::Identity(), *ball, X, {}, memory, scratch, result);
+    const Transform poses[] = {Transform::Identity(), X};
+    EXPECT_EQ(set.contacts(poses, {}).empty(), X.translation() != inside.translation());
+    EXPECT_EQ(set.nearest(poses, {}).result.distance < 0.0, X.translation() == inside.translation());
+  }
+  EXPECT_LT(result.distance, 0.0);
+}
+
 TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
   SurfaceParts::Spheres P{}, F{};
   for (std::size_t k = 0; k < SurfaceParts::kMost; ++k) {
@@ -170,9 +229,10 @@ TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
   }
 }
 
-/// A bracket that slides and jumps about dice: what is remembered changes nothing beyond what is allowed.
+/// A bent bar that slides and jumps about another: what is remembered changes nothing beyond what is allowed.
 TEST(PairMemory, OfBodiesThatAreNotConvexKeepsWithinTheBounds) {
-  const auto a = made(bracket()), b = made(dice());
+  const TriangleMesh mesh_a = bend(0.2, 0.02, 4.5), mesh_b = bend(0.15, 0.03, 2.0);
+  const auto a = made(mesh_a), b = made(mesh_b);
   PairMemory memory;
   PairScratch scratch;
   PairResult warm, cold;
@@ -185,7 +245,7 @@ TEST(PairMemory, OfBodiesThatAreNotConvexKeepsWithinTheBounds) {
     ASSERT_LE(warm.distance - warm.bound, cold.distance + kFloat) << frame;
     ASSERT_LE(cold.distance - cold.bound, warm.distance + kFloat) << frame;
     if (frame % 10 == 0 && cold.distance > 0.0) {
-      const double truth = distance(bracket(), dice(), X_WB.inverse());
+      const double truth = distance(mesh_a, mesh_b, X_WB.inverse());
       ASSERT_GE(truth, warm.distance - warm.bound - kFloat) << frame;
       ASSERT_LE(warm.distance, truth > 0.1 ? (1.0 + kFarPart) * truth : truth + 1e-3) << frame;
     }
