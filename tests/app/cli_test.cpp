@@ -167,7 +167,7 @@ TEST_F(Cli, CtrlCEndsABuildAndLeavesNothing) {
   // Without the signal this would take minutes.
   const auto err = folder_.path() / "err";
   const std::string command = "timeout --preserve-status -s INT 2 '" ABSTAND_PROGRAM
-                              "' build sphere:0.5 --voxel 0.002 --point 0.001 2>'" +
+                              "' build sphere:0.5 --voxel 0.0015 --point 0.002 2>'" +
                               err.string() + "'";
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
