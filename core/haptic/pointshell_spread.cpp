@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/parallel.hpp"
+
 namespace abstand {
 namespace {
 
@@ -97,13 +99,19 @@ void SurfaceSpread::catchUp(double reach) {
   }
 }
 
+// On this thread, but watched as all loops of a build are, so that it can be interrupted.
+template <class Fn>
+void SurfaceSpread::inTurn(Fn fn) {
+  parallelFor(1, stretches_.size(), [&](std::size_t i) { fn(stretches_[i]); });
+}
+
 void SurfaceSpread::spread(double reach) {
-  for (Stretch& stretch : stretches_) {
+  inTurn([&](Stretch& stretch) {
     take(stretch);
     for (const Batch& batch : batches_) offer(stretch, batch, kBorder * reach);
     cover_.spread(reach);
     keep(stretch, false);
-  }
+  });
   catchUp(reach);
 }
 
@@ -118,13 +126,13 @@ void SurfaceSpread::fill(std::vector<Vector3f> points, std::vector<Vector3f> nor
       if (used_[k]) batch.box.enclose(points_[k]);
     }
   }
-  for (Stretch& stretch : stretches_) {
+  inTurn([&](Stretch& stretch) {
     take(stretch);
     cover_.restart(nearestOf(stretch), points_, normals_, count());
     for (const Batch& batch : batches_) offer(stretch, batch, reach);
     cover_.fill(reach);
     keep(stretch, true);
-  }
+  });
   catchUp(reach);
 }
 

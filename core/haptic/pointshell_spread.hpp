@@ -55,6 +55,8 @@ class SurfaceSpread {
     Box box;
   };
   static Box emptyBox();
+  template <class Fn>
+  void inTurn(Fn fn);
   /// The cover gets the samples of this stretch.
   void take(Stretch& stretch);
   bool isNear(std::uint32_t centre, const Stretch& stretch, double reach) const;
