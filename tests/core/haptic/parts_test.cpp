@@ -169,29 +169,29 @@ TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
 }
 
 TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
-  // The parts of a dented globe are shells, whose hulls are far from its middle.
-  TriangleMesh globe = tessellate(Sphere{0.2}, 2e-3);
+  // The parts of a lumpy globe are shells, whose hulls are far from its middle.
+  TriangleMesh globe = tessellate(Sphere{0.2}, 1e-3);
   for (Vector3d& v : globe.vertices)
-    if (v.z() > 0.15) v.z() = 0.3 - v.z();
-  const auto dented = made(globe), ball = made(tessellate(Sphere{0.02}, 1e-3));
-  ASSERT_GT(dented->parts.size(), 1u);
-  ASSERT_TRUE(dented->pieces.empty() && ball->pieces.empty());
+    v *= 1.0 + 0.1 * std::sin(40.0 * v.x()) * std::sin(40.0 * v.y()) + 0.1 * std::sin(40.0 * v.z());
+  const auto lumpy = made(globe), ball = made(tessellate(Sphere{0.02}, 1e-3));
+  ASSERT_GT(lumpy->parts.size(), 1u);
+  ASSERT_TRUE(lumpy->pieces.empty() && ball->pieces.empty());
   const Transform inside(Eigen::Translation3d(0.01, 0.0, 0.0)), outside(Eigen::Translation3d(0.0, 0.0, 0.4));
   PartLines lines;
   FacingParts::Parts between{};
   constexpr double kBy = 0.04;
   for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)}) {
-    EXPECT_FALSE(FacingParts(*ball, *dented, inside, kBy, false, lines).apart(n, between));
-    EXPECT_FALSE(FacingParts(*dented, *ball, inside.inverse(), kBy, false, lines).apart(n, between));
+    EXPECT_FALSE(FacingParts(*ball, *lumpy, inside, kBy, false, lines).apart(n, between));
+    EXPECT_FALSE(FacingParts(*lumpy, *ball, inside.inverse(), kBy, false, lines).apart(n, between));
   }
-  EXPECT_TRUE(FacingParts(*ball, *dented, outside, kBy, false, lines).apart({0, 0, 1}, between));
+  EXPECT_TRUE(FacingParts(*ball, *lumpy, outside, kBy, false, lines).apart({0, 0, 1}, between));
   // A pair that remembers being apart sees it too, and so do pairs asked together.
   PairMemory memory;
   PairScratch scratch;
   PairResult result;
-  PairSet set({dented.get(), ball.get()}, {{0, 1}});
+  PairSet set({lumpy.get(), ball.get()}, {{0, 1}});
   for (const Transform& X : {outside, outside, inside}) {
-    queryPair(*dented, Transform::Identity(), *ball, X, {}, memory, scratch, result);
+    queryPair(*lumpy, Transform::Identity(), *ball, X, {}, memory, scratch, result);
     const Transform poses[] = {Transform::Identity(), X};
     EXPECT_EQ(set.contacts(poses, {}).empty(), X.translation() != inside.translation());
     EXPECT_EQ(set.nearest(poses, {}).result.distance < 0.0, X.translation() == inside.translation());
