@@ -13,7 +13,8 @@ namespace {
 
 // Shell points are moved between the frames in float: below 0.2 um for bodies within some metres.
 constexpr double kFloatRounding = 1e-6;
-// Beyond this distance the answer may exceed the smallest distance by this part of it; the bound says so.
+// Beyond this distance the smallest may be less than the answer by this part of the answer, which is then
+// within a hundredth of the smallest; the bound says so.
 constexpr double kFarFrom = 0.1;  // m
 constexpr double kFarPart = 0.0099;
 // Of what is allowed: the surface between the points may be nearer than they are.
@@ -28,8 +29,6 @@ constexpr double kNearEnough = 1e-5;
 constexpr double kHullLoss = 0.05;
 // Spacings: a shell point this near to the witness, and no nearer to the other body, leads to it again.
 constexpr double kSamePlace = 2.0;
-// m; of a plane between bodies within a million metres.
-constexpr double kPlaneRounding = 1e-8;
 // m; points nearer to each other give no direction.
 constexpr double kTouching = 1e-6;
 // Of the distance: by so much at most it exceeds that of the hulls where it is worth to look at them first.
@@ -264,7 +263,7 @@ class Query {
       found_ = lower_bound;
       return lower_bound;
     }
-    const Witness found = far ? footWitness(*P_.surface, *F_.surface, X_FP_, start, witness_.hint_field,
+    const Witness found = far ? footWitness(*F_.surface, start, witness_.hint_field,
                                             (1.0 + kStayPart) * static_cast<double>(nearest.estimate))
                               : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start,
                                               normalAt(nearest.point), spacing, hint_field_);
@@ -313,8 +312,9 @@ class Query {
   bool isProven() {
     if (!(witness_.distance > kTouching)) return false;
     const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
-    if (by_parts_ && provenByParts()) return true;
-    return provenByHulls(n) || (!by_parts_ && provenByParts());
+    const bool parts_first = by_parts_;
+    if (parts_first && provenByParts()) return true;
+    return provenByHulls(n) || (!parts_first && provenByParts());
   }
 
   bool provenByHulls(const Vector3d& n) {

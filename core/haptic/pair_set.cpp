@@ -13,8 +13,6 @@ namespace {
 
 // Part of the coordinates; the balls are placed in double.
 constexpr double kRounding = 1e-12;
-// m; of planes between bodies within a million metres.
-constexpr double kPlaneRounding = 1e-8;
 // Spacings; where bodies overlap by a tenth of a millimetre, a point is nearer to it than this.
 constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.

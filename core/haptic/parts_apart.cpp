@@ -5,12 +5,13 @@
 #include <bit>
 
 #include "core/haptic/search_kernels.hpp"
+#include "core/haptic/separation.hpp"
 
 namespace abstand {
 namespace {
 
-// m; spheres are placed in float, planes in double, both for bodies within some metres.
-constexpr double kSphereRounding = 2e-6, kPlaneRounding = 1e-8;
+// m; spheres are placed in float, for bodies within some metres.
+constexpr double kSphereRounding = 2e-6;
 constexpr int kSteps = 3;
 constexpr std::size_t kMost = SurfaceParts::kMost;
 
@@ -73,10 +74,8 @@ FacingParts::FacingParts(const HapticStructure& P, const HapticStructure& F, con
   const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
   swallowed_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
   if (swallowed_) return;
-  float m[12];
-  for (int i = 0; i < 12; ++i) m[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
-  facing_ = searchKernels().meeting(m, P.parts.spheres(), F.parts.spheres(), F.parts.size(),
-                                    static_cast<float>(by + kSphereRounding));
+  facing_ = searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
+                                    F.parts.size(), static_cast<float>(by + kSphereRounding));
 }
 
 double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept {

@@ -5,6 +5,9 @@
 
 namespace abstand {
 
+/// m; of a plane between bodies within a million metres.
+inline constexpr double kPlaneRounding = 1e-8;
+
 /// The bodies lie on both sides of a slab of this width (m) across the unit vector n (from B to A, world
 /// axes), so no two points of theirs are nearer; negative when their hulls overlap along n. Where the bodies
 /// are convex about the nearest points and n points from one to the other, it is their distance.

@@ -148,15 +148,10 @@ Witness refineWitness(const Surface& points, const Surface& field, const NearFie
   return w;
 }
 
-Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
-                    std::uint32_t hint, double enough) noexcept {
-  Witness w;
+Witness footWitness(const Surface& field, const Vector3d& start, std::uint32_t hint, double enough) noexcept {
   SurfacePoint foot = field.nearby(start, hint);
   if (foot.distance > enough) foot = field.closest(start, foot.hint);
-  w.hint_field = foot.hint;
-  w.hint_points = points.closest(X_FP.inverse() * start).hint;
-  set(w, start, foot.point, foot.distance);
-  return w;
+  return {start, foot.point, foot.distance, kNoHint, foot.hint};
 }
 
 void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {

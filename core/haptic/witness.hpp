@@ -28,8 +28,7 @@ Witness refineWitness(const Surface& points, const Surface& field, const NearFie
 
 /// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it, or one that is
 /// no farther than `enough` (m).
-Witness footWitness(const Surface& points, const Surface& field, const Transform& X_FP, const Vector3d& start,
-                    std::uint32_t hint, double enough) noexcept;
+Witness footWitness(const Surface& field, const Vector3d& start, std::uint32_t hint, double enough) noexcept;
 
 /// To the nearest points of the two triangles on which they are; nothing changes where a body has none.
 void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
