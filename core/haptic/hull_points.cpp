@@ -27,9 +27,9 @@ std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points) {
   return corners;
 }
 
-HullPoints::HullPoints(const std::vector<Vector3d>& points, const Vector3d& centre, const Surface& surface)
+HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const Surface& surface)
     : centre_(centre) {
-  for (const Vector3d& corner : hullCorners(points)) {
+  for (const Vector3d& corner : corners) {
     const Vector3f p = (corner - centre).cast<float>();
     radius_ = std::max(radius_, p.norm());
     x_.push_back(p.x());

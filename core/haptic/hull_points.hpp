@@ -20,10 +20,9 @@ struct ExtremePoint {
 class HullPoints {
  public:
   HullPoints() = default;
-  /// At least one point of a surface. `centre`: about their middle, where rounding is smallest.
-  HullPoints(const std::vector<Vector3d>& points, const Vector3d& centre, const Surface& surface);
+  /// At least one corner, points of a surface. `centre`: about their middle, where rounding is smallest.
+  HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const Surface& surface);
 
-  bool empty() const { return x_.empty(); }
   const Vector3d& centre() const { return centre_; }
   /// Not below the largest g . p, and above it by rounding in float only; g of any length but 0.
   double reach(const Vector3d& g) const;

@@ -48,10 +48,8 @@ struct PartLines {
   std::size_t next{0};  ///< to be replaced
 };
 
-/// What a pair remembers from one cycle to the next: where its nearest points were, and how near the bodies
-/// could be at most. It speeds up the next query of the same two structures and never weakens its bound. A
-/// fresh one remembers nothing.
-struct PairMemory {
+/// What a pair knew after a query: where its nearest points were, and how near the bodies could be at most.
+struct PairPast {
   bool apart{false};                ///< in the last query; else nothing below holds
   Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
   Vector3d on_b{Vector3d::Zero()};
@@ -59,6 +57,7 @@ struct PairMemory {
   std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
   bool hulls{false};                               ///< their distance was about that of the convex hulls
   bool by_parts{false};                            ///< it was proven by the hulls of the bodies' parts
+  std::uint32_t idle{0};                           ///< queries until hulls are worth to be asked again
   Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
   Vector3d n_b{Vector3d::Zero()};
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
@@ -67,6 +66,15 @@ struct PairMemory {
   double rivals{-kInfinity};    ///< ... and the least (m) of the shell points that are not about `home`
   PartLines part_lines;
   Vector3d home{Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
+};
+
+/// What a pair remembers from one cycle to the next. It speeds up the next query of the same two structures
+/// and never weakens its bound. A fresh one remembers nothing.
+struct PairMemory {
+  PairPast last;
+  /// As it was when a body jumped last. A tracker that wavers between two explanations of what it sees (an
+  /// elbow that turns over, left taken for right) jumps back soon.
+  PairPast before_jump;
 };
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,

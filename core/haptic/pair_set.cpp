@@ -17,7 +17,9 @@ constexpr double kRounding = 1e-12;
 constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
 constexpr int kSteps = 10;
-constexpr std::uint32_t kIdle = 16, kPartsIdle = 4;
+constexpr std::uint32_t kIdle = 16, kMostIdle = 64, kPartsIdle = 4, kMostPartsIdle = 16;
+// Cosine of the angle between lines that are kept as one.
+constexpr double kSameLine = 0.98;
 
 }  // namespace
 
@@ -83,6 +85,10 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   return nearest_;
 }
 
+void PairSet::Patience::failed(std::uint32_t least, std::uint32_t most) {
+  left = next = std::clamp(2 * next, least, most);
+}
+
 void PairSet::place(std::span<const Transform> X_WB) {
   for (std::size_t i = 0; i < structures_.size(); ++i) {
     const EnclosingSphere& sphere = structures_[i]->bounding_sphere;
@@ -97,43 +103,46 @@ bool PairSet::ballsApart(const Bodies& pair, double by) const {
   return reach < 0.0 || (a.centre - b.centre).squaredNorm() > reach * reach;
 }
 
-bool PairSet::knownApart(std::size_t i, std::span<const Transform> X_WB, double by) const {
+bool PairSet::knownApart(std::size_t i, std::span<const Transform> X_WB, double by) {
   const Bodies& pair = pairs_[i];
-  const Line& line = lines_[i];
-  if (line.in_a.isZero()) return false;
+  Lines& lines = lines_[i];
   const auto apart = [&](const Vector3d& n) {
     return separationAlong(n, *structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], false) >
            by + kPlaneRounding;
   };
-  return apart(X_WB[pair.a].linear() * line.in_a) || apart(X_WB[pair.b].linear() * line.in_b);
+  const auto known = [&](const Line& line) {
+    return !line.in_a.isZero() &&
+           (apart(X_WB[pair.a].linear() * line.in_a) || apart(X_WB[pair.b].linear() * line.in_b));
+  };
+  if (known(lines.last)) return true;
+  if (!known(lines.before)) return false;
+  std::swap(lines.last, lines.before);
+  return true;
 }
 
 bool PairSet::partsApart(std::size_t i, std::span<const Transform> X_WB, double by) {
   const Bodies& pair = pairs_[i];
   const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
   if (a.parts.size() == 1 && b.parts.size() == 1) return false;
-  Line& line = lines_[i];
-  if (line.parts_idle > 0) {
-    --line.parts_idle;
-    return false;
-  }
+  Lines& lines = lines_[i];
+  if (lines.parts.waits()) return false;
   const Transform X_BA = X_WB[pair.b].inverse() * X_WB[pair.a];
   const Vector3d between_balls = X_BA * a.bounding_sphere.centre - b.bounding_sphere.centre;
-  const Vector3d n = line.in_b.isZero() ? between_balls.normalized() : line.in_b;
+  const Vector3d n = lines.last.in_b.isZero() ? between_balls.normalized() : lines.last.in_b;
   FacingParts::Parts between;
-  if (FacingParts(a, b, X_BA, by, false, line.of_parts).apart(n, between)) return true;
-  line.parts_idle = kPartsIdle;
+  if (FacingParts(a, b, X_BA, by, false, lines.of_parts).apart(n, between)) {
+    lines.parts = {};
+    return true;
+  }
+  lines.parts.failed(kPartsIdle, kMostPartsIdle);
   return false;
 }
 
 // Walks from one pair of outermost points to the next, always to the point of the way that is nearest
 // (Frank, Wolfe 1956, on the difference of the two hulls; Gilbert, Johnson, Keerthi 1988 keep more corners).
 bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by) {
-  Line& line = lines_[i];
-  if (line.idle > 0) {
-    --line.idle;
-    return false;
-  }
+  Lines& lines = lines_[i];
+  if (lines.hulls.waits()) return false;
   const Bodies& pair = pairs_[i];
   const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
   const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
@@ -153,15 +162,16 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
     else
       v += t * way;
   }
-  line.idle = kIdle;
+  lines.hulls.failed(kIdle, kMostIdle);
   return false;
 }
 
 void PairSet::keepLine(std::size_t i, std::span<const Transform> X_WB, const Vector3d& n) {
-  Line& line = lines_[i];
-  line.in_a = X_WB[pairs_[i].a].linear().transpose() * n;
-  line.in_b = X_WB[pairs_[i].b].linear().transpose() * n;
-  line.idle = 0;
+  Lines& lines = lines_[i];
+  const Line line{X_WB[pairs_[i].a].linear().transpose() * n, X_WB[pairs_[i].b].linear().transpose() * n};
+  if (line.in_a.dot(lines.last.in_a) < kSameLine) lines.before = lines.last;
+  lines.last = line;
+  lines.hulls = {};
 }
 
 }  // namespace abstand

@@ -44,12 +44,20 @@ class PairSet {
   const Nearest& nearest(std::span<const Transform> X_WB, const PairOptions& options);
 
  private:
-  /// Unit vector from B to A along which the two were apart, in the axes of each.
+  /// Unit vector from B to A along which the two were apart, in the axes of each. Zero: none is known.
   struct Line {
     Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
+  };
+  /// Calls until it is worth to look for another line: the longer, the more often there was none.
+  struct Patience {
+    std::uint32_t left{0}, next{0};
+    bool waits() { return left > 0 && left-- > 0; }
+    void failed(std::uint32_t least, std::uint32_t most);
+  };
+  struct Lines {
+    Line last, before;  ///< `before`: another one than the last, for bodies that jump to and fro
     PartLines of_parts;
-    std::uint32_t idle{0};        ///< calls until it is worth to look for another one
-    std::uint32_t parts_idle{0};  ///< likewise for lines of the parts
+    Patience hulls, parts;
   };
   struct Ball {
     Vector3d centre;  ///< world
@@ -59,7 +67,7 @@ class PairSet {
   void place(std::span<const Transform> X_WB);
   bool ballsApart(const Bodies& pair, double by) const;
   /// The pair's hulls are known to be farther apart than this (m).
-  bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by) const;
+  bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by);
   /// The same of all of their parts.
   bool partsApart(std::size_t pair, std::span<const Transform> X_WB, double by);
   bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
@@ -68,7 +76,7 @@ class PairSet {
   std::vector<const HapticStructure*> structures_;
   std::vector<Bodies> pairs_;
   std::vector<Ball> balls_;  ///< of the structures
-  std::vector<Line> lines_;
+  std::vector<Lines> lines_;
   std::vector<PairMemory> memories_;
   std::vector<Touch> touches_;
   PairScratch scratch_;

@@ -62,7 +62,7 @@ SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const V
                        int threads) {
   setShape(surface);
   if (shape_) return;
-  hull_ = HullPoints(mesh.vertices, centre, surface);
+  hull_ = HullPoints(hullCorners(mesh.vertices), centre, surface);
   values_.resize(6 * kCorners * kCorners);
   parallelFor(threads, 6 * kCorners, [&](std::size_t row) {
     const int face = static_cast<int>(row) / kCorners, j = static_cast<int>(row) % kCorners;

@@ -2,6 +2,7 @@
 #include "core/haptic/surface_parts.hpp"
 
 #include <algorithm>
+
 namespace abstand {
 namespace {
 

@@ -179,7 +179,7 @@ TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
   const Transform inside(Eigen::Translation3d(0.01, 0.0, 0.0)), outside(Eigen::Translation3d(0.0, 0.0, 0.4));
   PartLines lines;
   FacingParts::Parts between{};
-  constexpr double kBy = 0.04;
+  constexpr double kBy = 0.01;
   for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)}) {
     EXPECT_FALSE(FacingParts(*ball, *lumpy, inside, kBy, false, lines).apart(n, between));
     EXPECT_FALSE(FacingParts(*lumpy, *ball, inside.inverse(), kBy, false, lines).apart(n, between));

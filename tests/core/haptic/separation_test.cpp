@@ -84,35 +84,5 @@ TEST(Separation, NoPointMovesFartherThanMostMotion) {
   }
 }
 
-/// A box along a path of small steps and sudden turns past another: what is remembered changes nothing beyond
-/// what is allowed, and no bound breaks.
-TEST(PairMemory, AgreesWithFreshQueriesWithinTheBounds) {
-  for (const FieldKind field : {FieldKind::kMixed, FieldKind::kLayered}) {
-    const auto& a = structureOf(Cuboid{{0.1, 0.12, 0.3}}, field);
-    const auto& b = structureOf(Cylinder{0.05, 0.2}, field);
-    PairMemory memory;
-    PairScratch scratch;
-    PairResult warm, cold;
-    int proven = 0;
-    for (int frame = 0; frame < 2000; ++frame) {
-      Transform X_WB = fromXyzRpy({0.5 * std::cos(0.003 * frame), 0.3 * std::sin(0.005 * frame), 0.05},
-                                  {0.002 * frame, 0.001 * frame, frame % 500 == 0 ? 3.0 : 0.0});
-      queryPair(a, Transform::Identity(), b, X_WB, {.margin = 0.05}, memory, scratch, warm);
-      queryPair(a, Transform::Identity(), b, X_WB, {.margin = 0.05}, scratch, cold);
-      ASSERT_GE(warm.bound, 0.0);
-      ASSERT_LE(warm.distance - warm.bound, cold.distance + 1e-9) << frame;
-      ASSERT_LE(cold.distance - cold.bound, warm.distance + 1e-9) << frame;
-      if (warm.distance > 0.0) {
-        ASSERT_LE(std::abs(warm.distance - cold.distance), warm.distance > 0.1 ? 0.01 * warm.distance : 1e-3)
-            << frame;
-        proven += warm.bound < 0.011 * warm.distance;
-      }
-      ASSERT_EQ(warm.contacts, cold.contacts) << frame;
-      ASSERT_EQ(warm.force_a, cold.force_a) << frame;
-    }
-    EXPECT_GT(proven, 1000) << "slabs prove most of them";
-  }
-}
-
 }  // namespace
 }  // namespace abstand::testing

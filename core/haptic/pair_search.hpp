@@ -1,0 +1,95 @@
+// One query of a pair, in steps. Internal to core/haptic.
+#pragma once
+
+#include "core/haptic/parts_apart.hpp"
+#include "core/haptic/witness.hpp"
+
+namespace abstand {
+
+/// m; points nearer to each other give no direction.
+inline constexpr double kTouching = 1e-6;
+/// Beyond this distance (m) the smallest may be less than the answer by kFarPart of the answer, which is then
+/// within a hundredth of the smallest; the bound says so.
+inline constexpr double kFarFrom = 0.1, kFarPart = 0.0099;
+/// Nearer, by this. m.
+inline constexpr double kNearEnough = 1e-5;
+/// m; points that have left each other by so much between two queries are a bad start.
+inline constexpr double kJump = 0.01;
+
+/// By so much (m) a distance may exceed the smallest.
+inline double allowed(double distance) { return distance > kFarFrom ? kFarPart * distance : kNearEnough; }
+
+/// P gives the points, F the field; everything is in F's axes. What is remembered is tried first, then P's
+/// points are searched in F's field, then, where the bodies may touch, the other way round. Lives within one
+/// call of queryPair(); no allocation, no throw.
+class PairSearch {
+ public:
+  /// All must outlive this object.
+  PairSearch(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF,
+             PartLines& part_lines)
+      : P_(P), F_(F), X_WP_(X_WP), X_WF_(X_WF), X_FP_(X_WF.inverse() * X_WP), part_lines_(part_lines) {}
+
+  /// Where the nearest points were may be where they are: proven when no points can be much nearer.
+  bool remember(const PairPast& memory, bool from_a);
+  /// The nearest shell point, then the nearest points on the exact surfaces about it.
+  void search(PairPast& memory, PairScratch& scratch);
+  /// True when the bodies may touch, as far as is proven, or P may have swallowed a piece of F.
+  bool mayTouch() const;
+  /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
+  /// of it inside of P.
+  void searchOtherWay(PairScratch& scratch);
+  void keep(PairPast& memory, bool from_a) const;
+
+  /// True when no point of either shell lies inside the other body, as far as both were searched.
+  bool shellsApart() const { return std::min(of_points_, of_field_) > 0.0; }
+  const Witness& witness() const { return witness_; }
+  /// The true distance is never below it.
+  double certified() const { return certified_; }
+
+ private:
+  Vector3d normalAt(std::uint32_t point) const { return X_FP_.linear() * P_.tree.normalAt(point); }
+  bool walked();
+  bool turned(const Vector3d& n_P, const Vector3d& n_F);
+  bool partsTurned();
+  void take(const ExtremePoint& of_points, const ExtremePoint& of_field);
+  double searchDeeper(PairScratch& scratch);
+  double searchPoints(bool apart, PairScratch& scratch);
+  bool isAlone(const PairPast& memory) const;
+  void seekRivals(PairPast& memory, PairScratch& scratch) const;
+
+  void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
+  /// No shell point is nearer than this; so no surface point by more than the covering radius.
+  void searched(double of_points) {
+    of_points_ = of_points;
+    certify(of_points - P_.shell.covering_radius);
+  }
+  double separation(const Vector3d& n);
+  bool isKnown() const;
+  bool isProven();
+  bool provenByHulls(const Vector3d& n);
+  bool haveParts() const { return P_.parts.size() > 1 || F_.parts.size() > 1; }
+  bool provenByParts();
+  bool partsApart(const Vector3d& n, FacingParts::Parts& between);
+
+  const HapticStructure& P_;
+  const HapticStructure& F_;
+  const Transform& X_WP_;
+  const Transform& X_WF_;
+  const Transform X_FP_;
+  PartLines& part_lines_;
+  Witness witness_;
+  double certified_{-kInfinity};
+  double motion_{kInfinity};                                  ///< m, since the last search
+  double of_points_{-kInfinity}, of_field_{-kInfinity};       ///< m, at least, of each body's shell points
+  std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
+  double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
+  std::uint32_t idle_{0};     ///< as in PairPast
+  bool asked_{false};         ///< what the hulls prove
+  bool by_parts_{false};      ///< the hulls of their parts told last
+  bool separated_{false};     ///< a plane parts the hulls
+  bool hulls_{false};         ///< the witness is about as near as the hulls
+  bool remembered_{false};    ///< it is the one of the last query
+  bool settled_{false};       ///< the witness is a nearest pair of its neighbourhood
+};
+
+}  // namespace abstand
