@@ -60,38 +60,49 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
   return a.bounding_sphere.radius <= b.bounding_sphere.radius;
 }
 
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
-               PairResult& result) noexcept {
-  if (stayedOrJumpedBack(a, X_WA, b, X_WB, options.margin, memory, result)) return;
+bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                   const Transform& X_WB, double margin, PairMemory& memory, PairScratch& scratch,
+                   PairResult& result) noexcept {
+  if (stayedOrJumpedBack(a, X_WA, b, X_WB, margin, memory, result)) return false;
   PairPast& past = memory.last;
   const bool from_a = pointsFromA(a, b);
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;
   const Transform& X_WF = from_a ? X_WB : X_WA;
-  PairSearch query(P, from_a ? X_WA : X_WB, F, X_WF, past.part_lines);
+  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, past.part_lines);
 
-  if (!query.remember(past, from_a)) {
-    query.search(past, scratch);
-    if (query.mayTouch()) query.searchOtherWay(scratch);
+  if (!search.remember(past, from_a)) {
+    search.search(past, scratch);
+    if (search.mayTouch()) search.searchOtherWay(scratch);
   }
-  query.keep(past, from_a);
-  const Witness& witness = query.witness();
+  search.keep(past, from_a);
+  const Witness& witness = search.witness();
+  result = {};
   result.distance = witness.distance;
-  result.bound = std::max(0.0, witness.distance - query.certified());
+  result.bound = std::max(0.0, witness.distance - search.certified());
   const Vector3d on_points = X_WF * witness.on_points, on_field = X_WF * witness.on_field;
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
+  result.depth = std::max(margin - witness.distance, 0.0);
+  return search.certified() <= margin && (margin > 0.0 || !search.shellsApart());
+}
 
-  PenaltyForce penalty;
-  const bool touching = options.margin > 0.0 || !query.shellsApart();
-  if (touching && query.certified() <= options.margin)
-    penalty = penaltyForce(a, X_WA, b, X_WB, options, scratch);
+void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                PairResult& result) noexcept {
+  const PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB, options, scratch);
   result.contacts = penalty.contacts;
-  result.depth = std::max({penalty.depth, options.margin - witness.distance, 0.0});
+  result.depth = std::max(penalty.depth, result.depth);
   result.force_a = penalty.force_a;
   result.torque_a = penalty.torque_a;
   result.torque_b = penalty.torque_b;
+}
+
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
+               PairResult& result) noexcept {
+  if (queryDistance(a, X_WA, b, X_WB, options.margin, memory, scratch, result))
+    addPenalty(a, X_WA, b, X_WB, options, scratch, result);
 }
 
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,

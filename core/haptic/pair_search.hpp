@@ -92,4 +92,14 @@ class PairSearch {
   bool settled_{false};       ///< the witness is a nearest pair of its neighbourhood
 };
 
+/// The part of queryPair() that tells the distance; forces are zero and `depth` is that of the witness. True
+/// when the shells' points may touch, so that the penalty force is wanted.
+bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                   const Transform& X_WB, double margin, PairMemory& memory, PairScratch& scratch,
+                   PairResult& result) noexcept;
+/// The rest.
+void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                PairResult& result) noexcept;
+
 }  // namespace abstand

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/haptic/between_points.hpp"
+#include "core/haptic/pair_search.hpp"
 #include "core/haptic/parts_apart.hpp"
 #include "core/haptic/separation.hpp"
 
@@ -65,22 +66,31 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
 const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const PairOptions& options) {
   place(X_WB);
   const std::uint32_t first = nearest_.pair;
+  // Forces are those of the nearest only.
   const auto query = [&](std::size_t i, PairResult& result) {
     const Bodies& pair = pairs_[i];
-    queryPair(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], options, memories_[i],
-              scratch_, result);
+    const bool touches = queryDistance(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b],
+                                       options.margin, memories_[i], scratch_, result);
     const Vector3d between = result.witness_a - result.witness_b;
     if (result.distance > 0.0) keepLine(i, X_WB, between / between.norm());
+    return touches;
   };
-  query(first, nearest_.result);
+  bool touching = query(first, nearest_.result);
   PairResult result;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const double least = nearest_.result.distance;
     if (i == first || ballsApart(pairs_[i], least) || knownApart(i, X_WB, least) ||
         partsApart(i, X_WB, least))
       continue;
-    query(i, result);
-    if (result.distance < nearest_.result.distance) nearest_ = {static_cast<std::uint32_t>(i), result};
+    const bool touches = query(i, result);
+    if (!(result.distance < nearest_.result.distance)) continue;
+    nearest_ = {static_cast<std::uint32_t>(i), result};
+    touching = touches;
+  }
+  if (touching) {
+    const Bodies& pair = pairs_[nearest_.pair];
+    addPenalty(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], options, scratch_,
+               nearest_.result);
   }
   return nearest_;
 }
