@@ -94,13 +94,16 @@ class NearLanes {
     const Float8 f = lowerFromSample(s);
     return (found == 0xff ? f : select(there, f, farAt(far_, p).f)) - radius;
   }
-  /// The estimates s, or something greater where they are beyond `most`.
-  Float8 estimates(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
-    if (!(most < near_.band)) return points(p, tree, first).s;
+  /// As points(); where s is beyond `most`, some s beyond it.
+  Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
+    if (!(most < near_.band)) return points(p, tree, first);
     Float8 s;
     const Mask8 there = sample(p, s);
-    return select(there, s, splat(near_.band));
+    const Float8 band = splat(near_.band);
+    return {select(there, lowerFromSample(s), band), select(there, s, band)};
   }
+  /// m; by so much at most s exceeds the true distance.
+  float error() const { return near_.error_bound; }
   /// Below every estimate s of points in the spheres that is at most `margin`: the true distance exceeds s by
   /// no more than the error; and from a sample s falls by no more than the steepest slope, as long as the way
   /// stays among the blocks or leaves them at a distance that cannot be lost again.
@@ -214,9 +217,11 @@ class LayeredLanes {
     }
     return load(f) - radius;
   }
-  Float8 estimates(const Point8& p, const TreeView& tree, std::uint32_t first, float) const {
-    return points(p, tree, first).s;
+  Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float) const {
+    return points(p, tree, first);
   }
+  /// What contacts() gives is below the true distance here.
+  float error() const { return 0.0f; }
   Float8 contacts(const Point8& p, Float8 radius, float) const {
     return spheres(p, radius) - splat(2.0f * kDiagonal * field_.voxel);
   }

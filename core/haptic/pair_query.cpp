@@ -54,6 +54,14 @@ bool stayedOrJumpedBack(const HapticStructure& a, const Transform& X_WA, const H
   return stayed(a, X_WA, b, X_WB, margin, points_before, memory.last, result);
 }
 
+void add(const PenaltyForce& penalty, PairResult& result) {
+  result.contacts = penalty.contacts;
+  result.depth = std::max(penalty.depth, result.depth);
+  result.force_a = penalty.force_a;
+  result.torque_a = penalty.torque_a;
+  result.torque_b = penalty.torque_b;
+}
+
 }  // namespace
 
 bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
@@ -61,15 +69,19 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
 }
 
 bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                   const Transform& X_WB, double margin, PairMemory& memory, PairScratch& scratch,
-                   PairResult& result) noexcept {
-  if (stayedOrJumpedBack(a, X_WA, b, X_WB, margin, memory, result)) return false;
+                   const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                   PairScratch& scratch, PairResult& result) noexcept {
+  const double margin = options.margin;
+  if (stayedOrJumpedBack(a, X_WA, b, X_WB, margin, memory, result)) {
+    memory.last.touching = false;
+    return false;
+  }
   PairPast& past = memory.last;
   const bool from_a = pointsFromA(a, b);
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;
   const Transform& X_WF = from_a ? X_WB : X_WA;
-  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, past.part_lines);
+  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_lines);
 
   if (!search.remember(past, from_a)) {
     search.search(past, scratch);
@@ -84,24 +96,23 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
   result.depth = std::max(margin - witness.distance, 0.0);
-  return search.certified() <= margin && (margin > 0.0 || !search.shellsApart());
+  past.touching = search.certified() <= margin;
+  if (!past.touching || (margin <= 0.0 && search.shellsApart())) return false;
+  const std::optional<PenaltyForce> penalty = search.penalty(from_a);
+  if (penalty) add(*penalty, result);
+  return !penalty;
 }
 
 void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                 const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
                 PairResult& result) noexcept {
-  const PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB, options, scratch);
-  result.contacts = penalty.contacts;
-  result.depth = std::max(penalty.depth, result.depth);
-  result.force_a = penalty.force_a;
-  result.torque_a = penalty.torque_a;
-  result.torque_b = penalty.torque_b;
+  add(penaltyForce(a, X_WA, b, X_WB, options, scratch), result);
 }
 
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
                PairResult& result) noexcept {
-  if (queryDistance(a, X_WA, b, X_WB, options.margin, memory, scratch, result))
+  if (queryDistance(a, X_WA, b, X_WB, options, memory, scratch, result))
     addPenalty(a, X_WA, b, X_WB, options, scratch, result);
 }
 

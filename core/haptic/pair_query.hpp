@@ -57,6 +57,7 @@ struct PairPast {
   std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
   bool hulls{false};                               ///< their distance was about that of the convex hulls
   bool by_parts{false};                            ///< it was proven by the hulls of the bodies' parts
+  bool touching{false};                            ///< forces were wanted
   std::uint32_t idle{0};                           ///< queries until hulls are worth to be asked again
   Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
   Vector3d n_b{Vector3d::Zero()};

@@ -2,6 +2,7 @@
 #include "core/haptic/pair_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/haptic/search_kernels.hpp"
 
@@ -33,6 +34,7 @@ constexpr std::uint32_t kIdle = 8;
 }  // namespace
 
 void PairSearch::search(PairPast& memory, PairScratch& scratch) {
+  summing_ = memory.touching;
   found_ = kInfinity;
   const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
   memory.X_FP = X_FP_;
@@ -57,13 +59,16 @@ bool PairSearch::mayTouch() const {
 
 void PairSearch::searchOtherWay(PairScratch& scratch) {
   PartLines none;
-  PairSearch other(F_, X_WF_, P_, X_WP_, none);
+  PairSearch other(F_, X_WF_, P_, X_WP_, options_, none);
+  // The forces are those of P's points, if there are any.
+  other.summing_ = sum_ && sum_->contacts == 0;
   other.hint_field_ = hint_points_;
   other.witness_.distance = witness_.distance;
   const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
   // Each search bounds the depth of its own points.
   certified_ = std::min(certified_, lower_bound);
   of_field_ = lower_bound + F_.shell.covering_radius;
+  other_sum_ = other.sum_;
   const Witness& found = other.witness_;
   if (!(found.distance < witness_.distance)) return;
   witness_.on_points = X_FP_ * found.on_field;
@@ -72,6 +77,12 @@ void PairSearch::searchOtherWay(PairScratch& scratch) {
   witness_.hint_field = found.hint_points;
   witness_.distance = found.distance;
   isProven();
+}
+
+std::optional<PenaltyForce> PairSearch::penalty(bool from_a) const {
+  if (sum_ && sum_->contacts > 0) return penaltyOf(*sum_, P_, F_, X_FP_, X_WF_, options_.stiffness, from_a);
+  if (!other_sum_) return {};
+  return penaltyOf(*other_sum_, F_, P_, X_WP_.inverse() * X_WF_, X_WP_, options_.stiffness, !from_a);
 }
 
 void PairSearch::keep(PairPast& memory, bool from_a) const {
@@ -94,12 +105,29 @@ void PairSearch::keep(PairPast& memory, bool from_a) const {
   memory.hint_b = from_a ? witness_.hint_field : witness_.hint_points;
 }
 
+/// Where forces are wanted, those are summed at once, as both look at the same points.
+NearestPoint PairSearch::nearestPoint(const NearestLimits& limits, PairScratch& scratch) {
+  const NearField* near = nearField(F_);
+  if (summing_ && near) {
+    const auto margin = static_cast<float>(options_.margin);
+    // So far every point is looked at that limits.start would not leave out.
+    const float start =
+        std::isfinite(limits.start) ? limits.start + static_cast<float>(near->errorBound()) : margin;
+    const ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
+    const ContactSearch found =
+        searchKernels().contactSearch(P_.treeView(X_FP_), F_.fieldView(), contacts, scratch);
+    sum_ = found.sum;
+    if (found.nearest.point != kNoPoint || std::isfinite(limits.start)) return found.nearest;
+  }
+  return searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+}
+
 /// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
 /// searchPoints does.
 double PairSearch::searchDeeper(PairScratch& scratch) {
   const NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
                              static_cast<float>(kSearchPart)};
-  const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+  const NearestPoint nearest = nearestPoint(limits, scratch);
   const double spacing = P_.shell.spacing;
   if (nearest.point != kNoPoint &&
       static_cast<double>(nearest.estimate) <
@@ -116,7 +144,7 @@ double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
   const NearestLimits limits{
       apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
       static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
-  const NearestPoint nearest = searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+  const NearestPoint nearest = nearestPoint(limits, scratch);
   const auto lower_bound = static_cast<double>(nearest.lower_bound);
   if (nearest.point == kNoPoint) return lower_bound;
   const Vector3d start = X_FP_ * P_.tree.at(nearest.point);

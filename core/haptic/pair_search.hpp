@@ -1,7 +1,10 @@
 // One query of a pair, in steps. Internal to core/haptic.
 #pragma once
 
+#include <optional>
+
 #include "core/haptic/parts_apart.hpp"
+#include "core/haptic/penalty_force.hpp"
 #include "core/haptic/witness.hpp"
 
 namespace abstand {
@@ -26,8 +29,14 @@ class PairSearch {
  public:
   /// All must outlive this object.
   PairSearch(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF,
-             PartLines& part_lines)
-      : P_(P), F_(F), X_WP_(X_WP), X_WF_(X_WF), X_FP_(X_WF.inverse() * X_WP), part_lines_(part_lines) {}
+             const PairOptions& options, PartLines& part_lines)
+      : P_(P),
+        F_(F),
+        X_WP_(X_WP),
+        X_WF_(X_WF),
+        X_FP_(X_WF.inverse() * X_WP),
+        options_(options),
+        part_lines_(part_lines) {}
 
   /// Where the nearest points were may be where they are: proven when no points can be much nearer.
   bool remember(const PairPast& memory, bool from_a);
@@ -42,6 +51,8 @@ class PairSearch {
 
   /// True when no point of either shell lies inside the other body, as far as both were searched.
   bool shellsApart() const { return std::min(of_points_, of_field_) > 0.0; }
+  /// The penalty force, when the searches have summed it on their way. `from_a`: P is A.
+  std::optional<PenaltyForce> penalty(bool from_a) const;
   const Witness& witness() const { return witness_; }
   /// The true distance is never below it.
   double certified() const { return certified_; }
@@ -52,6 +63,7 @@ class PairSearch {
   bool turned(const Vector3d& n_P, const Vector3d& n_F);
   bool partsTurned();
   void take(const ExtremePoint& of_points, const ExtremePoint& of_field);
+  NearestPoint nearestPoint(const NearestLimits& limits, PairScratch& scratch);
   double searchDeeper(PairScratch& scratch);
   double searchPoints(bool apart, PairScratch& scratch);
   bool isAlone(const PairPast& memory) const;
@@ -76,27 +88,31 @@ class PairSearch {
   const Transform& X_WP_;
   const Transform& X_WF_;
   const Transform X_FP_;
+  const PairOptions& options_;
   PartLines& part_lines_;
   Witness witness_;
   double certified_{-kInfinity};
   double motion_{kInfinity};                                  ///< m, since the last search
   double of_points_{-kInfinity}, of_field_{-kInfinity};       ///< m, at least, of each body's shell points
   std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
-  double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
-  std::uint32_t idle_{0};     ///< as in PairPast
-  bool asked_{false};         ///< what the hulls prove
-  bool by_parts_{false};      ///< the hulls of their parts told last
-  bool separated_{false};     ///< a plane parts the hulls
-  bool hulls_{false};         ///< the witness is about as near as the hulls
-  bool remembered_{false};    ///< it is the one of the last query
-  bool settled_{false};       ///< the witness is a nearest pair of its neighbourhood
+  double found_{-kInfinity};             ///< the best of all points, as far as the last search could tell
+  std::uint32_t idle_{0};                ///< as in PairPast
+  bool asked_{false};                    ///< what the hulls prove
+  bool by_parts_{false};                 ///< the hulls of their parts told last
+  bool separated_{false};                ///< a plane parts the hulls
+  bool hulls_{false};                    ///< the witness is about as near as the hulls
+  bool remembered_{false};               ///< it is the one of the last query
+  bool summing_{false};                  ///< forces are likely to be wanted
+  std::optional<ContactSum> sum_;        ///< of P's points in F's field
+  std::optional<ContactSum> other_sum_;  ///< of F's points in P's
+  bool settled_{false};                  ///< the witness is a nearest pair of its neighbourhood
 };
 
-/// The part of queryPair() that tells the distance; forces are zero and `depth` is that of the witness. True
-/// when the shells' points may touch, so that the penalty force is wanted.
+/// The part of queryPair() that tells the distance. True when the shells' points may touch and it did not
+/// come by the penalty force: then forces are still zero and `depth` is that of the witness.
 bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                   const Transform& X_WB, double margin, PairMemory& memory, PairScratch& scratch,
-                   PairResult& result) noexcept;
+                   const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                   PairScratch& scratch, PairResult& result) noexcept;
 /// The rest.
 void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                 const Transform& X_WB, const PairOptions& options, PairScratch& scratch,

@@ -70,7 +70,7 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   const auto query = [&](std::size_t i, PairResult& result) {
     const Bodies& pair = pairs_[i];
     const bool touches = queryDistance(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b],
-                                       options.margin, memories_[i], scratch_, result);
+                                       options, memories_[i], scratch_, result);
     const Vector3d between = result.witness_a - result.witness_b;
     if (result.distance > 0.0) keepLine(i, X_WB, between / between.norm());
     return touches;

@@ -18,6 +18,11 @@ struct PenaltyForce {
   std::uint32_t near_a{kNoPoint}, near_b{kNoPoint};
 };
 
+/// What a sum over P's points in F's field says; the force is on the body that `points_of_a` names: P is A.
+PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
+                       const Transform& X_FP, const Transform& X_WF, double stiffness,
+                       bool points_of_a) noexcept;
+
 /// Sums over the shell points of the body that gives them (pointsFromA) which are within the margin of the
 /// other: f = k a depth n [volume law], or k depth n [thesis eq. 2.2]. When there are none, over those of the
 /// other body, a tip of which may have come in between. `watch`: m, beyond the margin. Both structures must

@@ -45,11 +45,18 @@ struct ContactSum {
   std::uint32_t nearest;  ///< leaf order, by its estimate, when none is within the margin; or kNoPoint
 };
 
+/// Both at once, for bodies that touch or are about to.
+struct ContactSearch {
+  ContactSum sum;
+  NearestPoint nearest;  ///< of the points within `watch`, the one of the least estimate
+};
+
 struct SearchKernels {
   NearestPoint (*nearest)(const TreeView&, const FieldView&, const NearestLimits&, PairScratch&);
   /// No shell point outside of the ball is nearer than what it returns (m), which is at most `start`.
   float (*nearestOutside)(const TreeView&, const FieldView&, const Ball&, float start, PairScratch&);
   ContactSum (*contacts)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
+  ContactSearch (*contactSearch)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
   /// The largest of g . p over `count` points, a multiple of 8.
   float (*support)(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
                    float gz);

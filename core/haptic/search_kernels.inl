@@ -70,6 +70,15 @@ float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ba
   return best;
 }
 
+/// Of points that seem as near (at a medial axis the field is level) the first in leaf order, so that searches
+/// that come by in another order take the same one.
+inline void takeNearer(Float8 s, std::uint32_t first, NearestPoint& nearest) {
+  const float least = leastOf(s);
+  if (!(least < nearest.estimate || (least == nearest.estimate && first < nearest.point))) return;
+  nearest.estimate = least;
+  nearest.point = first + laneOf(s, least);
+}
+
 /// Branch and bound for the smallest distance over all shell points.
 template <class Lanes>
 class NearestSearch {
@@ -88,7 +97,8 @@ class NearestSearch {
       else
         dropped_ = entry.lower_bound < dropped_ ? entry.lower_bound : dropped_;
     }
-    return {visited_ < dropped_ ? visited_ : dropped_, estimate_, point_};
+    nearest_.lower_bound = visited_ < dropped_ ? visited_ : dropped_;
+    return nearest_;
   }
 
  private:
@@ -132,16 +142,13 @@ class NearestSearch {
 
   void visitLeaf(std::uint32_t first) {
     const Distance8 d = lanes_.points(pointsAt(tree_, first), tree_, first);
-    const float f = leastOf(d.f), s = leastOf(d.s);
+    const float f = leastOf(d.f);
     visited_ = f < visited_ ? f : visited_;
     if (f < best_) {
       best_ = f;
       updateEnough();
     }
-    if (s < estimate_) {
-      estimate_ = s;
-      point_ = first + laneOf(d.s, s);
-    }
+    takeNearer(d.s, first, nearest_);
   }
 
   const TreeView& tree_;
@@ -150,13 +157,14 @@ class NearestSearch {
   Entry* stack_;
   std::size_t top_{0};
   float best_, enough_{0.0f};
-  float visited_{kNever}, dropped_{kNever}, estimate_{kNever};
-  std::uint32_t point_{kNoPoint};
+  float visited_{kNever}, dropped_{kNever};
+  NearestPoint nearest_{kNever, kNever, kNoPoint};
 };
 
-template <class Lanes>
-ContactSum sumContacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
-                       Entry* stack) {
+/// Without kSearch, `nearest` is empty.
+template <class Lanes, bool kSearch>
+ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
+                          Entry* stack) {
   const Lanes lanes(field);
   const Float8 margin = splat(limits.margin), zero = splat(0.0f);
   ContactSum sum{};
@@ -164,7 +172,10 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   Float8 deepest = zero;
   Float8 force[3], moment[3];  // of one family's leaves
   float reach = limits.watch;
+  NearestPoint nearest{kNever, limits.watch, kNoPoint};
+  Float8 visited = splat(kNever), dropped = splat(kNever);  // below the true distances of points
   const auto leaf = [&](std::uint32_t first, Float8 s) {
+    if constexpr (kSearch) takeNearer(s, first, nearest);
     const Float8 area = load(tree.area + first);
     // Copies that fill up a leaf have no area.
     const Mask8 touches = (s <= margin) & (zero < area);
@@ -207,15 +218,20 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
     std::uint32_t first[8];
     Float8 estimate[8];
     int leaves = 0;
-    for (int left = bits(bound <= splat(reach)); left != 0; left &= left - 1) {
+    const Mask8 near = bound <= splat(reach);
+    if constexpr (kSearch) dropped = min(dropped, select(near, splat(kNever), bound));
+    for (int left = bits(near); left != 0; left &= left - 1) {
       const std::uint32_t child = family.child[__builtin_ctz(static_cast<unsigned>(left))];
       if (child & PointSphereTree::kLeafChild)
         first[leaves++] = (child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane;
       else
         stack[top++] = {0.0f, child};
     }
-    for (int i = 0; i < leaves; ++i)
-      estimate[i] = lanes.estimates(pointsAt(tree, first[i]), tree, first[i], reach);
+    for (int i = 0; i < leaves; ++i) {
+      const Distance8 d = lanes.within(pointsAt(tree, first[i]), tree, first[i], reach);
+      estimate[i] = d.s;
+      if constexpr (kSearch) visited = min(visited, d.f);
+    }
     const int before = sum.contacts;
     for (int k = 0; k < 3; ++k) force[k] = moment[k] = zero;
     for (int i = 0; i < leaves; ++i) leaf(first[i], estimate[i]);
@@ -227,7 +243,8 @@ ContactSum sumContacts(const TreeView& tree, const FieldView& field, const Conta
   }
   sum.depth = -leastOf(zero - deepest);
   if (sum.contacts > 0) sum.nearest = kNoPoint;
-  return sum;
+  nearest.lower_bound = leastOf(min(visited, dropped - splat(lanes.error())));
+  return {sum, nearest};
 }
 
 NearestPoint nearest(const TreeView& tree, const FieldView& field, const NearestLimits& limits,
@@ -247,8 +264,15 @@ float nearestOutside(const TreeView& tree, const FieldView& field, const Ball& b
 ContactSum contacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
                     PairScratch& scratch) {
   return field.kind == FieldView::Kind::kNear
-             ? sumContacts<NearLanes>(tree, field, limits, scratch.stack)
-             : sumContacts<LayeredLanes>(tree, field, limits, scratch.stack);
+             ? sumContacts<NearLanes, false>(tree, field, limits, scratch.stack).sum
+             : sumContacts<LayeredLanes, false>(tree, field, limits, scratch.stack).sum;
+}
+
+ContactSearch contactSearch(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
+                            PairScratch& scratch) {
+  return field.kind == FieldView::Kind::kNear
+             ? sumContacts<NearLanes, true>(tree, field, limits, scratch.stack)
+             : sumContacts<LayeredLanes, true>(tree, field, limits, scratch.stack);
 }
 
 float support(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,

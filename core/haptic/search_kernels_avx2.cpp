@@ -2,5 +2,6 @@
 #include "core/haptic/search_kernels.inl"
 
 namespace abstand {
-extern const SearchKernels kAvx2Kernels{nearest, nearestOutside, contacts, support, extreme, meeting, "avx2"};
+extern const SearchKernels kAvx2Kernels{nearest, nearestOutside, contacts, contactSearch,
+                                        support, extreme,        meeting,  "avx2"};
 }  // namespace abstand

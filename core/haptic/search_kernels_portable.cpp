@@ -2,6 +2,6 @@
 #include "core/haptic/search_kernels.inl"
 
 namespace abstand {
-extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts,  support,
-                                            extreme, meeting,        "portable"};
+extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts, contactSearch,
+                                            support, extreme,        meeting,  "portable"};
 }  // namespace abstand

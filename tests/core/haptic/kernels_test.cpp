@@ -72,6 +72,49 @@ TEST(SearchKernels, AgreeOnEveryMachine) {
   }
 }
 
+/// The search that sums on its way sums the same, and what it says of the nearest point holds for the exact
+/// surface.
+TEST(SearchKernels, SearchWhileTheySum) {
+  constexpr float kMargin = 0.01f, kWatch = 0.02f;
+  for (const FieldKind kind : {FieldKind::kMixed, FieldKind::kFloat, FieldKind::kLayered}) {
+    const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, kind);
+    const auto& F = structureOf(Cuboid{{0.1, 0.12, 0.3}}, kind);
+    const FieldView field = F.fieldView();
+    PairScratch scratch;
+    for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
+      int touching = 0, near = 0;
+      for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const Transform X_FP = randomPose(seed, seed % 3 == 0 ? 0.1 : 0.3);
+        const TreeView tree = P.treeView(X_FP);
+        const ContactSum sum = kernels->contacts(tree, field, {kMargin, kMargin, true}, scratch);
+        const ContactSearch both = kernels->contactSearch(tree, field, {kMargin, kWatch, true}, scratch);
+        ASSERT_EQ(both.sum.contacts, sum.contacts) << seed;
+        ASSERT_EQ(both.sum.depth, sum.depth) << seed;
+        for (int k = 0; k < 3; ++k) {
+          ASSERT_EQ(both.sum.force[k], sum.force[k]) << seed;
+          ASSERT_EQ(both.sum.moment[k], sum.moment[k]) << seed;
+        }
+        double least = kInfinity;
+        for (std::uint32_t i = 0; i < P.tree.x.size(); ++i)
+          least = std::min(least, F.surface->signedDistance(X_FP * P.tree.at(i)));
+        ASSERT_LE(both.nearest.lower_bound, least + kRounding) << seed;
+        if (both.nearest.point != kNoPoint) {
+          ASSERT_LE(both.nearest.estimate, kWatch);
+          ++near;
+        } else {
+          ASSERT_EQ(sum.contacts, 0) << seed;
+        }
+        if (sum.contacts > 0 && kind != FieldKind::kLayered) {
+          ASSERT_NEAR(both.nearest.estimate, kMargin - sum.depth, kRounding) << seed;
+        }
+        touching += sum.contacts > 0;
+      }
+      EXPECT_GT(touching, 30);
+      EXPECT_GT(near, touching);
+    }
+  }
+}
+
 TEST(SearchKernels, SupportIsTheLargestProduct) {
   std::vector<float> x, y, z;
   for (std::uint64_t i = 0; i < 64; ++i) {

@@ -14,6 +14,10 @@ namespace {
 
 /// m; a walk ends when a round gains less than 0.1 % of the distance, here up to 0.1 m (witness.hpp).
 constexpr double kSameDistance = 1e-4;
+/// m; a tenth of the spacing. Inside, a search that sums contacts on its way starts its walk from the point
+/// that the field says is the deepest, another one from the first that none can exceed by more than the
+/// field's error: near a medial axis the walks end that much apart.
+constexpr double kSameDepth = 4e-4;
 /// m; contacts deeper than that are never missed.
 constexpr double kShallow = 1e-4;
 constexpr int kFrames = 400;
@@ -73,7 +77,7 @@ TEST(PairSet, FindsTheNearestPairOfAll) {
       const PairSet::Nearest& nearest = set.nearest(crowd.X_WB, {});
       // A walk from elsewhere may end nearer, within the bound of the one that did not.
       const PairResult same = alone(crowd, nearest.pair, {});
-      ASSERT_LE(nearest.result.distance, least + kSameDistance) << frame;
+      ASSERT_LE(nearest.result.distance, least + (least > 0.0 ? kSameDistance : kSameDepth)) << frame;
       ASSERT_GE(nearest.result.distance, same.distance - same.bound - kSameDistance) << frame;
       ASSERT_LE(same.distance - same.bound, least + kSameDistance) << frame;
       ++(least > 0.0 ? apart : inside);
