@@ -8,6 +8,7 @@ namespace {
 
 // Of the body's size: a part from which its hull is nowhere farther is convex.
 constexpr double kConvex = 2e-3;
+constexpr double kAboutEqual = 0.99;
 // Triangles that are looked at to tell how far a hull is from its part: enough to see where it is worth to
 // cut.
 constexpr std::size_t kLooks = 512;
@@ -42,6 +43,16 @@ Part makePart(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles) {
   return part;
 }
 
+/// The part with the widest gap; of about equals, as a body with symmetries has, the largest.
+Part& worstOf(std::vector<Part>& parts) {
+  double widest = 0.0;
+  for (const Part& part : parts) widest = std::max(widest, part.gap);
+  return *std::max_element(parts.begin(), parts.end(), [&](const Part& l, const Part& r) {
+    const auto size = [&](const Part& p) { return p.gap < kAboutEqual * widest ? 0 : p.triangles.size(); };
+    return size(l) < size(r);
+  });
+}
+
 /// At the median of the triangles' middles, across the axis along which they reach farthest.
 std::pair<Part, Part> halves(const TriangleMesh& mesh, Part& part) {
   const auto middle = [&](std::uint32_t t) {
@@ -74,11 +85,10 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
   const EnclosingSphere whole = minimalSphere(parts.front().corners);
   const double convex = kConvex * whole.radius;
   while (parts.size() < kMost) {
-    const auto worst = std::max_element(parts.begin(), parts.end(),
-                                        [](const Part& l, const Part& r) { return l.gap < r.gap; });
-    if (worst->gap <= convex || worst->triangles.size() < 2) break;
-    auto [first, second] = halves(mesh, *worst);
-    *worst = std::move(first);
+    Part& worst = worstOf(parts);
+    if (worst.gap <= convex || worst.triangles.size() < 2) break;
+    auto [first, second] = halves(mesh, worst);
+    worst = std::move(first);
     parts.push_back(std::move(second));
   }
   *this = SurfaceParts(whole);

@@ -168,13 +168,25 @@ TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
   EXPECT_GT(beyond_hulls, 30);
 }
 
+/// Six tips, and eight hollow faces between them, each a part whose hull is far from the middle.
+TriangleMesh star(double tip, double hollow) {
+  TriangleMesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) mesh.vertices.push_back(side * tip * Vector3d::Unit(axis));
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    const std::uint32_t x = octant & 1, y = octant >> 1 & 1, z = octant >> 2;
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(hollow * (2.0 * Vector3d(x, y, z) - Vector3d::Ones()));
+    std::uint32_t tips[3] = {x, 2 + y, 4 + z};
+    if ((x + y + z) % 2 == 0) std::swap(tips[0], tips[1]);
+    for (int i = 0; i < 3; ++i) mesh.triangles.push_back({tips[i], tips[(i + 1) % 3], middle});
+  }
+  return mesh;
+}
+
 TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
-  // The parts of a lumpy globe are shells, whose hulls are far from its middle.
-  TriangleMesh globe = tessellate(Sphere{0.2}, 1e-3);
-  for (Vector3d& v : globe.vertices)
-    v *= 1.0 + 0.1 * std::sin(40.0 * v.x()) * std::sin(40.0 * v.y()) + 0.1 * std::sin(40.0 * v.z());
-  const auto lumpy = made(globe), ball = made(tessellate(Sphere{0.02}, 1e-3));
-  ASSERT_GT(lumpy->parts.size(), 1u);
+  const auto lumpy = made(star(0.2, 0.05)), ball = made(tessellate(Sphere{0.02}, 1e-3));
+  ASSERT_EQ(lumpy->parts.size(), 8u);
   ASSERT_TRUE(lumpy->pieces.empty() && ball->pieces.empty());
   const Transform inside(Eigen::Translation3d(0.01, 0.0, 0.0)), outside(Eigen::Translation3d(0.0, 0.0, 0.4));
   PartLines lines;
