@@ -97,7 +97,7 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
   result.witness_b = from_a ? on_field : on_points;
   result.depth = std::max(margin - witness.distance, 0.0);
   past.touching = search.certified() <= margin;
-  if (!past.touching || (margin <= 0.0 && search.shellsApart())) return false;
+  if (!past.touching) return false;
   const std::optional<PenaltyForce> penalty = search.penalty(from_a);
   if (penalty) add(*penalty, result);
   return !penalty;

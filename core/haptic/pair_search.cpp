@@ -67,7 +67,6 @@ void PairSearch::searchOtherWay(PairScratch& scratch) {
   const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
   // Each search bounds the depth of its own points.
   certified_ = std::min(certified_, lower_bound);
-  of_field_ = lower_bound + F_.shell.covering_radius;
   other_sum_ = other.sum_;
   const Witness& found = other.witness_;
   if (!(found.distance < witness_.distance)) return;

@@ -49,8 +49,6 @@ class PairSearch {
   void searchOtherWay(PairScratch& scratch);
   void keep(PairPast& memory, bool from_a) const;
 
-  /// True when no point of either shell lies inside the other body, as far as both were searched.
-  bool shellsApart() const { return std::min(of_points_, of_field_) > 0.0; }
   /// The penalty force, when the searches have summed it on their way. `from_a`: P is A.
   std::optional<PenaltyForce> penalty(bool from_a) const;
   const Witness& witness() const { return witness_; }
@@ -93,7 +91,7 @@ class PairSearch {
   Witness witness_;
   double certified_{-kInfinity};
   double motion_{kInfinity};                                  ///< m, since the last search
-  double of_points_{-kInfinity}, of_field_{-kInfinity};       ///< m, at least, of each body's shell points
+  double of_points_{-kInfinity};                              ///< m, at least, of each of P's shell points
   std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
   double found_{-kInfinity};             ///< the best of all points, as far as the last search could tell
   std::uint32_t idle_{0};                ///< as in PairPast

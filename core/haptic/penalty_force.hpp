@@ -18,7 +18,7 @@ struct PenaltyForce {
   std::uint32_t near_a{kNoPoint}, near_b{kNoPoint};
 };
 
-/// What a sum over P's points in F's field says; the force is on the body that `points_of_a` names: P is A.
+/// What a sum over P's points in F's field says. `points_of_a`: P is A, else B.
 PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
                        const Transform& X_FP, const Transform& X_WF, double stiffness,
                        bool points_of_a) noexcept;

@@ -8,6 +8,7 @@ namespace {
 
 // Of the body's size: a part from which its hull is nowhere farther is convex.
 constexpr double kConvex = 2e-3;
+// Of the widest gap: gaps of parts that mirror each other differ by which of their triangles are looked at.
 constexpr double kAboutEqual = 0.99;
 // Triangles that are looked at to tell how far a hull is from its part: enough to see where it is worth to
 // cut.
