@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/message_line.hpp"
 #include "tracking/derived_joints.hpp"
 #include "tracking/message_text.hpp"
 #include "tracking/part_joints.hpp"
@@ -66,7 +67,10 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
       sentence += (sentence.empty() ? "" : ", ") + std::string(part.part) + " (no " + missing + ")";
     }
   }
-  if (!sentence.empty()) report.warnings.push_back("parts that this file cannot move: " + sentence);
+  if (!sentence.empty()) {
+    report.in_fields.push_back(report.warnings.size());
+    report.warnings.push_back("parts that this file cannot move: " + sentence);
+  }
   for (std::size_t i = 0; i < used.size(); ++i)
     if (!used[i]) report.not_mapped.push_back(raw.joints[i]);
 }
@@ -157,14 +161,18 @@ std::size_t countSideSwaps(const std::vector<SkeletonFrame>& frames) {
   return swaps;
 }
 
-void warnOfPlace(const std::vector<SkeletonFrame>& frames, std::vector<std::string>& warnings) {
+void warnOfPlace(const std::vector<SkeletonFrame>& frames, RecordingReport& report) {
   double lowest = kInfinity;
   for (const auto& f : frames)
     for (const Joint j : {Joint::kAnkleLeft, Joint::kAnkleRight, Joint::kToeLeft, Joint::kToeRight})
       if (f.has(j)) lowest = std::min(lowest, f[j].z());
-  if (std::isfinite(lowest) && std::abs(lowest) > kFloorDistance)
-    warnings.push_back("the lowest foot of the recording is at z = " + rounded(lowest, 2) +
-                       " m, not on the floor: place the recording by " + rounded(-lowest, 2) + " m in z");
+  if (!std::isfinite(lowest)) return;
+  report.lowest_foot = lowest;
+  if (std::abs(lowest) <= kFloorDistance) return;
+  report.in_fields.push_back(report.warnings.size());
+  report.warnings.push_back("the lowest foot of the recording is at z = " + rounded(lowest, 2) +
+                            " m, not on the floor: place the recording by " + rounded(-lowest, 2) +
+                            " m in z");
 }
 
 }  // namespace
@@ -188,8 +196,11 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.joints = raw.joints;
   report.joint_map = raw.match.map;
   report.notes = raw.notes;
-  for (const auto& w : raw.warnings)
-    report.warnings.push_back(w.line > 0 ? std::to_string(w.line) + ": " + w.text : w.text);
+  for (const auto& w : raw.warnings) {
+    if (w.frames_missing > 0) report.in_fields.push_back(report.warnings.size());
+    report.frames_missing += w.frames_missing;
+    report.warnings.push_back(messageLine(w.line > 0 ? std::to_string(w.line) + ": " + w.text : w.text));
+  }
 
   const auto add = [&](const std::string& warning) {
     if (!warning.empty()) report.warnings.push_back(warning);
@@ -208,6 +219,8 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.scale = unit.scale;
   report.up = up.axis;
   report.up_reason = up.reason;
+  report.units_guessed = !raw.unit && lowerCase(options.units) == "auto";
+  report.up_guessed = !raw.up && lowerCase(options.up) == "auto";
   report.stature = stature ? *stature * unit.scale : 0.0;
 
   Matrix3d R_WF = rotationToZUp(up.axis);
@@ -220,7 +233,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   if (report.swaps > 0)
     add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
         " times: left and right may be swapped there");
-  warnOfPlace(raw.frames, report.warnings);
+  warnOfPlace(raw.frames, report);
   out.frames = std::move(raw.frames);
   return out;
 }

@@ -1,6 +1,7 @@
 // What a reader remarks on without stopping.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace abstand {
@@ -9,6 +10,7 @@ namespace abstand {
 struct FileWarning {
   int line{0};
   std::string text;
+  std::size_t frames_missing{0};  ///< frames that the file claims, or begins, and does not hold
 };
 
 }  // namespace abstand

@@ -177,6 +177,9 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   if (markers && solved.reason.empty()) solved.reason = markers->reason();
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
+  // Solving markers settles both: a guess is one all the same.
+  recording.report.units_guessed = !facts.unit && lowerCase(options.units) == "auto";
+  recording.report.up_guessed = !facts.up && lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())

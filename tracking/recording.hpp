@@ -44,11 +44,18 @@ struct RecordingReport {
   std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
   std::vector<std::string> missing_parts;  ///< parts that this file cannot move
-  std::size_t gaps{0};                     ///< frames in which a mapped joint is missing or not finite
-  std::size_t swaps{0};                    ///< turns of the hips by more than 90 degrees between two frames
-  MarkerReport markers;                    ///< of a file of markers that were solved
-  std::vector<std::string> notes;          ///< about the file, nothing to worry about
-  std::vector<std::string> warnings;       ///< "LINE: text" where a line is known
+  /// Frames that the file claims or begins and does not hold: it was cut. At least so many.
+  std::size_t frames_missing{0};
+  bool units_guessed{false}, up_guessed{false};  ///< neither the file, its format nor the user says it
+  double lowest_foot{kNaN};                      ///< m, z of it over all frames; NaN: no foot is known
+  std::size_t gaps{0};                           ///< frames in which a mapped joint is missing or not finite
+  std::size_t swaps{0};               ///< turns of the hips by more than 90 degrees between two frames
+  MarkerReport markers;               ///< of a file of markers that were solved
+  std::vector<std::string> notes;     ///< about the file, nothing to worry about
+  std::vector<std::string> warnings;  ///< "LINE: text" where a line is known
+  /// Numbers of the warnings that fields of this report say as well: frames_missing, missing_parts and
+  /// lowest_foot.
+  std::vector<std::size_t> in_fields;
 };
 
 struct Recording {

@@ -102,6 +102,9 @@ const Spec kSpecs[] = {
     {Id::kReact, In::kPlayback, TEXT("&React"),
      TEXT("Let robots with a reaction move away from people; off: they follow their motion"), "R", Kind::kOn,
      Glyph::kReact},
+    {Id::kReactionTorques, In::kPlayback, TEXT("Reaction &torques"),
+     TEXT("Give the torques of the reactions to the robots' motors; off: they only follow and stop"),
+     "Shift+T", Kind::kOn},
     {Id::kResetStops, In::kPlayback, TEXT("Reset st&ops"), TEXT("Let every robot that waits for it go on"),
      "Shift+R"},
 

@@ -54,6 +54,7 @@ enum class ActionId {
   kSlower,
   kLoop,
   kReact,
+  kReactionTorques,
   kResetStops,
   kResetMargins,
   kShortcuts,

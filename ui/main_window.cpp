@@ -20,6 +20,7 @@
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
@@ -39,7 +40,7 @@ constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 
 using Id = ActionId;
 
@@ -101,6 +102,7 @@ void MainWindow::buildDocks() {
   tree_ = new SceneTreePanel(*tree_model_, *selection_, this);
   margins_ = new MarginPanel(this);
   robots_ = new RobotPanel(this);
+  groups_ = new GroupPanel(this);
   plots_ = new PlotPanel(this);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, this);
@@ -113,7 +115,9 @@ void MainWindow::buildDocks() {
       addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"),
               margins_),
       addDock("robots", tr("Robots"), tr("Show or hide the robots that react"), QStringLiteral("Ctrl+6"),
-              robots_)};
+              robots_),
+      addDock("groups", tr("Pair groups"), tr("Show or hide the groups of pairs"), QStringLiteral("Ctrl+7"),
+              groups_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -126,8 +130,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots] =
-      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5]);
+  auto [scene, pairs, timeline, plots, margins, robots, groups] =
+      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -139,6 +143,7 @@ void MainWindow::arrangeDocks() {
   addDockWidget(Qt::RightDockWidgetArea, margins);
   splitDockWidget(plots, margins, Qt::Vertical);
   tabifyDockWidget(margins, robots);
+  tabifyDockWidget(robots, groups);
   margins->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
@@ -169,8 +174,10 @@ void MainWindow::setSession(SessionPort* session) {
   loops_ = snapshot_.loops;
   docks_[outline.reacting.empty() ? 4 : 5]->raise();
   timeline_->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
-  plots_->setSeries(&history_->distance(), &history_->force(), &history_->effort(), outline.start,
+  plots_->setSeries(&history_->distance(), &history_->force(), &history_->torques(), outline.start,
                     outline.end);
+  plots_->setJoints(outline.joints);
+  groups_->open(outline);
   playback_->setPort(session_);
   status_->clear();
   for (const auto& entry : actions_->all())
@@ -178,7 +185,9 @@ void MainWindow::setSession(SessionPort* session) {
   const bool can = outline.cannot_react.empty();
   (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
   (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
+  (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
+  if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
 
   if (session_) {
     viewport_->open(outline, snapshot_);
@@ -203,6 +212,7 @@ void MainWindow::pull() {
   session_->drainPlot(samples_);
   history_->add(samples_);
   if (!session_->takeSnapshot(snapshot_)) return;
+  history_->add(snapshot_);
   news_ = true;
   viewport_->refresh(snapshot_);
   playback_->onSnapshot(snapshot_);
@@ -216,6 +226,7 @@ void MainWindow::refreshSlow() {
     tree_model_->refresh(outline, snapshot_);
     status_->refresh(outline, snapshot_);
     robots_->refresh(outline, snapshot_);
+    groups_->refresh(snapshot_);
     if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
       statusBar()->showMessage(tr("Robots were put on their plans at %1, and react from there")
                                    .arg(secondsWithUnit(snapshot_.loop_start)),

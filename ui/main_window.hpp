@@ -14,6 +14,7 @@ class QTimer;
 namespace abstand::ui {
 
 class Actions;
+class GroupPanel;
 class MarginPanel;
 class PairPanel;
 class Playback;
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   PairPanel& pairPanel() const { return *pairs_; }
   TimelinePanel& timelinePanel() const { return *timeline_; }
   RobotPanel& robotPanel() const { return *robots_; }
+  GroupPanel& groupPanel() const { return *groups_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers scenes.
@@ -102,6 +104,7 @@ class MainWindow : public QMainWindow {
   PlotPanel* plots_;
   MarginPanel* margins_;
   RobotPanel* robots_;
+  GroupPanel* groups_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;

@@ -18,6 +18,7 @@
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/group_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
@@ -109,6 +110,9 @@ void MainWindow::connectPlayback() {
   on(Id::kResetStops, [this] {
     if (session_) session_->resetStops();
   });
+  connect((*actions_)[Id::kReactionTorques], &QAction::toggled, this, [this](bool torques) {
+    if (session_) session_->setTorques(torques);
+  });
   connect(robots_, &RobotPanel::resetRequested, (*actions_)[Id::kResetStops], &QAction::trigger);
 }
 
@@ -116,6 +120,19 @@ void MainWindow::connectPanels() {
   connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
   connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
     if (session_) session_->setMargin(object, metres);
+  });
+  connect(groups_, &GroupPanel::stateWanted, this, [this](int group, PairGroupState state) {
+    if (session_) session_->setGroup(group, state);
+  });
+  connect(groups_, &GroupPanel::addWanted, this, [this](int group, int pair) {
+    if (session_) session_->addPair(group, pair);
+  });
+  connect(groups_, &GroupPanel::removeWanted, this, [this](int pair) {
+    if (session_) session_->removePair(pair);
+  });
+  connect(plots_, &PlotPanel::jointChosen, this, [this](int joint) {
+    history_->torqueOf(joint);
+    history_->add(snapshot_);
   });
   connect(plots_, &PlotPanel::timePicked, playback_, &Playback::seek);
   connect(playback_, &Playback::timeChanged, plots_, &PlotPanel::setTime);

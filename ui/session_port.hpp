@@ -34,6 +34,14 @@ class SessionPort {
   virtual void resetStops() = 0;
   /// Safety margin of one object (index of the outline), metres.
   virtual void setMargin(int object, double metres) = 0;
+  /// Torques of the robots' reactions reach their motors; off: robots only follow their motion and stop. At
+  /// first: on.
+  virtual void setTorques(bool on) = 0;
+  /// A group of SceneOutline::pair_groups. Pairs of one that does not run are stale.
+  virtual void setGroup(int group, PairGroupState state) = 0;
+  /// Puts a pair (index of the outline) that is in no group into one, or takes it out of its group.
+  virtual void addPair(int group, int pair) = 0;
+  virtual void removePair(int pair) = 0;
 };
 
 }  // namespace abstand::ui

@@ -8,11 +8,13 @@ class QApplication;
 
 namespace abstand::ui {
 
-inline constexpr QRgb kVermillion = 0xffd55e00;  ///< contact; always together with a mark or a text
-inline constexpr QRgb kAmber = 0xffe69f00;       ///< close to the margin
-inline constexpr QRgb kBlue = 0xff0072b2;        ///< torque
-inline constexpr QRgb kCyan = 0xff2aa8c4;        ///< velocity
-inline constexpr QRgb kAccent = 0xff3b78b5;      ///< selection
+inline constexpr QRgb kVermillion = 0xffd55e00;    ///< contact; always together with a mark or a text
+inline constexpr QRgb kAmber = 0xffe69f00;         ///< close to the margin
+inline constexpr QRgb kContactForce = 0xffc0342b;  ///< force where surfaces overlap
+inline constexpr QRgb kVirtualForce = 0xffb07a00;  ///< force of the margins alone: nothing touches
+inline constexpr QRgb kBlue = 0xff0072b2;          ///< torque
+inline constexpr QRgb kCyan = 0xff2aa8c4;          ///< velocity
+inline constexpr QRgb kAccent = 0xff3b78b5;        ///< selection
 
 /// A distance below this many margins counts as near.
 inline constexpr double kNearFactor = 2.0;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <optional>
 #include <set>
 #include <thread>
@@ -11,7 +10,9 @@
 #include "app/bench/scenario.hpp"
 #include "app/cli/bench_scenario.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/standard_output.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "core/haptic/pair_set.hpp"
 #include "core/scene/scene.hpp"
@@ -192,14 +193,15 @@ nlohmann::ordered_json statistics(std::vector<double> seconds) {
 
 void writeDump(const std::string& file, const std::vector<std::int32_t>& frames, std::size_t pairs,
                const std::vector<float>& values) {
-  std::ofstream out(file, std::ios::binary);
+  OutputFile file_out(file);
+  std::ostream& out = file_out.stream();
   const std::int32_t head[2] = {static_cast<std::int32_t>(frames.size()), static_cast<std::int32_t>(pairs)};
   out.write(reinterpret_cast<const char*>(head), sizeof head);
   out.write(reinterpret_cast<const char*>(frames.data()),
             static_cast<std::streamsize>(frames.size() * sizeof(std::int32_t)));
   out.write(reinterpret_cast<const char*>(values.data()),
             static_cast<std::streamsize>(values.size() * sizeof(float)));
-  if (!out) throw UsageError(file + ": cannot be written");
+  file_out.commit();
 }
 
 }  // namespace
@@ -256,8 +258,8 @@ int benchScenario(const BenchScenario& args) {
       {"hwm_mb", highWaterMb()},
       {"hwm_before_build_mb", before},
       {"touching_per_frame", static_cast<double>(touching) / static_cast<double>(times.size())}};
-  std::cout << row.dump() << std::endl;
-  if (!args.out.empty()) std::ofstream(args.out, std::ios::app) << row.dump() << "\n";
+  if (!args.out.empty()) appendToFile(args.out, row.dump() + "\n");
+  writeStandardOutput(row.dump() + "\n");
   return kDone;
 }
 

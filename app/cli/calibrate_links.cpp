@@ -1,6 +1,6 @@
 // abstand calibrate SCENE --links: where a camera stands, from depth images of a robot.
 #include "app/cli/calibrate_modes.hpp"
-#include "app/depth/robot_links.hpp"
+#include "app/depth/calibration_links.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "tracking/depth/depth_stream.hpp"
@@ -37,7 +37,7 @@ int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
   SessionOptions session_options;
   session_options.cache = line.cache;
   session_options.monitor = buildMonitor(line);
-  RobotLinks links(loadScene(args.input, args.packages), args.robot, session_options);
+  CalibrationLinks links(loadScene(args.input, args.packages), args.robot, session_options);
   std::vector<SurfaceView> views;
   for (DepthFrame& frame : imagesOf(*stream)) views.push_back({std::move(frame.image), links.at(frame.t)});
   if (views.empty()) throw ParseError({args.links.string()}, "found no image, expected one or more");

@@ -114,8 +114,8 @@ void addBench(CLI::App& root, CommandLine& line) {
   command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));
   command->add_option("--start", scenario->start, "first frame")->check(CLI::Range(0, 100000000));
   command->add_option("--budget", scenario->budget, "seconds of measured work");
-  command->add_option("--dump", scenario->dump, "binary file of the pairs' values");
-  command->add_option("--out", scenario->out, "file that the JSON line is appended to");
+  line.output(command->add_option("--dump", scenario->dump, "binary file of the pairs' values"));
+  line.output(command->add_option("--out", scenario->out, "file that the JSON line is appended to"));
   command->callback([&line, name, scenario] {
     line.run = [&line, name, scenario] {
       return scenario->scenario.empty() ? run(line, *name) : benchScenario(*scenario);

@@ -1,10 +1,13 @@
 // abstand build: haptic structures of meshes and shapes.
 #include <iostream>
+#include <optional>
 
 #include "app/cli/build_texts.hpp"
+#include "app/cli/mesh_argument.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/output_folder.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "core/haptic/structure_cache.hpp"
 
@@ -18,6 +21,7 @@ struct Arguments {
   std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
   int outer_layers{20};
   bool explain{false};
+  PackagePaths packages;
 };
 
 struct Body {
@@ -26,10 +30,11 @@ struct Body {
   std::vector<std::string> remarks;
 };
 
-Body load(const std::string& text, double scale, StructureCache& cache) {
+Body load(const std::string& text, double scale, const PackagePaths& packages, StructureCache& cache) {
   if (const auto shape = parseShape(text)) return {text, makeSurface(*shape), {}};
-  LoadedMesh mesh = loadMesh(text, scale);
-  Body body{std::filesystem::path(text).stem().string(), nullptr, mesh.report.remarks};
+  const std::filesystem::path file = meshArgument(text, packages);
+  LoadedMesh mesh = loadMesh(file, scale);
+  Body body{file.stem().string(), nullptr, mesh.report.remarks};
   body.surface = makeSurface(cache, std::move(mesh.mesh));
   return body;
 }
@@ -49,14 +54,12 @@ void writeShell(const Pointshell& shell, const std::filesystem::path& file) {
   out.commit();
 }
 
-void writeStructure(const HapticStructure& s, const std::filesystem::path& folder) {
-  std::error_code ec;
-  std::filesystem::create_directories(folder, ec);
+void writeStructure(const HapticStructure& s, OutputFolder& folder) {
   std::string stem = s.name;
   for (char& c : stem)
     if (c == ':' || c == ',' || c == '/') c = '_';
-  saveMesh(s.surface->mesh(kDrawingSagitta), folder / (stem + ".stl"));
-  writeShell(s.shell, folder / (stem + ".shell.ply"));
+  saveMesh(s.surface->mesh(kDrawingSagitta), folder.place(stem + ".stl"));
+  writeShell(s.shell, folder.place(stem + ".shell.ply"));
 }
 
 nlohmann::ordered_json structureJson(const MadeStructure& made, const Body& body) {
@@ -85,21 +88,33 @@ std::string timeText(const MadeStructure& made) {
   return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
 }
 
+/// A body of an odd size may be in another unit: that is the hint where it cannot be built.
+MadeStructure build(const CommandLine& line, const Body& body, const HapticOptions& options,
+                    StructureCache& cache) {
+  try {
+    return makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+  } catch (const UsageError& e) {
+    for (const auto& remark : body.remarks)
+      if (remark.find("probably") != std::string::npos)
+        throw UsageError(body.name + ": " + e.what() + "\nhint: " + remark + " (--scale)");
+    throw UsageError(body.name + ": " + e.what());
+  }
+}
+
 /// Builds one body, or explains it; both add to the document and the text.
 void make(const CommandLine& line, const Arguments& args, const HapticOptions& options,
-          const std::string& name, StructureCache& cache, nlohmann::ordered_json& document,
-          std::string& text) {
-  const Body body = load(name, number(args.scale, "--scale"), cache);
+          const std::string& name, StructureCache& cache, OutputFolder* folder,
+          nlohmann::ordered_json& document, std::string& text) {
+  const Body body = load(name, number(args.scale, "--scale"), args.packages, cache);
   Said said;
   if (args.explain) {
     said = explain(body.name, body.surface, options, buildMonitor(line));
     document["explained"].push_back(said.json);
     text += said.text;
   } else {
-    const MadeStructure made =
-        makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+    const MadeStructure made = build(line, body, options, cache);
     const HapticStructure& s = *made.structure;
-    if (!args.out.empty()) writeStructure(s, args.out);
+    if (folder) writeStructure(s, *folder);
     said = sayReport(reportOn(s));
     document["structures"].push_back(structureJson(made, body));
     document["structures"].back()["report"] = said.json;
@@ -126,9 +141,11 @@ int run(const CommandLine& line, const Arguments& args) {
   if (args.explain) document["rules"] = explainRules();
   std::string text;
   auto failed = nlohmann::ordered_json::array();
+  std::optional<OutputFolder> folder;
+  if (!args.out.empty() && !args.explain) folder.emplace(args.out);
   for (const auto& name : args.meshes) {
     try {
-      make(line, args, options, name, cache, document, text);
+      make(line, args, options, name, cache, folder ? &*folder : nullptr, document, text);
     } catch (const ParseError& e) {
       if (args.meshes.size() == 1) throw;
       std::cerr << e.what() << std::endl;
@@ -136,6 +153,7 @@ int run(const CommandLine& line, const Arguments& args) {
     }
     for (const auto& warning : cache.takeWarnings()) line.warn(warning);
   }
+  if (folder && failed.size() < args.meshes.size()) folder->commit();
   if (!failed.empty()) document["failed"] = failed;
   if (args.explain) text += "* as asked; predicted, nothing was built. How: abstand build --explain --json\n";
   line.print(document, text);
@@ -161,10 +179,13 @@ void addBuild(CLI::App& root, CommandLine& line) {
   command->add_option("--field", args->field, "layered, float or mixed")
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
   command->add_option("--scale", args->scale, "metres a unit of the mesh files");
-  command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each");
+  line.output(
+      command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each"),
+      OutputKind::kFolder);
   command->add_flag(
       "--explain", args->explain,
       "build nothing: predict error, memory, points, time and cost of this and other resolutions");
+  addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

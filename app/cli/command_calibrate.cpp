@@ -45,7 +45,7 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
       "POINTS", args->input,
       "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene file");
   command->add_option("--camera", args->camera, "camera file with the intrinsics");
-  command->add_option("--out", args->out, "the same with the pose T_WC and its spread");
+  line.output(command->add_option("--out", args->out, "the same with the pose T_WC and its spread"));
   command->add_option("--chessboard", args->images, "PNG images of a board, infrared or colour");
   command->add_option("--squares", args->squares, "of the board, along x and y: 8x5");
   command->add_option("--square", args->square, "m, side of a square");

@@ -2,11 +2,13 @@
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/run/check_report.hpp"
 #include "app/run/distance_check.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
+#include "core/base/standard_output.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -20,8 +22,13 @@ struct Arguments {
 };
 
 int dryRun(const CommandLine& line, const SceneDescription& scene) {
+  for (const auto& remark : scene.remarks) line.warn(remark);
   const std::string text = describeScene(scene);
-  line.print({{"passed", true}, {"scene", text}}, text);
+  // A file to read back, not a report: not a byte of it is changed.
+  if (line.json)
+    line.print({{"passed", true}, {"scene", text}}, "");
+  else if (!line.quiet)
+    writeStandardOutput(text);
   return kDone;
 }
 
@@ -41,6 +48,27 @@ std::string widened(double reach) {
   return format(", widened by %.1f mm for what is not known of their places", 1e3 * reach);
 }
 
+/// "2 limits broken, 1 reservation (refused_pose)".
+std::string whyNot(const CheckResult& result, bool strict) {
+  const auto counted = [](std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  };
+  std::string text;
+  const auto add = [&](const std::string& reason) { text += (text.empty() ? "" : ", ") + reason; };
+  if (!result.violations.empty()) add(counted(result.violations.size(), "limit broken", "limits broken"));
+  if (strict && !result.unproven.empty())
+    add(counted(result.unproven.size(), "pair not proven", "pairs not proven"));
+  std::string kinds;
+  std::size_t failed = 0;
+  for (const Reservation& r : result.reservations) {
+    if (!failing(r, strict)) continue;
+    ++failed;
+    if (kinds.find(r.kind) == std::string::npos) kinds += (kinds.empty() ? "" : ", ") + r.kind;
+  }
+  if (failed > 0) add(counted(failed, "reservation", "reservations") + " (" + kinds + ")");
+  return text;
+}
+
 int run(const CommandLine& line, const Arguments& args) {
   const SceneDescription scene = loadScene(args.scene, args.packages);
   if (args.dry_run) return dryRun(line, scene);
@@ -50,6 +78,7 @@ int run(const CommandLine& line, const Arguments& args) {
   CheckResult all;
   auto reactions = nlohmann::ordered_json::array();
   std::string robots_text;
+  auto joint_limits = nlohmann::ordered_json::array();
   std::vector<std::string> recordings = args.recordings;
   if (recordings.empty()) recordings.emplace_back();
   for (const auto& recording : recordings) {
@@ -77,11 +106,17 @@ int run(const CommandLine& line, const Arguments& args) {
       reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
       robots_text += (recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);
     }
+    for (auto& j : jointLimitsJson(summary.joint_limits)) {
+      if (!recording.empty()) j["recording"] = recording;
+      joint_limits.push_back(std::move(j));
+    }
     if (summary.interrupted) return kInterrupted;
   }
-  const bool passed = all.violations.empty() && (!args.strict || all.unproven.empty());
-  nlohmann::ordered_json document{{"passed", passed}, {"min_distance_limit", limit}, {"frames", all.frames}};
-  std::string text;
+  const bool ok = passed(all, args.strict);
+  nlohmann::ordered_json document{{"passed", ok}, {"min_distance_limit", limit}, {"frames", all.frames}};
+  document["min_distance"] = extremeJson(all.min_distance);
+  document["min_distance_by_class"] = byClassJson(all.min_distance_by_class);
+  std::string text = closestText(all.min_distance_by_class);
   for (const auto* list : {&all.violations, &all.unproven}) {
     auto rows = nlohmann::ordered_json::array();
     for (const Violation& v : *list) {
@@ -92,17 +127,18 @@ int run(const CommandLine& line, const Arguments& args) {
     }
     document[list == &all.violations ? "violations" : "unproven"] = rows;
   }
+  document["reservations"] = reservationsJson(all.reservations);
   document["stale"] = all.stale;
   if (args.swept) document["swept"] = {{"queries", all.swept_queries}};
   if (!reactions.empty()) document["reactions"] = reactions;
+  document["joint_limits"] = joint_limits;
   text += robots_text;
-  for (const auto& name : all.stale)
-    line.warn(name + " was stale or refused at some time: its distances are not proven");
-  text += passed ? "passed\n" : "not passed\n";
-  if (!args.junit.empty()) writeJunit(all, args.scene, args.junit);
-  if (!args.report.empty()) writeHtmlReport(all, args.scene, limit, args.report);
+  text += reservationsText(all.reservations) +
+          (ok ? "passed\n" : "not passed: " + whyNot(all, args.strict) + "\n");
+  if (!args.junit.empty()) writeJunit(all, args.scene, args.strict, args.junit);
+  if (!args.report.empty()) writeHtmlReport(all, args.scene, limit, args.strict, args.report);
   line.print(document, text);
-  return passed ? kDone : kLimitBroken;
+  return ok ? kDone : kLimitBroken;
 }
 
 }  // namespace
@@ -121,8 +157,8 @@ void addCheck(CLI::App& root, CommandLine& line) {
   command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
   command->add_option("--margins", args->margins,
                       "YAML, NAME: metres; a pair then needs the sum of its margins too");
-  command->add_option("--junit", args->junit, "JUnit XML");
-  command->add_option("--report", args->report, "HTML page");
+  line.output(command->add_option("--junit", args->junit, "JUnit XML"));
+  line.output(command->add_option("--report", args->report, "HTML page"));
   command
       ->add_option("--react", args->react,
                    "on: mechanisms with a reaction move away, and every millisecond is checked; off: they "
@@ -130,7 +166,8 @@ void addCheck(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"on", "off"}));
   command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
   command->add_flag("--strict", args->strict,
-                    "fail also where distance minus its error bound is below the limit");
+                    "fail also where distance minus its error bound is below the limit, and for every "
+                    "reservation that touches safety (guessed units, open meshes, gaps, ...)");
   command->add_flag("--swept", args->swept,
                     "between frames too: certified for bodies that go straight from pose to pose");
   addPackagePath(command, args->packages);

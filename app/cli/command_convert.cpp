@@ -117,7 +117,8 @@ void addConvert(CLI::App& root, CommandLine& line) {
                              "abstand convert robot.urdf robot.mech");
   auto args = std::make_shared<Arguments>();
   command->add_option("IN", args->in, "robot file (.mech or .urdf)")->required();
-  command->add_option("OUT", args->out, "robot file to write, .mech or .urdf by its extension")->required();
+  line.output(command->add_option("OUT", args->out, "robot file to write, .mech or .urdf by its extension"))
+      ->required();
   command->add_option("--postures", args->postures, "random postures that are compared")
       ->check(CLI::Range(1, 10000000));
   addPackagePath(command, args->packages);

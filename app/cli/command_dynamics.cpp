@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/mesh_argument.hpp"
+#include "app/cli/robot_texts.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -22,6 +24,7 @@ struct Arguments {
   std::string mechanism, q, qd, qdd, gravity, motion, out;
   double rate{1000.0};
   std::vector<std::string> solids, wrenches, effective;
+  PackagePaths packages;
 };
 
 int frameNamed(const Mechanism& mechanism, const std::string& name, const std::string& option) {
@@ -44,7 +47,7 @@ std::pair<int, std::vector<double>> frameAndNumbers(const Mechanism& mechanism, 
 }
 
 /// FRAME:MESH:DENSITY: the mesh, in the frame, of that density (kg/m^3), is added to the frame's mass.
-void addSolid(Mechanism& mechanism, const std::string& text) {
+void addSolid(Mechanism& mechanism, const std::string& text, const PackagePaths& packages) {
   const std::size_t first = text.find(':'), last = text.rfind(':');
   if (first == std::string::npos || first == last)
     throw UsageError("--solid: found '" + text + "', expected FRAME:MESH:DENSITY");
@@ -54,7 +57,7 @@ void addSolid(Mechanism& mechanism, const std::string& text) {
   if (!(density > 0.0))
     throw UsageError("--solid: found a density of " + text.substr(last + 1) +
                      ", expected more than 0 kg/m^3");
-  const MassProperties solid = massProperties(loadMesh(file).mesh);
+  const MassProperties solid = massProperties(loadMesh(meshArgument(file, packages)).mesh);
   if (solid.volume <= 0.0)
     throw ParseError({file}, "the mesh bounds no solid, expected a closed surface for a density");
   auto& inertia = mechanism.frames[static_cast<std::size_t>(frame)].inertia;
@@ -72,7 +75,7 @@ std::vector<double> jointNumbers(const std::string& text, const std::string& opt
 
 Mechanism robotWithMasses(const Arguments& args) {
   Mechanism mechanism = loadRobot(args.mechanism).mechanism;
-  for (const auto& text : args.solids) addSolid(mechanism, text);
+  for (const auto& text : args.solids) addSolid(mechanism, text, args.packages);
   double mass = 0.0;
   for (const auto& f : mechanism.frames) {
     const std::string fault = inertiaFault(f.inertia);
@@ -110,7 +113,7 @@ nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) 
 
 /// Efforts along a motion: their peaks, and every row in --out.
 nlohmann::ordered_json alongMotion(const Arguments& args, const Mechanism& mechanism, const RigidTree& tree,
-                                   const Vector3d& gravity_B, std::string& text) {
+                                   const Vector3d& gravity_B, JointLimitWatch& watch, std::string& text) {
   const SmoothMotion motion(loadMotion(args.motion, mechanism.dof));
   const auto n = static_cast<std::size_t>(mechanism.dof);
   const double rows = std::floor((motion.end() - motion.start()) * args.rate + 1e-9) + 1.0;
@@ -131,6 +134,7 @@ nlohmann::ordered_json alongMotion(const Arguments& args, const Mechanism& mecha
     const double t = motion.start() + static_cast<double>(row) / args.rate;
     motion.at(t, q, qd, qdd);
     inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, efforts);
+    watch.look(t, q, qd, qdd, efforts);
     for (std::size_t k = 0; k < n; ++k) {
       if (std::abs(efforts[k]) <= peak[k]) continue;
       peak[k] = std::abs(efforts[k]);
@@ -226,7 +230,14 @@ int run(const CommandLine& line, const Arguments& args) {
     }
     document["effective_masses"] = rows;
   }
-  if (!args.motion.empty()) document["peaks"] = alongMotion(args, mechanism, tree, gravity_B, text);
+  JointLimitWatch watch(dofLimits(mechanism));
+  if (args.motion.empty())
+    watch.look(kNaN, q, qd, qdd, efforts);
+  else
+    document["peaks"] = alongMotion(args, mechanism, tree, gravity_B, watch, text);
+  const auto limits = reportsOf("", mechanism, watch.breaches(), true);
+  document["joint_limits"] = jointLimitsJson(limits);
+  text += jointLimitsText(limits);
   line.print(document, text);
   return kDone;
 }
@@ -253,7 +264,8 @@ void addDynamics(CLI::App& root, CommandLine& line) {
   command->add_option("--motion", args->motion, "CSV t,q0,q1,...: efforts along it, as a smooth motion");
   command->add_option("--rate", args->rate, "samples a second of the motion (default: 1000)")
       ->check(CLI::Range(0.001, 1e6));
-  command->add_option("--out", args->out, "CSV of the motion with its efforts");
+  line.output(command->add_option("--out", args->out, "CSV of the motion with its efforts"));
+  addPackagePath(command, args->packages);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

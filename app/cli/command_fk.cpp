@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/robot_texts.hpp"
 #include "core/base/error.hpp"
 #include "core/mechanism/robot.hpp"
 #include "core/scene/cycle_statistics.hpp"
@@ -14,6 +15,7 @@ struct Arguments {
   std::string mechanism, q;
   std::vector<std::string> wrenches;
   int repeat{0};
+  PackagePaths packages;  ///< accepted like everywhere; frames need no meshes
 };
 
 /// FRAME:fx,fy,fz,tx,ty,tz; adds the joint efforts that it causes.
@@ -76,6 +78,12 @@ int run(const CommandLine& line, const Arguments& args) {
     const Vector3d p = state.X_BF[i].translation();
     text += format("frame %s: %.6f %.6f %.6f m\n", frame.name.c_str(), p.x(), p.y(), p.z());
   }
+  // Joint values beyond the limits, and, where a wrench acts, what the motors cannot hold.
+  JointLimitWatch watch(dofLimits(mechanism));
+  watch.look(kNaN, q, {}, {}, efforts);
+  const auto limits = reportsOf("", mechanism, watch.breaches(), false);
+  for (const JointLimitReport& r : limits) line.warn(describe(r));
+  document["joint_limits"] = jointLimitsJson(limits);
   document["joint_efforts"] = efforts;
   for (std::size_t i = 0; i < efforts.size() && !args.wrenches.empty(); ++i)
     text += format("effort of dof %zu: %.6g\n", i, efforts[i]);
@@ -101,6 +109,7 @@ void addFk(CLI::App& root, CommandLine& line) {
                       "FRAME:fx,fy,fz,tx,ty,tz in world axes at that frame's origin");
   command->add_option("--repeat", args->repeat, "time this many batches of calls")
       ->check(CLI::Range(1, 100000000));
+  addPackagePath(command, args->packages);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/base/output_folder.hpp"
 #include "core/geometry/mesh_file.hpp"
 #include "humanmodel/human_model.hpp"
 
@@ -84,11 +85,10 @@ int run(const CommandLine& line, const Arguments& args) {
                    std::string(shapeName(p.shape)).c_str(), p.length, p.contour, p.mass);
   }
   if (!args.out.empty()) {
-    std::error_code ec;
-    std::filesystem::create_directories(args.out, ec);
+    OutputFolder folder(args.out);
     for (const HumanPart& p : human.parts)
-      saveMesh(tessellate(p.shape, kMeshSagitta),
-               std::filesystem::path(args.out) / (std::string(partName(p.part)) + ".stl"));
+      saveMesh(tessellate(p.shape, kMeshSagitta), folder.place(std::string(partName(p.part)) + ".stl"));
+    folder.commit();
     text += "meshes: " + args.out + "\n";
   }
   line.print(document, text);
@@ -109,7 +109,7 @@ void addHuman(CLI::App& root, CommandLine& line) {
   command->add_option("--preset", args->preset, "thesis or anthropometric")
       ->check(CLI::IsMember({"thesis", "anthropometric"}));
   command->add_option("--set", args->set, "PART.contour=m, also length, breadth, depth, shape");
-  command->add_option("--out", args->out, "folder for one mesh a part");
+  line.output(command->add_option("--out", args->out, "folder for one mesh a part"), OutputKind::kFolder);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }
 

@@ -2,8 +2,7 @@
 
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
+#include <chrono>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -11,13 +10,18 @@
 
 #include "app/cli/version.hpp"
 #include "core/base/error.hpp"
+#include "core/base/interrupt.hpp"
+#include "core/base/message_line.hpp"
 #include "core/base/number.hpp"
+#include "core/base/progress_report.hpp"
+#include "core/base/standard_output.hpp"
 
 namespace abstand::cli {
+
 namespace {
 
-std::atomic<bool> interrupt_seen{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+/// Of a report for people; a line of a long table has some hundred.
+constexpr std::size_t kMaxLineBytes = 10'000;
 
 }  // namespace
 
@@ -26,14 +30,19 @@ void CommandLine::print(nlohmann::ordered_json document, const std::string& text
     nlohmann::ordered_json whole{{"schema_version", kSchemaVersion}, {"version", kVersion}};
     whole.update(document);
     // Names in strangers' files may be in any encoding; what is no UTF-8 becomes a replacement character.
-    std::cout << whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
+    writeStandardOutput(whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   } else if (!quiet) {
-    std::cout << text << std::flush;
+    const std::string clean = messageLines(text, kMaxLineBytes);
+    if (isStandardOutputClaimed())
+      std::cerr << clean << std::flush;
+    else
+      writeStandardOutput(clean);
   }
+  printed = true;
 }
 
 void CommandLine::warn(const std::string& text) const {
-  if (!quiet) std::cerr << "warning: " << text << "\n";
+  if (!quiet) std::cerr << "warning: " << messageLine(text) << "\n";
 }
 
 CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
@@ -98,21 +107,20 @@ nlohmann::ordered_json toJson(const Eigen::Matrix3d& M) {
   return rows;
 }
 
-bool interrupted() { return interrupt_seen.load(std::memory_order_relaxed); }
-
-void catchInterrupts() {
-  std::signal(SIGINT, [](int) { interrupt_seen.store(true, std::memory_order_relaxed); });
-}
+bool interrupted() { return interruptRequested(); }
 
 std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label) {
-  if (line.quiet || !::isatty(STDERR_FILENO) || std::getenv("NO_COLOR")) return {};
-  return [label, last = std::size_t{1000}](std::size_t done, std::size_t all) mutable {
-    const std::size_t percent = all ? 100 * done / all : 100;
-    if (percent == last) return;
-    last = percent;
-    std::fprintf(stderr, "\r%s %3zu %%%s", label.c_str(), percent, done == all ? "\n" : "");
-    std::fflush(stderr);
-  };
+  if (line.quiet) return {};
+  const bool on_terminal = ::isatty(STDERR_FILENO) != 0 && !std::getenv("NO_COLOR");
+  return ProgressReport(
+      messageLine(label), on_terminal,
+      [](const std::string& text) {
+        std::fputs(text.c_str(), stderr);
+        std::fflush(stderr);
+      },
+      [] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+      });
 }
 
 BuildMonitor buildMonitor(const CommandLine& line) {

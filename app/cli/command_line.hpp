@@ -25,14 +25,25 @@ enum ExitCode : int {
   kInterrupted = 130
 };
 
+/// What an option writes.
+enum class OutputKind : std::uint8_t { kFile, kFolder };
+
 /// The chosen subcommand, and how it shall answer.
 struct CommandLine {
   bool json{false};
   bool quiet{false};
   bool cache{true};          ///< structures may come from the user's cache folder
   std::function<int()> run;  ///< set by the subcommand that was chosen
+  std::vector<std::pair<const CLI::Option*, OutputKind>> outputs;  ///< of all subcommands
+  mutable bool printed{false};                                     ///< print() wrote a document
 
+  /// Marks an option that names an output, for checkOutputs().
+  CLI::Option* output(CLI::Option* option, OutputKind kind = OutputKind::kFile) {
+    outputs.emplace_back(option, kind);
+    return option;
+  }
   /// One JSON document, or the text for people, on stdout; nothing with --quiet (but JSON when asked for).
+  /// The text goes to stderr when an output file is standard output. Throws WriteError.
   void print(nlohmann::ordered_json document, const std::string& text) const;
   /// One line on stderr, "warning: ..."; not with --quiet.
   void warn(const std::string& text) const;
@@ -76,9 +87,8 @@ nlohmann::ordered_json toJson(const Eigen::Vector3d& v);
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& X);  ///< 3 rows of 4
 nlohmann::ordered_json toJson(const Eigen::Matrix3d& M);
 
-/// True once the user pressed Ctrl-C.
+/// True once the user pressed Ctrl-C, or the program got SIGTERM or SIGHUP.
 bool interrupted();
-void catchInterrupts();
 
 /// A progress bar on stderr when that is a terminal and neither --quiet nor NO_COLOR forbid it.
 std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label);

@@ -1,11 +1,14 @@
 // abstand pairs: which pairs of bodies can collide at all.
 #include <chrono>
 #include <map>
+#include <optional>
 
 #include "app/cli/command_line.hpp"
 #include "app/run/collision_pairs.hpp"
 #include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/text_file.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -36,6 +39,15 @@ SceneDescription load(const Arguments& args) {
   return sceneOf(args.file, args.voxel, args.packages);
 }
 
+/// Keeps what others wrote into the file.
+std::string srdfFor(const std::filesystem::path& file, const Srdf& srdf) {
+  const InputLogPause pause;
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(file, ec) || std::filesystem::file_size(file, ec) == 0)
+    return srdfText(srdf);
+  return mergedSrdfText(readFile(file, kMostRobotBytes), file.string(), srdf);
+}
+
 int run(const CommandLine& line, Arguments& args) {
   number(args.voxel, "--voxel");
   if (!args.clearance.empty()) args.study.clearance = number(args.clearance, "--clearance");
@@ -54,8 +66,13 @@ int run(const CommandLine& line, Arguments& args) {
   const double study_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   if (interrupted()) return kInterrupted;
-  if (!args.out.empty()) writeFile(args.out, pairsText(session, pairs, args.study));
-  if (!args.srdf.empty()) writeFile(args.srdf, srdfText(srdfOf(session, pairs)));
+  std::optional<OutputFile> list, srdf;
+  if (!args.out.empty()) list.emplace(args.out).stream() << pairsText(session, pairs, args.study);
+  if (!args.srdf.empty()) srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, srdfOf(session, pairs));
+  for (auto* file : {&list, &srdf})
+    if (*file) (*file)->finish();
+  for (auto* file : {&list, &srdf})
+    if (*file) (*file)->commit();
 
   const auto& objects = session.scene().objects();
   std::map<std::string, int> counts{
@@ -123,9 +140,11 @@ void addPairs(CLI::App& root, CommandLine& line) {
   command->add_option("--voxel", args->voxel, "m, of the structures, for a robot file (default: 0.005)");
   command->add_option("--threads", args->study.threads, "0: all cores; same result for any")
       ->check(CLI::Range(0, 256));
-  command->add_option("--out", args->out,
-                      "file of pairs, for people and for `pairs: {file: ...}` of a scene");
-  command->add_option("--srdf", args->srdf, "SRDF with the pairs of links that need no check");
+  line.output(command->add_option("--out", args->out,
+                                  "file of pairs, for people and for `pairs: {file: ...}` of a scene"));
+  line.output(command->add_option("--srdf", args->srdf,
+                                  "SRDF with the pairs of links that need no check; of a file that is there "
+                                  "already everything else is kept"));
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });

@@ -119,7 +119,7 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<Arguments>();
   command->add_option("SCENE", args->scene,
                       "scene file (.yaml); without one: the person of --recording alone");
-  command->add_option("--out", args->out, "folder of the clip")->required();
+  line.output(command->add_option("--out", args->out, "folder of the clip"), OutputKind::kFolder)->required();
   command
       ->add_option("--format", args->format,
                    "png: PNG and depth.txt; freenect: what libfreenect records, for its fakenect, too")

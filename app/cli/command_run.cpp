@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
@@ -16,11 +17,6 @@ struct Arguments {
   RunOptions run;
   PackagePaths packages;
 };
-
-nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& e) {
-  if (!e) return nullptr;
-  return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
-}
 
 nlohmann::ordered_json skippingJson(const RunSummary& s) {
   auto breaches = nlohmann::ordered_json::array();
@@ -52,10 +48,13 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
       {"overruns", s.overruns},
       {"period_us", RunSummary::kPeriodUs},
       {"min_distance", extremeJson(s.min_distance)},
+      {"min_distance_by_class", byClassJson(s.min_distance_by_class)},
       {"min_clearance", extremeJson(s.min_clearance)},
       {"contacts", s.contacts},
       {"peak_force", s.peak_force ? s.peak_force->value : 0.0},
       {"peak_force_at", extremeJson(s.peak_force)}};
+  if (s.peak_force) j["peak_force_at"]["virtual"] = s.peak_force_apart;
+  j["oldest_result"] = extremeJson(s.oldest_result);
   j["slowest_pair"] = nullptr;
   if (s.slowest_pair)
     j["slowest_pair"] = {
@@ -69,10 +68,12 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
     j["cycles"] = s.cycles;
     j["robots"] = robotsJson(s.robots);
   }
+  j["joint_limits"] = jointLimitsJson(s.joint_limits);
   j["build_ms"] = s.build_ms;
   j["cached_structures"] = session.cachedStructures();
   j["memory_bytes"] = s.memory_bytes;
   j["stale"] = s.stale;
+  j["reservations"] = reservationsJson(s.reservations);
   j["remarks"] = session.remarks();
   j["interrupted"] = s.interrupted;
   return j;
@@ -93,6 +94,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += timesText("  processor time of it", s.profile->work()) +
             timesText("  an empty loop as long", s.profile->empty()) +
             timesText("  processor time of that", s.profile->emptyWork());
+  text += closestText(s.min_distance_by_class);
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
@@ -104,9 +106,12 @@ std::string summaryText(const RunSummary& s, const Session& session) {
                    1e3 * s.min_clearance->value, s.min_clearance->a.c_str(), s.min_clearance->b.c_str(),
                    s.min_clearance->t);
   if (s.peak_force)
-    text += format("peak force: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
-                   s.peak_force->value, s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t,
-                   s.contacts);
+    text += format("peak %s: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
+                   s.peak_force_apart ? "virtual (margin) force" : "force", s.peak_force->value,
+                   s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t, s.contacts);
+  if (s.oldest_result)
+    text += format("oldest result: %.1f ms, %s to %s at %.3f s\n", 1e3 * s.oldest_result->value,
+                   s.oldest_result->a.c_str(), s.oldest_result->b.c_str(), s.oldest_result->t);
   text += robotsText(s.robots);
   if (s.work.rested + s.work.beyond + s.work.put_off > 0)
     text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
@@ -115,8 +120,11 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += format("faster than its max_speed: %s at %.3f s, %.2f m/s (bound %.2f); %ld stretches in all\n",
                    s.breaches.front().object.c_str(), s.breaches.front().t, s.breaches.front().speed,
                    s.breaches.front().bound, s.breach_count);
-  for (const auto& name : s.stale) text += "stale or refused poses: " + name + "\n";
-  for (const auto& remark : session.remarks()) text += remark + "\n";
+  for (const auto& remark : session.remarks())
+    if (std::none_of(s.reservations.begin(), s.reservations.end(),
+                     [&](const Reservation& r) { return r.text == remark; }))
+      text += remark + "\n";
+  text += reservationsText(s.reservations);
   return text;
 }
 
@@ -191,12 +199,12 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_flag_callback(
       "--remember", [args] { args->session.remember = true; },
       "pairs start from their last answer: faster, beyond 0.1 m up to 1 % too far (lockstep)");
-  command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair");
-  command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object");
-  command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame");
+  line.output(command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair"));
+  line.output(command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object"));
+  line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame"));
   command->add_flag("--profile", args->run.profile,
                     "processor time of the cycles, and the delays of empty loops of the same length");
-  command->add_option("--session", args->run.session_log, "HDF5 log of the run");
+  line.output(command->add_option("--session", args->run.session_log, "HDF5 log of the run"));
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));
   addPackagePath(command, args->packages);

@@ -4,8 +4,10 @@
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
+#include "app/serve/layout.hpp"
 #include "app/serve/serve_loop.hpp"
 #include "core/base/error.hpp"
+#include "core/base/standard_output.hpp"
 #include "core/base/text_file.hpp"
 #include "core/control/reaction_reader.hpp"
 #include "core/scene/yaml_document.hpp"
@@ -19,6 +21,7 @@ struct Arguments {
   std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
   std::size_t nearest{8};
   int threads{1};
+  PackagePaths packages;
   bool layout{false}, from_stdin{false};
 };
 
@@ -36,6 +39,21 @@ ReactionDescription reactionOf(const Arguments& args) {
   if (!args.resume.empty())
     reaction.stop.resume_after = numberWithin(args.resume, "--resume", 0.0, 3600.0, "s");
   return reaction;
+}
+
+nlohmann::ordered_json layoutJson(const Layout& layout) {
+  auto packets = nlohmann::ordered_json::array();
+  for (const auto& packet : layout.packets) {
+    auto fields = nlohmann::ordered_json::array();
+    for (const auto& f : packet.fields)
+      fields.push_back({{"offset", f.offset}, {"type", f.type}, {"meaning", f.meaning}});
+    packets.push_back({{"packet", packet.title}, {"bytes", packet.bytes}, {"fields", fields}});
+  }
+  return {{"packets", packets},
+          {"states", layout.states},
+          {"reasons", layout.reasons},
+          {"groups", layout.groups},
+          {"objects", layout.objects}};
 }
 
 nlohmann::ordered_json stopsJson(const ServedScene& scene) {
@@ -65,6 +83,7 @@ nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& sce
       {"lines", s.lines},
       {"joints", s.joints},
       {"skeletons", s.skeletons},
+      {"controls", s.controls},
       {"answered", s.answered},
       {"unasked", s.unasked},
       {"unsent", s.unsent},
@@ -112,9 +131,13 @@ int run(const CommandLine& line, const Arguments& args) {
   session.remember = true;
   // Resting pairs rest on what the scene file says of speeds, and that speaks of its own motion.
   session.rest = 0.0;
-  ServedScene scene(std::make_unique<Session>(loadScene(args.scene), session), served);
+  ServedScene scene(std::make_unique<Session>(loadScene(args.scene, args.packages), session), served);
+  for (const auto& remark : scene.remarks()) line.warn(remark);
   if (args.layout) {
-    std::cout << describeLayout(scene.format(), scene.names(), scene.report()) << std::flush;
+    if (line.json)
+      line.print(layoutJson(layoutOf(scene.format(), scene.names(), scene.report())), "");
+    else
+      writeStandardOutput(describeLayout(scene.format(), scene.names(), scene.report()));
     return kDone;
   }
   UdpSocket socket(bind);
@@ -153,6 +176,7 @@ void addServe(CLI::App& root, CommandLine& line) {
   command->add_flag("--stdin", args->from_stdin,
                     "skeletons come as lines of JSON from standard input, too (docs/serve.md)");
   command->add_flag("--layout", args->layout, "print the offsets of all packets of the scene, and end");
+  addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
 }

@@ -18,6 +18,11 @@ struct Arguments {
   RecordingOptions options;
 };
 
+/// A quantity that is positive where it is known; else null.
+nlohmann::ordered_json known(double value) {
+  return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
 nlohmann::ordered_json markersJson(const MarkerReport& m) {
   nlohmann::ordered_json used = nlohmann::json::array(), ignored = nlohmann::json::array(),
                          swaps = nlohmann::json::array(), bones = nlohmann::ordered_json::object();
@@ -31,15 +36,16 @@ nlohmann::ordered_json markersJson(const MarkerReport& m) {
   for (const auto& [label, why] : m.ignored) ignored.push_back({{"marker", label}, {"why", why}});
   for (const auto& s : m.swaps) swaps.push_back({{"a", s.a}, {"b", s.b}, {"frames", s.frames}});
   for (const auto& [bone, length] : m.bones) bones[bone] = length;
-  return {{"set", m.set}, {"reason", m.reason}, {"rms", m.rms},   {"stature", m.stature}, {"bones", bones},
-          {"used", used}, {"ignored", ignored}, {"swaps", swaps}, {"frames_lost", m.lost}};
+  return {{"set", m.set},         {"reason", m.reason}, {"rms", known(m.rms)}, {"stature", known(m.stature)},
+          {"bones", bones},       {"used", used},       {"ignored", ignored},  {"swaps", swaps},
+          {"frames_lost", m.lost}};
 }
 
 nlohmann::ordered_json reportJson(const Recording& recording) {
   const RecordingReport& r = recording.report;
   return {{"format", r.format},
           {"frames", recording.frames.size()},
-          {"rate", r.rate},
+          {"rate", known(r.rate)},
           {"rate_reason", r.rate_reason},
           {"duration", r.duration},
           {"units_guess", r.units_guess},
@@ -49,7 +55,7 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"up_reason", r.up_reason},
           {"sides", r.sides},
           {"sides_reason", r.sides_reason},
-          {"stature", r.stature},
+          {"stature", known(r.stature)},
           {"joint_map", r.joint_map},
           {"markers", r.markers.reason.empty() ? nlohmann::ordered_json() : markersJson(r.markers)},
           {"joints", r.joints},
@@ -111,8 +117,9 @@ std::string markersText(const MarkerReport& m) {
 
 std::string reportText(const Recording& recording, const std::string& file) {
   const RecordingReport& r = recording.report;
-  std::string text = format("%s: %s, %zu frames at %.6g Hz, %.2f s\n", file.c_str(), r.format.c_str(),
-                            recording.frames.size(), r.rate, r.duration);
+  const std::string rate = r.rate > 0.0 ? format("at %.6g Hz", r.rate) : "at a rate that is not known";
+  std::string text = format("%s: %s, %zu frames %s, %.2f s\n", file.c_str(), r.format.c_str(),
+                            recording.frames.size(), rate.c_str(), r.duration);
   text += "time: " + r.rate_reason + " (--rate)\n";
   text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units_guess.c_str(), r.scale,
                  r.units_reason.c_str());
@@ -184,8 +191,9 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   command->add_option("--marker-set", args->options.marker_set,
                       "auto, none (joints are middles of markers) or a marker set of your own");
   command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
-  command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)");
-  command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own");
+  line.output(command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)"));
+  line.output(
+      command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own"));
   command->add_flag("--doctor", args->doctor,
                     "bones, gaps, jitter, jumps and swaps, and what filters would do");
   command->add_flag("--predict", args->predict,

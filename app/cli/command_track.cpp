@@ -3,6 +3,7 @@
 #include "app/cli/track_people.hpp"
 #include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_folder.hpp"
 #include "tracking/depth/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/track_picture.hpp"
@@ -28,11 +29,9 @@ double positive(const std::string& text, const std::string& option, double least
   return value;
 }
 
-void draw(const ClipMoment& moment, const std::filesystem::path& folder) {
-  std::error_code ec;
-  std::filesystem::create_directories(folder, ec);
+void draw(const ClipMoment& moment, OutputFolder& folder) {
   const std::string name = format("person%d_%06zu.png", moment.id, moment.image);
-  saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder / name);
+  saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder.place(name));
 }
 
 int live(const CommandLine& line, const Arguments& args, const DepthStreamOptions& stream,
@@ -69,8 +68,16 @@ int run(const CommandLine& line, const Arguments& args) {
   options.person.away = awayOf(args.facing);
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
-  if (!args.pictures.empty()) options.watch = [&](const ClipMoment& moment) { draw(moment, args.pictures); };
-  if (isLiveSource(args.depth.string())) return live(line, args, stream_options, options);
+  std::optional<OutputFolder> pictures;
+  if (!args.pictures.empty()) {
+    pictures.emplace(args.pictures);
+    options.watch = [&](const ClipMoment& moment) { draw(moment, *pictures); };
+  }
+  if (isLiveSource(args.depth.string())) {
+    const int code = live(line, args, stream_options, options);
+    if (pictures) pictures->commit();
+    return code;
+  }
   if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
     throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
   std::optional<RobotView> robots;
@@ -87,11 +94,14 @@ int run(const CommandLine& line, const Arguments& args) {
         "--scene: found a recording that does not say how the camera stands, expected a camera file "
         "with T_WC (--camera)");
   const ClipTrack track = trackClip(*stream, options);
+  // Who was not found yet may be in the images that were not looked at.
+  const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
+  if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
   if (track.people.empty())
     throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
-  const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
   const Recording recording = recordingOf(track, stream->facts(), chosen);
   if (!args.out.empty()) writeSkeletonCsv(args.out, recording);
+  if (pictures) pictures->commit();
 
   const ClipPerson& person = track.people[chosen];
   const DepthFacts& facts = stream->facts();
@@ -101,14 +111,16 @@ int run(const CommandLine& line, const Arguments& args) {
                                   {"tracked", person.found},
                                   {"lost", track.images - person.found},
                                   {"fps", fps},
-                                  {"height_estimate", person.body.height},
                                   {"residual_mm", 1e3 * person.residual},
                                   {"people", peopleJson(track)},
                                   {"rate", facts.rate},
                                   {"rate_reason", facts.rate_reason},
                                   {"camera_reason", facts.camera_reason},
                                   {"world", track.world},
-                                  {"notes", recording.report.notes}};
+                                  {"notes", recording.report.notes},
+                                  {"warnings", recording.report.warnings},
+                                  {"interrupted", track.interrupted}};
+  addStature(document, person.stature);
   addFacing(document, person.facing);
   std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
                             facts.format.c_str(), track.images, track.camera.width, track.camera.height);
@@ -116,12 +128,12 @@ int run(const CommandLine& line, const Arguments& args) {
   text += "world: " + track.world + "\n";
   text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
   text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
-  text += format(
-      "height: %.2f m (--height), %.1f mm from the body on the mean, %.0f images a second of processor "
-      "time\n",
-      person.body.height, 1e3 * person.residual, fps);
+  text += "height: " + statureReason(person.stature) + " (--height)\n";
+  text += format("%.1f mm from the body on the mean, %.0f images a second of processor time\n",
+                 1e3 * person.residual, fps);
   text += facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  for (const std::string& warning : recording.report.warnings) line.warn(warning);
   line.print(document, text);
   return track.interrupted ? kInterrupted : kDone;
 }
@@ -138,9 +150,10 @@ void addTrack(CLI::App& root, CommandLine& line) {
       ->required();
   command->add_option("--camera", args->camera, "camera file (.yaml)");
   command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
-  command->add_option("--out", args->out, "CSV of the joints (m, z up)");
-  command->add_option("--pictures", args->pictures,
-                      "folder for a picture of every image with the fitted body");
+  line.output(command->add_option("--out", args->out, "CSV of the joints (m, z up)"));
+  line.output(command->add_option("--pictures", args->pictures,
+                                  "folder for a picture of every image with the fitted body"),
+              OutputKind::kFolder);
   command->add_option(
       "--scene", args->scene,
       "its robots and objects are cut out of the images; times and camera are those of the scene");

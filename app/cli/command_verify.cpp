@@ -82,7 +82,7 @@ void addVerify(CLI::App& root, CommandLine& line) {
                  "closed forms",
                  "abstand verify --report verification.html");
   auto args = std::make_shared<Arguments>();
-  command->add_option("--report", args->report, "HTML page with tables and plots");
+  line.output(command->add_option("--report", args->report, "HTML page with tables and plots"));
   command
       ->add_option("--poses", args->poses,
                    "random and adversarial poses against brute force (100000; quick: 3000)")

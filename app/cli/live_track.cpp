@@ -1,12 +1,12 @@
 // abstand track live:kinect
 #include "app/cli/live_track.hpp"
 
-#include <csignal>
 #include <iostream>
 
 #include "app/cli/track_people.hpp"
 #include "app/serve/skeleton_sender.hpp"
 #include "core/base/error.hpp"
+#include "core/base/write_error.hpp"
 #include "core/scene/cycle_statistics.hpp"
 #include "tracking/depth/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -34,7 +34,7 @@ LiveOutcome follow(LiveDepth& camera, LiveTracker& tracker, serve::SkeletonSende
   LiveFrame live;
   while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
     outcome.interrupted = interrupted();
-    if (sender && sender->isClosed()) break;
+    if (sender && sender->outputError() != 0) break;
     const LiveDepth::Outcome next = camera.next(live, kLook);
     if (next == LiveDepth::Outcome::kEnded) break;
     if (next == LiveDepth::Outcome::kNothingYet) continue;
@@ -53,8 +53,6 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (to_stdout && line.json) throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
-  // Whoever reads standard output may end; what was tracked is kept all the same.
-  if (to_stdout) std::signal(SIGPIPE, SIG_IGN);
   LiveDepth camera(args.camera, args.stream);
   const DepthFacts& facts = camera.facts();
   // A skeleton in a world that the camera made up would stand anywhere beside the robot.
@@ -70,6 +68,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   const std::string ended = camera.ended();
   const ParseError end({args.camera}, ended);
   if (track.people.empty()) {
+    if (outcome.interrupted) return endBeforeFound(line, track.images);
     if (!ended.empty()) throw end;
     throw ParseError({args.camera},
                      "found nobody in " + std::to_string(track.images) + " images, expected a person");
@@ -91,7 +90,6 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
       {"fps", rate},
       {"latency_ms",
        {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
-      {"height_estimate", person.body.height},
       {"residual_mm", 1e3 * person.residual},
       {"people", peopleJson(track)},
       {"camera_reason", facts.camera_reason},
@@ -102,10 +100,9 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
       format("%s: %zu images of %d x %d in %.1f s, %zu dropped for newer ones\n", facts.format.c_str(),
              track.images, track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
   text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
-  text +=
-      format("people: %zu; number %d (--person) tracked in %zu images, %.2f m tall, %.1f mm from the body\n",
-             track.people.size(), static_cast<int>(args.chosen) + 1, person.found, person.body.height,
-             1e3 * person.residual);
+  text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
+                 track.people.size(), static_cast<int>(args.chosen) + 1, person.found, 1e3 * person.residual);
+  text += "height: " + statureReason(person.stature) + " (--height)\n";
   text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
                  1e3 * latency.median(), 1e3 * latency.p99(), 1e3 * latency.max());
   if (sender) {
@@ -115,14 +112,21 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
                    sender->sent(), sender->refused(), sender->nameless());
   }
+  const std::vector<std::string> warnings = trackWarnings(person);
+  document["warnings"] = warnings;
+  addStature(document, person.stature);
   addFacing(document, person.facing);
   text += facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  for (const std::string& warning : warnings) line.warn(warning);
   if (!to_stdout)
     line.print(document, text);
   else if (!line.quiet)
     std::cerr << text;
   if (sender && sender->isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
+  // Whoever reads standard output may end; what was tracked is kept all the same.
+  if (sender && sender->outputError() != 0 && !sender->isClosed() && sender->outputError() != EINTR)
+    throw WriteError("standard output", sender->outputError());
   if (ended.empty()) return outcome.interrupted ? kInterrupted : kDone;
   std::cerr << end.what() << std::endl;
   return kPartly;

@@ -1,39 +1,85 @@
 // abstand: distances and contact between people and robots, without a window.
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/output_check.hpp"
 #include "app/cli/version.hpp"
 #include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
+#include "core/base/interrupt.hpp"
+#include "core/base/message_line.hpp"
+#include "core/base/standard_output.hpp"
+#include "core/base/write_error.hpp"
 
 namespace {
 
 using namespace abstand;
 
 int fail(int code, const std::string& text) {
-  std::cerr << text << std::endl;
+  // An error and its hint; nothing else has two lines.
+  const auto hint = text.find("\nhint: ");
+  std::cerr << messageLine(text.substr(0, hint)) << "\n";
+  if (hint != text.npos) std::cerr << messageLine(text.substr(hint + 1)) << "\n";
+  std::cerr << std::flush;
   return code;
 }
 
-int runCommand(const cli::CommandLine& line) {
+/// What is told of a command that an interrupt ended before it had a report.
+int endInterrupted(const cli::CommandLine& line) {
+  if (line.json && !line.printed) line.print({{"interrupted", true}}, "");
+  return fail(cli::kInterrupted, "abstand: interrupted");
+}
+
+template <class Work>
+int caught(const Work& work) {
   try {
-    return line.run();
-  } catch (const BuildCancelled&) {
+    return work();
+  } catch (const Interrupted&) {
     return fail(cli::kInterrupted, "abstand: interrupted");
   } catch (const ParseError& e) {
     return fail(cli::kBadInput, e.what());
   } catch (const UsageError& e) {
     return fail(cli::kWrongUsage, std::string("abstand: error: ") + e.what());
+  } catch (const WriteError& e) {
+    return fail(cli::kInternal, std::string("abstand: error: ") + e.what());
   } catch (const std::exception& e) {
     return fail(cli::kInternal, std::string("abstand: internal error: ") + e.what());
   }
+}
+
+int runCommand(const CLI::App& app, const cli::CommandLine& line) {
+  return caught([&] {
+    try {
+      cli::checkOutputs(app, line);
+      const int code = line.run();
+      return code == cli::kInterrupted && !line.printed ? endInterrupted(line) : code;
+    } catch (const BuildCancelled&) {
+      return endInterrupted(line);
+    } catch (const Interrupted&) {
+      return endInterrupted(line);
+    }
+  });
+}
+
+/// --help and --version.
+int printHelp(const CLI::App& app, const CLI::Success& e) {
+  return caught([&] {
+    std::ostringstream out, err;
+    const int code = app.exit(e, out, err);
+    writeStandardOutput(out.str());
+    return code;
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
-  cli::catchInterrupts();
+  reserveStandardDescriptors();
+  catchInterrupts();
+  keepInputLog();
   cli::CommandLine line;
   CLI::App app(
       "How close people come to robots, how hard a touch would be, and which safety margin is right.\n"
@@ -59,10 +105,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
-    return app.exit(e);
+    return printHelp(app, e);
   } catch (const CLI::ParseError& e) {
     // The contract knows one code for all wrong usage.
     return fail(cli::kWrongUsage, std::string("abstand: error: ") + e.what() + "\nhint: abstand --help");
   }
-  return runCommand(line);
+  return runCommand(app, line);
 }

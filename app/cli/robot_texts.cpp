@@ -1,5 +1,7 @@
 #include "app/cli/robot_texts.hpp"
 
+#include <cmath>
+
 #include "app/cli/command_line.hpp"
 
 namespace abstand::cli {
@@ -34,6 +36,7 @@ nlohmann::ordered_json robotJson(const ReactionReport& r) {
           {"slowed", r.record.slowed},
           {"stopped", r.record.stopped},
           {"state", stateName(r.state)},
+          {"constant_mass", !r.remark.empty()},
           {"stop_count", r.stop_count},
           {"stops", stops}};
 }
@@ -51,11 +54,40 @@ std::string robotText(const ReactionReport& r) {
       "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
       "state\n",
       r.record.most_off_plan, r.record.most_torque, r.record.slowed, r.record.stopped, r.stop_count);
+  if (!r.remark.empty()) text += "  " + r.remark + "\n";
   for (const auto& line : r.lines) text += "  " + line + "\n";
   return text;
 }
 
+nlohmann::ordered_json knownNumber(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
 }  // namespace
+
+nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& reports) {
+  auto list = nlohmann::ordered_json::array();
+  for (const JointLimitReport& r : reports) {
+    nlohmann::ordered_json j;
+    if (!r.mechanism.empty()) j["mechanism"] = r.mechanism;
+    j["joint"] = r.joint;
+    j["kind"] = limitName(r.worst.kind);
+    j["value"] = knownNumber(r.worst.value);
+    j["limit"] = knownNumber(r.worst.limit);
+    j["t"] = knownNumber(r.worst.t);
+    j["since"] = knownNumber(r.worst.since);
+    j["samples"] = r.worst.count;
+    j["planned"] = r.planned;
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+std::string jointLimitsText(const std::vector<JointLimitReport>& reports) {
+  std::string text;
+  for (const JointLimitReport& r : reports) text += "beyond a joint limit: " + describe(r) + "\n";
+  return text;
+}
 
 nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots) {
   auto list = nlohmann::ordered_json::array();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/loop/loop_report.hpp"
+#include "app/run/joint_limits.hpp"
 
 namespace abstand::cli {
 
@@ -13,5 +14,10 @@ namespace abstand::cli {
 nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots);
 /// A few lines each.
 std::string robotsText(const std::vector<ReactionReport>& robots);
+
+/// `joint_limits` of the JSON document: an object each.
+nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& reports);
+/// A line each.
+std::string jointLimitsText(const std::vector<JointLimitReport>& reports);
 
 }  // namespace abstand::cli

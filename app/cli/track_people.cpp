@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::cli {
 
@@ -14,20 +15,38 @@ std::optional<bool> awayOf(const std::string& facing) {
 
 void addFacing(nlohmann::ordered_json& person, const Facing& facing) {
   person["facing"] = facing.away ? "away" : "camera";
+  person["facing_decided"] = facing.decided();
   person["facing_ratio"] =
       std::isnan(facing.ratio) ? nlohmann::ordered_json() : nlohmann::ordered_json(facing.ratio);
+}
+
+void addStature(nlohmann::ordered_json& person, const Stature& stature) {
+  constexpr std::array kSources{"given", "measured", "interval"};
+  const nlohmann::ordered_json unknown;
+  person["height_estimate"] = stature.known() ? nlohmann::ordered_json(stature.used) : unknown;
+  person["height_interval"] = stature.known() ? unknown : nlohmann::ordered_json(stature.interval);
+  person["height_source"] = kSources[static_cast<std::size_t>(stature.source)];
+  person["height_used"] = stature.used > 0.0 ? nlohmann::ordered_json(stature.used) : unknown;
 }
 
 nlohmann::ordered_json peopleJson(const ClipTrack& track) {
   auto people = nlohmann::ordered_json::array();
   for (const ClipPerson& p : track.people) {
-    people.push_back({{"id", p.id},
-                      {"tracked", p.found},
-                      {"height_estimate", p.body.height},
-                      {"residual_mm", 1e3 * p.residual}});
+    people.push_back({{"id", p.id}, {"tracked", p.found}, {"residual_mm", 1e3 * p.residual}});
+    addStature(people.back(), p.stature);
     addFacing(people.back(), p.facing);
+    people.back()["warnings"] = trackWarnings(p);
   }
   return people;
+}
+
+int endBeforeFound(const CommandLine& line, std::size_t images) {
+  line.print({{"frames", images},
+              {"tracked", 0},
+              {"people", nlohmann::ordered_json::array()},
+              {"interrupted", true}},
+             format("interrupted after %zu images, before the person was found\n", images));
+  return kInterrupted;
 }
 
 }  // namespace abstand::cli

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/command_line.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::cli {
@@ -10,10 +11,18 @@ namespace abstand::cli {
 /// "camera", "away" or "auto", as of --facing; nothing for the last. Throws UsageError.
 std::optional<bool> awayOf(const std::string& facing);
 
-/// {facing, facing_ratio} of a person.
+/// {facing, facing_decided, facing_ratio} of a person.
 void addFacing(nlohmann::ordered_json& person, const Facing& facing);
+
+/// {height_estimate, height_interval, height_source, height_used}: the estimate is null where the stature is
+/// known as an interval only, the interval null where it is known; `used` is that of the fitted body.
+void addStature(nlohmann::ordered_json& person, const Stature& stature);
 
 /// All people of a track, those found in most images first.
 nlohmann::ordered_json peopleJson(const ClipTrack& track);
+
+/// The report of a track that was interrupted after `images` images, before the person was found. Gives
+/// kInterrupted.
+int endBeforeFound(const CommandLine& line, std::size_t images);
 
 }  // namespace abstand::cli

@@ -8,6 +8,7 @@
 #include "app/depth/scene_things.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/output_folder.hpp"
 #include "tracking/depth/depth_png.hpp"
 #include "tracking/depth/freenect_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -45,20 +46,19 @@ std::vector<TriangleMesh> roomFor(const DepthCamera& camera, const ClipPeople& p
           rectangle(foot - aside, foot + aside, foot + aside + up)};
 }
 
-void writeTruth(const ClipPeople& people, std::span<const double> times,
-                const std::filesystem::path& folder) {
+void writeTruth(const ClipPeople& people, std::span<const double> times, OutputFolder& folder) {
   for (std::size_t i = 0; i < people.size(); ++i) {
     Recording truth;
     for (const double t : times) truth.frames.push_back(people.at(i, t));
-    writeSkeletonCsv(folder / (i == 0 ? "truth.csv" : "truth_" + std::to_string(i + 1) + ".csv"), truth);
+    writeSkeletonCsv(folder.place(i == 0 ? "truth.csv" : "truth_" + std::to_string(i + 1) + ".csv"), truth);
   }
 }
 
 /// Files of images, and the list of them, in one of the formats.
 class ClipFiles {
  public:
-  ClipFiles(ClipFormat form, double depth_scale, std::filesystem::path folder)
-      : format_{form}, depth_scale_{depth_scale}, folder_{std::move(folder)} {}
+  ClipFiles(ClipFormat form, double depth_scale, OutputFolder& folder)
+      : format_{form}, depth_scale_{depth_scale}, folder_{folder} {}
 
   void add(double t, const DepthImage& image) {
     char name[64], line[96];
@@ -66,26 +66,26 @@ class ClipFiles {
       const auto stamp = static_cast<std::uint32_t>(std::llround(1e6 * t));
       std::snprintf(name, sizeof name, "d-%.6f-%u.pgm", t, static_cast<unsigned>(stamp));
       std::snprintf(line, sizeof line, "%s\n", name);
-      writeFile(folder_ / name, freenectDump(image));
+      writeFile(folder_.place(name), freenectDump(image));
     } else {
       std::snprintf(name, sizeof name, "depth_%06zu.png", count_);
       std::snprintf(line, sizeof line, "%.6f %s\n", t, name);
-      saveDepthPng(image, depth_scale_, folder_ / name);
+      saveDepthPng(image, depth_scale_, folder_.place(name));
     }
     list_ += line;
     ++count_;
   }
-  void finish() const {
+  void finish() {
     if (format_ == ClipFormat::kFreenect)
-      writeFile(folder_ / "INDEX.txt", list_);
+      writeFile(folder_.place("INDEX.txt"), list_);
     else
-      writeFile(folder_ / "depth.txt", "# time [s], file\n" + list_);
+      writeFile(folder_.place("depth.txt"), "# time [s], file\n" + list_);
   }
 
  private:
   ClipFormat format_;
   double depth_scale_;
-  std::filesystem::path folder_;
+  OutputFolder& folder_;
   std::string list_;
   std::size_t count_{0};
 };
@@ -104,14 +104,13 @@ void checkFreenect(const DepthCamera& camera, std::span<const double> times) {
 }  // namespace
 
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
-                                const std::filesystem::path& folder) {
+                                const std::filesystem::path& folder_name) {
   DepthRender render(options.camera);
   const std::vector<double> times =
       timesBetween(session.frameTimes(options.rate), options.start, options.end);
   if (options.format == ClipFormat::kFreenect) checkFreenect(options.camera, times);
-  std::error_code ec;
-  std::filesystem::create_directories(folder, ec);
-  writeFile(folder / "camera.yaml", describeDepthCamera(options.camera));
+  OutputFolder folder(folder_name);
+  writeFile(folder.place("camera.yaml"), describeDepthCamera(options.camera));
 
   const SceneThings things(session, !options.skin);
   const ClipPeople people(session);
@@ -148,6 +147,7 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   }
   files.finish();
   if (summary.frames > 0) writeTruth(people, std::span(times).first(summary.frames), folder);
+  folder.commit();
   const double pixels = static_cast<double>(summary.frames) * options.camera.width * options.camera.height;
   summary.measured = pixels > 0.0 ? static_cast<double>(measured) / pixels : 0.0;
   return summary;

@@ -42,7 +42,8 @@ struct DepthClipSummary {
 /// camera's units), `depth.txt`, a line `TIME FILE` for each (s, of the scene), or for libfreenect
 /// `INDEX.txt` and `d-TIME-STAMP.pgm` (both of the scene, in s and in us); and of the first person
 /// `truth.csv`, a table of the joints that were shown (world, m); of the others `truth_2.csv` and so on.
-/// Throws UsageError.
+/// They appear together: of an interrupted clip those of the images so far, after an error none. Throws
+/// UsageError and WriteError.
 DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder);
 

@@ -119,6 +119,11 @@ void ClosedLoop::resetStops() {
     if (robot) robot->reset();
 }
 
+void ClosedLoop::setTorques(bool on) {
+  for (const auto& robot : robots_)
+    if (robot) robot->setTorques(on);
+}
+
 void ClosedLoop::capture(SceneSnapshot& out) const {
   out.loop_start = start_;
   std::size_t n = 0;

@@ -33,6 +33,8 @@ class ClosedLoop {
   void look();
   /// A person lets every robot that waits for it go on, in the next cycle.
   void resetStops();
+  /// Whether the torques of the reactions reach the motors, from the next cycle on.
+  void setTorques(bool on);
   /// Fills robots and loop_start. No allocation once `out` has its sizes.
   void capture(SceneSnapshot& out) const;
   double start() const { return start_; }  ///< s, of the first cycle

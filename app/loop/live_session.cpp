@@ -1,24 +1,19 @@
 #include "app/loop/live_session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "core/base/pacer.hpp"
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand {
 namespace {
 
 constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
-constexpr int kMostPeriods = 50;          // a cycle longer than this slows the play down instead
+constexpr int kMostPeriods = 50;          // of the step that the loop chooses
 constexpr int kPublishEvery = 4;          // rounds; the window draws at 60 Hz
-constexpr double kMostDue = 16.0;         // cycles of the closed loop in a round; more makes play slower
+constexpr double kMostRound = 0.02;       // s of wall time for cycles between two looks at the commands
 constexpr long kStatisticsWindow = 2000;  // cycles after which the shown times forget
-constexpr double kFactorWindow = 0.5;     // s over which the real-time factor is taken
 constexpr double kHeadroom = 1.3;         // of a cycle's median, for what else the loop does
-
-using Clock = std::chrono::steady_clock;
 
 template <class... Ts>
 struct Overload : Ts... {
@@ -31,6 +26,9 @@ SceneSnapshot sized(const Session& session) {
   SceneSnapshot s;
   session.capture(0.0, s);
   s.robots.resize(session.description().mechanisms.size());
+  s.joint_torques.resize(session.jointEfforts().size());
+  s.groups.resize(session.pairGroups().size());
+  s.pair_group.resize(session.scene().pairs().size());
   return s;
 }
 
@@ -39,18 +37,23 @@ SceneSnapshot sized(const Session& session) {
 struct LiveSession::Timing {
   CycleStatistics statistics{kPeriod};
   double last_s{0.0};
-  long overruns{0};
+  long cycles{0}, overruns{0};  // while playing, since it began or its speed changed
   int periods{1};
-  double played{0.0};  // s, since the real-time factor was taken last
-  double real_time_factor{0.0};
+  void restart() { cycles = overruns = 0; }
 };
 
-LiveSession::LiveSession(std::unique_ptr<Session> session, double t)
-    : session_(std::move(session)), outline_(session_->outline()), snapshots_(sized(*session_)) {
+LiveSession::LiveSession(std::unique_ptr<Session> session, double t, std::unique_ptr<LiveClock> clock)
+    : clock_(clock ? std::move(clock) : std::make_unique<SteadyLiveClock>()),
+      session_(std::move(session)),
+      outline_(session_->outline()),
+      snapshots_(sized(*session_)),
+      control_(*session_) {
+  for (const auto& m : session_->mechanisms()) torques_of_.emplace_back(*m);
+  joint_torques_.resize(outline_.joints.size());
   pending_.reserve(256);
   t_ = std::clamp(t, outline_.start, outline_.end);
   try {
-    if (session_->reacts()) closed_ = std::make_unique<ClosedLoop>(*session_, t_);
+    if (session_->reacts()) closeLoop(t_);
   } catch (const std::exception& e) {
     outline_.cannot_react = e.what();
   }
@@ -69,13 +72,22 @@ bool LiveSession::takeSnapshot(SceneSnapshot& out) {
 }
 
 void LiveSession::obey(const Command& wish, Timing& timing) {
-  std::visit(Overload{[&](command::Play c) { playing_ = c.on; },
+  std::visit(Overload{[&](command::Play c) {
+                        if (c.on == playing_) return;
+                        playing_ = c.on;
+                        if (!c.on) return;
+                        timing.restart();
+                        pace_.start(clock_->now());
+                      },
                       [&](command::Step c) { stepFrames(c.frames, timing); },
                       [&](command::Seek c) {
                         if (std::isfinite(c.t)) goTo(std::clamp(c.t, outline_.start, outline_.end));
                       },
                       [&](command::Speed c) {
-                        if (c.factor > 0.0 && std::isfinite(c.factor)) speed_ = c.factor;
+                        if (!(c.factor > 0.0) || !std::isfinite(c.factor)) return;
+                        if (playing_) pace_.advance(clock_->now(), speed_);
+                        speed_ = c.factor;
+                        timing.restart();
                       },
                       [&](command::Loop c) { looping_ = c.on; },
                       [&](command::Margin c) {
@@ -89,34 +101,84 @@ void LiveSession::obey(const Command& wish, Timing& timing) {
                         if (!session_->reacts() || !outline_.cannot_react.empty()) return;
                         if (c.on == (closed_ != nullptr)) return;
                         closed_.reset();
-                        if (c.on) closed_ = std::make_unique<ClosedLoop>(*session_, t_);
+                        if (c.on) closeLoop(t_);
                         ++loops_;
-                        due_ = 0.0;
+                        pace_.drop();
                         dirty_ = true;
                         timing.statistics.clear();
+                        timing.restart();
                       },
                       [&](command::ResetStops) {
                         if (closed_) closed_->resetStops();
+                      },
+                      [&](command::Torques c) {
+                        torques_on_ = c.on;
+                        if (closed_) closed_->setTorques(c.on);
+                      },
+                      [&](command::SetGroup c) {
+                        control_.setState(c.group, c.state, t_);
+                        dirty_ = true;
+                      },
+                      [&](command::AddPair c) {
+                        control_.add(c.group, pair(c.pair), t_);
+                        dirty_ = true;
+                      },
+                      [&](command::RemovePair c) {
+                        control_.remove(pair(c.pair), t_);
+                        dirty_ = true;
                       }},
              wish);
   fresh_ = true;
 }
 
-/// Robots that react stand on their plans there, with nothing behind them.
 void LiveSession::goTo(double t) {
+  pace_.drop();
+  begin(t);
+}
+
+/// Robots that react stand on their plans there, with nothing behind them.
+void LiveSession::begin(double t) {
   t_ = t;
-  due_ = 0.0;
   if (closed_) {
     closed_.reset();  // it lets go of what robots hold before the next one takes it
-    closed_ = std::make_unique<ClosedLoop>(*session_, t);
+    closeLoop(t);
     ++loops_;
   }
   dirty_ = true;
 }
 
+void LiveSession::closeLoop(double t) {
+  closed_ = std::make_unique<ClosedLoop>(*session_, t);
+  closed_->setTorques(torques_on_);
+}
+
+std::optional<PairId> LiveSession::pair(int index) const {
+  if (index < 0 || static_cast<std::size_t>(index) >= session_->scene().pairs().size()) return std::nullopt;
+  return PairId(static_cast<std::uint32_t>(index));
+}
+
+/// What acts on the joints at the moment that the scene shows.
+void LiveSession::findTorques() {
+  const std::vector<double>& contact = session_->jointEfforts();
+  std::size_t first = 0;
+  for (std::size_t m = 0; m < torques_of_.size(); ++m) {
+    const auto n = static_cast<std::size_t>(session_->mechanisms()[m]->dof());
+    const std::span<TorqueParts> own = std::span(joint_torques_).subspan(first, n);
+    const ReactingRobot* robot = closed_ ? closed_->robots()[m].get() : nullptr;
+    if (robot)
+      torques_of_[m].update(robot->qd(), robot->qdd(), own);
+    else
+      torques_of_[m].updateRecorded(t_, own);
+    for (std::size_t i = 0; i < n; ++i) {
+      own[i].contact = contact[first + i];
+      own[i].reaction = robot ? robot->torque()[i] : 0.0;
+    }
+    first += n;
+  }
+}
+
 void LiveSession::stepFrames(int frames, Timing& timing) {
   playing_ = false;
-  due_ = 0.0;
   const double period = outline_.frame_period;
   if (!closed_ || frames <= 0) return goTo(std::clamp(t_ + frames * period, outline_.start, outline_.end));
   // A frame may be no whole number of cycles: from the nearest one, so that roundings do not add up.
@@ -134,26 +196,39 @@ void LiveSession::publish(const Timing& timing) {
     s.robots.clear();
     s.loop_start = kNaN;
   }
+  s.joint_torques = joint_torques_;
+  s.torques_on = torques_on_;
+  control_.capture(s);
   s.loops = loops_;
   s.step = step_;
   s.cycle_us = 1e6 * timing.last_s;
   s.cycle_median_us = 1e6 * timing.statistics.median();
   s.cycle_p99_us = 1e6 * timing.statistics.p99();
+  s.played_cycles = timing.cycles;
   s.overruns = timing.overruns;
-  s.real_time_factor = timing.real_time_factor;
+  s.step_s = step(timing);
+  s.real_time_factor = playing_ ? pace_.factor() : kNaN;
   s.playing = playing_;
   snapshots_.publish();
   fresh_ = false;
 }
 
+/// s of wall time that a cycle may take.
+double LiveSession::step(const Timing& timing) const {
+  return closed_ ? ClosedLoop::kStep / speed_ : kPeriod * timing.periods;
+}
+
 template <class Work>
 void LiveSession::timed(Timing& timing, Work work) {
-  const auto begin = Clock::now();
+  const double begin = clock_->now();
   work();
-  timing.last_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  timing.last_s = clock_->now() - begin;
+  if (playing_) {
+    ++timing.cycles;
+    if (timing.last_s > step(timing)) ++timing.overruns;
+  }
   if (timing.statistics.count() >= kStatisticsWindow) timing.statistics.clear();
   timing.statistics.add(timing.last_s);
-  if (timing.last_s > kPeriod) ++timing.overruns;
   timing.periods =
       closed_ ? 1
               : std::clamp(static_cast<int>(std::ceil(kHeadroom * timing.statistics.median() / kPeriod)), 1,
@@ -161,12 +236,21 @@ void LiveSession::timed(Timing& timing, Work work) {
   ++step_;
   dirty_ = false;
   fresh_ = true;
-  PlotSample sample{t_, kInfinity, 0.0, 0.0};
+  PlotSample sample;
+  sample.t = t_;
+  sample.min_distance = kInfinity;
   const Scene& scene = session_->scene();
   if (const auto nearest = scene.nearest()) sample.min_distance = scene.result(*nearest).distance;
   for (const PairId id : scene.touching())
     sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
-  for (double e : session_->jointEfforts()) sample.peak_effort = std::max(sample.peak_effort, std::abs(e));
+  findTorques();
+  for (const TorqueParts& joint : joint_torques_) {
+    const auto raise = [](double& most, double value) { most = std::fmax(most, std::abs(value)); };
+    raise(sample.peak_torque.contact, joint.contact);
+    raise(sample.peak_torque.reaction, joint.reaction);
+    raise(sample.peak_torque.gravity, joint.gravity);
+    raise(sample.peak_torque.motion, joint.motion);
+  }
   if (!plot_.push(sample)) samples_lost_.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -183,33 +267,44 @@ void LiveSession::reactOnce(Timing& timing) {
 
 /// Begins again, or stops.
 void LiveSession::end() {
-  if (looping_ && outline_.end > outline_.start) return goTo(outline_.start);
+  if (looping_ && outline_.end > outline_.start) return begin(outline_.start);
   playing_ = false;
   fresh_ = true;
 }
 
 void LiveSession::play(Timing& timing) {
-  if (!closed_) {
-    const double dt = kPeriod * timing.periods * speed_;
-    timing.played += dt;
-    t_ = std::min(t_ + dt, outline_.end);
-    dirty_ = true;
-    if (t_ == outline_.end) end();
-    return;
-  }
-  for (due_ = std::min(due_ + speed_, kMostDue); due_ >= 1.0 && playing_; due_ -= 1.0) {
+  pace_.advance(clock_->now(), speed_);
+  closed_ ? playClosed(timing) : playRecorded(timing);
+}
+
+/// To where wall time has come to, and no farther than the end: it is shown, and the next round begins again.
+void LiveSession::playRecorded(Timing&) {
+  pace_.forgive(speed_, speed_ * PlayPace::kMostLag);
+  if (t_ >= outline_.end) end();
+  if (!playing_) return;
+  const double dt = std::min(pace_.due(), outline_.end - t_);
+  pace_.played(dt);
+  t_ = pace_.due() > 0.0 ? outline_.end : t_ + dt;
+  dirty_ = true;
+  if (t_ >= outline_.end && !looping_) end();
+}
+
+void LiveSession::playClosed(Timing& timing) {
+  const double until = clock_->now() + kMostRound;
+  while (pace_.due() >= ClosedLoop::kStep && playing_ && !stop_) {
     // The last cycle is the one nearest to the end.
     if (closed_->time() > outline_.end + 0.5 * ClosedLoop::kStep) end();
     if (!playing_) return;
     reactOnce(timing);
-    timing.played += ClosedLoop::kStep;
+    pace_.played(ClosedLoop::kStep);
+    if (clock_->now() >= until) break;
   }
+  pace_.forgive(speed_, 0.0);
 }
 
 void LiveSession::loop(Timing& timing) {
-  Pacer pacer{std::chrono::microseconds(static_cast<long>(1e6 * kPeriod))};
-  auto mark = Clock::now();
-  int unseen = 0;  // rounds since the last snapshot
+  double next = clock_->now();  // s, when the next round begins
+  int unseen = 0;               // rounds since the last snapshot
   while (!stop_) {
     pending_.clear();
     commands_.drainInto(pending_);
@@ -222,14 +317,9 @@ void LiveSession::loop(Timing& timing) {
       publish(timing);
       unseen = 0;
     }
-    const double wall = std::chrono::duration<double>(Clock::now() - mark).count();
-    if (wall > kFactorWindow) {
-      timing.real_time_factor = timing.played / wall;
-      mark = Clock::now();
-      timing.played = 0.0;
-    }
-    for (int i = 0; i < timing.periods && !stop_; ++i)
-      if (!pacer.wait()) break;
+    // A late round does not make the next ones come in bursts.
+    next = std::max(next + kPeriod * timing.periods, clock_->now());
+    clock_->sleepUntil(next);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/session/robot_mass.hpp"
+
 namespace abstand {
 
 std::vector<ReactionReport> reportOf(const ClosedLoop& loop) {
@@ -24,6 +26,8 @@ std::vector<ReactionReport> reportOf(const ClosedLoop& loop) {
     ReactionReport& r = reports.emplace_back();
     r.name = loop.session().description().mechanisms[m].name;
     r.positioned = robot.positioned();
+    r.remark =
+        massRemark(r.name, robot.driver().mechanism(), *loop.session().description().mechanisms[m].reaction);
     r.record = robot.record();
     r.nearest = extreme(r.record.nearest);
     r.nearest_person = extreme(r.record.nearest_person);

@@ -22,6 +22,7 @@ struct ReactionReport {
   std::vector<std::string> lines;  ///< the same as sentences
   std::size_t stop_count{0};       ///< ever
   StopState state{StopState::kRunning};
+  std::string remark;  ///< massRemark(); empty: its own inertia served
 };
 
 /// Of the robots that react, in the order of the session.

@@ -11,6 +11,8 @@ namespace {
 constexpr int kMostJointed = 30;
 // Effort of brakes where the file names no limit, N m or N: no robot of this size is moved against it.
 constexpr double kBrake = 1e5;
+// rad or m, of a position-controlled joint: nearer, it is where it should be.
+constexpr double kThere = 1e-12;
 
 MechanismSolver solverOf(const RigidTree& tree) {
   const bool weightless = std::any_of(tree.bodies.begin(), tree.bodies.end(),
@@ -30,11 +32,12 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
     : driver_(driver),
       world_(world),
       hold_(description.reaction->hold),
-      reaction_(*description.reaction, driver.dof(), scene.pairs().size()),
+      reaction_(*description.reaction, driver.dof(), scene.pairs().size(), dofLimits(driver.mechanism())),
       pairs_(driver, scene, people, *description.reaction),
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
       tree_(makeRigidTree(driver.mechanism())),
-      gravity_B_(driver.X_WB().linear().transpose() * kGravity) {
+      gravity_B_(driver.X_WB().linear().transpose() * kGravity),
+      limits_(dofLimits(driver.mechanism())) {
   if (description.reaction->braking)
     braking_.emplace(driver, scene, pairs_.own(), *description.reaction->braking);
   if (const auto link = HeldLink::find(description, *description.reaction))
@@ -43,9 +46,20 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
   const PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
   qd_.assign(plan.qd.begin(), plan.qd.end());
-  for (auto* v : {&efforts_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_})
+  // A plan that is faster than the robot begins at the robot's speed.
+  for (std::size_t i = 0; i < n; ++i)
+    qd_[i] = std::clamp(qd_[i], -limits_.limits()[i].velocity, limits_.limits()[i].velocity);
+  for (auto* v :
+       {&qdd_, &efforts_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_, &applied_, &bias_})
     v->assign(n, 0.0);
-  if (description.reaction->admittance) return;
+  limits_.look(t, q_, qd_, {}, {});
+  if (description.reaction->admittance) {
+    wanted_ = last_wanted_ = q_;
+    const bool weightless = std::any_of(tree_.bodies.begin(), tree_.bodies.end(),
+                                        [](const TreeBody& body) { return body.mass == 0.0; });
+    if (!weightless) limiter_.emplace(limits_.limits());
+    return;
+  }
   MechanismOptions options;
   options.solver = solverOf(tree_);
   try {
@@ -65,6 +79,7 @@ void ReactingRobot::place(double t, Scene& scene) {
 void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairId id = pairs_.own()[i].id;
+    if (scene.pairs()[id.index()].paused) continue;  // what it says is stale
     const double distance = scene.result(id).distance;
     take(record_.nearest, id, t, distance);
     if (pairs[i].person) take(record_.nearest_person, id, t, distance);
@@ -79,14 +94,16 @@ void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs
 
 void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   const double h = cycle.h;
+  h_ = h;
   ReactionInput input;
   input.t = cycle.t;
   input.dt = h;
+  input.q = q_;
   input.qd = qd_;
   input.planned = plan_.fullSpeed();
   input.pairs = pairs_.gather(scene, input.planned);
   input.person_age = cycle.person_age;
-  input.input_age = cycle.result_age;
+  input.input_age = std::max(cycle.result_age, pairs_.oldest(scene, cycle.t));
   driver_.efforts(scene, efforts_);
   if (held_) held_->addEfforts(efforts_);
   if (held_) input.held = &held_->look(scene);
@@ -102,13 +119,10 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
   for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
   scale_ = out.speed_scale;
+  t_next_ = cycle.t + h;
   if (positioned()) {
     plan_.advance(h, scale_);
-    const PlannedMotion plan = plan_.now();
-    for (std::size_t i = 0; i < q_.size(); ++i) {
-      next_q_[i] = out.brakes ? q_[i] : plan.q[i] + out.offset[i];
-      next_qd_[i] = (next_q_[i] - q_[i]) / h;
-    }
+    position(out, h);
     return;
   }
   drive(out);
@@ -124,6 +138,56 @@ void ReactingRobot::drive(const ReactionOutput& out) {
   inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
   for (std::size_t i = 0; i < q_.size(); ++i)
     world_.setJointEffort(number_, static_cast<int>(i), hold_efforts_[i] + torque_[i]);
+}
+
+/// The next joint values: where plan and offset say, or, where the joints cannot be there in a cycle, on the
+/// way there, slowly enough to stop in time.
+void ReactingRobot::position(const ReactionOutput& out, double h) {
+  const PlannedMotion plan = plan_.now();
+  std::swap(wanted_, last_wanted_);
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    wanted_[i] = out.brakes ? q_[i] : plan.q[i] + out.offset[i];
+    if (out.brakes) last_wanted_[i] = q_[i];
+    const double behind = last_wanted_[i] - q_[i];
+    DofLimits reach;
+    reach.upper = std::abs(behind);
+    const double braking = limiter_ ? limiter_->braking(mass_, bias_, i) : limits_.limits()[i].acceleration;
+    next_qd_[i] = (wanted_[i] - last_wanted_[i]) / h +
+                  std::copysign(velocityBounds(reach, 0.0, 0.0, braking, h).upper, behind);
+  }
+  limitPosition(h);
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    next_q_[i] = q_[i] + h * next_qd_[i];
+    if (std::abs(next_q_[i] - wanted_[i]) < kThere) next_q_[i] = wanted_[i];
+  }
+}
+
+void ReactingRobot::limitPosition(double h) {
+  const auto& limits = limits_.limits();
+  const bool weighed = limiter_ && factor(mass_) < 0;
+  if (!weighed) {
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      const VelocityBounds b = velocityBounds(limits[i], q_[i], qd_[i], limits[i].acceleration, h);
+      next_qd_[i] = std::clamp(next_qd_[i], b.lower, b.upper);
+    }
+    return;
+  }
+  // What its motors would have to give, what they can, and where that leads.
+  for (std::size_t i = 0; i < q_.size(); ++i) acceleration_[i] = (next_qd_[i] - qd_[i]) / h;
+  inverseDynamics(tree_, q_, qd_, {}, gravity_B_, {}, tree_state_, bias_);
+  inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  bool able = true;
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    const double most = limits[i].effort;
+    able = able && std::abs(hold_efforts_[i]) <= most;
+    hold_efforts_[i] = std::clamp(hold_efforts_[i], -most, most);
+  }
+  if (!able) {
+    for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] = h * (hold_efforts_[i] - bias_[i]);
+    solveMass(mass_, next_qd_);
+    for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] += qd_[i];
+  }
+  limiter_->limit(mass_, {h, q_, qd_, bias_, hold_efforts_, next_qd_, applied_});
 }
 
 void ReactingRobot::brake(bool on) {
@@ -142,6 +206,12 @@ void ReactingRobot::brake(bool on) {
 void ReactingRobot::follow() {
   const std::span<const double> q = positioned() ? std::span<const double>(next_q_) : world_.q(number_);
   const std::span<const double> qd = positioned() ? std::span<const double>(next_qd_) : world_.qd(number_);
+  for (std::size_t i = 0; i < qd_.size(); ++i) qdd_[i] = h_ > 0.0 ? (qd[i] - qd_[i]) / h_ : 0.0;
+  if (!positioned()) {
+    const std::span<const double> efforts = world_.mechanism(number_).appliedEfforts();
+    std::copy(efforts.begin(), efforts.end(), applied_.begin());
+  }
+  limits_.look(t_next_, q, qd, qdd_, applied_);
   std::copy(q.begin(), q.end(), q_.begin());
   std::copy(qd.begin(), qd.end(), qd_.begin());
 }

@@ -5,6 +5,7 @@
 #include "app/session/braking_watch.hpp"
 #include "app/session/held_link.hpp"
 #include "core/mechanism/inverse_dynamics.hpp"
+#include "core/mechanism/joint_limit_watch.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/physics_world.hpp"
 
@@ -26,8 +27,10 @@ struct RobotRecord {
 
 /// A torque-controlled robot is a body of the physics: gravity, its own inertia and what touches it move it,
 /// and its motors give the efforts of hold() and of the reaction. With the law `admittance` it is
-/// position-controlled: it stands exactly where plan and offset say, whatever touches it, and needs no
-/// masses. Loop thread only; nothing allocates or throws but the constructor.
+/// position-controlled: it goes exactly where plan and offset say, whatever touches it, as fast as its
+/// joints' limits allow, and needs no masses; where it has them, its motors' efforts are limited too. Both
+/// keep the limits of JointLimits (JointLimiter); what broke them nevertheless, limits() says. Loop thread
+/// only; nothing allocates or throws but the constructor.
 class ReactingRobot {
  public:
   /// Starts on its plan at `t`, moving as planned. Throws ParseError for a mechanism that the physics cannot
@@ -37,6 +40,8 @@ class ReactingRobot {
 
   /// A person lets it go on, in the next react().
   void reset() { reset_ = true; }
+  /// Whether the torques of its reaction reach its motors.
+  void setTorques(bool on) { reaction_.setTorques(on); }
   /// Puts the links where they are now.
   void place(double t, Scene& scene);
   /// A cycle: its time and how long it lasts, and how old (s) the person least known and the oldest result of
@@ -52,11 +57,17 @@ class ReactingRobot {
   const RobotPairs& pairs() const { return pairs_; }
   const RobotRecord& record() const { return record_; }
   const StopMachine& stops() const { return reaction_.stops(); }
+  /// What position, velocity, acceleration and effort did against the robot's limits, in every cycle.
+  const JointLimitWatch& limits() const { return limits_; }
+  /// N m or N, of the motors in the last cycle: all laws together, within the joints' limits. Of a
+  /// position-controlled robot without masses 0.
+  std::span<const double> applied() const { return applied_; }
   bool positioned() const { return number_ < 0; }  ///< position-controlled
   int number() const { return number_; }           ///< in the world
   const HeldLink* held() const { return held_ ? &*held_ : nullptr; }
   std::span<const double> q() const { return q_; }
   std::span<const double> qd() const { return qd_; }
+  std::span<const double> qdd() const { return qdd_; }        ///< rad/s^2 or m/s^2, over the last cycle
   std::span<const double> torque() const { return torque_; }  ///< of the reaction, before the joint's limit
   std::span<const double> planned() const { return plan_.now().q; }
   double speedScale() const { return scale_; }
@@ -65,6 +76,8 @@ class ReactingRobot {
  private:
   void look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene);
   void drive(const ReactionOutput& out);
+  void position(const ReactionOutput& out, double h);
+  void limitPosition(double h);
   void brake(bool on);
 
   MechanismDriver& driver_;
@@ -80,8 +93,13 @@ class ReactingRobot {
   MassMatrix mass_;
   Vector3d gravity_B_;
   int number_{-1};
-  std::vector<double> q_, qd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
+  JointLimitWatch limits_;
+  std::optional<JointLimiter> limiter_;  ///< of a position-controlled robot with masses
+  std::vector<double> q_, qd_, qdd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
+  std::vector<double> applied_, bias_, wanted_, last_wanted_;
+  double t_next_{0.0};  ///< s, of follow()
   double scale_{1.0};
+  double h_{0.0};  ///< s, of the last cycle
   bool braked_{false}, reset_{false};
   RobotRecord record_;
 };

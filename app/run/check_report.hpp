@@ -8,11 +8,14 @@
 
 namespace abstand {
 
-/// JUnit XML: one test case a violation, or a single passed one. Throws UsageError.
-void writeJunit(const CheckResult& result, const std::string& scene, const std::filesystem::path& file);
+/// JUnit XML: a failed test case for each violation, each pair not proven (`strict`) and each reservation
+/// that fails the check, with its reason, or a single passed one; all reservations as the suite's output.
+/// Throws UsageError.
+void writeJunit(const CheckResult& result, const std::string& scene, bool strict,
+                const std::filesystem::path& file);
 
 /// One HTML page without outside references. Throws UsageError.
-void writeHtmlReport(const CheckResult& result, const std::string& scene, double limit,
+void writeHtmlReport(const CheckResult& result, const std::string& scene, double limit, bool strict,
                      const std::filesystem::path& file);
 
 }  // namespace abstand

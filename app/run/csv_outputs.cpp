@@ -56,20 +56,24 @@ std::string jointsHeader(const Session& session, const ClosedLoop* loop) {
 
 }  // namespace
 
-CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop)
+CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop, bool live)
     : loop_(loop),
-      pairs_(open(paths.pairs, "t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,ax,ay,az,bx,by,bz,reach")),
+      live_(live),
+      pairs_(open(paths.pairs, std::string("t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,") +
+                                   "ax,ay,az,bx,by,bz,reach" + (live ? ",age" : ""))),
       objects_(open(paths.objects,
                     "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding,reach")),
       joints_(open(paths.joints, jointsHeader(session, loop))) {}
 
-void CsvOutputs::write(double t, const Session& session, const std::vector<PairResult>& results) {
-  if (pairs_) writePairs(t, session, results);
+void CsvOutputs::write(double t, double shown, const Session& session,
+                       const std::vector<PairResult>& results) {
+  if (pairs_) writePairs(t, shown, session, results);
   if (objects_) writeObjects(t, session);
   if (joints_) writeJoints(t, session);
 }
 
-void CsvOutputs::writePairs(double t, const Session& session, const std::vector<PairResult>& results) {
+void CsvOutputs::writePairs(double t, double shown, const Session& session,
+                            const std::vector<PairResult>& results) {
   const Scene& scene = session.scene();
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Pair& pair = scene.pairs()[i];
@@ -83,7 +87,9 @@ void CsvOutputs::writePairs(double t, const Session& session, const std::vector<
     line_ += ',' + std::to_string(r.contacts);
     addVector(line_, r.witness_a);
     addVector(line_, r.witness_b);
-    addNumber(line_, scene.reachOf(PairId(static_cast<std::uint32_t>(i))));
+    const PairId id(static_cast<std::uint32_t>(i));
+    addNumber(line_, scene.reachOf(id));
+    if (live_) addNumber(line_, scene.ageOf(id, shown));
     line_ += '\n';
     pairs_->stream() << line_;
   }
@@ -124,6 +130,11 @@ void CsvOutputs::writeJoints(double t, const Session& session) {
     }
   line_ += '\n';
   joints_->stream() << line_;
+}
+
+void CsvOutputs::finish() {
+  for (auto* file : {&pairs_, &objects_, &joints_})
+    if (*file) (*file)->finish();
 }
 
 void CsvOutputs::commit() {

@@ -20,19 +20,23 @@ class CsvOutputs {
  public:
   /// `loop`: null without a closed loop; else the joints' file has more columns. Throws UsageError when a
   /// place cannot be written.
-  CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop = nullptr);
+  /// `live`: the pairs' file has the age of each result as last column.
+  CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop, bool live);
 
-  /// `results` in the order of the scene's pairs.
-  void write(double t, const Session& session, const std::vector<PairResult>& results);
+  /// `results` in the order of the scene's pairs; `shown`: s, of the poses that the scene shows.
+  void write(double t, double shown, const Session& session, const std::vector<PairResult>& results);
+  /// Writes and checks what is left, so that commit() has only to rename. Throws WriteError.
+  void finish();
   void commit();
   bool wanted() const { return pairs_ || objects_ || joints_; }
 
  private:
-  void writePairs(double t, const Session& session, const std::vector<PairResult>& results);
+  void writePairs(double t, double shown, const Session& session, const std::vector<PairResult>& results);
   void writeObjects(double t, const Session& session);
   void writeJoints(double t, const Session& session);
 
   const ClosedLoop* loop_;
+  bool live_;
   std::unique_ptr<OutputFile> pairs_, objects_, joints_;
   std::string line_;
 };

@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace abstand {
+namespace {
+
+void takeLeast(std::optional<RunSummary::Extreme>& least, const std::optional<RunSummary::Extreme>& e) {
+  if (e && (!least || e->value < least->value)) least = e;
+}
+
+}  // namespace
 
 DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins, bool swept,
                              std::string recording)
@@ -73,9 +80,21 @@ void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {
   close(broken_, closed_broken_, all.violations);
   close(unproven_, closed_unproven_, all.unproven);
   all.frames += summary.frames;
+  takeLeast(all.min_distance, summary.min_distance);
+  for (std::size_t i = 0; i < all.min_distance_by_class.size(); ++i)
+    takeLeast(all.min_distance_by_class[i], summary.min_distance_by_class[i]);
   if (swept_) all.swept_queries += swept_->queries();
+  std::vector<Reservation> reservations = summary.reservations;
+  for (Reservation& r : reservations) r.recording = recording_;
+  addReservations(all.reservations, reservations);
   for (const auto& name : summary.stale)
     if (std::find(all.stale.begin(), all.stale.end(), name) == all.stale.end()) all.stale.push_back(name);
+}
+
+bool passed(const CheckResult& result, bool strict) {
+  if (!result.violations.empty() || (strict && !result.unproven.empty())) return false;
+  return std::none_of(result.reservations.begin(), result.reservations.end(),
+                      [strict](const Reservation& r) { return failing(r, strict); });
 }
 
 }  // namespace abstand

@@ -24,9 +24,15 @@ struct CheckResult {
   std::vector<Violation> violations;  ///< distance < limit + reach
   std::vector<Violation> unproven;    ///< not so, but distance - bound < limit + reach
   std::vector<std::string> stale;
+  std::vector<Reservation> reservations;            ///< what weakens the verdict; some of them fail the check
+  std::optional<RunSummary::Extreme> min_distance;  ///< over all recordings, in the frames
+  std::array<std::optional<RunSummary::Extreme>, kPairClasses.size()> min_distance_by_class;
   std::size_t frames{0};
   long swept_queries{0};  ///< between frames
 };
+
+/// No limit was broken and nothing was unknown; with `strict`, all is proven and nothing touches safety.
+bool passed(const CheckResult& result, bool strict);
 
 /// Watches the pairs of a scene frame by frame.
 class DistanceCheck {

@@ -15,10 +15,16 @@ double secondsSince(Clock::time_point begin) {
 
 }  // namespace
 
-LiveLoop::LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups)
+void settle(PairThreads& threads, std::vector<PairResult>& results) {
+  for (threads.collect(results); !threads.upToDate(); threads.collect(results))
+    std::this_thread::sleep_for(std::chrono::microseconds(20));
+}
+
+LiveLoop::LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups, LivePace pace)
     : session_(session),
       loop_(session, t),
       threads_(session.scene()),
+      pace_(pace),
       pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * ClosedLoop::kStep))) {
   loop_.look();
   threads_.publishPoses(session.scene());
@@ -43,10 +49,13 @@ double LiveLoop::cycle(std::vector<PairResult>& results) {
   loop_.move();
   threads_.publishPoses(scene);
   const double moving = secondsSince(begin);
-  pacer_.wait();
+  if (pace_ == LivePace::kRealTime) pacer_.wait();
   begin = Clock::now();
-  threads_.collect(results);
-  scene.take(results);
+  if (pace_ == LivePace::kRealTime)
+    threads_.collect(results);
+  else
+    settle(threads_, results);
+  scene.take(results, threads_.resultTimes());
   double oldest = loop_.time();
   for (const PairId id : felt_) oldest = std::min(oldest, threads_.resultTime(id));
   loop_.react(loop_.time() - oldest);

@@ -7,6 +7,14 @@
 
 namespace abstand {
 
+/// What a cycle of live mode waits for before it takes the results.
+enum class LivePace {
+  kRealTime,  ///< the end of its period on the wall clock
+  kSettled,   ///< that every group has finished the present poses: no result is ever old
+};
+/// Collects until every group has finished the present poses; gives other threads the processor meanwhile.
+void settle(PairThreads& threads, std::vector<PairResult>& results);
+
 /// A cycle takes a millisecond of wall time: everything goes to where it is, the groups of pairs have the
 /// rest of the millisecond for these poses, and robots react to the newest results that are there then. A
 /// group that needs longer is behind, and robots whose pairs are older than `stop.input_age` stop. What
@@ -15,7 +23,9 @@ class LiveLoop {
  public:
   /// Robots start on their plans at `t`. Throws ParseError for a robot that cannot react, UsageError where a
   /// pair of one is in no group. The session must outlive it.
-  LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups);
+  /// `pace`: what a cycle waits for.
+  LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups,
+           LivePace pace = LivePace::kRealTime);
 
   /// The cycle at loop().time(); `results`: one a pair of the scene. Seconds that this thread worked.
   double cycle(std::vector<PairResult>& results);
@@ -27,6 +37,7 @@ class LiveLoop {
   ClosedLoop loop_;
   PairThreads threads_;
   std::vector<PairId> felt_;  ///< pairs of robots that react
+  LivePace pace_;
   Pacer pacer_;
 };
 

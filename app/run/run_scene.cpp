@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/run/live_loop.hpp"
+#include "app/run/pose_watch.hpp"
 #include "app/run/session_log.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/error.hpp"
@@ -28,7 +28,7 @@ std::vector<double> timesOf(const Session& session, const RunOptions& options) {
 class Extremes {
  public:
   explicit Extremes(const Session& session)
-      : session_(session), touching_(session.scene().pairs().size(), false) {}
+      : session_(session), touching_(session.scene().pairs().size(), false), classes_(pairClasses(session)) {}
 
   /// `renewed`: the pairs whose results may differ from the last frame's; all of them in the first frame.
   void frame(double t, const std::vector<PairResult>& results, const std::vector<PairId>& renewed,
@@ -36,18 +36,22 @@ class Extremes {
     for (const PairId id : renewed) {
       const std::size_t i = id.index();
       const PairResult& r = results[i];
-      // Of equal ones in a frame the first in scene order, whatever the order of `renewed`.
-      if (r.distance < distance_ || (r.distance == distance_ && t == distance_t_ && i < distance_pair_)) {
-        distance_ = r.distance;
-        distance_pair_ = i;
-        distance_t_ = t;
+      const double age = session_.scene().ageOf(id, t);
+      if (age > age_ || (age == age_ && t == age_t_ && i < age_pair_)) {
+        age_ = age;
+        age_pair_ = i;
+        age_t_ = t;
       }
+      distance_.offer(r.distance, t, i);
+      if (classes_[i] != PairClass::kOther)
+        least_[static_cast<std::size_t>(classes_[i])].offer(r.distance, t, i);
       lookAtClearance(id, t, r.distance);
       const double force = r.force_a.norm();
       if (force > force_ || (force == force_ && t == force_t_ && i < force_pair_)) {
         force_ = force;
         force_pair_ = i;
         force_t_ = t;
+        force_apart_ = r.distance > 0.0;
       }
       const bool touches = r.contacts > 0;
       if (touches != touching_[i]) touching_count_ += touches ? 1 : -1;
@@ -62,9 +66,12 @@ class Extremes {
           lookAtClearance(id, t, results[id.index()].distance);
   }
 
-  void finish(RunSummary& summary) const {
-    if (distance_ < kInfinity) summary.min_distance = extreme(distance_pair_, distance_t_, distance_);
-    if (clearance_ < kInfinity) summary.min_clearance = extreme(clearance_pair_, clearance_t_, clearance_);
+  void finish(RunSummary& summary, RunMode mode) const {
+    if (mode == RunMode::kLive && age_ >= 0.0) summary.oldest_result = extreme(age_pair_, age_t_, age_);
+    summary.min_distance = extreme(distance_);
+    for (std::size_t i = 0; i < least_.size(); ++i) summary.min_distance_by_class[i] = extreme(least_[i]);
+    summary.min_clearance = extreme(clearance_);
+    summary.peak_force_apart = force_apart_;
     if (force_ > 0.0) summary.peak_force = extreme(force_pair_, force_t_, force_);
   }
 
@@ -75,22 +82,33 @@ class Extremes {
   }
 
  private:
+  /// The least distance of some pairs, m; of equal ones at a time the first in scene order, whatever the
+  /// order in which they are offered.
+  struct Least {
+    double value{kInfinity}, t{0.0};
+    std::size_t pair{0};
+    void offer(double d, double at, std::size_t i) {
+      if (d < value || (d == value && at == t && i < pair)) *this = {d, at, i};
+    }
+  };
+  std::optional<RunSummary::Extreme> extreme(const Least& least) const {
+    if (!(least.value < kInfinity)) return {};
+    return extreme(least.pair, least.t, least.value);
+  }
   void lookAtClearance(PairId id, double t, double distance) {
-    const double clearance = distance - session_.scene().reachOf(id);
-    const bool first = clearance == clearance_ && t == clearance_t_ && id.index() < clearance_pair_;
-    if (!(clearance < clearance_) && !first) return;
-    clearance_ = clearance;
-    clearance_pair_ = id.index();
-    clearance_t_ = t;
+    clearance_.offer(distance - session_.scene().reachOf(id), t, id.index());
   }
 
   const Session& session_;
   std::vector<bool> touching_;
   long touching_count_{0};
-  double distance_{kInfinity}, distance_t_{0.0};
-  double clearance_{kInfinity}, clearance_t_{0.0};
+  Least distance_, clearance_;
   double force_{0.0}, force_t_{0.0};
-  std::size_t distance_pair_{0}, clearance_pair_{0}, force_pair_{0};
+  bool force_apart_{false};
+  std::vector<PairClass> classes_;
+  std::array<Least, kPairClasses.size()> least_;
+  double age_{-1.0}, age_t_{0.0};
+  std::size_t force_pair_{0}, age_pair_{0};
 };
 
 /// Times one pair a frame, in turn, outside the measured cycle.
@@ -127,7 +145,7 @@ class PairClock {
   PairResult result_;
 };
 
-/// The groups of pairs that live mode runs: the scene file's, or one group a core.
+/// The groups of pairs that live mode runs: the scene file's with one for the rest, or one group a core.
 std::vector<std::vector<PairId>> liveGroups(const Session& session) {
   const Scene& scene = session.scene();
   std::vector<std::vector<PairId>> groups;
@@ -137,16 +155,7 @@ std::vector<std::vector<PairId>> liveGroups(const Session& session) {
       groups[i % groups.size()].push_back(PairId(static_cast<std::uint32_t>(i)));
     return groups;
   }
-  for (const auto& names : session.description().threads) {
-    auto& group = groups.emplace_back();
-    for (const auto& [a, b] : names) {
-      for (std::size_t i = 0; i < scene.pairs().size(); ++i) {
-        const std::string& x = scene.object(scene.pairs()[i].a).spec.name;
-        const std::string& y = scene.object(scene.pairs()[i].b).spec.name;
-        if ((x == a && y == b) || (x == b && y == a)) group.push_back(PairId(static_cast<std::uint32_t>(i)));
-      }
-    }
-  }
+  for (const PairGroup& group : session.pairGroups()) groups.push_back(group.pairs);
   return groups;
 }
 
@@ -172,17 +181,23 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
                const RunOptions& options, bool last, RunSummary& summary, CycleStatistics& statistics,
                std::vector<PairResult>& results, const std::vector<PairId>& all,
                const std::vector<PairId>& renewed, Cycle cycle) {
-  CsvOutputs csv(last ? options.csv : CsvPaths{}, session, loop);
+  const bool live = options.mode == RunMode::kLive;
+  CsvOutputs csv(last ? options.csv : CsvPaths{}, session, loop, live);
   std::unique_ptr<SessionLog> log;
-  if (last && !options.session_log.empty()) log = std::make_unique<SessionLog>(options.session_log, session);
+  if (last && !options.session_log.empty())
+    log = std::make_unique<SessionLog>(options.session_log, session, live);
   Extremes extremes(session);
   PairClock pair_clock(session.scene());
+  PoseWatch poses(session);
   summary.contacts = 0;
   summary.frames = 0;
   bool first = true;
+  double shown = 0.0;  // s, of the last cycle
   const auto done = [&](double t, double worked) {
+    shown = t;
     statistics.add(worked);
     extremes.frame(t, results, first ? all : renewed, summary);
+    poses.cycle(t);
     if (last && options.on_cycle) options.on_cycle(t, results);
     first = false;
   };
@@ -193,13 +208,19 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
     }
     cycle(t, done);
     pair_clock.sample(session.scene());
-    csv.write(t, session, results);
-    if (log) log->write(t, session, results);
+    csv.write(t, shown, session, results);
+    if (log) log->write(t, shown, session, results);
     ++summary.frames;
     if (options.progress) options.progress(summary.frames, times.size());
   }
-  extremes.finish(summary);
+  extremes.finish(summary, options.mode);
   pair_clock.finish(extremes, summary);
+  summary.reservations = reservationsOf(session);
+  addReservations(summary.reservations, poses.reservations());
+  summary.joint_limits = jointLimitsOf(session, loop, times.front(), times.back());
+  addReservations(summary.reservations, reservationsOf(summary.joint_limits));
+  csv.finish();
+  if (log) log->finish();
   csv.commit();
   if (log) log->commit();
 }
@@ -268,7 +289,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   done(t, worked);
                 });
     } else if (react) {
-      LiveLoop live(session, times.front(), liveGroups(session));
+      LiveLoop live(session, times.front(), liveGroups(session), options.pace);
       summary.cycles = 0;
       runFrames(session, &live.loop(), times, options, last, summary, statistics, results, all, all,
                 [&](double t, const auto& done) {
@@ -283,6 +304,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
       add(live.counts(), summary.work);
       summary.robots = reportOf(live.loop());
     } else {
+      session.applyMotion(times.front());
       PairThreads threads(scene);
       for (auto& group : liveGroups(session)) threads.start(threads.addGroup(std::move(group)));
       const double period =
@@ -295,9 +317,14 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   threads.publishPoses(scene);
                   const double worked = seconds(Clock::now() - begin);
                   // The groups have the rest of the period for these poses.
-                  pacer.wait();
+                  if (options.pace == LivePace::kRealTime) pacer.wait();
                   begin = Clock::now();
-                  threads.collect(results);
+                  if (options.pace == LivePace::kRealTime)
+                    threads.collect(results);
+                  else
+                    settle(threads, results);
+                  scene.take(results, threads.resultTimes());
+                  session.sumEfforts();
                   watch();
                   done(t, worked + seconds(Clock::now() - begin));
                 });

@@ -8,6 +8,10 @@
 #include "app/loop/loop_report.hpp"
 #include "app/run/csv_outputs.hpp"
 #include "app/run/cycle_profile.hpp"
+#include "app/run/joint_limits.hpp"
+#include "app/run/live_loop.hpp"
+#include "app/run/pair_class.hpp"
+#include "app/run/reservations.hpp"
 #include "app/session/session.hpp"
 
 namespace abstand {
@@ -18,6 +22,7 @@ struct RunOptions {
   std::optional<double> start, end;  ///< s
   std::optional<double> rate;        ///< Hz; without: the frames of the recording
   RunMode mode{RunMode::kLockstep};
+  LivePace pace{LivePace::kRealTime};  ///< of live mode
   /// Mechanisms with a `reaction` react: the closed loop runs a cycle a millisecond, frames are the cycles at
   /// their times. In live mode they react to the newest results there are, a cycle old or more. Without, they
   /// follow their motion as all others.
@@ -42,13 +47,18 @@ struct RunSummary {
   double median_us{0.0}, p99_us{0.0}, p999_us{0.0}, max_us{0.0};
   long overruns{0};  ///< cycles longer than kPeriodUs
   std::optional<Extreme> min_distance;
+  std::array<std::optional<Extreme>, kPairClasses.size()> min_distance_by_class;  ///< as kPairClasses
   /// The least distance less the reach of both bodies: how near they may have been; -infinity where a body
   /// was not seen at all.
   std::optional<Extreme> min_clearance;
-  std::optional<Extreme> peak_force;    ///< N, largest force of a pair
+  std::optional<Extreme> peak_force;  ///< N, largest force of a pair
+  bool peak_force_apart{false};  ///< the bare surfaces were apart then: the force is that of margins alone
+  /// s, live mode: the result of a pair whose poses were oldest when it was taken; infinite: none had come.
+  std::optional<Extreme> oldest_result;
   long contacts{0};                     ///< pairs in contact, counted over all frames, or cycles of the loop
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
+  std::vector<Reservation> reservations;  ///< what weakens all of this
   /// How pairs came to their results, over all frames of all repeats.
   struct Work {
     long checked{0}, rested{0}, beyond{0}, put_off{0};
@@ -61,7 +71,8 @@ struct RunSummary {
   std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
   long breach_count{0};          ///< all of them
   long cycles{0};                ///< of the closed loop; 0: there was none
-  std::vector<ReactionReport> robots;  ///< those that reacted
+  std::vector<ReactionReport> robots;          ///< those that reacted
+  std::vector<JointLimitReport> joint_limits;  ///< position, velocity, acceleration and effort limits broken
   std::optional<CycleProfile> profile;
   double build_ms{0.0};
   std::size_t memory_bytes{0};

@@ -1,9 +1,11 @@
 #include "app/run/session_log.hpp"
 
 #include <hdf5.h>
-#include <unistd.h>
 
-#include "core/base/error.hpp"
+#include <cerrno>
+
+#include "core/base/output_file.hpp"
+#include "core/base/write_error.hpp"
 
 namespace abstand {
 namespace {
@@ -27,6 +29,7 @@ class GrowingTable {
     const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_chunk(plist, static_cast<int>(chunk.size()), chunk.data());
     H5Pset_deflate(plist, kDeflate);
+    H5Pset_obj_track_times(plist, false);  // the same input gives the same file
     set_ = H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
     H5Pclose(plist);
     H5Sclose(space);
@@ -68,6 +71,37 @@ class GrowingTable {
   std::vector<double> buffer_;
 };
 
+/// Once, before anything else of the library. Its own exit handler would write what a full disk refused
+/// before, and crash over it; every file is closed here, so that it has nothing to do.
+void startLibrary() {
+  static const bool started = [] {
+    H5dont_atexit();
+    return H5open() >= 0;
+  }();
+  if (!started) throw WriteError("HDF5", std::string("the library does not start"));
+  // The library prints its own stack of errors unless told not to; ours is one line.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// The system's reason in the library's stack of errors: `errno = 28, error message = 'No space left on
+/// device'`.
+std::string systemReason() {
+  std::string reason;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* entry, void* out) -> herr_t {
+        const std::string_view text = entry->desc ? entry->desc : "";
+        constexpr std::string_view kBegin = "error message = '";
+        const auto begin = text.find(kBegin);
+        if (begin == text.npos) return 0;
+        const auto from = begin + kBegin.size();
+        *static_cast<std::string*>(out) = text.substr(from, text.find('\'', from) - from);
+        return 1;
+      },
+      &reason);
+  return reason.empty() ? "the HDF5 library failed" : reason;
+}
+
 void writeNames(hid_t file, const Scene& scene) {
   std::vector<const char*> names;
   for (const Object& o : scene.objects()) names.push_back(o.spec.name.c_str());
@@ -75,7 +109,10 @@ void writeNames(hid_t file, const Scene& scene) {
   H5Tset_size(text, H5T_VARIABLE);
   const hsize_t count = names.size();
   const hid_t space = H5Screate_simple(1, &count, nullptr);
-  const hid_t set = H5Dcreate2(file, "objects", text, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(plist, false);
+  const hid_t set = H5Dcreate2(file, "objects", text, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+  H5Pclose(plist);
   H5Dwrite(set, text, H5S_ALL, H5S_ALL, H5P_DEFAULT, names.data());
   H5Dclose(set);
   H5Sclose(space);
@@ -91,7 +128,10 @@ void writePairs(hid_t file, const Scene& scene) {
   if (indices.empty()) return;
   const hsize_t dims[2] = {scene.pairs().size(), 2};
   const hid_t space = H5Screate_simple(2, dims, nullptr);
-  const hid_t set = H5Dcreate2(file, "pairs", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t plist = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(plist, false);
+  const hid_t set = H5Dcreate2(file, "pairs", H5T_NATIVE_INT, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+  H5Pclose(plist);
   H5Dwrite(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, indices.data());
   H5Dclose(set);
   H5Sclose(space);
@@ -109,32 +149,40 @@ void writeVersion(hid_t file) {
 }  // namespace
 
 struct SessionLog::Impl {
-  std::filesystem::path file, part;
-  hid_t handle{-1};
-  std::unique_ptr<GrowingTable> t, distance, bound, force, reach, q, effort;
-  hsize_t pending{0};
-  bool good{true}, committed{false};
+  explicit Impl(const std::filesystem::path& name) : file(name), out(name) {}
 
+  std::filesystem::path file;
+  OutputFile out;
+  hid_t handle{-1};
+  std::unique_ptr<GrowingTable> t, distance, bound, force, reach, q, effort, age;
+  hsize_t pending{0};
+  std::string failure;  ///< of the first failure; empty: none
+
+  /// Notes the first failure, before the library forgets its reason.
+  void expect(bool good) {
+    if (!good && failure.empty()) failure = systemReason();
+  }
   void flush() {
-    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort}) good = (*table)->flush() && good;
+    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort, &age})
+      if (*table && failure.empty()) expect((*table)->flush());
     pending = 0;
+    if (!failure.empty()) throw WriteError(file.string(), failure);
   }
   void close() {
-    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort}) table->reset();
-    if (handle >= 0) good = H5Fclose(handle) >= 0 && good;
+    // After a failure the library holds what it cannot write: nothing more is asked of it but to let go.
+    for (auto* table : {&t, &distance, &bound, &force, &reach, &q, &effort, &age}) table->reset();
+    if (handle >= 0) expect(H5Fflush(handle, H5F_SCOPE_GLOBAL) >= 0);
+    if (handle >= 0) expect(H5Fclose(handle) >= 0);
     handle = -1;
   }
 };
 
-SessionLog::SessionLog(const std::filesystem::path& file, const Session& session)
-    : impl_(std::make_unique<Impl>()) {
-  // The library prints its own stack of errors unless told not to; ours is one line.
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  impl_->file = file;
-  impl_->part = file;
-  impl_->part += ".part" + std::to_string(::getpid());
-  impl_->handle = H5Fcreate(impl_->part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (impl_->handle < 0) throw UsageError(file.string() + ": cannot be written");
+SessionLog::SessionLog(const std::filesystem::path& file, const Session& session, bool live)
+    : impl_(std::make_unique<Impl>(file)) {
+  startLibrary();
+  impl_->handle = H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  impl_->expect(impl_->handle >= 0);
+  if (impl_->handle < 0) throw WriteError(file.string(), impl_->failure);
   const hsize_t pairs = session.scene().pairs().size(), joints = session.jointEfforts().size();
   writeVersion(impl_->handle);
   writeNames(impl_->handle, session.scene());
@@ -149,17 +197,19 @@ SessionLog::SessionLog(const std::filesystem::path& file, const Session& session
   impl_->reach = table("reach", {session.scene().objectCount()});
   impl_->q = table("q", {joints});
   impl_->effort = table("effort", {joints});
+  if (live) impl_->age = table("age", {pairs});
 }
 
 SessionLog::~SessionLog() {
-  if (!impl_) return;
-  impl_->close();
-  std::error_code ignored;
-  if (!impl_->committed) std::filesystem::remove(impl_->part, ignored);
+  if (impl_) impl_->close();
 }
 
-void SessionLog::write(double t, const Session& session, const std::vector<PairResult>& results) {
+void SessionLog::write(double t, double shown, const Session& session,
+                       const std::vector<PairResult>& results) {
   impl_->t->add(t);
+  if (impl_->age)
+    for (std::uint32_t i = 0; i < results.size(); ++i)
+      impl_->age->add(session.scene().ageOf(PairId(i), shown));
   for (const auto& r : results) {
     impl_->distance->add(r.distance);
     impl_->bound->add(r.bound);
@@ -172,13 +222,17 @@ void SessionLog::write(double t, const Session& session, const std::vector<PairR
   if (++impl_->pending >= kChunkFrames) impl_->flush();
 }
 
-void SessionLog::commit() {
+void SessionLog::finish() {
+  if (impl_->handle < 0) return;
   impl_->flush();
   impl_->close();
-  std::error_code ec;
-  if (impl_->good) std::filesystem::rename(impl_->part, impl_->file, ec);
-  if (!impl_->good || ec) throw UsageError(impl_->file.string() + ": cannot be written whole");
-  impl_->committed = true;
+  if (!impl_->failure.empty()) throw WriteError(impl_->file.string(), impl_->failure);
+  impl_->out.finish();
+}
+
+void SessionLog::commit() {
+  finish();
+  impl_->out.commit();
 }
 
 }  // namespace abstand

@@ -1,30 +1,30 @@
 #include <cstdio>
 
+#include "app/serve/groups_packet.hpp"
+#include "app/serve/layout.hpp"
 #include "app/serve/state_fields.hpp"
 
 namespace abstand::serve {
 namespace {
 
+/// Gathers fields, one after the other.
 class Table {
  public:
+  explicit Table(Layout& layout) : layout_(layout) {}
+
   template <class Number>
   void row(Number, const std::string& what) {
     const char* type = std::is_floating_point_v<Number> ? "f" : std::is_signed_v<Number> ? "i" : "u";
-    char line[32];
-    std::snprintf(line, sizeof line, "%7zu  %s%-3zu ", at_, type, 8 * sizeof(Number));
-    text_ += line + what + "\n";
+    layout_.packets.back().fields.push_back({at_, type + std::to_string(8 * sizeof(Number)), what});
     at_ += sizeof(Number);
   }
   void title(const std::string& what, std::size_t bytes) {
-    text_ +=
-        (text_.empty() ? "" : "\n") + what + ": " + std::to_string(bytes) + " bytes\n offset  type meaning\n";
+    layout_.packets.push_back({what, bytes, {}});
     at_ = 0;
   }
-  void line(const std::string& what) { text_ += what + "\n"; }
-  const std::string& text() const { return text_; }
 
  private:
-  std::string text_;
+  Layout& layout_;
   std::size_t at_{0};
 };
 
@@ -67,6 +67,35 @@ void skeleton(Table& table, const PacketFormat& format) {
     table.row(std::uint8_t{}, "0");
 }
 
+void control(Table& table) {
+  table.title("control of groups of pairs and torques", kControlBytes);
+  header(table, PacketType::kControl, "0", "flags, 0", kControlBytes);
+  std::string orders = "order;";
+  for (std::uint32_t i = 0; i < kControlOrders; ++i)
+    orders += " " + std::to_string(i) + ": " + std::string(orderName(static_cast<ControlOrder>(i)));
+  table.row(std::uint32_t{}, orders);
+  table.row(std::uint32_t{}, "group; 4294967295: all");
+  table.row(std::uint32_t{}, "object a of a pair");
+  table.row(std::uint32_t{}, "object b of a pair");
+}
+
+void groups(Table& table, const PacketFormat& format) {
+  const std::size_t bytes = groupsBytes(format.groups.size());
+  table.title("groups of pairs, the answer to control", bytes);
+  header(table, PacketType::kGroups, "index of the packet that is answered", "flags, 0", bytes);
+  table.row(std::uint64_t{}, "time of the server, us");
+  table.row(std::uint32_t{},
+            "outcome; 0: done, 1: no such group, 2: no such pair, 3: the pair is in a group "
+            "already, 4: the pair is in no group");
+  table.row(std::uint32_t{}, "torques; 0: off, 1: on");
+  table.row(std::uint32_t{}, "pairs in no group");
+  table.row(std::uint32_t{}, "groups, " + std::to_string(format.groups.size()));
+  for (const std::string& name : format.groups) {
+    table.row(std::uint32_t{}, name + " state; 0: running, 1: paused, 2: stopped");
+    table.row(std::uint32_t{}, name + " pairs");
+  }
+}
+
 std::string owner(const FieldLabel& label, const PacketFormat& format, const StateNames& names) {
   using Of = FieldLabel::Of;
   const std::size_t n = format.mechanisms.size();
@@ -94,26 +123,48 @@ std::string owner(const FieldLabel& label, const PacketFormat& format, const Sta
 
 }  // namespace
 
-std::string describeLayout(const PacketFormat& format, const StateNames& names, const StateReport& report) {
-  Table table;
+Layout layoutOf(const PacketFormat& format, const StateNames& names, const StateReport& report) {
+  Layout layout;
+  Table table(layout);
   for (std::uint32_t m = 0; m < format.mechanisms.size(); ++m) joints(table, format, m);
   if (format.mechanisms.size() > 1) joints(table, format, kAllMechanisms);
   if (!format.people.empty()) skeleton(table, format);
-  const std::size_t bytes = stateBytes(report);
-  table.title("state, the answer", bytes);
+  table.title("state, the answer", stateBytes(report));
   eachField(report, {}, 0, [&](const FieldLabel& label, auto value) {
     table.row(value, owner(label, format, names) + label.what);
   });
-  table.line("\nstates");
+  control(table);
+  groups(table, format);
   for (std::size_t i = 0; i < kStopStates; ++i)
-    table.line(std::to_string(i) + " " + std::string(stateName(static_cast<StopState>(i))));
-  table.line("\nreasons; 4294967295: none");
+    layout.states.emplace_back(stateName(static_cast<StopState>(i)));
   for (std::size_t i = 0; i < kStopReasons; ++i)
-    table.line(std::to_string(i) + " " + std::string(reasonName(static_cast<StopReason>(i))));
-  table.line("\nobjects");
-  for (std::size_t i = 0; i < names.objects.size(); ++i)
-    table.line(std::to_string(i) + " " + names.objects[i]);
-  return table.text();
+    layout.reasons.emplace_back(reasonName(static_cast<StopReason>(i)));
+  layout.groups = format.groups;
+  layout.objects = names.objects;
+  return layout;
+}
+
+std::string describeLayout(const PacketFormat& format, const StateNames& names, const StateReport& report) {
+  const Layout layout = layoutOf(format, names, report);
+  std::string text;
+  for (const auto& packet : layout.packets) {
+    text += (text.empty() ? "" : "\n") + packet.title + ": " + std::to_string(packet.bytes) +
+            " bytes\n offset  type meaning\n";
+    for (const auto& field : packet.fields) {
+      char start[32];
+      std::snprintf(start, sizeof start, "%7zu  %-4s ", field.offset, field.type.c_str());
+      text += start + field.meaning + "\n";
+    }
+  }
+  const auto list = [&text](const char* title, const std::vector<std::string>& words) {
+    text += std::string("\n") + title + "\n";
+    for (std::size_t i = 0; i < words.size(); ++i) text += std::to_string(i) + " " + words[i] + "\n";
+  };
+  list("states", layout.states);
+  list("reasons; 4294967295: none", layout.reasons);
+  list("groups", layout.groups);
+  list("objects", layout.objects);
+  return text;
 }
 
 }  // namespace abstand::serve

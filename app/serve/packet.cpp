@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, kPacketFaults> kFaultNames{"none", "size",  "magic",  "version",
                                                                   "type", "index", "number", "json"};
+constexpr std::array<std::string_view, kControlOrders> kOrderNames{
+    "report", "run", "pause", "stop", "add", "remove", "torques_on", "torques_off"};
 constexpr std::size_t kMagicBytes = 4;
 
 bool usable(double v) { return std::isfinite(v) && std::abs(v) <= kMostCoordinate; }
@@ -45,7 +47,30 @@ PacketFault readSkeleton(std::span<const std::byte> bytes, const PacketFormat& f
   return PacketFault::kNone;
 }
 
+PacketFault readControl(std::span<const std::byte> bytes, const PacketFormat& format, Packet& out) {
+  if (bytes.size() != kControlBytes) return PacketFault::kSize;
+  const auto order = load<std::uint32_t>(bytes, kHeaderBytes);
+  if (order >= kControlOrders) return PacketFault::kIndex;
+  out.control = {static_cast<ControlOrder>(order), load<std::uint32_t>(bytes, kHeaderBytes + 4),
+                 load<std::uint32_t>(bytes, kHeaderBytes + 8), load<std::uint32_t>(bytes, kHeaderBytes + 12)};
+  return checkControl(format, out.control);
+}
+
 }  // namespace
+
+std::string_view orderName(ControlOrder order) { return kOrderNames[static_cast<std::size_t>(order)]; }
+
+PacketFault checkControl(const PacketFormat& format, const Control& control) noexcept {
+  const ControlOrder order = control.order;
+  const bool one = order == ControlOrder::kAdd, pair = one || order == ControlOrder::kRemove;
+  const bool groups =
+      one || order == ControlOrder::kRun || order == ControlOrder::kPause || order == ControlOrder::kStop;
+  if (groups && control.group >= format.groups.size() && (one || control.group != kAllGroups))
+    return PacketFault::kIndex;
+  if (pair && (control.a >= format.objects.size() || control.b >= format.objects.size()))
+    return PacketFault::kIndex;
+  return PacketFault::kNone;
+}
 
 std::size_t PacketFormat::dof() const {
   std::size_t sum = 0;
@@ -86,6 +111,7 @@ PacketFault parsePacket(std::span<const std::byte> bytes, const PacketFormat& fo
   if (load<std::uint32_t>(bytes, 28) != bytes.size()) return PacketFault::kSize;
   if (out.type == PacketType::kJoints) return readJoints(bytes, format, out);
   if (out.type == PacketType::kSkeleton) return readSkeleton(bytes, format, out);
+  if (out.type == PacketType::kControl) return readControl(bytes, format, out);
   return PacketFault::kType;
 }
 

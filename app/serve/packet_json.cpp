@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,7 +11,8 @@ namespace {
 
 /// What stands behind the keys, in whatever order they come.
 struct Fields {
-  std::optional<std::string_view> type, mechanism, person;
+  std::optional<std::string_view> type, mechanism, person, order, group, a, b;
+  bool control() const { return order || group || a || b; }
   std::optional<double> sequence, time_us;
   bool q{false}, joints{false}, reset{false};
 };
@@ -89,6 +91,10 @@ bool readField(std::string_view key, JsonScanner& in, Fields& fields, Packet& ou
   if (key == "time_us") return once(fields.time_us, in);
   if (key == "mechanism") return once(fields.mechanism, in);
   if (key == "person") return once(fields.person, in);
+  if (key == "do") return once(fields.order, in);
+  if (key == "group") return once(fields.group, in);
+  if (key == "a") return once(fields.a, in);
+  if (key == "b") return once(fields.b, in);
   if (key == "q") return !std::exchange(fields.q, true) && readValues(in, out);
   if (key == "joints") return !std::exchange(fields.joints, true) && readJoints(in, out.skeleton);
   if (key == "reset") {
@@ -102,7 +108,7 @@ bool readField(std::string_view key, JsonScanner& in, Fields& fields, Packet& ou
 bool usable(double v) { return std::abs(v) <= kMostCoordinate; }
 
 PacketFault finishJoints(const Fields& fields, const PacketFormat& format, Packet& out) {
-  if (!fields.q || fields.joints || fields.person) return PacketFault::kJson;
+  if (!fields.q || fields.joints || fields.person || fields.control()) return PacketFault::kJson;
   out.type = PacketType::kJoints;
   out.index = kAllMechanisms;
   if (fields.mechanism) {
@@ -118,7 +124,7 @@ PacketFault finishJoints(const Fields& fields, const PacketFormat& format, Packe
 }
 
 PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Packet& out) {
-  if (!fields.joints || !fields.person || fields.q || fields.mechanism || fields.reset)
+  if (!fields.joints || !fields.person || fields.q || fields.mechanism || fields.reset || fields.control())
     return PacketFault::kJson;
   out.type = PacketType::kSkeleton;
   out.index = 0;
@@ -131,6 +137,40 @@ PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Pac
   for (const double spread : out.skeleton.spread)
     if (!usable(spread) || spread < 0.0) return PacketFault::kNumber;
   return PacketFault::kNone;
+}
+
+/// Place of a name in a list; its length where it is not there.
+std::uint32_t placeOf(const std::vector<std::string>& names, std::string_view name) {
+  const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+  return static_cast<std::uint32_t>(place);
+}
+
+/// Fields that the order has no use for are errors.
+PacketFault finishControl(const Fields& fields, const PacketFormat& format, Packet& out) {
+  if (!fields.order || fields.q || fields.joints || fields.mechanism || fields.person || fields.reset)
+    return PacketFault::kJson;
+  out.type = PacketType::kControl;
+  out.index = 0;
+  std::uint32_t order = 0;
+  while (order < kControlOrders && orderName(static_cast<ControlOrder>(order)) != *fields.order) ++order;
+  if (order == kControlOrders) return PacketFault::kIndex;
+  out.control = {};
+  out.control.order = static_cast<ControlOrder>(order);
+  const bool one = out.control.order == ControlOrder::kAdd;
+  const bool pair = one || out.control.order == ControlOrder::kRemove;
+  const bool groups = out.control.order == ControlOrder::kRun || out.control.order == ControlOrder::kPause ||
+                      out.control.order == ControlOrder::kStop;
+  if (fields.a.has_value() != pair || fields.b.has_value() != pair) return PacketFault::kJson;
+  if (one ? !fields.group : fields.group && !groups) return PacketFault::kJson;
+  if (fields.group) {
+    out.control.group = placeOf(format.groups, *fields.group);
+    if (out.control.group == format.groups.size()) return PacketFault::kIndex;
+  }
+  if (pair) {
+    out.control.a = placeOf(format.objects, *fields.a);
+    out.control.b = placeOf(format.objects, *fields.b);
+  }
+  return checkControl(format, out.control);
 }
 
 }  // namespace
@@ -153,6 +193,7 @@ PacketFault parseJsonPacket(std::string_view text, const PacketFormat& format, P
   out.time_us = static_cast<std::uint64_t>(*fields.time_us);
   if (fields.type == "joints") return finishJoints(fields, format, out);
   if (fields.type == "skeleton") return finishSkeleton(fields, format, out);
+  if (fields.type == "control") return finishControl(fields, format, out);
   return fields.type ? PacketFault::kType : PacketFault::kJson;
 }
 

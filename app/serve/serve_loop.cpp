@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/serve/groups_packet.hpp"
 #include "core/base/error.hpp"
 #include "core/base/pacer.hpp"
 
@@ -32,6 +33,8 @@ ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& 
       quoted_names_(quoted(scene.names())),
       joints_(scene.format().mechanisms.size() + 1, PacketStream(options.stale)),
       skeletons_(scene.format().people.size(), PacketStream(options.stale)),
+      owners_(scene.format().mechanisms.size(), options.stale),
+      controls_(options.stale),
       packet_(makePacket(scene.format())),
       in_(kMostPacketBytes),
       out_(kMostPacketBytes),
@@ -70,13 +73,32 @@ void ServeLoop::onRequest() {
     drain(true);
     if (now() < scene_.nextStale()) continue;
     cycle(now());
-    const auto& robots = scene_.report().robots;
-    for (std::size_t m = 0; m < robots.size(); ++m) {
-      if (robots[m].state == states_[m]) continue;
-      send(true);
-      break;
-    }
+    tellChange();
   }
+}
+
+/// Unasked, where a state of stop is not as the last answer told it.
+bool ServeLoop::tellChange() {
+  const auto& robots = scene_.report().robots;
+  for (std::size_t m = 0; m < robots.size(); ++m) {
+    if (robots[m].state == states_[m]) continue;
+    send(true);
+    return true;
+  }
+  return false;
+}
+
+/// Obeys packet_, and answers it; who sends joints hears of a stop that it causes.
+void ServeLoop::control(const Address& from, double t) {
+  ++summary_.controls;
+  const PairControl::Outcome outcome = scene_.obey(packet_.control, t);
+  cycle(t);
+  const ReplyTo to{packet_.sequence, packet_.index, packet_.time_us, false};
+  const GroupsReport report{scene_.control(), scene_.torquesOn(), outcome, scene_.report().time_us};
+  const std::size_t bytes =
+      packet_.json ? writeGroupsJson(report, to, quoted_format_, out_) : writeGroups(report, to, out_);
+  if (bytes == 0 || !socket_.send(std::span(out_).first(bytes), from)) ++summary_.unsent;
+  if (!options_.rate) tellChange();
 }
 
 void ServeLoop::freeRun() {
@@ -100,7 +122,9 @@ void ServeLoop::drain(bool answer) {
     const double begin = steady();
     ++summary_.packets;
     const double t = now();
-    if (!take(parse(*bytes), from, t) || packet_.type != PacketType::kJoints) continue;
+    if (!take(parse(*bytes), from, t)) continue;
+    if (packet_.type == PacketType::kControl) control(from, t);
+    if (packet_.type != PacketType::kJoints) continue;
     if (!answer) continue;
     cycle(t);
     send(false);
@@ -148,15 +172,27 @@ bool ServeLoop::take(PacketFault fault, const Address& from, double t) {
     ++summary_.bad;
     return false;
   }
+  if (packet_.type == PacketType::kControl) {
+    const long others = summary_.streams.foreign;
+    const bool mine = controls_.take(packet_.sequence, t, from, summary_.streams);
+    summary_.bad += summary_.streams.foreign - others;
+    return mine;
+  }
   const bool is_joints = packet_.type == PacketType::kJoints;
   const std::size_t index = std::min<std::size_t>(packet_.index, joints_.size() - 1);
   PacketStream& stream = is_joints ? joints_[index] : skeletons_[packet_.index];
+  if (is_joints && !owners_.mayTake(packet_.index, t, from)) {
+    ++summary_.streams.foreign;
+    ++summary_.bad;
+    return false;
+  }
   const long foreign = summary_.streams.foreign;
   const bool taken = stream.take(packet_.sequence, t, from, summary_.streams);
   summary_.bad += summary_.streams.foreign - foreign;
   if (!taken) return false;
   scene_.take(packet_, t);
   if (is_joints) {
+    owners_.took(packet_.index, t, from);
     ++summary_.joints;
     last_ = {from, {packet_.sequence, packet_.index, packet_.time_us, false}, packet_.json};
   } else {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/serve/joint_owners.hpp"
 #include "app/serve/line_input.hpp"
 #include "app/serve/packet_stream.hpp"
 #include "app/serve/served_scene.hpp"
@@ -25,6 +26,7 @@ struct ServeSummary {
   long lines{0};    ///< of these, lines
   long joints{0};   ///< accepted packets of joints
   long skeletons{0};
+  long controls{0};  ///< accepted control packets, each with an answer of its own
   long answered{0};  ///< accepted packets of joints with an answer of their own
   long unasked{0};   ///< answers to no packet
   long unsent{0};    ///< answers that the system did not take
@@ -61,6 +63,8 @@ class ServeLoop {
   bool take(PacketFault fault, const Address& from, double t);
   void cycle(double t);
   void send(bool unasked);
+  bool tellChange();
+  void control(const Address& from, double t);
   void countInReport();
 
   ServedScene& scene_;
@@ -71,6 +75,8 @@ class ServeLoop {
   StateNames quoted_names_;
   std::vector<PacketStream> joints_;     ///< of each mechanism, the last of all together
   std::vector<PacketStream> skeletons_;  ///< of each person
+  JointOwners owners_;                   ///< of the mechanisms, over both kinds of streams of joints
+  PacketStream controls_;                ///< of control packets
   Packet packet_;
   std::vector<std::byte> in_, out_;
   std::optional<LineInput> lines_;

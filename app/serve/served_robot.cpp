@@ -17,8 +17,9 @@ constexpr double kLeastStep = 1e-5, kMostStep = 10.0;
 ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
                          const std::vector<bool>& people, const ReactionDescription& reaction)
     : driver_(driver),
-      reaction_(reaction, driver.dof(), scene.pairs().size()),
-      pairs_(driver, scene, people, reaction) {
+      reaction_(reaction, driver.dof(), scene.pairs().size(), dofLimits(driver.mechanism())),
+      pairs_(driver, scene, people, reaction),
+      mass_(driver.mechanism()) {
   if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
   if (const auto link = HeldLink::find(description, reaction))
     held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
@@ -59,17 +60,18 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   ReactionInput input;
   input.t = t;
   input.dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
+  input.q = driver_.q();
   input.qd = qd_;
   if (held_) input.held = &held_->look(scene);
   input.efforts = efforts_;
   input.pairs = pairs_.gather(scene, qd_);
-  input.input_age = age(t);
+  input.input_age = std::max(age(t), pairs_.oldest(scene, t));
   input.person_age = person_age;
   const std::optional<StopCause> cause = braking_ ? braking_->look(scene, driver_.q(), qd_) : std::nullopt;
   if (cause) input.causes = {&*cause, 1};
   input.reset = std::exchange(reset_, false);
   last_react_ = t;
-  const ReactionOutput out = reaction_.update(input, no_mass_);
+  const ReactionOutput out = reaction_.update(input, mass_.at(driver_.q()));
   for (std::size_t i = 0; i < torque.size(); ++i)
     torque[i] = stale_ || !std::isfinite(out.torque[i]) ? 0.0 : out.torque[i];
   if (!out.offset.empty() && !offset.empty()) std::copy(out.offset.begin(), out.offset.end(), offset.begin());

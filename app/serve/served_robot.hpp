@@ -4,6 +4,7 @@
 #include "app/serve/state_report.hpp"
 #include "app/session/braking_watch.hpp"
 #include "app/session/held_link.hpp"
+#include "app/session/robot_mass.hpp"
 
 namespace abstand::serve {
 
@@ -22,6 +23,7 @@ class ServedRobot {
   void moveTo(std::span<const double> q, double t, double stamp, Scene& scene);
   /// A person lets it go on, in the next react().
   void reset() { reset_ = true; }
+  void setTorques(bool on) { reaction_.setTorques(on); }
   /// Puts what it holds where it is now; before the scene's step.
   void placeHeld(double t, Scene& scene);
   /// Marks the links as stale when the joint values are older than `stale` s.
@@ -42,7 +44,7 @@ class ServedRobot {
   RobotPairs pairs_;
   std::optional<BrakingWatch> braking_;
   std::optional<HeldLink> held_;
-  Eigen::MatrixXd no_mass_;  ///< 0 x 0: not known
+  RobotMass mass_;
   std::vector<double> qd_, efforts_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};
   bool stale_{true}, reset_{false}, started_{false};

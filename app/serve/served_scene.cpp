@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "humanmodel/part_reach.hpp"
+
 namespace abstand::serve {
 
 ReactionDescription usualReaction() {
@@ -13,7 +15,7 @@ ReactionDescription usualReaction() {
 }
 
 ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& options)
-    : session_(std::move(session)), watch_(options.reaction.watch) {
+    : session_(std::move(session)), control_(*session_), watch_(options.reaction.watch) {
   const SceneDescription& d = session_->description();
   Scene& scene = session_->scene();
   session_->step(0.0);
@@ -37,6 +39,8 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
   }
   for (const ObjectId id : links_) names_.links.push_back(scene.object(id).spec.name);
   for (const Object& o : scene.objects()) names_.objects.push_back(o.spec.name);
+  format_.objects = names_.objects;
+  for (const PairGroup& group : session_->pairGroups()) format_.groups.push_back(group.name);
 
   std::vector<bool> people(scene.objectCount());
   for (std::size_t i = 0; i < people.size(); ++i) people[i] = person_of[i] >= 0;
@@ -51,6 +55,9 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
         reaction.stop.resume_after = options.reaction.stop.resume_after;
     }
     offsets = offsets || reaction.admittance;
+    const std::string remark =
+        massRemark(d.mechanisms[m].name, session_->mechanisms()[m]->mechanism(), reaction);
+    if (!remark.empty()) remarks_.push_back(remark);
     robots_.push_back(std::make_unique<ServedRobot>(
         *session_->mechanisms()[m], session_->description().mechanisms[m], scene, people, reaction));
   }
@@ -80,6 +87,9 @@ void ServedScene::take(const Packet& packet, double t) {
     Person& person = people_[packet.index];
     SkeletonFrame frame = packet.skeleton;
     frame.t = t;
+    // A joint that the sender's tracker guessed without saying how well.
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (frame.state[j] == JointState::kInferred && frame.spread[j] == 0.0) frame.spread[j] = kGuessedSpread;
     session_->humans()[packet.index]->follow(frame, session_->scene());
     person.last_t = t;
     person.stale = false;
@@ -94,6 +104,39 @@ void ServedScene::take(const Packet& packet, double t) {
     if (packet.reset) robot.reset();
     first += robot.dof();
   }
+}
+
+PairControl::Outcome ServedScene::obey(const Control& control, double t) {
+  const auto to = [&](PairGroupState state) {
+    if (control.group != kAllGroups) return control_.setState(static_cast<int>(control.group), state, t);
+    control_.setAll(state, t);
+    return PairControl::Outcome::kDone;
+  };
+  const auto torques = [&](bool on) {
+    for (const auto& robot : robots_) robot->setTorques(on);
+    report_.torques_on = on;
+    return PairControl::Outcome::kDone;
+  };
+  const auto pair = control_.findPair(static_cast<int>(control.a), static_cast<int>(control.b));
+  switch (control.order) {
+    case ControlOrder::kReport:
+      return PairControl::Outcome::kDone;
+    case ControlOrder::kRun:
+      return to(PairGroupState::kRunning);
+    case ControlOrder::kPause:
+      return to(PairGroupState::kPaused);
+    case ControlOrder::kStop:
+      return to(PairGroupState::kStopped);
+    case ControlOrder::kAdd:
+      return control_.add(static_cast<int>(control.group), pair, t);
+    case ControlOrder::kRemove:
+      return control_.remove(pair, t);
+    case ControlOrder::kTorquesOn:
+      return torques(true);
+    case ControlOrder::kTorquesOff:
+      return torques(false);
+  }
+  return PairControl::Outcome::kDone;
 }
 
 void ServedScene::growPeople(double t) {
@@ -139,6 +182,7 @@ void ServedScene::cycle(double t) {
   }
   reportLinks();
   reportPairs();
+  report_.not_checked = static_cast<std::uint32_t>(scene.pausedCount());
   report_.time_us = static_cast<std::uint64_t>(1e6 * t);
 }
 
@@ -162,12 +206,16 @@ Trust ServedScene::trustOf(ObjectId id) const {
   return Trust::kNone;
 }
 
+Trust ServedScene::trustOf(const Pair& pair) const {
+  return pair.paused ? Trust::kNone : std::min(trustOf(pair.a), trustOf(pair.b));
+}
+
 PairReport ServedScene::reportOf(PairId id) const {
   const Pair& pair = session_->scene().pairs()[id.index()];
   PairReport out;
   out.a = static_cast<int>(pair.a.index());
   out.b = static_cast<int>(pair.b.index());
-  out.trust = std::min(trustOf(pair.a), trustOf(pair.b));
+  out.trust = trustOf(pair);
   out.witness_a = pair.result.witness_a;
   out.witness_b = pair.result.witness_b;
   if (out.trust == Trust::kNone || std::isnan(pair.result.distance)) return out;
@@ -198,8 +246,7 @@ void ServedScene::reportPairs() {
     const int s = separation_of_[i];
     if (s < 0) continue;
     // What is not proven is the nearest of all: a part that is not known may be anywhere.
-    const bool known =
-        trustOf(scene.pairs()[i].a) != Trust::kNone && trustOf(scene.pairs()[i].b) != Trust::kNone;
+    const bool known = trustOf(scene.pairs()[i]) != Trust::kNone;
     Separation& least = separations_[static_cast<std::size_t>(s)];
     const double found = known ? rank : -kInfinity;
     const double doubt = scene.pairs()[i].result.bound + scene.reachOf(PairId(i));

@@ -5,7 +5,7 @@
 
 #include "app/serve/served_robot.hpp"
 #include "app/serve/state_packet.hpp"
-#include "app/session/session.hpp"
+#include "app/session/pair_control.hpp"
 
 namespace abstand::serve {
 
@@ -33,6 +33,10 @@ class ServedScene {
 
   /// Takes a packet that parsePacket() accepted for format(). `t`: s, when it came; never falling.
   void take(const Packet& packet, double t);
+  /// Obeys a control packet that parsePacket() accepted; from the cycle at `t` (s) on it holds.
+  PairControl::Outcome obey(const Control& control, double t);
+  const PairControl& control() const { return control_; }
+  bool torquesOn() const { return report_.torques_on; }
   /// Poses, pairs, reactions at `t`.
   void cycle(double t);
   /// s: the time at which the next input becomes stale, infinite when all are.
@@ -42,6 +46,8 @@ class ServedScene {
   StateReport& report() { return report_; }
   const std::vector<std::unique_ptr<ServedRobot>>& robots() const { return robots_; }
   const Session& session() const { return *session_; }
+  /// What a user should know of the robots, a line each.
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
   struct Person {
@@ -59,9 +65,11 @@ class ServedScene {
   void reportPairs();
   PairReport reportOf(PairId id) const;
   Trust trustOf(ObjectId id) const;
+  Trust trustOf(const Pair& pair) const;
   void addNearest(PairId id, double distance);
 
   std::unique_ptr<Session> session_;
+  PairControl control_;
   WatchOptions watch_;
   PacketFormat format_;
   StateNames names_;
@@ -73,6 +81,7 @@ class ServedScene {
   std::vector<std::pair<double, PairId>> nearest_;
   std::size_t nearest_count_{0};
   StateReport report_;
+  std::vector<std::string> remarks_;
 };
 
 }  // namespace abstand::serve

@@ -1,7 +1,8 @@
 #include "app/serve/skeleton_sender.hpp"
 
-#include <cstdio>
+#include <unistd.h>
 
+#include "core/base/descriptor_stream.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::serve {
@@ -54,7 +55,9 @@ bool SkeletonSender::write(std::size_t bytes) noexcept {
   if (bytes == 0 || bytes == line_.size()) return false;
   if (to_) return socket_->send(std::span(line_).first(bytes), *to_);
   line_[bytes] = std::byte{'\n'};
-  return std::fwrite(line_.data(), 1, bytes + 1, stdout) == bytes + 1 && std::fflush(stdout) == 0;
+  if (output_error_ == 0)
+    output_error_ = writeAll(STDOUT_FILENO, {reinterpret_cast<const char*>(line_.data()), bytes + 1});
+  return output_error_ == 0;
 }
 
 }  // namespace abstand::serve

@@ -1,6 +1,7 @@
 // Tracked people on their way to a running `abstand serve`.
 #pragma once
 
+#include <cerrno>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ class SkeletonSender {
   void send(int id, double t, const SkeletonFrame& frame) noexcept;
 
   /// Whether nobody reads standard output any more. (The caller ignores SIGPIPE.)
-  bool isClosed() const { return !to_ && refused_ > 0; }
+  bool isClosed() const { return output_error_ == EPIPE; }
+  /// errno of the first failure of standard output, 0: none.
+  int outputError() const { return output_error_; }
   long sent() const { return sent_; }
   long refused() const { return refused_; }    ///< by the system
   long nameless() const { return nameless_; }  ///< of people for whom there was no name
@@ -43,6 +46,7 @@ class SkeletonSender {
   std::vector<Name> names_;
   std::array<std::byte, kMostLineBytes> line_{};
   long sent_{0}, refused_{0}, nameless_{0};
+  int output_error_{0};
 };
 
 }  // namespace abstand::serve

@@ -40,7 +40,9 @@ void eachField(const StateReport& r, const ReplyTo& to, std::uint32_t bytes, Vis
   std::uint32_t flags = to.unasked ? kFlagUnasked : 0;
   for (const RobotReport& m : r.robots)
     if (m.refusal != ResetRefusal::kNone) flags |= kFlagRefused;
-  packet("flags; 2: unasked, 4: a reset was refused", flags);
+  if (!r.torques_on) flags |= kFlagTorquesOff;
+  if (r.not_checked > 0) flags |= kFlagNotChecked;
+  packet("flags; 2: unasked, 4: a reset was refused, 8: torques off, 16: pairs not checked", flags);
   packet("bytes of this packet", bytes);
   packet("time of the server, us", r.time_us);
   packet("last cycle, us", r.cycle_us);

@@ -42,7 +42,8 @@ std::string quote(const std::string& name) {
 
 PacketFormat quoted(PacketFormat format) {
   for (auto& m : format.mechanisms) m.name = quote(m.name);
-  for (auto& p : format.people) p = quote(p);
+  for (auto* names : {&format.people, &format.groups, &format.objects})
+    for (auto& name : *names) name = quote(name);
   return format;
 }
 
@@ -64,6 +65,8 @@ std::size_t writeStateJson(const StateReport& r, const ReplyTo& to, const Packet
   out.text(",\"late\":").number(r.late);
   out.text(",\"lost\":").number(r.lost);
   out.text(",\"duplicates\":").number(r.duplicates);
+  out.text(",\"torques_on\":").text(r.torques_on ? "true" : "false");
+  out.text(",\"not_checked\":").number(r.not_checked);
   out.text(",\"people\":").list(r.person_age.size(), [&](std::size_t i) {
     out.text("{\"name\":").text(format.people[i]).text(",\"age\":").number(r.person_age[i]).text("}");
   });

@@ -38,6 +38,8 @@ struct StateReport {
   std::uint64_t time_us{0};  ///< clock of the server, 0 at its start
   double cycle_us{0.0};      ///< of the cycle before this one
   std::uint32_t bad{0}, late{0}, lost{0}, duplicates{0};
+  bool torques_on{true};            ///< else all torques are 0, by order
+  std::uint32_t not_checked{0};     ///< pairs of groups that do not run, or of none
   std::vector<double> person_age;   ///< s, of each person's least known part; infinite: never seen
   std::vector<RobotReport> robots;  ///< of each mechanism
   std::vector<double> torque;       ///< N m or N, of all joints, to be added to the robot's own

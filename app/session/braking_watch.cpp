@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mechanism/dof_limits.hpp"
+
 namespace abstand {
 namespace {
 
@@ -21,11 +23,21 @@ MotionBounds boundsOf(const Object& part, const BrakingLawOptions& o) {
   return bounds;
 }
 
+/// No joint is said to brake harder than its robot's file allows.
+BrakingOptions withinLimits(BrakingOptions o, const Mechanism& mechanism) {
+  const std::vector<DofLimits> limits = dofLimits(mechanism);
+  o.deceleration = forJoints(BrakingOptions::kName, "deceleration", o.deceleration, mechanism.dof,
+                             BrakingOptions::kDecelerationRule);
+  for (std::size_t k = 0; k < limits.size(); ++k)
+    o.deceleration[k] = std::min(o.deceleration[k], limits[k].acceleration);
+  return o;
+}
+
 }  // namespace
 
 BrakingWatch::BrakingWatch(const MechanismDriver& driver, const Scene& scene,
                            std::span<const RobotPairs::Own> own, const BrakingLawOptions& options)
-    : options_(options), path_(options.path, driver.dof()) {
+    : options_(options), path_(withinLimits(options.path, driver.mechanism()), driver.dof()) {
   requireNumbers(options);
   std::vector<int> number(driver.links().size(), -1);
   for (const RobotPairs::Own& pair : own) {

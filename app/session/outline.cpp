@@ -30,6 +30,7 @@ SceneOutline Session::outline() const {
                                movers.contains(o.spec.group) || falling.contains(o.spec.name)});
     outline.meshes.push_back(o.spec.structure->surface->mesh(kDrawingSagitta));
   }
+  for (const PairGroup& group : pair_groups_) outline.pair_groups.push_back(group.name);
   for (const Pair& p : scene_.pairs())
     outline.pairs.emplace_back(static_cast<int>(p.a.index()), static_cast<int>(p.b.index()));
   for (std::size_t m = 0; m < mechanisms_.size(); ++m) {

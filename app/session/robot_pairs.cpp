@@ -69,6 +69,12 @@ double RobotPairs::spread(const Own& own, const Scene& scene, const Vector3d& n_
   return fastestAlong(towards, at_p, p_W, sphere) - towards.dot(at_p.linear);
 }
 
+double RobotPairs::oldest(const Scene& scene, double t) const {
+  double age = 0.0;
+  for (const Own& own : own_) age = std::max(age, scene.ageOf(own.id, t));
+  return age;
+}
+
 std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<const double> planned) {
   const Transform X_BW = driver_.X_WB().inverse();
   const auto n = static_cast<std::size_t>(driver_.dof());
@@ -79,11 +85,14 @@ std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<c
     const PairResult& r = pair.result;
     ReactionPair& out = pairs_[i];
     out = {static_cast<int>(own.id.index()), r.distance - r.bound, {}, 0.0, 0.0, own.person};
+    // Of a stale pair nothing is known: no distance, no direction, no rate.
+    if (pair.paused) out.distance = out.other_rate = kNaN;
     const bool wanted = !(out.distance >= reach_) || (own.person && people_rows_);
     if (!wanted) continue;
     const std::span<double> row = std::span(rows_).subspan(i * n, n);
     std::fill(row.begin(), row.end(), 0.0);
     out.row = row;
+    if (pair.paused) continue;
     const Vector3d n_W = partingDirection(r);
     if (!(n_W.squaredNorm() > 0.0)) continue;  // no direction is known, so no joint has to do with it
     const Vector3d n_B = X_BW.linear() * n_W;

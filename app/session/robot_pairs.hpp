@@ -35,6 +35,8 @@ class RobotPairs {
   /// order of own(); holds until the next call.
   std::span<const ReactionPair> gather(const Scene& scene, std::span<const double> planned);
   const std::vector<Own>& own() const { return own_; }
+  /// s, age at time `t` of the oldest result of its pairs (Scene::ageOf); 0 without pairs.
+  double oldest(const Scene& scene, double t) const;
 
  private:
   void moveLinks(std::span<const double> rates);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/depth/scene_things.hpp"
+#include "core/base/message_line.hpp"
 #include "core/scene/pair_selection.hpp"
 
 namespace abstand {
@@ -53,6 +54,9 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   if (poses_) bindPoses(options.poses);
   setSpeeds(plan);
   for (const auto& remark : library_.remarks()) remarks_.push_back(remark);
+  pair_groups_ = makePairGroups(scene_, description_.threads, remarks_);
+  // They quote files of strangers.
+  for (std::string& remark : remarks_) remark = messageLine(remark);
 
   std::size_t dof = 0;
   for (const auto& m : mechanisms_) dof += static_cast<std::size_t>(m->dof());
@@ -128,10 +132,10 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
     }
     if (const Recording* r = driver->recording()) {
       const auto& report = r->report;
+      const std::string stature =
+          report.stature > 0.0 ? std::to_string(report.stature).substr(0, 4) + " m" : "not known";
       remarks_.push_back(fileName(d.recording.file) + ": read as " + report.units_guess + ", " + report.up +
-                         " up, stature " + std::to_string(report.stature).substr(0, 4) + " m");
-      for (const auto& part : report.missing_parts)
-        remarks_.push_back(fileName(d.recording.file) + ": nothing moves " + part);
+                         " up, stature " + stature);
       for (const auto& note : report.notes) remarks_.push_back(fileName(d.recording.file) + ": " + note);
     }
   }
@@ -150,7 +154,12 @@ void Session::planObjects(std::vector<Planned>& plan) {
 
 void Session::selectAndAddPairs() {
   std::vector<SelectableBody> bodies;
-  for (const Object& o : scene_.objects()) bodies.push_back({o.spec.name, o.spec.group});
+  const auto is_person = [&](const std::string& group) {
+    return std::any_of(description_.humans.begin(), description_.humans.end(),
+                       [&](const HumanDescription& h) { return h.name == group; });
+  };
+  for (const Object& o : scene_.objects())
+    bodies.push_back({o.spec.name, o.spec.group, is_person(o.spec.group)});
   for (const auto& [a, b] : selectPairs(bodies, description_.pairs, adjacent_))
     scene_.addPair(ObjectId(static_cast<std::uint32_t>(a)), ObjectId(static_cast<std::uint32_t>(b)));
 }

@@ -7,6 +7,7 @@
 
 #include "app/session/human_driver.hpp"
 #include "app/session/mechanism_driver.hpp"
+#include "app/session/pair_groups.hpp"
 #include "app/session/poses_file.hpp"
 #include "app/session/structure_library.hpp"
 #include "core/scene/snapshot.hpp"
@@ -65,6 +66,8 @@ class Session {
   /// Numbers of objects, a < b, that their mechanism or person says are adjacent, whatever the scene makes of
   /// it.
   const std::vector<std::pair<int, int>>& adjacentPairs() const { return adjacent_; }
+  /// Every pair is in one of them.
+  const std::vector<PairGroup>& pairGroups() const { return pair_groups_; }
   const std::vector<double>& jointEfforts() const { return joint_efforts_; }
   double buildMs() const { return library_.buildMs(); }
   std::size_t structures() const { return library_.size(); }
@@ -72,6 +75,9 @@ class Session {
   std::size_t cachedStructures() const { return library_.cached(); }
   /// What a user should know: remarks about meshes, guesses and gaps of recordings.
   const std::vector<std::string>& remarks() const { return remarks_; }
+  const std::vector<MeshRemark>& meshRemarks() const { return library_.meshRemarks(); }
+  /// Null without `--poses`.
+  const PosesTable* poses() const { return poses_ ? &*poses_ : nullptr; }
   SceneOutline outline() const;
   /// Fills everything but the timing. No allocation once `out` has its sizes.
   void capture(double t, SceneSnapshot& out) const;
@@ -102,6 +108,7 @@ class Session {
   std::optional<PosesTable> poses_;
   std::vector<ObjectId> poses_objects_;
   std::vector<std::pair<int, int>> adjacent_;
+  std::vector<PairGroup> pair_groups_;
   std::vector<double> joint_efforts_;
   std::vector<std::string> remarks_;
 };

@@ -43,6 +43,12 @@ LoadedMesh loadScaled(const std::filesystem::path& mesh, const Vector3d& scale) 
   return loaded;
 }
 
+/// Of this size a mesh may be in another unit than metres; MeshReport::remarks says so of these sizes.
+bool oddSize(const MeshReport& report) {
+  const double size = report.extent.maxCoeff();
+  return size >= 20.0 || size < 1e-3;
+}
+
 /// One bar for structures that are built side by side.
 class SharedProgress {
  public:
@@ -89,7 +95,7 @@ StructureLibrary::Key StructureLibrary::add(const std::string& identity, std::st
 StructureLibrary::Key StructureLibrary::request(const Shape& shape, const HapticOptions& options) {
   const std::string identity = shapeText(shape);
   auto& body = bodies_[identity];
-  if (!body) body = std::make_shared<Body>(Body{{}, makeSurface(shape)});
+  if (!body) body = std::make_shared<Body>(Body{{}, makeSurface(shape), {}});
   return add(identity, identity, body, options);
 }
 
@@ -100,8 +106,15 @@ StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mes
   auto& body = bodies_[identity];
   if (!body) {
     LoadedMesh loaded = loadScaled(mesh, scale);
-    for (const auto& remark : loaded.report.remarks) remarks_.push_back(mesh.string() + ": " + remark);
-    body = std::make_shared<Body>(Body{std::move(loaded.mesh), nullptr});
+    const bool doubtful = !loaded.report.watertight || oddSize(loaded.report);
+    for (const auto& remark : loaded.report.remarks) {
+      remarks_.push_back(mesh.string() + ": " + remark);
+      mesh_remarks_.push_back({remarks_.back(), doubtful});
+    }
+    std::string doubt;
+    for (const auto& remark : loaded.report.remarks)
+      if (oddSize(loaded.report) && remark.find("probably") != std::string::npos) doubt = remark;
+    body = std::make_shared<Body>(Body{std::move(loaded.mesh), nullptr, std::move(doubt)});
   }
   return add(identity, mesh.stem().string(), body, options);
 }
@@ -139,10 +152,15 @@ void StructureLibrary::build(int threads, const BuildMonitor& monitor) {
   const int each = std::max(1, all / static_cast<int>(std::max<std::size_t>(1, missing.size())));
   parallelFor(threads, missing.size(), [&](std::size_t i) {
     Entry& e = *missing[i];
-    const MadeStructure made =
-        makeHapticStructure(cache_, e.name, e.body->surface, e.options, each, progress.part(i, e.name));
-    e.structure = made.structure;
-    if (made.cached) ++cached;
+    try {
+      const MadeStructure made =
+          makeHapticStructure(cache_, e.name, e.body->surface, e.options, each, progress.part(i, e.name));
+      e.structure = made.structure;
+      if (made.cached) ++cached;
+    } catch (const UsageError& error) {
+      throw UsageError(e.name + ": " + error.what() +
+                       (e.body->doubt.empty() ? "" : "\nhint: " + e.body->doubt));
+    }
   });
   cached_ += cached;
   for (std::string& warning : cache_.takeWarnings()) remarks_.push_back(std::move(warning));

@@ -12,6 +12,11 @@
 
 namespace abstand {
 
+struct MeshRemark {
+  std::string text;      ///< "FILE: ..."
+  bool doubtful{false};  ///< distances to the mesh may be wrong: it is open, inverted or of an odd size
+};
+
 /// Bodies with the same geometry and options share one structure. First request() them all, then build(),
 /// which spreads the work over the cores; get() by the number that request() gave.
 class StructureLibrary {
@@ -36,11 +41,14 @@ class StructureLibrary {
   std::size_t size() const { return entries_.size(); }
   /// Remarks about the meshes, "FILE: text", and about the cache.
   const std::vector<std::string>& remarks() const { return remarks_; }
+  /// Those about the meshes alone.
+  const std::vector<MeshRemark>& meshRemarks() const { return mesh_remarks_; }
 
  private:
   struct Body {
     TriangleMesh mesh;  ///< until the surface is made
     std::shared_ptr<const Surface> surface;
+    std::string doubt;  ///< that its unit may be another one; empty: none
   };
   struct Entry {
     std::string name;
@@ -58,6 +66,7 @@ class StructureLibrary {
   std::map<std::string, Key> by_identity_;
   std::map<std::string, std::shared_ptr<Body>> bodies_;
   std::vector<std::string> remarks_;
+  std::vector<MeshRemark> mesh_remarks_;
   double build_ms_{0.0};
   std::size_t cached_{0};
 };

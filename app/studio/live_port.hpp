@@ -24,6 +24,10 @@ class LivePort final : public ui::SessionPort {
   void setReact(bool on) override { live_->send(command::React{on}); }
   void resetStops() override { live_->send(command::ResetStops{}); }
   void setMargin(int object, double metres) override { live_->send(command::Margin{object, metres}); }
+  void setTorques(bool on) override { live_->send(command::Torques{on}); }
+  void setGroup(int group, PairGroupState state) override { live_->send(command::SetGroup{group, state}); }
+  void addPair(int group, int pair) override { live_->send(command::AddPair{group, pair}); }
+  void removePair(int pair) override { live_->send(command::RemovePair{pair}); }
 
  private:
   std::unique_ptr<LiveSession> live_;

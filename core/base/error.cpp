@@ -4,15 +4,17 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/base/message_line.hpp"
+
 namespace abstand {
 namespace {
 
 std::string text(const SourcePos& pos, const std::string& message, const std::string& hint) {
-  std::string s = pos.file;
+  std::string s = messageLine(pos.file);
   if (pos.line > 0) s += ":" + std::to_string(pos.line);
   if (pos.line > 0 && pos.column > 0) s += ":" + std::to_string(pos.column);
-  s += ": error: " + message;
-  if (!hint.empty()) s += "\nhint: " + hint;
+  s += ": error: " + messageLine(message);
+  if (!hint.empty()) s += "\nhint: " + messageLine(hint);
   return s;
 }
 
@@ -34,7 +36,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 ParseError::ParseError(const SourcePos& pos, const std::string& message, const std::string& hint)
-    : std::runtime_error(text(pos, message, hint)), pos_(pos), message_(message) {}
+    : std::runtime_error(text(pos, message, hint)), pos_(pos), message_(messageLine(message)) {}
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& known) {
   std::string best;

@@ -1,40 +1,189 @@
 #include "core/base/output_file.hpp"
 
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <locale>
+#include <system_error>
 
 #include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
+#include "core/base/interrupt.hpp"
+#include "core/base/standard_output.hpp"
+#include "core/base/write_error.hpp"
 
 namespace abstand {
 
 namespace {
 // Two threads may write the same file at once; the last one to end wins.
 std::atomic<unsigned> files_made{0};
+
+constexpr std::size_t kMaxStem = 200;  // bytes of a name of a part, which may have 255
+constexpr unsigned kLookForReaderUs = 20'000;
+
+std::string partEnding() {
+  return ".part" + std::to_string(::getpid()) + "." + std::to_string(files_made.fetch_add(1));
+}
+
+/// The name that the user gave: without the folder or the ending of a set that is being written.
+std::string shown(const std::filesystem::path& name) {
+  const std::string text = name.string(), own = ".part" + std::to_string(::getpid()) + ".";
+  const auto begin = text.find(own);
+  if (begin == text.npos) return text;
+  auto end = text.find_first_not_of("0123456789", begin + own.size());
+  end = std::min(end, text.size());
+  if (begin > 0 && text[begin - 1] == '/' && end < text.size() && text[end] == '/') ++end;
+  return text.substr(0, begin) + text.substr(end);
+}
+
+/// What the user can mend is wrong usage, everything else is a failed write.
+[[noreturn]] void failToOpen(const std::filesystem::path& name, int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EIO:
+    case EMFILE:
+    case ENFILE:
+    case ENOMEM:
+      throw WriteError(shown(name), error);
+    default:
+      throw UsageError(shown(name) + ": cannot be written: " + std::generic_category().message(error));
+  }
+}
+
+/// Connects to a socket of the file system; -1 with errno.
+int connectTo(const std::filesystem::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string text = path.string();
+  if (text.size() >= sizeof address.sun_path) {
+    errno = ENAMETOOLONG;
+    return -1;
+  }
+  std::memcpy(address.sun_path, text.c_str(), text.size() + 1);
+  const int s = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (s < 0 || ::connect(s, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return s;
+  const int error = errno;
+  ::close(s);
+  errno = error;
+  return -1;
+}
+
+/// Waits until a pipe has a reader.
+int openForReader(const std::filesystem::path& path) {
+  for (;;) {
+    const int d = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (d >= 0 || errno != ENXIO) return d;
+    if (interruptRequested()) throw Interrupted();
+    ::usleep(kLookForReaderUs);
+  }
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
-  part_ = file_;
-  part_ += ".part" + std::to_string(::getpid()) + "." + std::to_string(files_made.fetch_add(1));
-  out_.open(part_, std::ios::binary | std::ios::trunc);
+OutputFile::OutputFile(std::filesystem::path file)
+    : name_(std::move(file)), place_(placeOfOutput(name_)), out_(&buffer_) {
+  if (isInput(place_.path))
+    throw UsageError(name_.string() + ": found a file that is an input too, expected an output of its own");
   out_.imbue(std::locale::classic());
-  if (!out_) throw UsageError(file_.string() + ": cannot be written");
+  if (place_.kind == OutputPlace::Kind::kFile)
+    openPart();
+  else
+    openSpecial();
+  buffer_.open(descriptor_);
+  if (isStandardOutput(place_)) claimStandardOutput();
+}
+
+void OutputFile::openPart() {
+  struct stat old {};
+  const bool has_old = place_.exists && ::stat(place_.path.c_str(), &old) == 0;
+  if (has_old && ::access(place_.path.c_str(), W_OK) != 0) failToOpen(name_, errno);
+  part_ = place_.path.parent_path() / (place_.path.filename().string().substr(0, kMaxStem) + partEnding());
+  descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) failToOpen(name_, errno);
+  if (!has_old) return;
+  // The new file belongs to whom the old one belonged, as far as the system allows it.
+  if (::fchown(descriptor_, old.st_uid, old.st_gid) != 0) errno = 0;
+  ::fchmod(descriptor_, old.st_mode & 0777);
+}
+
+void OutputFile::openSpecial() {
+  if (place_.kind == OutputPlace::Kind::kDescriptor) {
+    descriptor_ = ::fcntl(place_.descriptor, F_DUPFD_CLOEXEC, 3);
+  } else {
+    const auto type = std::filesystem::status(place_.path).type();
+    using Type = std::filesystem::file_type;
+    descriptor_ = type == Type::socket ? connectTo(place_.path)
+                  : type == Type::fifo ? openForReader(place_.path)
+                                       : ::open(place_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  }
+  if (descriptor_ < 0) failToOpen(name_, errno);
 }
 
 OutputFile::~OutputFile() {
-  if (committed_) return;
-  out_.close();
+  closeDescriptor();
   std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  if (!part_.empty() && !committed_) std::filesystem::remove(part_, ignored);
+  if (!named_.empty() && named_ != part_) std::filesystem::remove(named_, ignored);
+}
+
+void OutputFile::closeDescriptor() {
+  if (descriptor_ >= 0 && ::close(descriptor_) != 0 && errno != EINTR) buffer_.setError(errno);
+  descriptor_ = -1;
+}
+
+const std::filesystem::path& OutputFile::named() {
+  if (!named_.empty()) return named_;
+  if (!part_.empty()) {
+    named_ = part_;
+    return named_;
+  }
+  std::error_code ec;
+  const auto folder = std::filesystem::temp_directory_path(ec);
+  named_ = (ec ? std::filesystem::path("/tmp") : folder) / ("abstand" + partEnding());
+  const int d = ::open(named_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (d < 0) throw WriteError(named_.string(), errno);
+  ::close(d);
+  return named_;
+}
+
+void OutputFile::copyNamed() {
+  std::ifstream in(named_, std::ios::binary);
+  std::vector<char> block(1 << 16);
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
+    out_.write(block.data(), in.gcount());
+}
+
+void OutputFile::finish() {
+  if (finished_) return;
+  if (!named_.empty() && named_ != part_) copyNamed();
+  buffer_.flush();
+  closeDescriptor();
+  if (buffer_.error() == EINTR) throw Interrupted();
+  if (buffer_.error() != 0) throw WriteError(shown(name_), buffer_.error());
+  // What the stream refused without the system: a failed conversion.
+  if (out_.bad()) throw WriteError(shown(name_), 0);
+  // Inputs may have been opened since the beginning.
+  if (!part_.empty() && isInput(place_.path))
+    throw UsageError(name_.string() + ": found a file that is an input too, expected an output of its own");
+  finished_ = true;
 }
 
 void OutputFile::commit() {
-  out_.close();
-  if (!out_) throw UsageError(file_.string() + ": cannot be written whole");
-  std::error_code ec;
-  std::filesystem::rename(part_, file_, ec);
-  if (ec) throw UsageError(file_.string() + ": " + ec.message());
+  finish();
+  if (!part_.empty()) {
+    std::error_code ec;
+    std::filesystem::rename(part_, place_.path, ec);
+    if (ec) throw WriteError(shown(name_), ec.value());
+  }
   committed_ = true;
 }
 
@@ -42,6 +191,16 @@ void writeFile(const std::filesystem::path& file, std::string_view text) {
   OutputFile out(file);
   out.stream() << text;
   out.commit();
+}
+
+void appendToFile(const std::filesystem::path& file, std::string_view text) {
+  const OutputPlace place = placeOfOutput(file);
+  if (place.kind != OutputPlace::Kind::kFile) return writeFile(file, text);
+  const int d = ::open(place.path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  if (d < 0) failToOpen(file, errno);
+  int error = writeAll(d, text);
+  if (::close(d) != 0 && error == 0) error = errno;
+  if (error != 0) throw WriteError(file.string(), error);
 }
 
 }  // namespace abstand

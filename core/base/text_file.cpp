@@ -3,17 +3,30 @@
 #include <fstream>
 
 #include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
 
 namespace abstand {
 
-std::string readFile(const std::filesystem::path& file, std::uintmax_t most_bytes, bool may_be_empty) {
+void needRegularFile(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   const SourcePos pos{file.string()};
   std::error_code ec;
   const auto status = fs::status(file, ec);
   if (!fs::exists(status)) throw ParseError(pos, "no such file, expected a readable file");
   if (fs::is_directory(status)) throw ParseError(pos, "found a directory, expected a file");
-  if (!fs::is_regular_file(status)) throw ParseError(pos, "found no regular file, expected a file");
+  // A pipe would be waited for without end, and cannot be read twice.
+  if (fs::is_fifo(status) || fs::is_socket(status))
+    throw ParseError(pos, "found a pipe, expected a regular file",
+                     "write what comes through it to a file first");
+  if (!fs::is_regular_file(status)) throw ParseError(pos, "found a device, expected a regular file");
+  noteInput(file);
+}
+
+std::string readFile(const std::filesystem::path& file, std::uintmax_t most_bytes, bool may_be_empty) {
+  namespace fs = std::filesystem;
+  needRegularFile(file);
+  const SourcePos pos{file.string()};
+  std::error_code ec;
   const auto bytes = fs::file_size(file, ec);
   if (ec) throw ParseError(pos, "cannot be read: " + ec.message());
   if (bytes == 0 && !may_be_empty) throw ParseError(pos, "the file is empty");

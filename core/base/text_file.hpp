@@ -7,6 +7,10 @@
 
 namespace abstand {
 
+/// Throws ParseError for what is missing or no regular file: directories, devices, and pipes, which would be
+/// waited for without end. Notes the file as an input (input_log.hpp).
+void needRegularFile(const std::filesystem::path& file);
+
 /// The whole file. Throws ParseError for a file that is missing, a directory, unreadable, or larger
 /// than `most_bytes`. An empty file is an error too, unless `may_be_empty`.
 std::string readFile(const std::filesystem::path& file, std::uintmax_t most_bytes = std::uintmax_t{2} << 30,

@@ -27,8 +27,9 @@ void Admittance::reset() noexcept {
   std::fill(offset_.begin(), offset_.end(), 0.0);
 }
 
-void Admittance::update(std::span<const double> efforts, double dt) noexcept {
-  ABSTAND_CHECK(efforts.size() == joints_.size());
+void Admittance::update(std::span<const double> efforts, double dt,
+                        std::span<const VelocityBounds> bounds) noexcept {
+  ABSTAND_CHECK(efforts.size() == joints_.size() && (bounds.empty() || bounds.size() == joints_.size()));
   if (!(dt > 0.0)) return;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& j = joints_[i];
@@ -36,6 +37,7 @@ void Admittance::update(std::span<const double> efforts, double dt) noexcept {
     const double tau = std::isfinite(efforts[i]) ? efforts[i] : 0.0;
     v = (j.inertia * v + dt * (tau - j.stiffness * x)) / (j.inertia + dt * j.damping + dt * dt * j.stiffness);
     v = std::clamp(v, -j.velocity, j.velocity);
+    if (!bounds.empty()) v = std::clamp(v, bounds[i].lower, bounds[i].upper);
     const double to = std::clamp(x + dt * v, -j.offset, j.offset);
     if (to != x + dt * v) v = (to - x) / dt;
     x = to;

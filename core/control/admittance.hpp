@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mechanism/dof_limits.hpp"
 #include "core/safety/number_rule.hpp"
 
 namespace abstand {
@@ -45,7 +46,9 @@ class Admittance {
   void hold() noexcept;   ///< at rest where it is
   /// @param efforts  N m or N, size dof; what is not finite counts as 0
   /// @param dt       s; not above 0: nothing changes
-  void update(std::span<const double> efforts, double dt) noexcept;
+  /// @param bounds   rad/s or m/s, within which its velocity stays besides; empty: none
+  void update(std::span<const double> efforts, double dt,
+              std::span<const VelocityBounds> bounds = {}) noexcept;
   std::span<const double> velocity() const { return velocity_; }  ///< rad/s or m/s, to be added
   std::span<const double> offset() const { return offset_; }      ///< rad or m, to be added
 

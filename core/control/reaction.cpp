@@ -9,7 +9,7 @@ namespace abstand {
 namespace {
 
 // Asked for by watch(), the laws and the limits, one of each reason.
-constexpr std::size_t kOwnCauses = 8;
+constexpr std::size_t kOwnCauses = 9;
 
 double product(std::span<const double> row, std::span<const double> x) {
   double sum = 0.0;
@@ -24,8 +24,16 @@ void scaleGains(ReactionDescription& reaction, double factor) {
   if (reaction.repulsion) reaction.repulsion->force *= factor;
 }
 
-Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs)
-    : description_(description), stops_(description.stop), mass_(dof) {
+Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
+                   std::vector<DofLimits> limits)
+    : description_(description), limits_(std::move(limits)), stops_(description.stop), mass_(dof) {
+  if (limits_.empty()) limits_.resize(static_cast<std::size_t>(dof));
+  ABSTAND_CHECK(limits_.size() == static_cast<std::size_t>(dof));
+  bounds_.resize(limits_.size());
+  TorqueLimitOptions efforts;
+  efforts.limit.clear();
+  for (const DofLimits& l : limits_) efforts.limit.push_back(l.effort);
+  if (dof > 0) efforts_.emplace(efforts, dof);
   if (description.torque) limit_.emplace(*description.torque, dof);
   if (description.repulsion) repulsion_.emplace(*description.repulsion);
   if (description.proxy) description.proxy->validate();
@@ -125,6 +133,36 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   return scale;
 }
 
+/// The share of the planned speed at which no joint is faster than it may.
+double Reaction::withinSpeedLimits(const ReactionInput& input, double scale) const noexcept {
+  for (std::size_t i = 0; i < input.planned.size(); ++i) {
+    const double speed = std::abs(input.planned[i]);
+    if (scale * speed > limits_[i].velocity) scale = limits_[i].velocity / speed;
+  }
+  return scale;
+}
+
+/// The admittance's next velocity v' leads to qd' = qd + v' - v, which is to keep the joint's limits.
+void Reaction::yield(const ReactionInput& input) noexcept {
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    bounds_[i] = {};
+    const double v = admittance_->velocity()[i], qd = input.qd[i];
+    const double q = input.q.empty() ? kNaN : input.q[i];
+    if (!std::isfinite(qd) || !(input.dt > 0.0)) {
+      bounds_[i] = {-limits_[i].velocity, limits_[i].velocity};
+      continue;
+    }
+    DofLimits known = limits_[i];
+    if (!std::isfinite(q)) known.lower = -kInfinity, known.upper = kInfinity;
+    const VelocityBounds next =
+        velocityBounds(known, std::isfinite(q) ? q : 0.0, qd, known.acceleration, input.dt);
+    // Of what its velocity is to be, no part is faster than the joint.
+    const double most = limits_[i].velocity;
+    bounds_[i] = {std::clamp(v + next.lower - qd, -most, most), std::clamp(v + next.upper - qd, -most, most)};
+  }
+  admittance_->update(torque_, input.dt, bounds_);
+}
+
 ReactionOutput Reaction::update(const ReactionInput& input,
                                 const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
   ABSTAND_CHECK(input.qd.size() == torque_.size() && input.pairs.size() <= approaches_.capacity() &&
@@ -141,10 +179,15 @@ ReactionOutput Reaction::update(const ReactionInput& input,
     const int joint = limit_->cut(torque_);
     if (joint >= 0) ask(StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
   }
+  if (!torques_on_) std::fill(torque_.begin(), torque_.end(), 0.0);
+  if (efforts_) {
+    const int joint = efforts_->cut(torque_);
+    if (joint >= 0) ask(StopReason::kTorque, kNaN, efforts_->limit(joint), -1, joint);
+  }
   if (proxy_ && input.held) proxy_->update(input.held->X_WH, input.held->constraints);
 
   // Speed and stops.
-  double scale = scaleSpeed(input);
+  double scale = withinSpeedLimits(input, scaleSpeed(input));
   double fastest = 0.0;
   for (const double v : input.qd)
     if (!(std::abs(v) <= fastest)) fastest = std::isnan(v) ? kInfinity : std::abs(v);
@@ -163,7 +206,7 @@ ReactionOutput Reaction::update(const ReactionInput& input,
   if (brakes_) std::fill(torque_.begin(), torque_.end(), 0.0);
 
   if (admittance_ && brakes_) admittance_->hold();
-  if (admittance_ && !brakes_) admittance_->update(torque_, input.dt);
+  if (admittance_ && !brakes_) yield(input);
   ReactionOutput out;
   out.torque = torque_;
   if (admittance_) {

@@ -35,6 +35,7 @@ struct HeldObject {
 /// What is known in one cycle. All spans have the size dof, or are empty where it says so.
 struct ReactionInput {
   double t{0.0}, dt{0.0};           ///< s, of this cycle and since the last one
+  std::span<const double> q{};      ///< rad or m, measured; empty: position limits are not looked at
   std::span<const double> qd;       ///< rad/s or m/s, measured
   std::span<const double> planned;  ///< qd at scale 1; empty: qd
   std::span<const double> efforts;  ///< N m or N, J^T of the contact forces; empty: none
@@ -57,22 +58,29 @@ struct ReactionOutput {
 };
 
 /// The pipeline, in this order:
-///   torque = gain * efforts (law `torque`) + J^T of the potentials (`repulsion`), all cut at the limits
-///   velocity, offset = admittance of that torque
-///   speed_scale = of the pairs with people (`speed`)
-///   state = of all causes; while it stops, the scale is 0. A protective stop goes on yielding to people and
-///   things; an emergency stop engages the brakes and takes all torques away, until it is reset.
+///   1. torque = gain * efforts (law `torque`) + J^T of the potentials (`repulsion`), all cut at the
+///      limits of the law, then at the joints' effort limits, scaled together so that the direction stays.
+///   2. velocity, offset = admittance of that torque, such that the joints keep their limits.
+///   3. speed_scale = of the pairs with people (`speed`), such that the plan keeps the velocity limits.
+///   4. state = of all causes; while it stops, the scale is 0. A protective stop goes on yielding to people
+///      and things; an emergency stop engages the brakes and takes all torques away, until it is reset.
 /// The wrench of the held object's spring is proxy()->wrench(); the caller maps it to the joints and gives it
 /// in as efforts. One thread. update() allocates nothing, throws nothing.
 class Reaction {
  public:
   static constexpr std::size_t kMostCauses = 32;
 
-  /// Throws UsageError for options that do not fit `dof` joints.
-  Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs);
+  /// Throws UsageError for options that do not fit `dof` joints. `limits`: of the robot, one a dof; empty:
+  /// none are known.
+  Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
+           std::vector<DofLimits> limits = {});
 
   /// @param M  mass matrix, dof x dof, at the present posture; 0 x 0 where it is not known
   ReactionOutput update(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
+
+  /// Off: its torques are 0 from the next update on, and an admittance sees none; stops and speed are as
+  /// ever.
+  void setTorques(bool on) { torques_on_ = on; }
 
   const StopMachine& stops() const { return stops_; }
   const SpeedScale* speed() const { return speed_ ? &*speed_ : nullptr; }
@@ -88,9 +96,14 @@ class Reaction {
   void watch(const ReactionInput& input) noexcept;
   void addRepulsion(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
   double scaleSpeed(const ReactionInput& input) noexcept;
+  double withinSpeedLimits(const ReactionInput& input, double scale) const noexcept;
+  void yield(const ReactionInput& input) noexcept;
 
   ReactionDescription description_;
-  std::optional<TorqueLimit> limit_;
+  std::vector<DofLimits> limits_;
+  std::vector<VelocityBounds> bounds_;
+  std::optional<TorqueLimit> limit_;    ///< the law
+  std::optional<TorqueLimit> efforts_;  ///< of the joints; null: no limit is known
   std::optional<Repulsion> repulsion_;
   std::optional<GodObject> proxy_;
   std::optional<Admittance> admittance_;
@@ -103,6 +116,7 @@ class Reaction {
   std::vector<int> approach_pairs_;
   std::vector<StopCause> causes_;
   bool brakes_{false};
+  bool torques_on_{true};
   long without_mass_{0};
 };
 

@@ -153,17 +153,25 @@ class Body {
   }
 
   /// A number of list entries or a vertex: not negative, whole, below 2^32.
-  std::uint32_t nextIndex(Type type) {
+  std::uint32_t nextIndex(Type type) { return index(next(type)); }
+
+  /// The same, or none for -1.
+  std::optional<std::uint32_t> nextIndexOrEnd(Type type) {
     const double value = next(type);
+    if (value == -1.0) return std::nullopt;
+    return index(value);
+  }
+
+  const SourcePos& pos() const { return pos_; }
+
+ private:
+  std::uint32_t index(double value) const {
     if (!(value >= 0.0 && value < 4294967295.0) || value != std::floor(value))
       throw ParseError(
           pos_, "found " + formatDouble(value) + " in a list, expected a whole number that is not negative");
     return static_cast<std::uint32_t>(value);
   }
 
-  const SourcePos& pos() const { return pos_; }
-
- private:
   template <class T>
   static double as(const std::array<char, 8>& bytes) {
     T value;
@@ -183,6 +191,30 @@ class Body {
 void skip(Body& body, const Property& property) {
   const std::uint32_t n = property.count_type ? body.nextIndex(*property.count_type) : 1;
   for (std::uint32_t i = 0; i < n; ++i) body.next(property.type);
+}
+
+/// A list of an element `tristrips` (Stanford): strips one after the other, each ended by -1. Of consecutive
+/// corners three make a triangle, every second one turned round.
+void readStrips(Body& body, const Property& property, std::vector<std::uint32_t>& corners,
+                std::vector<std::size_t>& ends) {
+  const std::uint32_t n = body.nextIndex(*property.count_type);
+  std::array<std::uint32_t, 3> last{};
+  std::size_t length = 0;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const auto index = body.nextIndexOrEnd(property.type);
+    if (!index) {
+      length = 0;
+      continue;
+    }
+    last = {last[1], last[2], *index};
+    if (++length < 3) continue;
+    const bool turned = length % 2 == 0;
+    const std::array<std::uint32_t, 3> t{last[turned ? 1 : 0], last[turned ? 0 : 1], last[2]};
+    // Corners that are repeated join strips, without a triangle.
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    corners.insert(corners.end(), t.begin(), t.end());
+    ends.push_back(corners.size());
+  }
 }
 
 void readVertices(Body& body, const ElementKind& kind, TriangleMesh& mesh) {
@@ -229,9 +261,13 @@ TriangleMesh readPly(std::string_view content, const std::string& name) {
     for (int i = 0; i < kind.count; ++i) {
       body.beginElement();
       for (const auto& property : kind.properties) {
-        const bool face = kind.name == "face" && property.count_type &&
-                          (property.name == "vertex_indices" || property.name == "vertex_index");
-        if (!face) {
+        const bool indices =
+            property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (indices && kind.name == "tristrips") {
+          readStrips(body, property, corners, ends);
+          continue;
+        }
+        if (!indices || kind.name != "face") {
           skip(body, property);
           continue;
         }

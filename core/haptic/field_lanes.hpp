@@ -76,13 +76,10 @@ class NearLanes {
     Float8 s;
     const Mask8 there = sample(p, s);
     const int found = bits(there);
-    Distance8 d;
-    if (found == 0) return farAt(far_, p);
-    d = {lowerFromSample(s), s};
-    if (found != 0xff) {
-      const Distance8 beyond = farAt(far_, p);
-      d = {select(there, d.f, beyond.f), select(there, d.s, beyond.s)};
-    }
+    if (found == 0xff) return {lowerFromSample(s), s};
+    Distance8 d = farAt(far_, p);
+    if (found != 0) d = {select(there, lowerFromSample(s), d.f), select(there, s, d.s)};
+    takeDeep(p, d);
     return d;
   }
   /// f at the centres of spheres less their radii: below the true distance of all that is in them.
@@ -90,9 +87,11 @@ class NearLanes {
     Float8 s;
     const Mask8 there = sample(p, s);
     const int found = bits(there);
-    if (found == 0) return farAt(far_, p).f - radius;
-    const Float8 f = lowerFromSample(s);
-    return (found == 0xff ? f : select(there, f, farAt(far_, p).f)) - radius;
+    if (found == 0xff) return lowerFromSample(s) - radius;
+    Distance8 d = farAt(far_, p);
+    if (found != 0) d.f = select(there, lowerFromSample(s), d.f);
+    takeDeep(p, d);
+    return d.f - radius;
   }
   /// As points(); where s is beyond `most`, some s beyond it.
   Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
@@ -100,24 +99,32 @@ class NearLanes {
     Float8 s;
     const Mask8 there = sample(p, s);
     const Float8 band = splat(near_.band);
-    return {select(there, lowerFromSample(s), band), select(there, s, band)};
+    Distance8 d{select(there, lowerFromSample(s), band), select(there, s, band)};
+    if (bits(there) != 0xff) takeDeep(p, d);
+    return d;
   }
   /// m; by so much at most s exceeds the true distance.
   float error() const { return near_.error_bound; }
   /// Below every estimate s of points in the spheres that is at most `margin`: the true distance exceeds s by
   /// no more than the error; and from a sample s falls by no more than the steepest slope, as long as the way
-  /// stays among the blocks or leaves them at a distance that cannot be lost again.
+  /// stays among the blocks or leaves them at a distance that cannot be lost again. Deep blocks err by more,
+  /// but whoever comes to one passes samples that are below -kInnerBand voxels and an error, and so below the
+  /// margin where that is not negative; where it is, the larger error counts and no slope does.
   Float8 contacts(const Point8& p, Float8 radius, float margin) const {
     Float8 s;
     const Mask8 there = sample(p, s);
-    const Float8 error = splat(near_.error_bound), band = splat(near_.band);
+    const bool any_depth = near_.deep == nullptr || margin >= 0.0f;
+    const Float8 error = splat(any_depth ? near_.error_bound : near_.deep_error), band = splat(near_.band);
     Float8 f = lowerFromSample(s);
     if (bits(there) != 0xff) {
       // Elsewhere the surface is farther than the band; what the far field knows is wanted where that is not
       // enough.
       const int doubtful = bits(band - radius - error <= splat(margin)) & ~bits(there);
-      f = select(there, f, doubtful == 0 ? band : max(band, farAt(far_, p).f));
+      Distance8 d{select(there, f, doubtful == 0 ? band : max(band, farAt(far_, p).f)), s};
+      takeDeep(p, d);
+      f = d.f;
     }
+    if (!any_depth) return f - radius - error;
     const Float8 fall = splat(near_.slope) * radius;
     const Mask8 steady = there & (fall < splat(near_.band - near_.error_bound - margin));
     return max(f - radius - error, select(steady, s - fall, splat(-__builtin_huge_valf())));
@@ -126,13 +133,23 @@ class NearLanes {
  private:
   static constexpr int kRow = NearField::kVertices, kSlice = kRow * kRow;
 
-  Mask8 sample(const Point8& p, Float8& s) const {
-    const Float8 zero = splat(0.0f), inv_h = splat(near_.inv_h);
-    const Float8 gx = (p.x - splat(near_.origin[0])) * inv_h, gy = (p.y - splat(near_.origin[1])) * inv_h,
-                 gz = (p.z - splat(near_.origin[2])) * inv_h;
+  /// In voxels from the grid's corner.
+  Point8 inGrid(const Point8& p) const {
+    const Float8 inv_h = splat(near_.inv_h);
+    return {(p.x - splat(near_.origin[0])) * inv_h, (p.y - splat(near_.origin[1])) * inv_h,
+            (p.z - splat(near_.origin[2])) * inv_h};
+  }
+  Mask8 within(const Point8& g) const {
+    const Float8 zero = splat(0.0f);
     // Written so that NaN fails.
-    const Mask8 inside = (zero <= gx) & (zero <= gy) & (zero <= gz) & (gx < splat(near_.cells[0])) &
-                         (gy < splat(near_.cells[1])) & (gz < splat(near_.cells[2]));
+    return (zero <= g.x) & (zero <= g.y) & (zero <= g.z) & (g.x < splat(near_.cells[0])) &
+           (g.y < splat(near_.cells[1])) & (g.z < splat(near_.cells[2]));
+  }
+
+  Mask8 sample(const Point8& p, Float8& s) const {
+    const Float8 zero = splat(0.0f);
+    const auto [gx, gy, gz] = inGrid(p);
+    const Mask8 inside = within({gx, gy, gz});
     s = zero;
     if (bits(inside) == 0) return inside;
     const Int8 i = truncate(select(inside, gx, zero)), j = truncate(select(inside, gy, zero)),
@@ -141,7 +158,7 @@ class NearLanes {
         (shiftRight<3>(k) * splatInt(near_.blocks[1]) + shiftRight<3>(j)) * splatInt(near_.blocks[0]) +
         shiftRight<3>(i);
     const Int8 block = gather(near_.block_index, block_at, inside);
-    const Mask8 there = inside & isNot(block, splatInt(-1));
+    const Mask8 there = inside & isAtLeastZero(block);
     if (bits(there) == 0) return there;
     const Int8 seven = splatInt(NearField::kCells - 1);
     const Int8 at = (block * splatInt(NearField::kBlockValues) + (k & seven) * splatInt(kSlice) +
@@ -156,6 +173,35 @@ class NearLanes {
     s = between(z, between(y, along(0), along(kRow)), between(y, along(kSlice), along(kSlice + kRow))) *
         splat(near_.quantum);
     return there;
+  }
+
+  /// Sets the lanes that lie in deep blocks.
+  void takeDeep(const Point8& p, Distance8& d) const {
+    if (near_.deep == nullptr) return;
+    const Float8 zero = splat(0.0f);
+    const Point8 g = inGrid(p);
+    const Mask8 inside = within(g);
+    const Int8 i = shiftRight<3>(truncate(select(inside, g.x, zero))),
+               j = shiftRight<3>(truncate(select(inside, g.y, zero))),
+               k = shiftRight<3>(truncate(select(inside, g.z, zero)));
+    const Int8 block = gather(near_.block_index,
+                              (k * splatInt(near_.blocks[1]) + j) * splatInt(near_.blocks[0]) + i, inside);
+    const Mask8 deep = inside & isEqual(block, splatInt(static_cast<int>(NearField::kDeepBlock)));
+    if (bits(deep) == 0) return;
+    const int row = near_.deep_vertices[0], slice = row * near_.deep_vertices[1];
+    const Int8 at = (k * splatInt(slice) + j * splatInt(row) + i) * count(deep);
+    const Float8 edge = splat(NearField::kCells), per_edge = splat(1.0f / NearField::kCells);
+    const Float8 x = (g.x - toFloat(i) * edge) * per_edge, y = (g.y - toFloat(j) * edge) * per_edge,
+                 z = (g.z - toFloat(k) * edge) * per_edge;
+    const auto along = [&](int offset) {
+      Float8 a, b;
+      gatherTwo(near_.deep + offset, at, a, b);
+      return between(x, a, b);
+    };
+    const Float8 s =
+        between(z, between(y, along(0), along(row)), between(y, along(slice), along(slice + row))) *
+        splat(near_.deep_quantum);
+    d = {select(deep, s - splat(near_.deep_error), d.f), select(deep, s, d.s)};
   }
 
   /// Squared distances interpolate from above by at most 3/4 h^2 (far_field.hpp), so s >= sqrt(3)/2 h means

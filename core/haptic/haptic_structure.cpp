@@ -210,9 +210,9 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
       s.solid_voxels = s.voxelmap->solid_voxels;
       voxels.end();
     } else {
-      const VoxelSides sides = findVoxelSides(*s.surface, h, threads);
-      s.surface_voxels = sides.surface_voxels;
-      s.solid_voxels = sides.solid_voxels;
+      const VoxelCounts counts = countVoxels(*s.surface, h, threads);
+      s.surface_voxels = counts.surface;
+      s.solid_voxels = counts.solid;
       voxels.end();
       watch.begin("near field");
       BuildPhase near(watch, 0.4);

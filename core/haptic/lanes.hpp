@@ -1,6 +1,10 @@
 // Eight floats at a time: AVX2 where the file is compiled for it, plain loops elsewhere. Internal to
 // core/haptic. Everything has internal linkage, because files that include it are compiled for different
 // machines.
+//
+// Both ways give the same bits for the same arguments, NaN and signed zeros included (the bits inside of a
+// NaN aside), so that no result depends on the machine: every operation rounds once, none is fused or
+// approximate, and the lanes are combined in one order.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +35,6 @@ inline void store(float* p, Float8 a) { _mm256_storeu_ps(p, a.v); }
 inline Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
 inline Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
 inline Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
-/// a b + c, rounded once.
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
 inline Float8 min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Float8 max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
 inline Float8 abs(Float8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
@@ -40,10 +42,10 @@ inline Float8 sqrt(Float8 a) { return {_mm256_sqrt_ps(a.v)}; }
 inline Mask8 operator<(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
 inline Mask8 operator<=(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
 inline Mask8 operator&(Mask8 a, Mask8 b) { return {_mm256_and_ps(a.v, b.v)}; }
-inline Mask8 isNot(Int8 a, Int8 b) {
-  return {_mm256_andnot_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v)),
-                           _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
+inline Mask8 isAtLeastZero(Int8 a) {
+  return {_mm256_castsi256_ps(_mm256_cmpgt_epi32(a.v, _mm256_set1_epi32(-1)))};
 }
+inline Mask8 isEqual(Int8 a, Int8 b) { return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))}; }
 /// Bit i: lane i.
 inline int bits(Mask8 a) { return _mm256_movemask_ps(a.v); }
 inline Float8 select(Mask8 where, Float8 yes, Float8 no) { return {_mm256_blendv_ps(no.v, yes.v, where.v)}; }
@@ -132,9 +134,6 @@ inline Float8 operator-(Float8 a, Float8 b) {
 inline Float8 operator*(Float8 a, Float8 b) {
   return forLanes<Float8>([&](int i) { return a.v[i] * b.v[i]; });
 }
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) {
-  return forLanes<Float8>([&](int i) { return a.v[i] * b.v[i] + c.v[i]; });
-}
 /// Like the machine's: the second where one is NaN.
 inline Float8 min(Float8 a, Float8 b) {
   return forLanes<Float8>([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
@@ -157,8 +156,11 @@ inline Mask8 operator<=(Float8 a, Float8 b) {
 inline Mask8 operator&(Mask8 a, Mask8 b) {
   return forLanes<Mask8>([&](int i) { return a.v[i] && b.v[i]; });
 }
-inline Mask8 isNot(Int8 a, Int8 b) {
-  return forLanes<Mask8>([&](int i) { return a.v[i] != b.v[i]; });
+inline Mask8 isAtLeastZero(Int8 a) {
+  return forLanes<Mask8>([&](int i) { return a.v[i] >= 0; });
+}
+inline Mask8 isEqual(Int8 a, Int8 b) {
+  return forLanes<Mask8>([&](int i) { return a.v[i] == b.v[i]; });
 }
 inline int bits(Mask8 a) {
   int out = 0;
@@ -213,10 +215,12 @@ inline void gatherTwo(const Value* base, Int8 at, Float8& first, Float8& second)
     second.v[i] = static_cast<float>(base[at.v[i] + 1]);
   }
 }
+/// In the order of the machine's, which decides between zeros and about NaN.
 inline float leastOf(Float8 a) {
-  float least = a.v[0];
-  for (int i = 1; i < 8; ++i) least = a.v[i] < least ? a.v[i] : least;
-  return least;
+  const auto lower = [](float x, float y) { return x < y ? x : y; };
+  float m[4];
+  for (int i = 0; i < 4; ++i) m[i] = lower(a.v[i], a.v[i + 4]);
+  return lower(lower(m[0], m[2]), lower(m[1], m[3]));
 }
 /// In the order of the machine's.
 inline double sumOf(Float8 a) {
@@ -226,6 +230,9 @@ inline double sumOf(Float8 a) {
 }
 
 #endif
+
+/// a b + c, rounded twice: a fused operation would give other bits than machines without it.
+inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 
 }  // namespace
 }  // namespace abstand

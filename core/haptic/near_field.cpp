@@ -26,29 +26,6 @@ constexpr float kSlopeRounding = 1.0f + 1e-5f;
 // Blocks that one thread measures after each other.
 constexpr int kTogether = 64;
 
-double distanceToBox(const Bounds& box, const Vector3d& p) {
-  return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
-}
-
-// Whether a cube about c, with this many voxels along an edge, comes within the band or holds a part of the
-// inside. The distance changes by no more than the way, so one query decides for all but the cubes at the rim
-// of the band; those are parted once.
-bool isNeeded(const Surface& surface, const Bounds& body, const Vector3d& c, int voxels, double h,
-              double band, std::uint32_t& hint) {
-  const double half = 0.5 * voxels * h;
-  if (distanceToBox(body, c) > band + kDiagonal * half) return false;
-  const SurfacePoint nearest = surface.closest(c, hint);
-  hint = nearest.hint;
-  if (nearest.distance <= band + half || surface.inside(c, nearest)) return true;
-  if (nearest.distance > band + kDiagonal * half) return false;
-  if (voxels < kCells) return true;
-  for (int i = 0; i < 8; ++i) {
-    const Vector3d way = 0.5 * half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    if (isNeeded(surface, body, c + way, voxels / 2, h, band, hint)) return true;
-  }
-  return false;
-}
-
 // A row of a block's values and how far two such are apart, side by side.
 using EightNumbers [[gnu::vector_size(16)]] = std::int16_t;
 using EightSlopes [[gnu::vector_size(16)]] = std::uint16_t;
@@ -67,7 +44,7 @@ EightSlopes larger(EightSlopes a, EightSlopes b) { return a > b ? a : b; }
 struct Neighbours {
   std::uint32_t block[2][2][2];  ///< [z][y][x]
 
-  // The block that computes a vertex: the farthest along the axes that holds it.
+  // The block that computes a vertex: the farthest along the axes that holds it. kNoBlock for deep ones, too.
   std::uint32_t owner(int i, int j, int k) const {
     return block[k == kCells ? 1 : 0][j == kCells ? 1 : 0][i == kCells ? 1 : 0];
   }
@@ -182,7 +159,8 @@ void measureBlock(const NearDistances& distances, const Region& block, const Nei
 }
 
 // The vertices that fillBlock left to their owners.
-void copyFromOwners(const Neighbours& neighbours, const float* all_values, float* values) {
+template <class Value>
+void copyFromOwners(const Neighbours& neighbours, const Value* all_values, Value* values) {
   for (int k = 0; k < kVertices; ++k) {
     for (int j = 0; j < kVertices; ++j) {
       for (int i = k == kCells || j == kCells ? 0 : kCells; i < kVertices; ++i) {
@@ -198,7 +176,9 @@ void copyFromOwners(const Neighbours& neighbours, const float* all_values, float
 
 }  // namespace
 
-NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads) : grid_(grid) {
+NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads,
+                     std::size_t whole_inside)
+    : grid_(grid) {
   const double h = grid.voxel_size;
   const Vector3d corner = grid.first_centre.array() - 0.5 * h;
   ox_ = static_cast<float>(corner.x());
@@ -212,12 +192,9 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     blocks_[k] = (grid.size[k] + kCells - 1) / kCells;
     cells_[k] = static_cast<float>(blocks_[k] * kCells);
   }
-  const std::size_t all = std::size_t(blocks_[0]) * blocks_[1] * blocks_[2];
-  const auto blockOrigin = [&](std::size_t b) -> Vector3d {
-    const Vector3d place(double(b % blocks_[0]), double(b / blocks_[0] % blocks_[1]),
-                         double(b / (std::size_t(blocks_[0]) * blocks_[1])));
-    return origin + kCells * step * place;
-  };
+  const BlockGrid cubes{origin, step, Vector3i(blocks_[0], blocks_[1], blocks_[2])};
+  const std::size_t all = cubes.blocks();
+  const auto blockOrigin = [&](std::size_t b) -> Vector3d { return cubes.corner(cubes.placeOf(b)); };
 
   // Rounding moves a point by a few units in the last place of the coordinates, and the values likewise;
   // those of a mesh were measured in float about its middle.
@@ -225,54 +202,69 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   const double rounding =
       8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
   const Bounds body = surface.bounds();
-  std::vector<char> needed(all, 1);
-  if (std::isfinite(band)) {
-    parallelFor(threads, std::size_t(blocks_[1]) * blocks_[2], [&](std::size_t row) {
-      std::uint32_t hint = kNoHint;
-      for (std::size_t b = row * blocks_[0]; b < (row + 1) * blocks_[0]; ++b) {
-        const Vector3d centre = blockOrigin(b).array() + 0.5 * kCells * step;
-        needed[b] = isNeeded(surface, body, centre, kCells, step, band, hint);
-      }
-    });
-  }
-  block_index_.assign(all, kNoBlock);
-  std::vector<std::size_t> kept;
-  for (std::size_t b = 0; b < all; ++b) {
-    if (!needed[b]) continue;
-    block_index_[b] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(b);
-  }
-  if (double(kept.size()) * kBlockValues * sizeof(std::int16_t) > kMostBytes) {
+  std::vector<BlockKind> kinds(all, BlockKind::kNear);
+  if (std::isfinite(band)) kinds = classifyBlocks(surface, cubes, band, kInnerBand * step, threads);
+  const auto inside = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kDeep));
+  const auto near = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kNear));
+  constexpr double kBlockBytes = kBlockValues * sizeof(std::int16_t);
+  const bool keeps_inside = (near + inside) * kBlockBytes <= static_cast<double>(whole_inside);
+  if ((keeps_inside ? near + inside : near) * kBlockBytes > kMostBytes) {
     throw UsageError(
         "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
   }
-  std::vector<float> values(kept.size() * kBlockValues);
+  block_index_.assign(all, kNoBlock);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t b = 0; b < all; ++b) {
+    if (kinds[b] == BlockKind::kDeep && !keeps_inside) block_index_[b] = kDeepBlock;
+    if (kinds[b] == BlockKind::kOutside || block_index_[b] == kDeepBlock) continue;
+    block_index_[b] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(static_cast<std::uint32_t>(b));
+  }
+  // A sparse field's distances are known to be below this, so each block is rounded to quanta as soon as it
+  // is measured and the floats of all need not be kept: a block near the surface has a cube of half its width
+  // whose centre is no farther than the band and that cube's half diagonal. Else the largest decides.
+  const double most = std::max(band, kInnerBand * step) + (0.25 + 1.0) * kDiagonal * kCells * step + rounding;
+  const bool at_once = std::isfinite(band) && !keeps_inside;
+  quantum_ = static_cast<float>(most) / kMostQuanta;
+  const auto toQuanta = [&](float value) {
+    const float quanta = value / quantum_;
+    return static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
+  };
+  values_.resize(at_once ? kept.size() * kBlockValues : 0);
+  std::vector<float> values(at_once ? 0 : kept.size() * kBlockValues);
+  // fill(to) writes what a block measures itself.
+  const auto store = [&](std::size_t n, auto&& fill) {
+    if (!at_once) return fill(&values[n * kBlockValues]);
+    std::array<float, kBlockValues> block{};
+    fill(block.data());
+    std::transform(block.begin(), block.end(), &values_[n * kBlockValues], toQuanta);
+  };
   const auto neighboursOf = [&](std::size_t b) {
-    const int place[3] = {int(b % blocks_[0]), int(b / blocks_[0] % blocks_[1]),
-                          int(b / (std::size_t(blocks_[0]) * blocks_[1]))};
+    const Vector3i place = cubes.placeOf(b);
     Neighbours neighbours;
     for (int c = 0; c < 8; ++c) {
-      const int x = place[0] + (c & 1), y = place[1] + (c >> 1 & 1), z = place[2] + (c >> 2);
-      const bool there = x < blocks_[0] && y < blocks_[1] && z < blocks_[2];
-      neighbours.block[c >> 2][c >> 1 & 1][c & 1] =
-          there ? block_index_[(std::size_t(z) * blocks_[1] + y) * blocks_[0] + x] : kNoBlock;
+      const Vector3i at = place + Vector3i(c & 1, c >> 1 & 1, c >> 2);
+      const std::uint32_t block =
+          (at.array() < cubes.size.array()).all() ? block_index_[cubes.indexOf(at)] : kNoBlock;
+      neighbours.block[c >> 2][c >> 1 & 1][c & 1] = block == kDeepBlock ? kNoBlock : block;
     }
     return neighbours;
   };
   const auto* mesh = dynamic_cast<const MeshSurface*>(&surface);
   if (mesh == nullptr) {
     parallelFor(threads, kept.size(), [&](std::size_t n) {
-      fillBlock(
-          surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, rounding,
-          [&](const Vector3d& p, int, int, int, std::uint32_t hint) { return surface.closest(p, hint); },
-          &values[n * kBlockValues]);
+      store(n, [&](float* to) {
+        fillBlock(
+            surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, rounding,
+            [&](const Vector3d& p, int, int, int, std::uint32_t hint) { return surface.closest(p, hint); },
+            to);
+      });
     });
   } else {
     const NearDistances distances(*mesh, origin, step);
-    const auto indexOf = [&](const Vector3i& block) {
-      return (std::size_t(block.z()) * blocks_[1] + block.y()) * blocks_[0] + block.x();
+    const auto isKept = [&](const Vector3i& block) {
+      return block_index_[cubes.indexOf(block)] < kDeepBlock;
     };
-    const auto isKept = [&](const Vector3i& block) { return block_index_[indexOf(block)] != kNoBlock; };
     std::vector<Region> regions;
     std::uint32_t first_hint = kNoHint;
     const Region whole{Vector3i::Zero(), Vector3i(blocks_[0], blocks_[1], blocks_[2]), distances.all()};
@@ -282,35 +274,40 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
       std::uint32_t hint = kNoHint;
       const auto nearest = std::make_unique<SurfacePoint[][kVertices][kVertices]>(kVertices);
       forRegions(distances, regions[r], 1, isKept, hint, [&](const Region& block) {
-        const std::size_t b = indexOf(block.first);
+        const std::size_t b = cubes.indexOf(block.first);
         const Neighbours neighbours = neighboursOf(b);
         measureBlock(distances, block, neighbours, hint, nearest.get());
-        fillBlock(
-            surface, neighbours, blockOrigin(b), step, rounding,
-            [&](const Vector3d&, int i, int j, int k, std::uint32_t) { return nearest[k][j][i]; },
-            &values[block_index_[b] * kBlockValues]);
+        store(block_index_[b], [&](float* to) {
+          fillBlock(
+              surface, neighbours, blockOrigin(b), step, rounding,
+              [&](const Vector3d&, int i, int j, int k, std::uint32_t) { return nearest[k][j][i]; }, to);
+        });
       });
       regions[r].list = {};
     });
   }
   // Owners are filled; what is read here was computed above and is written by none.
   parallelFor(threads, kept.size(), [&](std::size_t n) {
-    copyFromOwners(neighboursOf(kept[n]), values.data(), &values[n * kBlockValues]);
+    if (at_once)
+      copyFromOwners(neighboursOf(kept[n]), values_.data(), &values_[n * kBlockValues]);
+    else
+      copyFromOwners(neighboursOf(kept[n]), values.data(), &values[n * kBlockValues]);
   });
 
-  float largest = 0.0f;
-  for (const float value : values) largest = std::max(largest, std::abs(value));
-  quantum_ = std::max(largest, std::numeric_limits<float>::min()) / kMostQuanta;
-  values_.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const float quanta = values[i] / quantum_;
-    values_[i] = static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
+  if (!at_once) {
+    float largest = std::numeric_limits<float>::min();
+    for (const float value : values) largest = std::max(largest, std::abs(value));
+    quantum_ = largest / kMostQuanta;
+    values_.resize(values.size());
+    std::transform(values.begin(), values.end(), values_.begin(), toQuanta);
   }
   slope_ = steepest(threads);
 
   error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
   const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
   band_ = std::max(0.0, std::min(band, margin) - rounding);
+  deep_error_ = error_bound_;
+  if (!keeps_inside && inside > 0.0) measureDeep(surface, cubes, rounding, threads);
 }
 
 // Of the trilinear function, each slope along an axis lies between those of a cell's four edges.
@@ -359,23 +356,26 @@ NearField::View NearField::view() const {
   v.band = static_cast<float>(band_);
   v.block_index = block_index_.data();
   v.values = values_.data();
+  for (int k = 0; k < 2; ++k) v.deep_vertices[k] = blocks_[k] + 1;
+  v.deep_quantum = deep_quantum_;
+  v.deep_error = static_cast<float>(deep_error_);
+  v.deep = deep_.empty() ? nullptr : deep_.data();
   return v;
 }
 
 bool NearField::sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const {
-  float x, y, z;
-  const std::int16_t* values = cellOf(px, py, pz, x, y, z);
-  if (!values) return false;
-  constexpr int kRow = kVertices, kSlice = kVertices * kVertices;
-  const auto v = [values](int i) { return static_cast<float>(values[i]); };
-  const float d00 = v(1) - v(0), d10 = v(kRow + 1) - v(kRow), d01 = v(kSlice + 1) - v(kSlice),
-              d11 = v(kSlice + kRow + 1) - v(kSlice + kRow);
-  const float a = v(0) + x * d00, b = v(kRow) + x * d10, c = v(kSlice) + x * d01,
-              d = v(kSlice + kRow) + x * d11;
+  const Cell cell = anyCellOf(px, py, pz);
+  if (cell.values == nullptr) return false;
+  const int row = cell.row, slice = cell.slice;
+  const float x = cell.x, y = cell.y, z = cell.z;
+  const auto v = [&cell](int i) { return static_cast<float>(cell.values[i]); };
+  const float d00 = v(1) - v(0), d10 = v(row + 1) - v(row), d01 = v(slice + 1) - v(slice),
+              d11 = v(slice + row + 1) - v(slice + row);
+  const float a = v(0) + x * d00, b = v(row) + x * d10, c = v(slice) + x * d01, d = v(slice + row) + x * d11;
   const float near = a + y * (b - a), far = c + y * (d - c);
   const float dx_near = d00 + y * (d10 - d00), dx_far = d01 + y * (d11 - d01);
-  const float scale = quantum_ * inv_h_;
-  distance = (near + z * (far - near)) * quantum_;
+  const float scale = cell.quantum * cell.inv_h;
+  distance = (near + z * (far - near)) * cell.quantum;
   gradient[0] = (dx_near + z * (dx_far - dx_near)) * scale;
   gradient[1] = ((b - a) + z * ((d - c) - (b - a))) * scale;
   gradient[2] = (far - near) * scale;
@@ -383,7 +383,8 @@ bool NearField::sampleGradient(float px, float py, float pz, float& distance, fl
 }
 
 std::size_t NearField::memoryBytes() const {
-  return values_.capacity() * sizeof(std::int16_t) + block_index_.capacity() * sizeof(std::uint32_t);
+  return (values_.capacity() + deep_.capacity()) * sizeof(std::int16_t) +
+         block_index_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace abstand

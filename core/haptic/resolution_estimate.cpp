@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.hpp"
 #include "core/haptic/far_spacing.hpp"
@@ -44,7 +45,8 @@ constexpr std::size_t kLeastTimed = 11;
 double milliseconds(Clock::duration d) { return std::chrono::duration<double, std::milli>(d).count(); }
 
 struct Blocks {
-  double kept{0.0};  ///< expected; near the surface or inside
+  double kept{0.0};  ///< expected; with samples
+  double deep{0.0};  ///< expected; inside, without
   double all{0.0};
 };
 
@@ -55,11 +57,12 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, double band, b
   std::array<std::size_t, 3> n;
   for (int k = 0; k < 3; ++k) n[k] = (static_cast<std::size_t>(grid.size[k]) + kCells - 1) / kCells;
   const std::size_t all = n[0] * n[1] * n[2];
-  if (dense) return {double(all), double(all)};
+  if (dense) return {double(all), 0.0, double(all)};
   const double edge = kCells * grid.voxel_size;
   const Vector3d first = grid.first_centre.array() + 0.5 * (edge - grid.voxel_size);
   const std::size_t asked = std::min(all, kAskedBlocks);
-  std::size_t kept = 0;
+  const double inner = NearField::kInnerBand * grid.voxel_size;
+  std::size_t near = 0, deep = 0;
   for (std::size_t i = 0; i < asked; ++i) {
     // A golden ratio's steps spread evenly, whatever the sizes.
     const double place =
@@ -69,9 +72,19 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, double band, b
         first + edge * Vector3d(double(b % n[0]), double(b / n[0] % n[1]), double(b / (n[0] * n[1])));
     const SurfacePoint nearest = surface.closest(c);
     const double towards = (c - nearest.point).lpNorm<1>() / std::max(nearest.distance, 1e-12);
-    if (nearest.distance <= band + 0.5 * edge * towards || surface.inside(c, nearest)) ++kept;
+    const bool inside = surface.inside(c, nearest);
+    if (nearest.distance <= (inside ? inner : band) + 0.5 * edge * towards)
+      ++near;
+    else if (inside)
+      ++deep;
   }
-  return {double(kept) * double(all) / double(asked), double(all)};
+  const double of_asked = double(all) / double(asked);
+  Blocks blocks{double(near) * of_asked, double(deep) * of_asked, double(all)};
+  // As NearField does.
+  constexpr double kBlockBytes = NearField::kBlockValues * sizeof(std::int16_t);
+  if ((blocks.kept + blocks.deep) * kBlockBytes <= double(NearField::kWholeInsideBytes))
+    blocks.kept += std::exchange(blocks.deep, 0.0);
+  return blocks;
 }
 
 // us, the median over three directions of one query of two copies that are `gap` apart (m; negative: pressed
@@ -200,7 +213,8 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
   const double h = options.voxel_size;
   VoxelGrid grid;
   try {
-    grid = makeGrid(surface_->bounds(), h, options.outer_layers);
+    grid = makeGrid(surface_->bounds(), h, options.outer_layers,
+                    options.field == FieldKind::kLayered ? kMostDenseVoxels : kMostVoxels);
   } catch (const UsageError& error) {
     e.refused = error.what();
     return e;
@@ -218,6 +232,7 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
     const double index = sizeof(std::uint32_t);
     const double more = blocks.kept / std::max(1.0, c.blocks.kept);
     field_bytes = (c.field_bytes - index * c.blocks.all) * more + index * blocks.all;
+    if (blocks.deep > 0.0) field_bytes += sizeof(std::int16_t) * blocks.all;
     field_ms *= std::pow(more, surface_->shape() != nullptr ? 1.0 : kMeshFieldGrowth);
     if (field_bytes > kMostFieldBytes) {
       e.refused = "the distance field would take more than 2 GB";

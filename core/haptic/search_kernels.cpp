@@ -11,7 +11,7 @@ const SearchKernels& chosen() {
 #ifdef ABSTAND_AVX2_KERNELS
   const char* simd = std::getenv("ABSTAND_SIMD");
   const bool off = simd != nullptr && std::strcmp(simd, "off") == 0;
-  if (!off && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return kAvx2Kernels;
+  if (!off && __builtin_cpu_supports("avx2")) return kAvx2Kernels;
 #endif
   return kPortableKernels;
 }

@@ -1,4 +1,5 @@
-// The searches for machines with AVX2 and FMA; this file alone is compiled for them.
+// The searches for machines with AVX2; this file alone is compiled for them. Without -mfma: a fused operation
+// rounds once where others round twice, and every machine gives the same bits.
 #include "core/haptic/search_kernels.inl"
 
 namespace abstand {

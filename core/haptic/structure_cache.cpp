@@ -10,6 +10,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/write_error.hpp"
 #include "core/haptic/engine_fingerprint.hpp"
 #include "core/haptic/structure_archive.hpp"
 
@@ -161,6 +162,8 @@ void StructureCache::write(const fs::path& path, const ContentKey& key, const T&
     out.commit();
     makeRoom();
   } catch (const UsageError& e) {
+    warn(std::string("the cache does not keep ") + e.what());
+  } catch (const WriteError& e) {
     warn(std::string("the cache does not keep ") + e.what());
   } catch (const fs::filesystem_error& e) {
     warn(std::string("the cache does not work: ") + e.what());

@@ -52,7 +52,7 @@ void countSteps(const VoxelGrid& grid, std::vector<std::int16_t>& steps) {
 
 Voxelmap makeVoxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads) {
   Voxelmap map;
-  map.grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
+  map.grid = makeGrid(surface.bounds(), voxel_size, outer_layers, kMostDenseVoxels);
   map.inside_doubtful = !surface.watertight();
   const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
   map.surface_voxels = sides.surface_voxels;

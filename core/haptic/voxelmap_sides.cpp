@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.hpp"
+#include "core/geometry/mesh_surface.hpp"
 
 namespace abstand {
 namespace {
@@ -84,6 +85,18 @@ bool mostlyInside(const Surface& surface, const Pieces& pieces, const std::vecto
   return votes > 0;
 }
 
+void fillEnclosed(const Surface& surface, const VoxelGrid& grid, std::vector<std::int8_t>& side) {
+  Pieces pieces(grid, side);
+  constexpr std::size_t kVotes = 31;
+  for (std::size_t v = 0; v < side.size(); ++v) {
+    if (side[v] != kUnknown) continue;
+    const std::vector<Pieces::Run>& piece = pieces.fill(v, kVoxelOutside);
+    if (!mostlyInside(surface, pieces, piece, surface.watertight() ? 1 : kVotes)) continue;
+    for (const Pieces::Run& run : piece)
+      std::fill(&side[run.first], &side[run.first] + run.count, kVoxelInside);
+  }
+}
+
 void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side) {
   Pieces pieces(grid, side);
   const bool watertight = surface.watertight();
@@ -98,14 +111,30 @@ void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std:
       }
     });
   }
-  constexpr int kVotes = 31;
-  for (std::size_t v = 0; v < side.size(); ++v) {
-    if (side[v] != kUnknown) continue;
-    const std::vector<Pieces::Run>& piece = pieces.fill(v, kVoxelOutside);
-    if (!mostlyInside(surface, pieces, piece, watertight ? 1 : kVotes)) continue;
-    for (const Pieces::Run& run : piece)
-      std::fill(&side[run.first], &side[run.first] + run.count, kVoxelInside);
+  fillEnclosed(surface, grid, side);
+}
+
+/// One cube of a large grid.
+VoxelCounts countCube(const Surface& surface, const VoxelGrid& cube, std::vector<std::int8_t>& side) {
+  side.assign(cube.cells(), kUnknown);
+  if (const Shape* shape = surface.shape()) {
+    markShape(*shape, cube, 1, side);
+  } else {
+    const auto& mesh = dynamic_cast<const MeshSurface&>(surface);
+    const Vector3d reach = Vector3d::Constant(cube.voxel_size);
+    const Vector3i last = cube.size.array() - 1;
+    const Bounds box{cube.first_centre - reach, cube.centre(last.x(), last.y(), last.z()) + reach};
+    mesh.tree().forOverlapping(box, [&](std::uint32_t slot) {
+      TriangleCorners t;
+      if (mesh.triangle(slot, t)) markTriangle({t[0], t[1], t[2]}, cube, side);
+    });
+    fillEnclosed(surface, cube, side);
   }
+  VoxelCounts counts;
+  counts.surface = static_cast<std::size_t>(std::count(side.begin(), side.end(), kVoxelSurface));
+  counts.solid =
+      counts.surface + static_cast<std::size_t>(std::count(side.begin(), side.end(), kVoxelInside));
+  return counts;
 }
 
 }  // namespace
@@ -123,6 +152,46 @@ VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads
   sides.surface_voxels = std::count(sides.side.begin(), sides.side.end(), kVoxelSurface);
   sides.solid_voxels = sides.surface_voxels + std::count(sides.side.begin(), sides.side.end(), kVoxelInside);
   return sides;
+}
+
+VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, std::size_t most_at_once) {
+  const VoxelGrid grid = makeGrid(surface.bounds(), voxel_size, 0);
+  if (grid.cells() <= most_at_once) {
+    const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
+    return {sides.surface_voxels, sides.solid_voxels};
+  }
+  constexpr int kEdge = 32;
+  constexpr double kDiagonal = 1.7320508075688774;
+  const Vector3i cubes = (grid.size.array() + kEdge - 1) / kEdge;
+  std::vector<VoxelCounts> of_row(static_cast<std::size_t>(cubes.y()) * static_cast<std::size_t>(cubes.z()));
+  parallelFor(threads, of_row.size(), [&](std::size_t row) {
+    std::uint32_t hint = kNoHint;
+    std::vector<std::int8_t> side;
+    for (int i = 0; i < cubes.x(); ++i) {
+      const Vector3i first =
+          kEdge * Vector3i(i, static_cast<int>(row) % cubes.y(), static_cast<int>(row) / cubes.y());
+      VoxelGrid cube{grid.centre(first.x(), first.y(), first.z()), voxel_size,
+                     (grid.size - first).cwiseMin(Vector3i::Constant(kEdge))};
+      const Vector3d middle =
+          cube.first_centre + 0.5 * voxel_size * (cube.size.array() - 1).matrix().cast<double>();
+      const SurfacePoint nearest = surface.closest(middle, hint);
+      hint = nearest.hint;
+      VoxelCounts counts;
+      // One voxel more: a surface beside a cube decides about none of its voxels.
+      if (nearest.distance > 0.5 * kDiagonal * (kEdge + 1) * voxel_size)
+        counts.solid = surface.inside(middle, nearest) ? cube.cells() : 0;
+      else
+        counts = countCube(surface, cube, side);
+      of_row[row].surface += counts.surface;
+      of_row[row].solid += counts.solid;
+    }
+  });
+  VoxelCounts all;
+  for (const VoxelCounts& row : of_row) {
+    all.surface += row.surface;
+    all.solid += row.solid;
+  }
+  return all;
 }
 
 }  // namespace abstand

@@ -1,6 +1,7 @@
 // Which voxels the surface passes through, and which lie inside.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,9 +29,24 @@ struct VoxelSides {
 /// piece at the rim is asked, as it may reach inside through a hole.
 VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads);
 
+/// How many voxels those are.
+struct VoxelCounts {
+  std::size_t surface{0};
+  std::size_t solid{0};  ///< surface and inside
+};
+/// Counts without keeping them: grids above `most_at_once` voxels are counted in cubes, of which only those
+/// that the surface comes near to are looked at in detail. In these each piece of a cube is asked as an
+/// enclosed piece is.
+inline constexpr std::size_t kMostVoxelsAtOnce = 64'000'000;
+VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads,
+                        std::size_t most_at_once = kMostVoxelsAtOnce);
+
 /// Sets side to kVoxelSurface where a triangle passes through the voxel.
 void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,
                    std::vector<std::int8_t>& side);
+/// The same for one triangle.
+void markTriangle(const std::array<Vector3d, 3>& triangle, const VoxelGrid& grid,
+                  std::vector<std::int8_t>& side);
 /// Sets all of side.
 void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side);
 

@@ -79,21 +79,24 @@ void forVoxels(const std::array<Vector3d, 3>& t, const Vector3i& size, Mark&& ma
 
 }  // namespace
 
+void markTriangle(const std::array<Vector3d, 3>& triangle, const VoxelGrid& grid,
+                  std::vector<std::int8_t>& side) {
+  const Vector3d corner = grid.first_centre.array() - 0.5 * grid.voxel_size;
+  std::array<Vector3d, 3> t;
+  for (std::size_t k = 0; k < 3; ++k) t[k] = (triangle[k] - corner) / grid.voxel_size;
+  // Several threads may write the same value to the same voxel.
+  forVoxels(t, grid.size, [&](const Vector3i& p) {
+    std::atomic_ref(side[grid.index(p.x(), p.y(), p.z())]).store(kVoxelSurface, std::memory_order_relaxed);
+  });
+}
+
 void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,
                    std::vector<std::int8_t>& side) {
   constexpr std::size_t kBatch = 512;
-  const Vector3d corner = grid.first_centre.array() - 0.5 * grid.voxel_size;
   parallelFor(threads, (mesh.triangles.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
     const std::size_t end = std::min(mesh.triangles.size(), (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < end; ++i) {
-      std::array<Vector3d, 3> t;
-      for (int k = 0; k < 3; ++k) t[k] = (mesh.corner(i, k) - corner) / grid.voxel_size;
-      // Several threads may write the same value to the same voxel.
-      forVoxels(t, grid.size, [&](const Vector3i& p) {
-        std::atomic_ref(side[grid.index(p.x(), p.y(), p.z())])
-            .store(kVoxelSurface, std::memory_order_relaxed);
-      });
-    }
+    for (std::size_t i = batch * kBatch; i < end; ++i)
+      markTriangle({mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2)}, grid, side);
   });
 }
 

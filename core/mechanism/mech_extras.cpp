@@ -144,7 +144,10 @@ double MechExtras::limitOr(const Item& item, std::size_t i, const char* what, do
 }
 
 void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mechanism) const {
-  reader_.expectValues(*item.line, 5, "frame, lower, upper, velocity, effort");
+  const bool accelerates = item.line->words.size() == 7;
+  if (!accelerates)
+    reader_.expectValues(*item.line, 5,
+                         "frame, lower, upper, velocity, effort (and, if known, acceleration)");
   auto& frame = frameOf(item, mechanism);
   if (frame.type == JointType::kFixed)
     reader_.fail(item.frame, "found frame " + frame.name + ", which is constant, expected one that moves");
@@ -154,6 +157,7 @@ void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mech
   l.upper = limitOr(item, 3, "the upper limit", unit, kInfinity);
   l.velocity = limitOr(item, 4, "the velocity", unit, kInfinity);
   l.effort = limitOr(item, 5, "the effort", 1.0, kInfinity);
+  if (accelerates) l.acceleration = limitOr(item, 6, "the acceleration", unit, kInfinity);
   const auto refuse = [&](std::size_t i, const char* expected) {
     reader_.fail(item.line->line, item.line->words[i].column,
                  "found " + quoted(item.line->words[i].text) + ", expected " + expected);
@@ -161,6 +165,7 @@ void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mech
   if (l.lower > l.upper) refuse(3, "an upper limit not below the lower one");
   if (l.velocity < 0.0) refuse(4, "a velocity from 0 on");
   if (l.effort < 0.0) refuse(5, "an effort from 0 on");
+  if (!(l.acceleration > 0.0)) refuse(6, "an acceleration above 0");
 }
 
 void MechExtras::body(const Item& item, const MechUnits& units, Mechanism& mechanism) const {

@@ -62,7 +62,7 @@ class MechParser : private MechReader {
       }
     }
     if (frames_.empty()) throw ParseError({fileName()}, "found no frame, expected at least one chain");
-    Robot robot{fileName(), build(), {}, {}};
+    Robot robot{fileName(), build(), {}, {}, {}};
     extras_.apply({length_, angle_}, robot);
     return robot;
   }

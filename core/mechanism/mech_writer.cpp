@@ -123,9 +123,10 @@ std::string mechText(const Robot& robot) {
     const JointLimits& l = f.limits;
     const bool slides = f.type == JointType::kPrismatic;
     if (f.dof >= 0 && (std::isfinite(l.lower) || std::isfinite(l.upper) || std::isfinite(l.velocity) ||
-                       std::isfinite(l.effort)))
+                       std::isfinite(l.effort) || std::isfinite(l.acceleration)))
       limits += "    limit " + id + limit(l.lower, slides) + limit(l.upper, slides) +
-                limit(l.velocity, slides) + (std::isfinite(l.effort) ? plain(l.effort) : " none") + "\n";
+                limit(l.velocity, slides) + (std::isfinite(l.effort) ? plain(l.effort) : " none") +
+                (std::isfinite(l.acceleration) ? limit(l.acceleration, slides) : "") + "\n";
     const Matrix3d& I = f.inertia.inertia_F;
     if (f.inertia.mass > 0.0 || !I.isZero(0.0))
       bodies += "    body " + id + plain(f.inertia.mass) + plain(f.inertia.com_F.x()) +

@@ -14,8 +14,9 @@ enum class JointType { kFixed, kRevolute, kPrismatic };
 /// What a joint may do, in the units of its value (rad or m). Infinity where nothing is known.
 struct JointLimits {
   double lower{-kInfinity}, upper{kInfinity};
-  double velocity{kInfinity};  ///< rad/s or m/s, of its size
-  double effort{kInfinity};    ///< N m or N, of its size
+  double velocity{kInfinity};      ///< rad/s or m/s, of its size
+  double effort{kInfinity};        ///< N m or N, of its size
+  double acceleration{kInfinity};  ///< rad/s^2 or m/s^2, of its size
 };
 
 /// Mass of the body that moves with a frame. SI; 0 where nothing is known.

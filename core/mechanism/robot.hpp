@@ -26,12 +26,19 @@ struct LinkGeometry {
   SourcePos pos;
 };
 
+/// A visual that the file has for a frame and that cannot be read.
+struct UnreadGeometry {
+  int frame{-1};
+  std::string reason;  ///< "found the geometry 'capsule' in <visual>, expected ..."
+};
+
 /// What a robot file holds. Constant after loading.
 struct Robot {
   std::filesystem::path file;
   Mechanism mechanism;
   std::vector<LinkGeometry> geometry;  ///< in file order
   std::vector<std::string> warnings;   ///< what is odd but can be read, `FILE:LINE:COLUMN: TEXT`
+  std::vector<UnreadGeometry> unread;  ///< left out of `geometry`, with a warning
 };
 
 inline constexpr std::uintmax_t kMostRobotBytes = 16u << 20;

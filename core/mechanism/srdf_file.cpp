@@ -1,5 +1,8 @@
 #include "core/mechanism/srdf_file.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "core/base/text_file.hpp"
 #include "core/mechanism/robot.hpp"
 #include "core/mechanism/xml_values.hpp"
@@ -34,12 +37,87 @@ Srdf loadSrdf(const std::filesystem::path& file) {
   return parseSrdf(readFile(file, kMostRobotBytes), file.string());
 }
 
+namespace {
+
+std::string lineOf(const DisabledPair& pair) {
+  return "  <disable_collisions link1=\"" + xmlEscaped(pair.link1) + "\" link2=\"" + xmlEscaped(pair.link2) +
+         "\" reason=\"" + xmlEscaped(pair.reason) + "\"/>\n";
+}
+
+bool isSampled(std::string_view reason) {
+  return reason == "Adjacent" || reason == "Never" || reason == "Always" || reason == "Default";
+}
+
+/// Where an element begins and ends in the document.
+struct Span {
+  std::size_t begin, end;
+};
+
+/// The element with its line, where it stands alone on it.
+Span spanOf(const std::string& text, std::string_view name) {
+  // `name` points into the document, behind its '<'.
+  std::size_t begin = static_cast<std::size_t>(name.data() - text.data()) - 1;
+  std::size_t end = begin;
+  for (char quote = 0; end < text.size() && (quote != 0 || text[end] != '>'); ++end) {
+    if (quote == 0 && (text[end] == '"' || text[end] == '\''))
+      quote = text[end];
+    else if (text[end] == quote)
+      quote = 0;
+  }
+  if (text[end - 1] != '/') end = text.find('>', text.find("</disable_collisions", end));
+  end = std::min(end + 1, text.size());
+  std::size_t line = begin;
+  while (line > 0 && (text[line - 1] == ' ' || text[line - 1] == '\t')) --line;
+  std::size_t after = end;
+  while (after < text.size() && (text[after] == ' ' || text[after] == '\t' || text[after] == '\r')) ++after;
+  if ((line == 0 || text[line - 1] == '\n') && after < text.size() && text[after] == '\n')
+    return {line, after + 1};
+  return {begin, end};
+}
+
+}  // namespace
+
 std::string srdfText(const Srdf& srdf) {
   std::string text = "<?xml version=\"1.0\"?>\n<robot name=\"" + xmlEscaped(srdf.robot) + "\">\n";
-  for (const auto& pair : srdf.disabled)
-    text += "  <disable_collisions link1=\"" + xmlEscaped(pair.link1) + "\" link2=\"" +
-            xmlEscaped(pair.link2) + "\" reason=\"" + xmlEscaped(pair.reason) + "\"/>\n";
+  for (const auto& pair : srdf.disabled) text += lineOf(pair);
   return text + "</robot>\n";
+}
+
+std::string mergedSrdfText(const std::string& old, const std::string& file, const Srdf& srdf) {
+  const Srdf before = parseSrdf(old, file);
+  if (before.robot != srdf.robot)
+    throw ParseError(
+        {file}, "found an SRDF of the robot '" + before.robot + "', expected one of '" + srdf.robot + "'",
+        "choose another name for the output");
+  const XmlElement robot = mesh_file::parseXml(old, file);
+  std::set<std::pair<std::string, std::string>> kept;
+  std::vector<Span> ours;
+  std::size_t pair = 0;
+  for (const auto& e : robot.children) {
+    if (e.name != "disable_collisions") continue;
+    const DisabledPair& known = before.disabled[pair++];
+    if (isSampled(known.reason))
+      ours.push_back(spanOf(old, e.name));
+    else
+      kept.insert(std::minmax(known.link1, known.link2));
+  }
+  std::string added;
+  for (const auto& p : srdf.disabled)
+    if (!kept.contains(std::minmax(p.link1, p.link2))) added += lineOf(p);
+  // A root without content, `<robot name="x"/>`, has no end tag to stand before.
+  const std::size_t end_tag = old.rfind("</robot");
+  if (end_tag == std::string::npos) return srdfText(srdf);
+  std::string text;
+  std::size_t at = 0;
+  for (const Span& span : ours) {
+    text.append(old, at, span.begin - at);
+    if (&span == &ours.front()) text += added;
+    at = span.end;
+  }
+  if (!ours.empty()) return text.append(old, at);
+  text.append(old, 0, end_tag);
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  return text + added + old.substr(end_tag);
 }
 
 }  // namespace abstand

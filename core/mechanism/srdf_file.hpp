@@ -28,4 +28,10 @@ Srdf loadSrdf(const std::filesystem::path& file);
 /// Only the name and the disabled pairs.
 std::string srdfText(const Srdf& srdf);
 
+/// The text of an SRDF with the disabled pairs of `srdf` in place of those that a sampling of the joint space
+/// wrote before (reasons Adjacent, Never, Always, Default). Everything else stays byte for byte: groups,
+/// states, end effectors, comments, and pairs disabled for another reason, which `srdf` does not repeat.
+/// Throws ParseError for what is no SRDF and for one of a robot of another name.
+std::string mergedSrdfText(const std::string& old, const std::string& file, const Srdf& srdf);
+
 }  // namespace abstand

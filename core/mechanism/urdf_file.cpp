@@ -63,7 +63,7 @@ class UrdfBuilder {
     std::stable_sort(geometry_.begin(), geometry_.end(), [](const LinkGeometry& l, const LinkGeometry& r) {
       return std::pair(l.pos.line, l.pos.column) < std::pair(r.pos.line, r.pos.column);
     });
-    return {file_, std::move(mechanism_), std::move(geometry_), text_.warnings};
+    return {file_, std::move(mechanism_), std::move(geometry_), text_.warnings, std::move(unread_)};
   }
 
  private:
@@ -99,6 +99,7 @@ class UrdfBuilder {
         geometry_.push_back({frame, use, bodies[i].mesh, bodies[i].scale, bodies[i].shape, bodies[i].X_LG,
                              SourcePos{file_, places[i].line, places[i].column}});
     };
+    if (!text_.links[link].unread.empty()) unread_.push_back({frame, text_.links[link].unread});
     keep(GeometryUse::kCollision, model_.links[link].collisions, text_.links[link].collisions);
     keep(GeometryUse::kVisual, model_.links[link].visuals, text_.links[link].visuals);
   }
@@ -186,6 +187,7 @@ class UrdfBuilder {
   const std::string& file_;
   Mechanism mechanism_;
   std::vector<LinkGeometry> geometry_;
+  std::vector<UnreadGeometry> unread_;
   std::vector<int> dof_of_;  ///< a joint's first dof, -1 when it mimics another
   std::vector<std::vector<std::size_t>> joints_from_;
   std::unordered_map<std::string, std::size_t> link_at_, joint_at_;

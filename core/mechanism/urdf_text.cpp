@@ -92,8 +92,17 @@ class UrdfChecker {
     out_.document += "<link" + attribute("name", link.name) + ">";
     if (const auto* inertial = e.child("inertial")) this->inertial(*inertial);
     for (const auto& child : e.children) {
-      if (child.name == "visual" && visual(child)) link.visuals.push_back(place(child));
+      if (child.name == "visual") {
+        if (const std::string problem = visual(child); problem.empty())
+          link.visuals.push_back(place(child));
+        else
+          link.unread = problem;
+      }
       if (child.name == "collision") {
+        if (isPoint(child)) {
+          warn(child, "found a sphere of radius 0 in <collision>, expected a positive one: left out");
+          continue;
+        }
         if (const std::string problem = geometryProblem(child); !problem.empty())
           values_.fail(child, problem);
         body(child);
@@ -133,6 +142,13 @@ class UrdfChecker {
         "<mass" + attribute("value", std::max(m, 0.0)) + "/><inertia" + moments + "/></inertial>";
   }
 
+  /// A sphere of radius 0, which robots in use have where a link has no body: nothing to collide with.
+  bool isPoint(const XmlElement& e) const {
+    const auto* geometry = e.child("geometry");
+    if (!geometry || geometry->children.empty() || geometry->children.front().name != "sphere") return false;
+    return values_.number(geometry->children.front(), "radius") == 0.0;
+  }
+
   /// What is wrong with the geometry of a visual or collision; empty: nothing. Numbers that are none throw.
   std::string geometryProblem(const XmlElement& e) const {
     const std::string what = "<" + std::string(e.name) + ">";
@@ -163,13 +179,14 @@ class UrdfChecker {
                : "found the size " + xmlNumbers(size) + " in " + what + ", expected positive edges";
   }
 
-  bool visual(const XmlElement& e) {
-    if (const std::string problem = geometryProblem(e); !problem.empty()) {
+  /// What is wrong with it, where it is left out; empty: nothing.
+  std::string visual(const XmlElement& e) {
+    std::string problem = geometryProblem(e);
+    if (problem.empty())
+      body(e);
+    else
       warn(e, problem + ": left out");
-      return false;
-    }
-    body(e);
-    return true;
+    return problem;
   }
 
   void body(const XmlElement& e) {

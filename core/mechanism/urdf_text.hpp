@@ -15,6 +15,7 @@ struct UrdfLinkText {
   std::string name;
   UrdfPlace place;
   std::vector<UrdfPlace> visuals, collisions;  ///< of those in the document, in order
+  std::string unread;  ///< what is wrong with the last visual that was left out; empty: none was
 };
 
 struct UrdfJointText {

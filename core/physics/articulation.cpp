@@ -67,6 +67,14 @@ Articulation::Articulation(const Mechanism& mechanism, const Transform& X_WB, co
   drive_.assign(dof, 0.0);
   middle_.assign(dof, 0.0);
   work_.assign(dof, 0.0);
+  command_.assign(dof, 0.0);
+  next_rates_.assign(dof, 0.0);
+  motored_.assign(dof, false);
+  if (options.limits && options.motors_keep_limits) {
+    std::vector<DofLimits> limits = dofLimits(mechanism);
+    for (std::size_t k = 0; k < dof; ++k) limits[k].effort = most_[k];
+    limiter_.emplace(std::move(limits));
+  }
   external_.assign(tree_.bodies.size(), {});
   settle();
 }
@@ -80,6 +88,7 @@ void Articulation::setState(std::span<const double> q, std::span<const double> q
 
 void Articulation::setMotor(int dof, double velocity, double most_effort) {
   motors_[static_cast<std::size_t>(dof)] = {velocity, most_effort};
+  motored_[static_cast<std::size_t>(dof)] = most_effort > 0.0;
 }
 
 void Articulation::addWrench(int frame, const Wrench& w_W, const Vector3d& p_W) {
@@ -119,18 +128,20 @@ void Articulation::drive(double h) {
   else
     std::fill(drive_.begin(), drive_.end(), 0.0);
   for (std::size_t k = 0; k < drive_.size(); ++k)
-    drive_[k] = std::clamp(drive_[k] + efforts_[k], -most_[k], most_[k]);
+    drive_[k] = command_[k] = std::clamp(drive_[k] + efforts_[k], -most_[k], most_[k]);
 
   // Each round's error is the one before times a step's turn, so a few are enough.
   middle_ = qd_;
   if (!factorMass()) return;
   for (int round = 0; round < kMostRounds; ++round) {
     inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
-    for (std::size_t k = 0; k < work_.size(); ++k) work_[k] = 0.5 * h * (drive_[k] - work_[k]);
-    solveMass(mass_, work_);
+    for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] = h * (command_[k] - work_[k]);
+    solveMass(mass_, next_rates_);
+    for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] += qd_[k];
+    if (limiter_) limiter_->limit(mass_, {h, q_, qd_, work_, command_, next_rates_, drive_}, motored_);
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < work_.size(); ++k) {
-      const double next = std::clamp(qd_[k] + work_[k], -kMostRate, kMostRate);
+      const double next = std::clamp(0.5 * (qd_[k] + next_rates_[k]), -kMostRate, kMostRate);
       change = std::max(change, std::abs(next - middle_[k]));
       size = std::max(size, std::abs(next));
       middle_[k] = next;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
+#include "core/physics/joint_limiter.hpp"
 
 struct dxWorld;  // ODE's
 
@@ -23,7 +25,10 @@ enum class MechanismSolver {
 
 struct MechanismOptions {
   MechanismSolver solver{MechanismSolver::kJointed};
-  bool limits{true};                 ///< joints stop at JointLimits::lower and upper
+  bool limits{true};  ///< joints stop at JointLimits::lower and upper
+  /// Motors keep positions, velocities and accelerations within JointLimits, as far as their efforts allow
+  /// (JointLimiter). Without `limits` nothing is kept. Efforts never leave their limits.
+  bool motors_keep_limits{true};
   bool gravity_compensation{false};  ///< motors carry g(q) besides what they are told
   std::vector<double> damping{};     ///< N m s/rad or N s/m, one a dof, 0 or more; empty: none
 };
@@ -48,8 +53,13 @@ class Articulation {
   /// Effort (N m, N) of the dof's motor, until it is set again. Beyond the joint's limit it is cut.
   void setEffort(int dof, double effort) { efforts_[static_cast<std::size_t>(dof)] = effort; }
   /// The dof's motor keeps the velocity (rad/s, m/s) as well as `most_effort` (N m, N; 0: off) allows; the
-  /// effort of setEffort() acts besides. While it is on it takes the place of the damping.
+  /// effort of setEffort() acts besides. While it is on it takes the place of the damping, and of the care
+  /// for the limits.
   void setMotor(int dof, double velocity, double most_effort);
+
+  /// N m or N, what the motors gave in the last step under setEffort(), within their limits; without what
+  /// setMotor() asks for.
+  std::span<const double> appliedEfforts() const { return drive_; }
 
   /// A wrench that acts during the next step on the body of frame `frame`; torque about `p_W`.
   void addWrench(int frame, const Wrench& w_W, const Vector3d& p_W);
@@ -82,7 +92,7 @@ class Articulation {
     double damping;       ///< of this joint alone
   };
 
-  /// Motor efforts of this step, cut to the limits, gravity compensation included; then the middle rates u,
+  /// Motor efforts of this step, cut to the limits and gravity compensation included, and the middle rates u,
   /// as if there were no stops and motors to keep a velocity.
   void drive(double h);
   /// After qd_ has been set: moves q_ by it, forgets the wrenches.
@@ -107,7 +117,9 @@ class Articulation {
  private:
   bool factorMass();
   bool factored_{false};
-  std::vector<double> work_;
+  std::optional<JointLimiter> limiter_;
+  std::vector<double> work_, command_, next_rates_;
+  std::vector<bool> motored_;  ///< a dof: its motor is on
   TreeState spare_;
 };
 

@@ -44,18 +44,37 @@ std::string named(const char* what, int index, const std::function<std::string(i
   return std::string(", ") + what + " " + (name ? name(index) : std::to_string(index));
 }
 
+/// Who a cause is about: a pair or a joint; empty: nobody.
+std::string about(const StopCause& cause, const StopNames& names) {
+  std::string s;
+  if (cause.pair >= 0) s += named("pair", cause.pair, names.pair);
+  if (cause.joint >= 0) s += named("joint", cause.joint, names.joint);
+  return s;
+}
+
+/// What happened when a state was left for a lower one, or when a stopped robot came to stand. The values of
+/// the cause are those of the moment in which it came up, and not of this one.
+std::string relief(const StopEntry& e) {
+  if (e.to == StopState::kWaitingForReset) return "the robot stands and waits for a reset";
+  if (e.from == StopState::kWaitingForReset) return "reset by a person, the robot goes on";
+  if (e.from == StopState::kSlowing) return "the cause is gone, full speed again";
+  return "the cause is gone, the robot goes on by itself";
+}
+
 }  // namespace
 
 std::string_view stateName(StopState state) { return kStateNames[static_cast<std::size_t>(state)]; }
 
 std::string describe(const StopEntry& e, const StopNames& names) {
   std::string s = shortNumber(e.t) + " s: " + std::string(stateName(e.from)) + " -> " +
-                  std::string(stateName(e.to)) + ", " + std::string(reasonName(e.cause.reason));
+                  std::string(stateName(e.to)) + ", ";
+  if (e.to == StopState::kRunning || e.to == StopState::kWaitingForReset)
+    return s + relief(e) + " after " + shortNumber(e.lasted) + " s; the reason was " +
+           std::string(reasonName(e.cause.reason)) + about(e.cause, names);
+  s += reasonName(e.cause.reason);
   if (!std::isnan(e.cause.value)) s += " " + shortNumber(e.cause.value) + unitOf(e.cause);
   if (!std::isnan(e.cause.limit)) s += ", limit " + shortNumber(e.cause.limit) + unitOf(e.cause);
-  if (e.cause.pair >= 0) s += named("pair", e.cause.pair, names.pair);
-  if (e.cause.joint >= 0) s += named("joint", e.cause.joint, names.joint);
-  return s + ", after " + shortNumber(e.lasted) + " s";
+  return s + about(e.cause, names) + ", after " + shortNumber(e.lasted) + " s";
 }
 
 }  // namespace abstand

@@ -46,7 +46,8 @@ struct StopNames {
 };
 
 /// One line: `12.345 s: running -> protective stop, distance 0.043 m, limit 0.05 m, pair link5 - hand, after
-/// 3.2 s`. Allocates; not for the cycle.
+/// 3.2 s`, and when it ends `14.5 s: protective stop -> running, the cause is gone, the robot goes on by
+/// itself after 2.1 s; the reason was distance, pair link5 - hand`. Allocates; not for the cycle.
 std::string describe(const StopEntry& entry, const StopNames& names = {});
 
 }  // namespace abstand

@@ -35,6 +35,11 @@ class Bodies {
   std::unordered_map<std::string, int> index_;
 };
 
+bool byDefault(const SelectableBody& a, const SelectableBody& b, const PairsDescription& rules) {
+  if (a.group != b.group) return true;
+  return a.person && b.person ? rules.within_people : rules.standard == PairDefault::kAll;
+}
+
 }  // namespace
 
 std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& bodies,
@@ -53,8 +58,7 @@ std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& 
 
   if (rules.standard != PairDefault::kNone)
     for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = a + 1; b < n; ++b)
-        chosen[a * n + b] = rules.standard == PairDefault::kAll || bodies[a].group != bodies[b].group;
+      for (std::size_t b = a + 1; b < n; ++b) chosen[a * n + b] = byDefault(bodies[a], bodies[b], rules);
   if (rules.exclude_adjacent) {
     for (const auto& p : adjacent) {
       ABSTAND_CHECK(p.first >= 0 && p.second >= 0 && p.first < static_cast<int>(n) &&

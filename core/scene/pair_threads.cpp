@@ -372,6 +372,15 @@ StepCounts PairThreads::counts() const {
   return sum;
 }
 
+std::span<const double> PairThreads::resultTimes() const { return impl_->result_time; }
+
+bool PairThreads::upToDate() const {
+  const Impl& m = *impl_;
+  for (std::size_t i = 0; i < m.group_of.size(); ++i)
+    if (m.group_of[i] != Impl::kNoGroup && m.result_number[i] != m.poses.number) return false;
+  return true;
+}
+
 double PairThreads::resultTime(PairId pair) const {
   ABSTAND_CHECK(pair.index() < impl_->result_time.size());
   return impl_->result_time[pair.index()];

@@ -46,6 +46,10 @@ class PairThreads {
   /// Time of the poses that a pair's last collected result belongs to (s, the latest of the objects' times);
   /// minus infinity for a pair that was never in a group.
   double resultTime(PairId pair) const;
+  /// The same of all pairs of the scene, as Scene::take() wants them.
+  std::span<const double> resultTimes() const;
+  /// Whether the last collected result of every pair that is in a group belongs to the poses published last.
+  bool upToDate() const;
   /// Pairs that were queried and that rested, over all cycles of all groups.
   StepCounts counts() const;
   /// Cycles that a group has run since its thread began.

@@ -8,12 +8,29 @@ namespace {
 
 using Bodies = std::vector<const LinkGeometry*>;
 
+constexpr std::size_t kMaxNames = 16;  // in one line
+
+std::string frameName(const Robot& robot, int frame) {
+  return frame < 0 ? "0" : robot.mechanism.frames[static_cast<std::size_t>(frame)].name;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMaxNames; ++i) text += (i ? ", " : "") + names[i];
+  if (names.size() > kMaxNames) text += " and " + std::to_string(names.size() - kMaxNames) + " more";
+  return text;
+}
+
 /// Chooses and finds the geometry of one frame after the other.
 class LinkChooser {
  public:
   LinkChooser(const Robot& robot, const std::string& mechanism, GeometryUse wanted,
-              const PackagePaths& packages)
-      : robot_(robot), mechanism_(mechanism), wanted_(wanted), finder_(robot.file, packages) {}
+              const PackagePaths& packages, const std::vector<std::string>& bodiless)
+      : robot_(robot),
+        mechanism_(mechanism),
+        wanted_(wanted),
+        finder_(robot.file, packages),
+        bodiless_(bodiless) {}
 
   RobotLinks run() {
     const int frames = static_cast<int>(robot_.mechanism.frames.size());
@@ -24,19 +41,24 @@ class LinkChooser {
     for (int frame = -1; frame < frames; ++frame)
       choose(frame, collisions[static_cast<std::size_t>(frame + 1)],
              visuals[static_cast<std::size_t>(frame + 1)]);
+    for (const UnreadGeometry& g : robot_.unread) addUnread(g);
     if (!missing_.empty()) refuse();
+    if (!replaced_.empty())
+      out_.remarks.push_back(robot_.file.string() + ": not all visual meshes are there, so the collision " +
+                             "geometry is taken: " + replaced_);
     for (const auto& remark : finder_.remarks()) out_.remarks.push_back(robot_.file.string() + ": " + remark);
     return std::move(out_);
   }
 
  private:
   void choose(int frame, const Bodies& collisions, const Bodies& visuals) {
+    if (std::find(bodiless_.begin(), bodiless_.end(), frameName(robot_, frame)) != bodiless_.end()) return;
     const bool take_visuals = collisions.empty() || (wanted_ == GeometryUse::kVisual && !visuals.empty());
     if (take_visuals) {
       bool all = true;
       for (const LinkGeometry* g : visuals) all = (g->shape || finder_.find(g->mesh)) && all;
       if (!all && !collisions.empty()) {
-        remark(frame, "not all visual meshes are there, so its collision geometry is taken");
+        replaced_ += (replaced_.empty() ? "" : ", ") + frameName(robot_, frame);
         return place(frame, collisions);
       }
       return place(frame, visuals);
@@ -44,18 +66,11 @@ class LinkChooser {
     place(frame, collisions);
   }
 
-  std::string nameOf(int frame) const {
-    return frame < 0 ? "0" : robot_.mechanism.frames[static_cast<std::size_t>(frame)].name;
-  }
-  void remark(int frame, const std::string& text) {
-    out_.remarks.push_back(robot_.file.string() + ": " + nameOf(frame) + ": " + text);
-  }
-
   void place(int frame, const Bodies& bodies) {
     int count = 0;
     for (const LinkGeometry* g : bodies) {
       LinkDescription link;
-      link.frame = nameOf(frame);
+      link.frame = frameName(robot_, frame);
       link.name = mechanism_ + "/" + (frame < 0 ? "base" : link.frame);
       link.scale = g->scale;
       link.shape = g->shape;
@@ -68,7 +83,9 @@ class LinkChooser {
           continue;
         }
         if (!file) {
-          remark(frame, "found no file " + g->mesh + ": the link is left out");
+          const std::string& name = link.frame;
+          if (out_.missing.empty() || out_.missing.back().frame != name)
+            out_.missing.push_back({name, "found no file " + g->mesh});
           continue;
         }
         link.mesh = *file;
@@ -76,6 +93,16 @@ class LinkChooser {
       if (++count > 1) link.name += "/" + std::to_string(count);
       out_.links.push_back(std::move(link));
     }
+  }
+
+  /// A frame of which nothing but what cannot be read is known has no body.
+  void addUnread(const UnreadGeometry& g) {
+    const std::string name = frameName(robot_, g.frame);
+    const auto is_it = [&](const auto& other) { return other.frame == name; };
+    const bool has_body = std::any_of(out_.links.begin(), out_.links.end(), is_it);
+    const bool said = std::any_of(out_.missing.begin(), out_.missing.end(), is_it);
+    const bool named = std::find(bodiless_.begin(), bodiless_.end(), name) != bodiless_.end();
+    if (!has_body && !said && !named) out_.missing.push_back({name, g.reason});
   }
 
   [[noreturn]] void refuse() const {
@@ -95,15 +122,45 @@ class LinkChooser {
   const std::string& mechanism_;
   GeometryUse wanted_;
   MeshFinder finder_;
+  const std::vector<std::string>& bodiless_;
   RobotLinks out_;
+  std::string replaced_;  ///< frames whose collision geometry stands for their visual one
   std::vector<const LinkGeometry*> missing_;
 };
 
 }  // namespace
 
 RobotLinks robotLinks(const Robot& robot, const std::string& mechanism, GeometryUse wanted,
-                      const PackagePaths& packages) {
-  return LinkChooser(robot, mechanism, wanted, packages).run();
+                      const PackagePaths& packages, const std::vector<std::string>& bodiless) {
+  return LinkChooser(robot, mechanism, wanted, packages, bodiless).run();
+}
+
+std::vector<std::string> framesWithGeometry(const Robot& robot, const std::vector<std::string>& bodiless) {
+  std::vector<std::string> frames;
+  std::vector<int> shown;
+  for (const LinkGeometry& g : robot.geometry) shown.push_back(g.frame);
+  for (const UnreadGeometry& g : robot.unread) shown.push_back(g.frame);
+  for (const int frame : shown) {
+    const std::string name = frameName(robot, frame);
+    const auto among = [&](const auto& list) {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    if (!among(frames) && !among(bodiless)) frames.push_back(name);
+  }
+  return frames;
+}
+
+std::string missingBodiesText(const MechanismDescription& mechanism) {
+  if (mechanism.missing.empty()) return {};
+  std::vector<std::string> frames, reasons;
+  for (const BodilessLink& link : mechanism.missing) {
+    frames.push_back(link.frame);
+    if (std::find(reasons.begin(), reasons.end(), link.reason) == reasons.end())
+      reasons.push_back(link.reason);
+  }
+  return std::to_string(frames.size()) + " of " + std::to_string(mechanism.frames_with_geometry) +
+         " links of " + mechanism.name + " have no body, or not all of it: " + joined(frames) + " (" +
+         joined(reasons) + "); name the links that have none on purpose under `bodiless`";
 }
 
 }  // namespace abstand

@@ -70,7 +70,8 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, 0, {}, {}, options});
+  pairs_.push_back({a, b, PairOutcome::kChecked, false, false, false, 0, {}, {}, options});
+  result_time_.push_back(kNaN);
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
@@ -103,6 +104,29 @@ void Scene::setMargin(ObjectId object, double margin) {
     pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
     renew(id);
   }
+}
+
+void Scene::setPaused(PairId id, bool paused, double t) {
+  Pair& pair = pairs_[id.index()];
+  if (pair.paused == paused) return;
+  double& time = result_time_[id.index()];
+  if (paused) {
+    enqueue(id);  // the next step takes it out of the totals
+    if (std::isnan(time)) time = std::isnan(pair.result.distance) ? -kInfinity : t;
+    ++paused_count_;
+    pair.paused = dated_ = true;
+    pair.outcome = PairOutcome::kChecked;
+  } else {
+    --paused_count_;
+    pair.paused = false;
+    renew(id);
+  }
+}
+
+double Scene::ageOf(PairId id, double t) const {
+  const double time = result_time_[id.index()];
+  if (std::isnan(time)) return std::isnan(pairs_[id.index()].result.distance) ? kInfinity : 0.0;
+  return t >= time ? t - time : kInfinity;
 }
 
 void Scene::setForceLaw(ForceLaw law, double stiffness) {
@@ -175,7 +199,7 @@ void Scene::touch(ObjectId id) {
 
 void Scene::enqueue(PairId id) {
   Pair& pair = pairs_[id.index()];
-  if (pair.queued) return;
+  if (pair.queued || pair.paused) return;
   pair.queued = true;
   pending_.push_back(id);
 }
@@ -246,6 +270,7 @@ void Scene::check(Pair& pair, PairScratch& scratch) {
 }
 
 void Scene::visit(Pair& pair, PairScratch& scratch) {
+  if (pair.paused) return;
   const ObjectReach& a = reaches_[pair.a.index()];
   const ObjectReach& b = reaches_[pair.b.index()];
   pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;
@@ -279,19 +304,35 @@ void Scene::checkWithin(double deadline) {
 void Scene::step() {
   const double deadline = skipping_.limited() ? clock_() + skipping_.budget : kInfinity;
   ++steps_;
+  // What take() left may be older than the present poses although nothing has moved since.
+  if (taken_)
+    for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
+  taken_ = false;
   enqueueMoved();
   spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
   if (skipping_.limited()) checkWithin(deadline);
+  dateResults();
   takeStock();
   addUp();
 }
 
-void Scene::take(const std::vector<PairResult>& results) {
-  ABSTAND_CHECK(results.size() == pairs_.size());
+/// What this step has renewed belongs to the present poses.
+void Scene::dateResults() {
+  if (!dated_) return;
+  for (const PairId id : renewed_)
+    if (!pairs_[id.index()].paused) result_time_[id.index()] = kNaN;
+  dated_ = paused_count_ > 0;
+}
+
+void Scene::take(const std::vector<PairResult>& results, std::span<const double> times) {
+  ABSTAND_CHECK(results.size() == pairs_.size() && (times.empty() || times.size() == pairs_.size()));
   ++steps_;
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
   enqueueMoved();
+  taken_ = dated_ = true;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].paused) continue;
+    result_time_[i] = times.empty() ? kNaN : times[i];
     pairs_[i].result = results[i];
     pairs_[i].outcome = PairOutcome::kChecked;
     pairs_[i].rest.forget();
@@ -323,7 +364,8 @@ void Scene::count(Pair& pair) {
 void Scene::takeStock() {
   if (distances_.size() != pairs_.size()) {
     distances_.resize(pairs_.size());
-    for (std::size_t i = 0; i < pairs_.size(); ++i) distances_.set(i, pairs_[i].result.distance);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      distances_.set(i, pairs_[i].paused ? kInfinity : pairs_[i].result.distance);
   }
   for (const PairId id : touching_) {
     const Pair& pair = pairs_[id.index()];
@@ -340,11 +382,11 @@ void Scene::takeStock() {
     const PairId id = renewed_[i];
     Pair& pair = pairs_[id.index()];
     pair.queued = false;
-    count(pair);
-    distances_.set(id.index(), pair.result.distance);
+    if (!pair.paused) count(pair);
+    distances_.set(id.index(), pair.paused ? kInfinity : pair.result.distance);
     if (pair.outcome == PairOutcome::kPutOff) enqueue(id);
-    if (pair.outcome != PairOutcome::kChecked) continue;
-    const bool touches = pair.result.contacts > 0;
+    if (pair.outcome != PairOutcome::kChecked && !pair.paused) continue;
+    const bool touches = !pair.paused && pair.result.contacts > 0;
     if (touches == pair.touching) continue;
     pair.touching = touches;
     (touches ? begun : ended) = true;

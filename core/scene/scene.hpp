@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -61,6 +62,7 @@ struct alignas(64) Pair {
   PairOutcome outcome{PairOutcome::kChecked};
   bool queued{false};    ///< the next step() looks at it
   bool touching{false};  ///< is among Scene::touching()
+  bool paused{false};    ///< see Scene::setPaused
   int waited{0};         ///< steps that it has been put off
   PairRest rest;
   PairResult result;
@@ -127,15 +129,29 @@ class Scene {
   /// Of the pose that was set last, m; less than 0 and NaN count as infinite. Distances, contacts and forces
   /// stay those of the bodies where they were seen. No allocation, no throw.
   void setReach(ObjectId object, double reach) noexcept;
-  /// m: by how much the bodies of a pair may be nearer to each other than its distance says.
+  /// m: by how much the bodies of a pair may be nearer to each other than its distance says; infinite for a
+  /// paused pair.
   double reachOf(PairId id) const {
-    return objects_[pairs_[id.index()].a.index()].reach + objects_[pairs_[id.index()].b.index()].reach;
+    const Pair& pair = pairs_[id.index()];
+    if (pair.paused) return kInfinity;
+    return objects_[pair.a.index()].reach + objects_[pair.b.index()].reach;
   }
+
+  /// Whether step() leaves the pair out; at first it does not. From the next step() on, a paused pair has no
+  /// part in touching(), nearest() and the totals of objects, and its result stays that of time `t` (s): it
+  /// is stale, so reachOf() is infinite. A pair that goes on is queried in the next step(). Nothing where
+  /// nothing changes. No allocation.
+  void setPaused(PairId id, bool paused, double t);
+  std::size_t pausedCount() const { return paused_count_; }
+  /// s at time `t`: how old the poses are that the pair's result belongs to. 0 for what the last step()
+  /// looked at; what take() was told else; infinite without a result and where `t` lies before it.
+  double ageOf(PairId id, double t) const;
 
   /// Brings every pair's result up to the present poses and sums the totals of the objects.
   void step();
-  /// In the place of step() where others query the pairs (live mode): takes a result for each pair, in order.
-  void take(const std::vector<PairResult>& results);
+  /// In the place of step() where others query the pairs (live mode): takes a result for each pair, in order,
+  /// and the times (s) of the poses that they belong to; without times they belong to the present poses.
+  void take(const std::vector<PairResult>& results, std::span<const double> times = {});
   /// Steps so far.
   long steps() const { return steps_; }
   const StepCounts& counts() const { return counts_; }  ///< of the last step()
@@ -175,6 +191,7 @@ class Scene {
   void checkWithin(double deadline);
   void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
   void count(Pair& pair);
+  void dateResults();
   void takeStock();
   void addUp();
 
@@ -202,6 +219,11 @@ class Scene {
   PairAgenda agenda_;
   std::vector<PairId> batch_;
   StepCounts counts_;
+  /// Of each pair, s: the time of the poses of its result; NaN: the present ones.
+  std::vector<double> result_time_;
+  bool taken_{false};  ///< the results came from take()
+  bool dated_{false};  ///< some of result_time_ may be no NaN
+  std::size_t paused_count_{0};
   int threads_{1};
   long steps_{0};
 };

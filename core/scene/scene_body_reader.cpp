@@ -191,6 +191,24 @@ void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
   addBody(name, pos);
 }
 
+/// `pose`, or the centre that the mechanism's file gives.
+void placeLink(const YamlFields& fields, const Mechanism& mechanism, LinkDescription& l) {
+  const int index = mechanism.indexOf(l.frame);
+  const MechanismFrame* frame = index < 0 ? nullptr : &mechanism.frames[static_cast<std::size_t>(index)];
+  const bool has_center = frame && frame->has_center;
+  if (has_center) l.p_FC = frame->X_FC.translation();
+  const auto* node = fields.find("pose");
+  const bool at_center = node && node->kind == YamlNode::Kind::kScalar && node->text == "center";
+  if (at_center && !has_center)
+    throw ParseError(fields.pos(*node), "found `pose: center`, but the mechanism's file gives frame " +
+                                            l.frame + " no centre, expected a `link` environment for it");
+  l.posed = node && !at_center;
+  if (l.posed)
+    l.X_FL = pose(fields, "pose");
+  else if (has_center && (at_center || l.shape))
+    l.X_FL = frame->X_FC;
+}
+
 LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mechanism) {
   const YamlFields fields(node, file_, "a link",
                           {"name", "frame", "mesh", "scale", "shape", "pose", "held", "voxel", "point",
@@ -209,7 +227,7 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
         nearestHint(l.frame, names));
   }
   meshOrShape(fields, l);
-  l.X_FL = pose(fields, "pose");
+  placeLink(fields, mechanism, l);
   l.held = flag(fields, "held");
   l.settings = settings(fields);
   return l;
@@ -241,10 +259,25 @@ void requireHeld(const YamlFields& fields, const MechanismDescription& m) {
                      "found `proxy` and nothing that is held, expected one of the `links` with `held: true`");
 }
 
+/// `bodiless`: frames of the mechanism, or 0 for its base.
+std::vector<std::string> bodilessFrames(const YamlFields& fields, const Mechanism& mechanism) {
+  std::vector<std::string> names, known{"0"};
+  for (const auto& f : mechanism.frames) known.push_back(f.name);
+  for (const auto& node : fields.list("bodiless")) {
+    names.push_back(yamlText(node, fields.file(), "`bodiless`"));
+    if (std::find(known.begin(), known.end(), names.back()) == known.end())
+      throw ParseError(
+          fields.pos(node),
+          "found " + yamlFound(node) + " in `bodiless`, expected 0 or a frame of the mechanism's file",
+          nearestHint(names.back(), known));
+  }
+  return names;
+}
+
 MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
   const YamlFields fields(node, file_, "a mechanism",
-                          {"name", "file", "base", "q", "motion", "links", "geometry", "srdf", "reaction",
-                           "voxel", "point", "outer_layers", "margin", "max_speed"});
+                          {"name", "file", "base", "q", "motion", "links", "geometry", "bodiless", "srdf",
+                           "reaction", "voxel", "point", "outer_layers", "margin", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
@@ -261,19 +294,31 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
     m.reaction = reaction(*node_reaction, robot.mechanism.dof);
   for (const auto& l : fields.list("links")) m.links.push_back(link(l, robot.mechanism));
   requireHeld(fields, m);
-  const auto geometry = fields.choice("geometry", {"collision", "visual"});
+  const auto geometry = fields.choice("geometry", {"collision", "visual", "none"});
+  m.bodiless = bodilessFrames(fields, robot.mechanism);
+  m.no_geometry = geometry == "none";
+  const std::vector<std::string> shown = framesWithGeometry(robot, m.bodiless);
+  m.frames_with_geometry = shown.size();
   if (fields.find("links")) {
     if (geometry)
       throw ParseError(
           fields.keyPos("geometry"),
           "found `geometry` beside `links`, expected one of them: `links` say what each link is");
+    for (const auto& frame : shown)
+      if (std::none_of(m.links.begin(), m.links.end(), [&](const auto& l) { return l.frame == frame; }))
+        m.missing.push_back({frame, "not among the scene's `links`"});
+    if (!m.missing.empty()) remarks_.push_back(missingBodiesText(m));
     takeDisabled(m);
     return m;
   }
-  RobotLinks links = robotLinks(
-      robot, m.name, geometry == "visual" ? GeometryUse::kVisual : GeometryUse::kCollision, packages_);
+  if (m.no_geometry) return m;
+  RobotLinks links =
+      robotLinks(robot, m.name, geometry == "visual" ? GeometryUse::kVisual : GeometryUse::kCollision,
+                 packages_, m.bodiless);
   for (auto& l : links.links) takeBody(l.name, l.pos);
   m.links = std::move(links.links);
+  m.missing = std::move(links.missing);
+  if (!m.missing.empty()) remarks_.push_back(missingBodiesText(m));
   remarks_.insert(remarks_.end(), links.remarks.begin(), links.remarks.end());
   takeDisabled(m);
   return m;

@@ -74,7 +74,8 @@ void dropByFile(PairsDescription& p, const std::vector<std::string>& bodies) {
 }
 
 PairsDescription pairRules(const YamlNode& node, const std::string& file, const SceneBodyReader& reader) {
-  const YamlFields fields(node, file, "`pairs`", {"default", "adjacent", "file", "exclude", "include"});
+  const YamlFields fields(node, file, "`pairs`",
+                          {"default", "adjacent", "within_people", "file", "exclude", "include"});
   const auto& bodies = reader.bodies();
   PairsDescription p;
   if (const auto* pairs_file = fields.find("file")) {
@@ -86,6 +87,7 @@ PairsDescription pairRules(const YamlNode& node, const std::string& file, const 
                : standard == "none" ? PairDefault::kNone
                                     : PairDefault::kBetweenGroups;
   p.exclude_adjacent = fields.choice("adjacent", {"exclude", "include"}).value_or("exclude") == "exclude";
+  p.within_people = fields.choice("within_people", {"exclude", "include"}).value_or("exclude") == "include";
   for (const auto& pair : fields.list("exclude")) {
     p.exclude.push_back(namePair(pair, file, "`exclude`", bodies));
     p.exclude_pos.push_back(fields.pos(pair));

@@ -34,21 +34,35 @@ struct LinkDescription {
   std::filesystem::path mesh;  ///< absolute; empty when a shape is given
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
   std::optional<Shape> shape;
-  Transform X_FL{Transform::Identity()};  ///< link in its frame (`pose`)
-  bool held{false};                       ///< moved by the law `proxy`: it stays on surfaces
+  /// Link in its frame: `pose`; without one, and with `pose: center`, that of the mechanism file's `link`
+  /// environment for a shape, whose origin is its centre, else none.
+  Transform X_FL{Transform::Identity()};
+  bool posed{false};             ///< the scene says where it is
+  std::optional<Vector3d> p_FC;  ///< m, its centre as the mechanism file says it
+  bool held{false};              ///< moved by the law `proxy`: it stays on surfaces
   BodySettings settings;
   SourcePos pos;
 };
 
+/// A link that a scene cannot show although its robot file gives it geometry.
+struct BodilessLink {
+  std::string frame;
+  std::string reason;  ///< "found no file package://a/b.dae", "not among the scene's links"
+};
+
 struct MechanismDescription {
   std::string name;
-  std::filesystem::path file;                   ///< .mech or URDF
-  Transform X_WB{Transform::Identity()};        ///< `base`
-  std::vector<double> q;                        ///< empty: all zero
-  std::filesystem::path motion;                 ///< empty: none
-  BodySettings settings;                        ///< of its links, where they have none of their own
-  std::filesystem::path srdf;                   ///< empty: none
-  std::vector<LinkDescription> links;           ///< as the scene lists them, else those of the robot file
+  std::filesystem::path file;             ///< .mech or URDF
+  Transform X_WB{Transform::Identity()};  ///< `base`
+  std::vector<double> q;                  ///< empty: all zero
+  std::filesystem::path motion;           ///< empty: none
+  BodySettings settings;                  ///< of its links, where they have none of their own
+  std::filesystem::path srdf;             ///< empty: none
+  std::vector<LinkDescription> links;     ///< as the scene lists them, else those of the robot file
+  bool no_geometry{false};                ///< `geometry: none`: it has no body, on purpose
+  std::vector<std::string> bodiless;      ///< frames that have no body on purpose
+  std::vector<BodilessLink> missing;      ///< frames that should have one, and have none or not all of it
+  std::size_t frames_with_geometry{0};    ///< in the robot file, without `bodiless`
   std::optional<ReactionDescription> reaction;  ///< none: it follows its motion whatever happens
   SourcePos pos;
 };
@@ -109,6 +123,7 @@ struct DroppedPair {
 struct PairsDescription {
   PairDefault standard{PairDefault::kAll};
   bool exclude_adjacent{true};
+  bool within_people{false};         ///< parts of one person against each other, too
   std::filesystem::path file;        ///< of `abstand pairs`; empty: none
   std::vector<DroppedPair> dropped;  ///< by that file and by the mechanisms' SRDFs; names of bodies
   std::vector<std::pair<std::string, std::string>> exclude, include;

@@ -78,6 +78,9 @@ std::string meshOrShape(const Body& body) {
   return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + scaleText(body.scale);
 }
 
+/// A frame's name; ids of .mech files stay numbers.
+std::string frameText(const std::string& frame) { return parseInt(frame) ? frame : scalar(frame); }
+
 std::string mechanismText(const MechanismDescription& m) {
   std::string s = "  - name: " + scalar(m.name) + "\n    file: " + scalar(m.file.string()) +
                   "\n    base: " + pose(m.X_WB) + "\n";
@@ -90,11 +93,16 @@ std::string mechanismText(const MechanismDescription& m) {
   s += settings(m.settings, "    ", "\n");
   if (!m.srdf.empty()) s += "    srdf: " + scalar(m.srdf.string()) + "\n";
   if (m.reaction) s += "    reaction:\n" + describeReaction(*m.reaction, "      ");
+  if (!m.bodiless.empty()) {
+    s += "    bodiless: [";
+    for (std::size_t i = 0; i < m.bodiless.size(); ++i) s += (i ? ", " : "") + frameText(m.bodiless[i]);
+    s += "]\n";
+  }
+  if (m.no_geometry) return s + "    geometry: none\n";
   s += m.links.empty() ? "    links: []\n" : "    links:\n";
   for (const auto& l : m.links)
-    s += "      - {name: " + scalar(l.name) + ", frame: " + (parseInt(l.frame) ? l.frame : scalar(l.frame)) +
-         meshOrShape(l) + ", pose: " + pose(l.X_FL) + (l.held ? ", held: true" : "") + settings(l.settings) +
-         "}\n";
+    s += "      - {name: " + scalar(l.name) + ", frame: " + frameText(l.frame) + meshOrShape(l) +
+         ", pose: " + pose(l.X_FL) + (l.held ? ", held: true" : "") + settings(l.settings) + "}\n";
   return s;
 }
 
@@ -171,7 +179,8 @@ std::string describeScene(const SceneDescription& scene) {
                                            : "between_groups") +
        (p.file.empty() ? "" : "\n  file: " + scalar(p.file.string())) +
        "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
-       "\n  exclude: " + pairList(p.exclude) + "\n  include: " + pairList(p.include) + "\n";
+       (p.within_people ? "\n  within_people: include" : "") + "\n  exclude: " + pairList(p.exclude) +
+       "\n  include: " + pairList(p.include) + "\n";
   s += skippingText(scene.skipping);
   if (scene.threads.empty()) return s + "threads: auto\n";
   s += "threads:\n";

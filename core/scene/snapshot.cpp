@@ -8,7 +8,9 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
   const bool first = snapshot.captured < 0 || snapshot.pairs.size() != pairs.size();
   snapshot.objects.resize(objects.size());
   snapshot.pairs.resize(pairs.size());
-  const auto copy = [&](std::size_t i) { snapshot.pairs[i] = {pairs[i].result, pairs[i].options.margin}; };
+  const auto copy = [&](std::size_t i) {
+    snapshot.pairs[i] = {pairs[i].result, pairs[i].options.margin, pairs[i].paused};
+  };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& o = objects[i];
     snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(),  o.velocity,

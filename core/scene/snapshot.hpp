@@ -23,6 +23,28 @@ struct ObjectSnapshot {
 struct PairSnapshot {
   PairResult result;
   double margin{0.0};
+  bool paused{false};  ///< see Scene::setPaused: the result is stale
+};
+
+inline constexpr std::size_t kTorqueParts = 4;
+/// What acts on a joint, N m or N, positive in the direction in which its value grows.
+struct TorqueParts {
+  double contact{0.0};   ///< J^T of the contact wrenches on the links, margins included
+  double reaction{0.0};  ///< what the reaction adds to the motors
+  double gravity{kNaN};  ///< of the links' weight; NaN: the mechanism's file names no masses
+  double motion{kNaN};   ///< of their inertia against the present motion; NaN: likewise
+  /// In the order above.
+  double operator[](std::size_t part) const {
+    return part == 0 ? contact : part == 1 ? reaction : part == 2 ? gravity : motion;
+  }
+};
+
+/// What a person asked a group of pairs to do; pairs of one that does not run are stale.
+enum class PairGroupState : std::uint8_t { kRunning, kPaused, kStopped };
+
+struct PairGroupSnapshot {
+  PairGroupState state{PairGroupState::kRunning};
+  std::size_t pairs{0};  ///< in it
 };
 
 /// A robot that reacts, as of the last cycle.
@@ -45,11 +67,17 @@ struct SceneSnapshot {
   std::vector<PairSnapshot> pairs;
   std::vector<double> joint_positions;  ///< all mechanisms, one after the other (rad, m)
   std::vector<double> joint_efforts;    ///< N m, N: caused by the contact forces
-  double cycle_us{0.0};                 ///< last cycle
+  std::vector<TorqueParts> joint_torques;
+  std::vector<PairGroupSnapshot> groups;  ///< in the order of SceneOutline::pair_groups
+  std::vector<int> pair_group;            ///< group of each pair, -1: none
+  bool torques_on{true};                  ///< the reactions' torques reach the motors
+  double cycle_us{0.0};                   ///< last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
-  long overruns{0};  ///< cycles longer than the period
-  StepCounts work;   ///< how the pairs of the last step came to their results
-  double real_time_factor{0.0};
+  double step_s{1e-3};            ///< s of wall time that a cycle may take: what the loop has chosen
+  long played_cycles{0};          ///< since playing began or its speed changed
+  long overruns{0};               ///< of these, those that took longer than step_s
+  StepCounts work;                ///< how the pairs of the last step came to their results
+  double real_time_factor{kNaN};  ///< scene time played by wall time; NaN while it is not known
   /// Those of SceneOutline::reacting, in its order; empty while nothing reacts.
   std::vector<RobotSnapshot> robots;
   double loop_start{kNaN};  ///< s, when they were put on their plans, with nothing behind them; NaN: never
@@ -77,6 +105,7 @@ struct SceneOutline {
   std::vector<ObjectInfo> objects;
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
+  std::vector<std::string> pair_groups;
   std::vector<std::string> reacting;  ///< mechanisms with a `reaction`
   bool falls{false};                  ///< some things have a mass
   std::string cannot_react;           ///< why the closed loop cannot play; empty: it can
@@ -89,9 +118,9 @@ struct SceneOutline {
 /// One point of the live plots.
 struct PlotSample {
   double t{0.0};
-  double min_distance{0.0};  ///< m
-  double peak_force{0.0};    ///< N, largest force of a pair
-  double peak_effort{0.0};   ///< N m, largest joint torque
+  double min_distance{0.0};                     ///< m
+  double peak_force{0.0};                       ///< N, largest force of a pair
+  TorqueParts peak_torque{0.0, 0.0, 0.0, 0.0};  ///< N m or N, largest magnitudes of all joints
 };
 
 }  // namespace abstand

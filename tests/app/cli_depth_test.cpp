@@ -21,10 +21,10 @@ TEST_F(Cli, RenderDepthWritesAClip) {
   EXPECT_GT(j["measured"], 0.01);
   for (const char* file : {"camera.yaml", "depth.txt", "depth_000000.png"})
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(clip) / file)) << file;
-  // What it wrote is a camera file.
-  EXPECT_EQ(
-      runJson("render-depth " + scene + " --out " + clip + " --camera " + clip + "/camera.yaml")["width"],
-      320);
+  // What it wrote is a camera file; a clip does not replace the one that it is rendered with.
+  const std::string by_its_camera = "render-depth " + scene + " --camera " + clip + "/camera.yaml --out ";
+  EXPECT_EQ(runJson(by_its_camera + clip + "_again")["width"], 320);
+  EXPECT_EQ(run(by_its_camera + clip).code, 2);
   EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 1,2").code, 2);
   EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 0,0,1 --look 0,0,0").code, 2);
   EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
@@ -88,6 +88,11 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
   EXPECT_EQ(j["lost"], 0);
   EXPECT_GT(j["fps"], 0.0);
   EXPECT_NEAR(j["height_estimate"], 1.75, 0.08);
+  EXPECT_EQ(j["height_source"], "measured");
+  EXPECT_TRUE(j["height_interval"].is_null());
+  EXPECT_EQ(j["facing"], "camera");
+  EXPECT_EQ(j["facing_decided"], true) << j["facing_ratio"];
+  EXPECT_TRUE(j["warnings"].empty()) << j["warnings"];
   EXPECT_LT(j["residual_mm"], 20.0);
   EXPECT_EQ(j["people"].size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000018.png"));
@@ -110,6 +115,38 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
   EXPECT_NEAR(
       runJson("run " + scene + " --cut-things --recording " + clip)["min_distance"]["value"].get<double>(),
       runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
+}
+
+TEST_F(Cli, TrackSaysThatAStatureWasNotMeasured) {
+  const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  // The legs are below the image.
+  ASSERT_EQ(run("render-depth --recording " + bvh + " --out " + clip +
+                " --body skin --width 320 --end 0.4 --eye 1.7,0,1.5 --look 0,0,1.4 --no-cache")
+                .code,
+            0);
+  const json j = runJson("track " + clip + " --usual-body --out " + csv);
+  EXPECT_TRUE(j["height_estimate"].is_null()) << j["height_estimate"];
+  EXPECT_EQ(j["height_source"], "interval");
+  EXPECT_GE(j["height_interval"][0], 1.3);
+  EXPECT_EQ(j["height_interval"][1], 2.1);
+  EXPECT_EQ(j["facing_decided"], false) << "with --usual-body nothing is compared";
+  EXPECT_EQ(j["warnings"].size(), 2u) << j["warnings"];
+  const Answer text = run("track " + clip + " --usual-body --facing camera --height 1.75");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("height: 1.750 m, as given"), std::string::npos) << text.out;
+  EXPECT_EQ(text.err.find("warning"), std::string::npos) << text.err;
+  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is not known, between"),
+            std::string::npos);
+}
+
+TEST_F(Cli, SkeletonGivesNullForWhatItDoesNotKnow) {
+  // A single point moves no part: there is no stature, and no rate.
+  const std::string csv = write("one.csv", "t,head.x,head.y,head.z\n0,0,0,1.6\n");
+  const Answer a = run("skeleton " + csv + " --json");
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out << a.err;
+  for (const char* key : {"stature", "rate"}) EXPECT_TRUE(j[key].is_null()) << key << ": " << j[key];
 }
 
 TEST_F(Cli, CalibratePlacesACamera) {

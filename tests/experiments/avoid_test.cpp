@@ -1,6 +1,9 @@
 // The demos of avoidance: what happens to robots that react, and to those that do not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/run/run_scene.hpp"
 #include "tests/support/paths.hpp"
 
@@ -60,6 +63,39 @@ TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
   // The left one was nearer than its limit for a while, stopped its plan, and went on.
   ASSERT_GE(s.robots[0].stops.size(), 1u);
   EXPECT_EQ(s.robots[0].stops[0].cause.reason, StopReason::kDistance);
+}
+
+TEST(HugAvoid, JointsKeepTheLimitsOfTheirFileInEveryCycleOfTheCapture) {
+  // Positions in rad, velocities in rad/s and efforts in N m may be beyond by rounding alone.
+  constexpr double kShare = 1e-6;
+  const std::vector<double> times = hug().frameTimes();
+  ClosedLoop loop(hug(), times.front());
+  std::vector<double> fastest(14, 0.0);
+  double nearest = kInfinity;
+  while (loop.time() <= times.back()) {
+    loop.step();
+    for (std::size_t m = 0; m < 2; ++m) {
+      const ReactingRobot& robot = *loop.robots()[m];
+      const auto& frames = robot.driver().mechanism().frames;
+      for (std::size_t k = 0; k < 7; ++k) {
+        const JointLimits& l = frames[k].limits;
+        ASSERT_LE(robot.q()[k], l.upper * (1.0 + kShare)) << loop.time() << " s, arm " << m << " joint " << k;
+        ASSERT_GE(robot.q()[k], l.lower * (1.0 + kShare)) << loop.time() << " s, arm " << m << " joint " << k;
+        ASSERT_LE(std::abs(robot.qd()[k]), l.velocity * (1.0 + kShare))
+            << loop.time() << " s, arm " << m << " joint " << k;
+        ASSERT_LE(std::abs(robot.applied()[k]), l.effort * (1.0 + kShare))
+            << loop.time() << " s, arm " << m << " joint " << k;
+        fastest[7 * m + k] = std::max(fastest[7 * m + k], std::abs(robot.qd()[k]) / l.velocity);
+      }
+    }
+  }
+  for (const auto& robot : loop.robots()) {
+    EXPECT_TRUE(robot->limits().kept());
+    nearest = std::min(nearest, robot->record().nearest_person.value);
+  }
+  EXPECT_GT(nearest, 0.01) << "and the boxer is never touched";
+  EXPECT_GT(*std::max_element(fastest.begin(), fastest.end()), 0.999) << "some joint needed all it has";
+  EXPECT_TRUE(jointLimitsOf(hug(), &loop, times.front(), times.back()).empty()) << "their plans neither";
 }
 
 TEST(HumanoidSelf, ArmsThatDoNotReactGoThroughEachOther) {

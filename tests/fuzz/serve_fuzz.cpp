@@ -8,7 +8,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace abstand;
-  static const serve::PacketFormat format{{{"left_arm", 2}, {"right_arm", 1}}, {"operator"}};
+  static const serve::PacketFormat format{
+      {{"left_arm", 2}, {"right_arm", 1}}, {"operator"}, {"g", "rest"}, {"a", "b"}};
   static serve::Packet packet = serve::makePacket(format);
   const auto bytes = std::as_bytes(std::span(data, size));
   if (serve::parsePacket(bytes, format, packet) != serve::PacketFault::kNone) return 0;
@@ -16,6 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ABSTAND_CHECK(format.hasMechanism(packet.index) && packet.values == format.dof(packet.index));
     for (std::size_t i = 0; i < packet.values; ++i)
       ABSTAND_CHECK(std::abs(packet.q[i]) <= serve::kMostCoordinate);
+  } else if (packet.type == serve::PacketType::kControl) {
+    ABSTAND_CHECK(serve::checkControl(format, packet.control) == serve::PacketFault::kNone);
   } else {
     ABSTAND_CHECK(packet.type == serve::PacketType::kSkeleton && packet.index < format.people.size());
     for (std::size_t j = 0; j < kJointCount; ++j)

@@ -78,6 +78,16 @@ FakeSession::FakeSession() {
   snapshot_.pairs.resize(outline_.pairs.size());
   snapshot_.joint_positions.resize(outline_.joints.size());
   snapshot_.joint_efforts.resize(outline_.joints.size());
+  snapshot_.joint_torques.resize(outline_.joints.size());
+  // Pairs with the person, and the others.
+  outline_.pair_groups = {"people", "things"};
+  for (const auto& [a, b] : outline_.pairs)
+    snapshot_.pair_group.push_back(outline_.objects[static_cast<std::size_t>(a)].human ||
+                                           outline_.objects[static_cast<std::size_t>(b)].human
+                                       ? 0
+                                       : 1);
+  snapshot_.groups.resize(2);
+  group();
   compute(0.0);
 }
 
@@ -147,6 +157,9 @@ void FakeSession::relate() {
     const Vector3d between = other.p_WCom - one.p_WCom;
     const Vector3d n = between.normalized();
     pair.margin = one.margin + other.margin;
+    const int of = snapshot_.pair_group[p];
+    pair.paused = of < 0 || snapshot_.groups[static_cast<std::size_t>(of)].state != PairGroupState::kRunning;
+    if (pair.paused) continue;
     PairResult& result = pair.result;
     result.distance = between.norm() - radii_[a] - radii_[b];
     result.bound = 0.0015;
@@ -167,12 +180,49 @@ void FakeSession::relate() {
       snapshot_.nearest_pair = static_cast<int>(p);
     }
   }
-  double effort = 0.0;
+  TorqueParts peak{0.0, 0.0, 0.0, 0.0};
   for (std::size_t j = 0; j < snapshot_.joint_efforts.size(); ++j) {
     snapshot_.joint_efforts[j] = 0.1 * force * static_cast<double>(snapshot_.joint_efforts.size() - j);
-    effort = std::max(effort, snapshot_.joint_efforts[j]);
+    const double share = static_cast<double>(j + 1);
+    snapshot_.joint_torques[j] = {snapshot_.joint_efforts[j], snapshot_.torques_on ? -2.0 * share : 0.0,
+                                  -3.0 * share, 0.5 * share};
+    peak = {std::max(peak.contact, snapshot_.joint_efforts[j]), snapshot_.torques_on ? 2.0 * share : 0.0,
+            3.0 * share, 0.5 * share};
   }
-  samples_.push_back({snapshot_.t, nearest, force, effort});
+  samples_.push_back({snapshot_.t, nearest, force, peak});
+}
+
+void FakeSession::group() {
+  for (PairGroupSnapshot& group : snapshot_.groups) group.pairs = 0;
+  for (const int of : snapshot_.pair_group)
+    if (of >= 0) ++snapshot_.groups[static_cast<std::size_t>(of)].pairs;
+}
+
+void FakeSession::setTorques(bool on) {
+  log.push_back(on ? "torques on" : "torques off");
+  snapshot_.torques_on = on;
+  compute(snapshot_.t);
+}
+
+void FakeSession::setGroup(int group, PairGroupState state) {
+  constexpr const char* kStates[]{"run", "pause", "stop"};
+  log.push_back(kStates[static_cast<std::size_t>(state)] + (" " + std::to_string(group)));
+  snapshot_.groups[static_cast<std::size_t>(group)].state = state;
+  compute(snapshot_.t);
+}
+
+void FakeSession::addPair(int group, int pair) {
+  log.push_back("add " + std::to_string(group) + " " + std::to_string(pair));
+  snapshot_.pair_group[static_cast<std::size_t>(pair)] = group;
+  this->group();
+  compute(snapshot_.t);
+}
+
+void FakeSession::removePair(int pair) {
+  log.push_back("remove " + std::to_string(pair));
+  snapshot_.pair_group[static_cast<std::size_t>(pair)] = -1;
+  group();
+  compute(snapshot_.t);
 }
 
 void FakeSession::compute(double t) {
@@ -190,7 +240,7 @@ void FakeSession::compute(double t) {
   ++snapshot_.step;
   snapshot_.cycle_us = snapshot_.cycle_median_us = 64.0;
   snapshot_.cycle_p99_us = 121.0;
-  snapshot_.real_time_factor = snapshot_.playing ? speed : 0.0;
+  snapshot_.real_time_factor = snapshot_.playing ? speed : kNaN;
   relate();
   fresh_ = true;
 }

@@ -25,6 +25,10 @@ class FakeSession : public SessionPort {
   void setReact(bool on) override;
   void resetStops() override;
   void setMargin(int object, double metres) override;
+  void setTorques(bool on) override;
+  void setGroup(int group, PairGroupState state) override;
+  void addPair(int group, int pair) override;
+  void removePair(int pair) override;
 
   /// Computes every frame of `seconds` of wall time, when playing.
   void advance(double seconds);
@@ -53,6 +57,7 @@ class FakeSession : public SessionPort {
   int addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh,
                 double radius);
   void compute(double t);
+  void group();
   void place(double t);
   void relate();
 

@@ -7,6 +7,7 @@
 #include <QTableView>
 
 #include "tests/ui/fake_session.hpp"
+#include "ui/model/nearest_classes.hpp"
 #include "ui/model/pair_table_model.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
@@ -44,6 +45,32 @@ SceneSnapshot snapshotAt(FakeSession& session, double t) {
   SceneSnapshot snapshot;
   session.takeSnapshot(snapshot);
   return snapshot;
+}
+
+TEST(NearestClasses, PeopleComeFirstAndPartsOfOneAreNotAmongThem) {
+  SceneOutline outline;
+  outline.objects = {{"arm/1", "arm", false, true},      {"arm/2", "arm", false, true},
+                     {"p/head", "p", true, true},        {"p/torso", "p", true, true},
+                     {"table", "objects", false, false}, {"lamp", "objects", false, false}};
+  outline.pairs = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {0, 4}};
+  SceneSnapshot snapshot;
+  snapshot.pairs.resize(outline.pairs.size());
+  const double distances[] = {0.3, 0.5, 0.4, -0.05, 0.2, -0.1, kInfinity};
+  for (std::size_t i = 0; i < snapshot.pairs.size(); ++i) snapshot.pairs[i].result.distance = distances[i];
+  snapshot.nearest_pair = 5;
+  const auto found = nearestOfClasses(outline, snapshot);
+  ASSERT_EQ(found.size(), 3u) << "robot and thing: no distance is known";
+  EXPECT_EQ(found[0].pair, 2);
+  EXPECT_EQ(found[0].name, "Person – robot");
+  EXPECT_EQ(found[1].pair, 4);
+  EXPECT_EQ(found[2].pair, 0);
+  EXPECT_TRUE(nearestText(outline, snapshot).startsWith("Person – robot: arm/2 – p/head, "));
+  EXPECT_EQ(nearestLines(outline, snapshot).count('\n'), 2);
+  outline.pairs = {{4, 5}};
+  snapshot.pairs.resize(1);
+  snapshot.nearest_pair = 0;
+  EXPECT_TRUE(nearestText(outline, snapshot).startsWith("Nearest: table – lamp"));
+  EXPECT_TRUE(nearestText({}, {}).isEmpty());
 }
 
 TEST(SceneTree, IsASoundModelWithGroupsInOrder) {

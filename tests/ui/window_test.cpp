@@ -5,10 +5,12 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -17,13 +19,16 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
+#include <QTableView>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "tests/ui/fake_session.hpp"
 #include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
 #include "ui/model/stop_text.hpp"
+#include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
 #include "ui/panels/pair_panel.hpp"
@@ -279,6 +284,85 @@ TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
   EXPECT_EQ(next.log, std::vector<std::string>{"reset stops"});
   window.setSession(nullptr);
   EXPECT_FALSE(react->isEnabled());
+}
+
+TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
+  auto& panel = window.groupPanel();
+  auto* tree = panel.tree();
+  const auto* head = panel.findChild<QLabel*>("groups_head");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
+  const int pairs = static_cast<int>(session.outline().pairs.size());
+  EXPECT_EQ(head->text(), QString("All %1 pairs are checked.").arg(pairs));
+  const int with_people = tree->topLevelItem(0)->childCount();
+  tree->topLevelItem(0)->setSelected(true);
+  panel.findChild<QPushButton*>("groups_pause")->click();
+  EXPECT_EQ(session.log, std::vector<std::string>{"pause 0"});
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return head->text() == QString("⚠ %1 of %2 pairs are not checked: their distances are stale.")
+                                   .arg(with_people)
+                                   .arg(pairs);
+      },
+      kWaitMs));
+  EXPECT_EQ(tree->topLevelItem(0)->text(2), "paused: stale");
+  const auto* left_out = window.findChild<QLabel*>("left_out");
+  EXPECT_TRUE(left_out->text().startsWith(QString("⚠ %1 pairs not checked.").arg(with_people)));
+  // In the table such a pair shows no distance, and sorts as the nearest.
+  const auto* table = window.pairPanel().table()->model();
+  EXPECT_EQ(table->index(0, PairTableModel::kState).data().toString(), "? not checked");
+  EXPECT_EQ(table->index(0, PairTableModel::kDistance).data().toString(), "–");
+  session.log.clear();
+  panel.findChild<QPushButton*>("groups_run")->click();
+  EXPECT_EQ(session.log, std::vector<std::string>{"run 0"});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return head->text().startsWith("All"); }, kWaitMs));
+}
+
+TEST_F(WindowTest, APairLeavesItsGroupAndComesIntoAnother) {
+  auto& panel = window.groupPanel();
+  auto* tree = panel.tree();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
+  tree->topLevelItem(1)->child(0)->setSelected(true);
+  auto* add = panel.findChild<QPushButton*>("groups_add");
+  EXPECT_FALSE(add->isEnabled()) << "it is in a group";
+  const int pair = tree->topLevelItem(1)->child(0)->data(0, Qt::UserRole + 1).toInt();
+  panel.findChild<QPushButton*>("groups_remove")->click();
+  EXPECT_EQ(session.log, std::vector<std::string>{"remove " + std::to_string(pair)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 3; }, kWaitMs));
+  EXPECT_EQ(tree->topLevelItem(0)->text(0), "In no group");
+  EXPECT_EQ(tree->topLevelItem(0)->text(2), "removed: stale");
+  ASSERT_TRUE(add->isEnabled()) << "the pair stays selected";
+  session.log.clear();
+  add->menu()->actions()[0]->trigger();
+  EXPECT_EQ(session.log, std::vector<std::string>{"add 0 " + std::to_string(pair)});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
+}
+
+TEST_F(WindowTest, ReactionTorquesAreAToggle) {
+  QAction* torques = window.actions()[ActionId::kReactionTorques];
+  EXPECT_TRUE(torques->isEnabled() && torques->isChecked());
+  torques->trigger();
+  EXPECT_EQ(session.log, std::vector<std::string>{"torques off"});
+  FakeSession next;
+  window.setSession(&next);
+  EXPECT_EQ(next.log, std::vector<std::string>{"torques off"});
+}
+
+TEST_F(WindowTest, TheTorquesOfAJointCanBePlotted) {
+  auto* joint = window.findChild<QComboBox*>("torque_joint");
+  ASSERT_TRUE(joint);
+  EXPECT_EQ(joint->count(), 1 + static_cast<int>(session.outline().joints.size()));
+  EXPECT_EQ(joint->currentText(), "largest of all");
+  joint->setCurrentIndex(2);
+  Q_EMIT joint->activated(2);
+  session.play(true);
+  session.advance(0.2);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (const QLabel* label : window.findChildren<QLabel*>())
+          if (label->text().contains("reaction -4.0")) return true;
+        return false;
+      },
+      kWaitMs));
 }
 
 TEST_F(WindowTest, WhyNothingReactsIsSaid) {

@@ -101,7 +101,7 @@ bool AmcReader::next(std::vector<double>& values) {
   const std::string what = std::to_string(bones) + " of " + std::to_string(moving_) + " bones";
   if (has_words_ || frames_ == 0)
     throw ParseError({file_, start}, "found a frame with " + what + ", expected all that move");
-  warnings_.push_back({start, "the last frame is cut after " + what + ": it is left out"});
+  warnings_.push_back({start, "the last frame is cut after " + what + ": it is left out", 1});
   at_end_ = true;
   return false;
 }

@@ -94,11 +94,12 @@ bool BvhReader::finish(std::size_t partial) {
   if (partial > 0 || cut_)
     warnings_.push_back({data_line_, "the last frame is cut after " + std::to_string(partial) + " of " +
                                          std::to_string(values_.size()) + " numbers: it is left out"});
+  const auto claim = head_.frames > 0 ? static_cast<std::size_t>(head_.frames) : 0;
   if (static_cast<unsigned long long>(head_.frames) != frames_)
-    warnings_.push_back(
-        {head_.frames_line,
-         "claims " + claimed + " frames, found " + std::to_string(frames_) + " whole ones: " +
-             (beyondClaim() ? "those beyond the claim are left out" : "all of them are kept")});
+    warnings_.push_back({head_.frames_line,
+                         "claims " + claimed + " frames, found " + std::to_string(frames_) + " whole ones: " +
+                             (beyondClaim() ? "those beyond the claim are left out" : "all of them are kept"),
+                         claim > frames_ ? claim - frames_ : 0});
   return false;
 }
 

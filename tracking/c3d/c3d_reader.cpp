@@ -85,8 +85,10 @@ void C3dReader::readHead() {
     bytes_.fail(data_, "found no whole frame, expected one of " + std::to_string(frame_bytes_) + " bytes");
   frames_ = std::min(claimed, held);
   if (claimed > held)
-    warnings_.push_back({0, "claims " + std::to_string(claimed) + " frames, found " + std::to_string(held) +
-                                " whole ones: those are read"});
+    warnings_.push_back({0,
+                         "claims " + std::to_string(claimed) + " frames, found " + std::to_string(held) +
+                             " whole ones: those are read",
+                         claimed - held});
 }
 
 /// The header has 16 bits for it. Where they overflow, TRIAL:ACTUAL_*_FIELD (two words each) or POINT:FRAMES

@@ -183,7 +183,7 @@ bool CompactReader::next(PointFrame& frame) {
   }
   done_ = true;
   if (kind != kEnd || at_ >= bytes_.size())
-    warnings_.push_back({0, "the file is cut: its " + std::to_string(frames_) + " whole frames are read"});
+    warnings_.push_back({0, "the file is cut: its " + std::to_string(frames_) + " whole frames are read", 1});
   return false;
 }
 

@@ -87,6 +87,9 @@ void countTimes(DepthSource& source, std::size_t frames, const DepthStreamOption
 
 DepthFileKind depthFileKind(const std::filesystem::path& file) {
   std::array<char, 32> first{};
+  // A pipe would be waited for without end.
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(file, ec)) return DepthFileKind::kOther;
   std::ifstream in(file, std::ios::binary);
   in.read(first.data(), first.size());
   const std::string_view head(first.data(), static_cast<std::size_t>(in.gcount()));

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/base/text_file.hpp"
 #include "tracking/depth/depth_sources.hpp"
 
 namespace abstand {
@@ -28,6 +29,7 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
     if (isListedClip(path)) return openListedClip(path, options);
     return openDepthFiles(path, options);
   }
+  needRegularFile(path);
   const std::string name = path.filename().string();
   if (name == "INDEX.txt") return openFreenectRecord(path.parent_path(), options);
   if (name == "depth.txt" || name == "associations.txt") return openListedClip(path.parent_path(), options);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/body/joint_spread.hpp"
+#include "tracking/tracker/joint_uncertainty.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand {
@@ -17,12 +17,9 @@ constexpr double kMostGap = 0.25;     // s; over longer ones nothing is expected
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;
-// Errors of neighbouring points are not independent, and the body's shape is wrong in the same way along a
-// limb and from image to image. With so many times the residual as the deviation of a point, and so much
-// beside, 90 in 100 joints of the simulated captures lie within the reach of their part
-// (tests/tracking/tracker).
-constexpr double kNoise = 3.0, kShapeError = 0.02;  // 1, m
-constexpr double kSeen = 0.3;                       // share of a segment's samples
+// A joint moves by so much of what the stature is wrong by: the body is fitted to what is seen all the same.
+constexpr double kOfStature = 0.25;
+constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kTurns = 1.0;  // s; who was out of sight for longer may have turned round
 
@@ -43,7 +40,7 @@ BodySolver::Vector priorsOf(const BodyRig& rig) {
 }  // namespace
 
 BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
-    : rig_{&rig}, fit_{rig}, limbs_{fit_}, random_{seed} {
+    : rig_{&rig}, fit_{rig}, limbs_{fit_}, hidden_{rig}, random_{seed} {
   wide_.prior = priorsOf(rig);
   narrow_.prior = wide_.prior;
   wide_.reach = 0.20;
@@ -165,10 +162,16 @@ void BodyTracker::finish(double t) {
   front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
-  const auto spread = jointSpreads(*rig_, fit_.problem(), fit_.problem().information());
+  SeenSegments seen = 0;
+  for (std::size_t s = 0; s < kRigSegments; ++s)
+    if (body_.visible[s] >= kSeen) seen |= 1u << s;
+  hidden_.see(t, seen);
+  const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, body_.visible);
   for (std::size_t j = 0; j < kJointCount; ++j) {
-    body_.frame.spread[j] = std::hypot(kShapeError, kNoise * body_.misfit.residual * spread[j]);
-    if (body_.visible[index(rig_->carrier[j])] < kSeen) body_.frame.state[j] = JointState::kInferred;
+    const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
+    body_.frame.spread[j] =
+        std::hypot(tracked[j], kOfStature * stature_deviation_, is_seen ? 0.0 : hidden_.spread()[j]);
+    if (!is_seen) body_.frame.state[j] = JointState::kInferred;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <random>
 
+#include "tracking/tracker/hidden_spread.hpp"
 #include "tracking/tracker/limb_search.hpp"
 
 namespace abstand {
@@ -36,6 +37,8 @@ class BodyTracker {
                            std::span<const std::uint8_t> is_person);
   /// Who is first looked for has the back to the camera.
   void expectAway() { away_ = true; }
+  /// Standard deviation of the stature of the rig, m; 0: it is known. Every joint is known less well by it.
+  void setStatureDeviation(double deviation) { stature_deviation_ = deviation; }
   /// Goes on from a pose, as if it had been found in the last image.
   void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }
@@ -51,12 +54,14 @@ class BodyTracker {
   DepthFit fit_;
   LimbSearch limbs_;
   SeenBody seen_;
+  HiddenSpread hidden_;
   std::mt19937_64 random_;
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last with the body
   std::optional<double> front_;          ///< rad, where the person last faced
+  double stature_deviation_{0.0};        ///< m
   bool away_{false};                     ///< until somebody is found
   int badly_{0};                         ///< images in a row that the body did not explain
 };

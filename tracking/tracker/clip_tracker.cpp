@@ -21,7 +21,7 @@ class Walk {
   ClipTrack run() {
     track_.camera = stream_.camera();
     stand();
-    std::map<int, Learned> learned;
+    std::map<int, KnownBody> learned;
     const std::vector<double>& times = stream_.times();
     const double end = times.empty() ? 0.0 : times.front() + kLearning;
     go(end, learned, false);
@@ -39,21 +39,20 @@ class Walk {
     stream_.seek(0);
     DepthFrame frame;
     CameraStand stand(track_.camera);
-    while (stream_.next(frame) && !stand.see(frame.t, frame.image)) {
+    while (!isInterrupted() && stream_.next(frame) && !stand.see(frame.t, frame.image)) {
     }
     stand.settle();
     track_.camera.X_WC = stand.X_WC();
     track_.world = stand.reason();
   }
 
-  /// What the first seconds tell of a person.
-  struct Learned {
-    HumanOptions body;
-    Facing facing;
-  };
+  bool isInterrupted() {
+    track_.interrupted = track_.interrupted || (options_.interrupted && options_.interrupted());
+    return track_.interrupted;
+  }
 
   /// All images before `end`; learns, or tracks with what was learned.
-  void go(double end, std::map<int, Learned>& learned, bool keep) {
+  void go(double end, std::map<int, KnownBody>& learned, bool keep) {
     stream_.seek(0);
     PeopleFinder finder(track_.camera);
     std::map<int, TrackedPerson> trackers;
@@ -61,10 +60,7 @@ class Walk {
     DepthFrame frame;
     std::vector<std::uint8_t> mask;
     for (std::size_t i = 0; stream_.next(frame) && frame.t < end; ++i) {
-      if (options_.interrupted && options_.interrupted()) {
-        track_.interrupted = true;
-        break;
-      }
+      if (isInterrupted()) break;
       const DepthImage* known = options_.known ? options_.known(frame.t, track_.camera) : nullptr;
       const double begin = processorSeconds();
       const PeopleImage& people = finder.find(frame.t, frame.image, known);
@@ -72,10 +68,8 @@ class Walk {
         auto it = trackers.find(person.id);
         if (it == trackers.end()) {
           const auto of = learned.find(person.id);
-          it =
-              of != learned.end()
-                  ? trackers.try_emplace(person.id, options_.person, of->second.body, of->second.facing).first
-                  : trackers.try_emplace(person.id, options_.person).first;
+          it = of != learned.end() ? trackers.try_emplace(person.id, options_.person, of->second).first
+                                   : trackers.try_emplace(person.id, options_.person).first;
         }
         finder.mask(person.id, mask);
         const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);
@@ -102,10 +96,11 @@ class Walk {
         person.settle();
       }
       if (!person.body()) continue;
-      learned.insert_or_assign(id, Learned{*person.body(), person.facing()});
+      learned.insert_or_assign(id, KnownBody{*person.body(), person.stature(), person.facing()});
       if (!keep || place.count(id) == 0) continue;
       track_.people[place[id]].body = *person.body();
       track_.people[place[id]].facing = person.facing();
+      track_.people[place[id]].stature = person.stature();
     }
   }
 

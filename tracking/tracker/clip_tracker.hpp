@@ -35,6 +35,7 @@ struct ClipTrackerOptions {
 struct ClipPerson {
   int id{0};
   HumanOptions body;
+  Stature stature;
   Facing facing;                      ///< in the first seconds
   std::vector<SkeletonFrame> frames;  ///< of every image from the first that shows the person to the last
   std::size_t found{0};               ///< images in which the body was found

@@ -60,6 +60,7 @@ void LiveTracker::forget(double t) {
     if (follower.person.body()) {
       person.body = *follower.person.body();
       person.facing = follower.person.facing();
+      person.stature = follower.person.stature();
     }
     if (options_.keep && follower.last < t) person.frames.push_back(none);
     it = follower.last + kForgotten < t ? followers_.erase(it) : std::next(it);

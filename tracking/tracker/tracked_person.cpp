@@ -1,51 +1,31 @@
 // Measure, fit, follow.
 #include "tracking/tracker/tracked_person.hpp"
 
-#include <algorithm>
 #include <chrono>
 
-#include "tracking/derived_joints.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand {
 namespace {
 
 constexpr std::size_t kMeasured = 15;  // images
-// The soles and the hair that a camera at the height of the chest does not see.
-constexpr double kUnseen = 0.02;                   // m
-constexpr double kFeet = 0.2;                      // m over the floor
-constexpr double kShortest = 1.3, kTallest = 2.1;  // m
 
 }  // namespace
 
-double uprightExtent(const DepthImage& image, const DepthCamera& camera,
-                     std::span<const std::uint8_t> is_person) {
-  std::vector<double> heights;
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const float z = image.at(u, v);
-      if (z <= 0.0f || is_person[static_cast<std::size_t>(v * image.width + u)] == 0) continue;
-      heights.push_back((camera.X_WC * camera.at(u, v, static_cast<double>(z))).z());
-    }
-  }
-  if (heights.empty()) return 0.0;
-  const double low = quantile(heights, 0.005);
-  // Who is seen down to the feet stands on the floor, whose nearest pixels count as floor.
-  return quantile(heights, 0.995) - (low < kFeet ? std::min(low, 0.0) : low);
-}
-
 TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   facing_.away = options.away.value_or(false);
+  facing_.given = options.away.has_value();
   if (!options.height) return;
   HumanOptions body;
   body.height = *options.height;
+  stature_ = Stature::given(body.height);
   use(body);
   fitted_ = !options.fit_body;
 }
 
-TrackedPerson::TrackedPerson(const Options& options, const HumanOptions& body, const Facing& facing)
-    : options_{options}, facing_{facing} {
-  use(body);
+TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
+    : options_{options}, facing_{known.facing}, stature_{known.stature} {
+  use(known.body);
   fitted_ = true;
 }
 
@@ -53,6 +33,7 @@ void TrackedPerson::use(const HumanOptions& body) {
   body_ = body;
   auto rig = std::make_unique<BodyRig>(makeRig(makeHuman(body)));
   tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
+  tracker_->setStatureDeviation(stature_.deviation());
   if (facing_.away) tracker_->expectAway();
   rig_ = std::move(rig);
 }
@@ -60,8 +41,8 @@ void TrackedPerson::use(const HumanOptions& body) {
 const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const DepthCamera& camera,
                                       std::span<const std::uint8_t> is_person) {
   if (!tracker_) {
-    const double extent = uprightExtent(image, camera, is_person);
-    if (extent > 0.0) extents_.push_back(extent);
+    const VerticalExtent extent = verticalExtent(image, camera, is_person);
+    if (extent.height > 0.0) extents_.push_back(extent);
     if (extents_.size() < kMeasured) return nullptr;
     settle();
   }
@@ -71,8 +52,7 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
     calibration_.add(t, *tracker_);
     if (!calibration_.complete()) return body;
     if (options_.fit_aside)
-      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), *body_, facing_,
-                            options_.away.has_value());
+      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), *body_, facing_);
   }
   if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return body;
@@ -84,18 +64,17 @@ void TrackedPerson::settle() {
   if (!tracker_) {
     if (extents_.empty()) return;
     HumanOptions body;
-    body.height = std::clamp(quantile(extents_, 0.5) + kUnseen, kShortest, kTallest);
+    stature_ = measureStature(extents_);
+    body.height = stature_.used;
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    take(fitting_.valid() ? fitting_.get()
-                          : fit(std::move(calibration_), *body_, facing_, options_.away.has_value()));
+    take(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), *body_, facing_));
   }
 }
 
-TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const HumanOptions& body, Facing facing,
-                                      bool given) {
-  if (!given) facing.ratio = images.whenTurned(body);
+TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const HumanOptions& body, Facing facing) {
+  if (!facing.given) facing.ratio = images.whenTurned(body);
   if (facing.ratio < Facing::kBackBelow) {
     facing.away = true;
     images.turnRound(body);

@@ -5,24 +5,28 @@
 #include <memory>
 
 #include "tracking/tracker/body_calibration.hpp"
+#include "tracking/tracker/stature.hpp"
 
 namespace abstand {
 
-/// Stature of who stands upright, from the pixels: from the highest to the lowest, the outermost half a per
-/// cent left out, m; to the floor where the lowest is close to it. 0 without pixels. The floor is z = 0 of
-/// `camera`'s world.
-double uprightExtent(const DepthImage& image, const DepthCamera& camera,
-                     std::span<const std::uint8_t> is_person);
-
 /// Which way a person looked who was seen first.
 struct Facing {
-  bool away{false};  ///< the back was to the camera
+  bool away{false};   ///< the back was to the camera
+  bool given{false};  ///< by the user
   /// How much worse the first images were explained by a person who faces away than by one who faces the
   /// camera; NaN: not compared.
   double ratio{kNaN};
-  /// Below it the back is taken. Of simulated people the front has given 1.3 to 4.0, the back 0.6 to 1.04
-  /// (docs/tracking.md).
-  static constexpr double kBackBelow = 1.15;
+  /// Below the one the back is taken, above the other the front is certain. Between them the images do not
+  /// decide: the front is taken, and that is said (docs/tracking.md has measured ratios).
+  static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
+  bool decided() const { return given || ratio < kBackBelow || ratio > kFrontAbove; }
+};
+
+/// What the images of a person have told of the body.
+struct KnownBody {
+  HumanOptions body;
+  Stature stature;
+  Facing facing;
 };
 
 /// Takes images of one person as they come. For the first of them the body is made from the stature that the
@@ -41,7 +45,7 @@ class TrackedPerson {
   };
   explicit TrackedPerson(const Options& options);
   /// With a body that is known already.
-  TrackedPerson(const Options& options, const HumanOptions& body, const Facing& facing);
+  TrackedPerson(const Options& options, const KnownBody& known);
 
   /// Nothing while the stature is being measured.
   const TrackedBody* see(double t, const DepthImage& image, const DepthCamera& camera,
@@ -50,6 +54,8 @@ class TrackedPerson {
   /// The body in use; nothing while the stature is being measured.
   const std::optional<HumanOptions>& body() const { return body_; }
   const Facing& facing() const { return facing_; }
+  /// Meaningful with body().
+  const Stature& stature() const { return stature_; }
   /// The rig of body().
   const BodyRig* rig() const { return rig_.get(); }
   /// Ends measuring and fitting with the images that there are.
@@ -60,15 +66,16 @@ class TrackedPerson {
     HumanOptions body;
     Facing facing;
   };
-  /// The facing is decided unless it is given.
-  static Fit fit(BodyCalibration images, const HumanOptions& body, Facing facing, bool given);
+  /// The facing is compared unless it is given.
+  static Fit fit(BodyCalibration images, const HumanOptions& body, Facing facing);
   void use(const HumanOptions& body);
   void take(const Fit& fit);
 
   Options options_;
-  std::vector<double> extents_;  ///< m
+  std::vector<VerticalExtent> extents_;
   std::optional<HumanOptions> body_;
   Facing facing_;
+  Stature stature_;
   std::unique_ptr<BodyRig> rig_;
   std::unique_ptr<BodyTracker> tracker_;
   BodyCalibration calibration_;

@@ -36,12 +36,13 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.up_reason = track.world;
   r.sides = "agree";
   r.sides_reason = facingReason(tracked.facing);
-  r.stature = tracked.body.height;
+  r.stature = tracked.stature.known() ? tracked.stature.used : 0.0;
   r.joint_map = "tracked";
   for (std::size_t j = 0; j < kJointCount; ++j) r.joints.emplace_back(jointName(static_cast<Joint>(j)));
   for (const PartJoints& part : partJoints())
     for (const Joint j : part.joints) r.mapped[std::string(part.part)].emplace_back(jointName(j));
   for (const SkeletonFrame& frame : recording.frames) r.gaps += !frame.has(Joint::kPelvis);
+  r.warnings = trackWarnings(tracked);
   r.notes = facts.notes;
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
@@ -52,12 +53,40 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 std::string facingReason(const Facing& facing) {
   const std::string side =
       facing.away ? "with the back to the camera at first" : "facing the camera at first";
-  if (std::isnan(facing.ratio)) return side + ", which was given or could not be compared";
-  char text[120];
-  std::snprintf(text, sizeof text,
-                ": facing away explains the first seconds %.2f times as badly; below %.2f the back is taken",
-                facing.ratio, Facing::kBackBelow);
+  if (facing.given) return side + ", as given";
+  if (std::isnan(facing.ratio)) return side + ", which was assumed and not compared with the other way round";
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "%s: facing away explains the first seconds %.2f times as badly; below %.2f the back is taken, "
+      "above %.2f the front is certain",
+      facing.decided() ? "" : ", which is not decided", facing.ratio, Facing::kBackBelow,
+      Facing::kFrontAbove);
   return side + text;
+}
+
+std::string statureReason(const Stature& stature) {
+  switch (stature.source) {
+    case Stature::Source::kGiven:
+      return metres(stature.used) + ", as given";
+    case Stature::Source::kMeasured:
+      return metres(stature.used) + ", measured";
+    case Stature::Source::kInterval:
+      break;
+  }
+  return "not known, between " + metres(stature.interval[0]) + " and " + metres(stature.interval[1]) + ": " +
+         stature.reason + (stature.used > 0.0 ? "; fitted with " + metres(stature.used) : "");
+}
+
+std::vector<std::string> trackWarnings(const ClipPerson& person) {
+  std::vector<std::string> warnings;
+  if (!person.facing.decided())
+    warnings.push_back(
+        "the images do not decide whether the person faced the camera at first: the front is taken, "
+        "and if that is wrong, left and right are exchanged (--facing)");
+  if (!person.stature.known())
+    warnings.push_back("the stature is " + statureReason(person.stature) + " (--height)");
+  return warnings;
 }
 
 bool isDepthRecording(const std::filesystem::path& path) {

@@ -16,6 +16,12 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 /// Where the person looked at first, and why that is thought, in a sentence's rest.
 std::string facingReason(const Facing& facing);
 
+/// The stature in words, "1.76 m, measured" or an interval with its reason.
+std::string statureReason(const Stature& stature);
+
+/// What weakens the track of a person, a sentence each: an undecided facing, a stature that is not known.
+std::vector<std::string> trackWarnings(const ClipPerson& person);
+
 /// Whether a path is a depth recording: a folder, or a file of images, clouds or arrays of depth.
 bool isDepthRecording(const std::filesystem::path& path);
 

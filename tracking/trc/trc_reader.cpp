@@ -1,5 +1,7 @@
 #include "tracking/trc/trc_reader.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "tracking/message_text.hpp"
@@ -90,11 +92,54 @@ void TrcReader::finish() {
   done_ = true;
   if (frames_ == 0) throw ParseError({file_, lines_.number() + 1}, "found no frame, expected at least one");
   if (claimed_frames_ >= 0 && static_cast<std::size_t>(claimed_frames_) != frames_)
-    warnings_.push_back({3, "claims " + std::to_string(claimed_frames_) + " frames, found " +
-                                std::to_string(frames_) + ": those found are read"});
+    warnings_.push_back({3,
+                         "claims " + std::to_string(claimed_frames_) + " frames, found " +
+                             std::to_string(frames_) + ": those found are read",
+                         static_cast<std::size_t>(claimed_frames_) > frames_
+                             ? static_cast<std::size_t>(claimed_frames_) - frames_
+                             : 0});
   if (first_short_line_ > 0)
     warnings_.push_back(
         {first_short_line_, "rows end early from here on: the markers behind are missing there"});
+  if (first_odd_line_ > 0)
+    warnings_.push_back(
+        {first_odd_line_, "rows end early from here on, within a marker: all markers are missing there"});
+  if (first_long_line_ > 0)
+    warnings_.push_back({first_long_line_,
+                         "rows have values of more markers than the head names from here on: those "
+                         "behind the named ones are left out"});
+}
+
+void TrcReader::readRow(Cells& cells, PointFrame& frame) {
+  const std::size_t expected = 3 * names_.size();
+  const auto note = [this](int& line) {
+    if (line == 0) line = lines_.number();
+  };
+  std::string_view cell;
+  std::size_t cell_count = 0, value_count = 0;  // up to the last cell, and to the last that is not empty
+  SourcePos beyond;
+  std::string first_beyond;
+  while (cells.next(cell)) {
+    if (cell_count++ == expected) {
+      beyond = cells.pos();
+      first_beyond = inQuotes(cell);
+    }
+    if (cell.empty()) continue;
+    value_count = cell_count;
+    const double v = lowerCase(cell) == "nan" ? kNaN : cells.number(cell);
+    if (cell_count <= expected) frame.p[(cell_count - 1) / 3][static_cast<int>((cell_count - 1) % 3)] = v;
+  }
+  if (value_count > expected) {
+    if (value_count % 3 != 0)
+      throw ParseError(beyond, "found " + first_beyond + ", expected " + std::to_string(names_.size()) +
+                                   " markers of three numbers");
+    note(first_long_line_);
+  } else if (cell_count < expected && value_count % 3 == 0) {
+    note(first_short_line_);
+  } else if (cell_count < expected) {
+    note(first_odd_line_);
+    for (Vector3d& p : frame.p) p.setConstant(kNaN);
+  }
 }
 
 bool TrcReader::next(PointFrame& frame) {
@@ -115,19 +160,7 @@ bool TrcReader::next(PointFrame& frame) {
     throw ParseError({file_, lines_.number()}, "found the time " + formatDouble(frame.t) + " after " +
                                                    formatDouble(last_t_) + ", expected it to rise");
   last_t_ = frame.t;
-  std::string_view cell;
-  for (std::size_t i = 0; i < 3 * names_.size(); ++i) {
-    if (!cells.next(cell)) {
-      if (first_short_line_ == 0) first_short_line_ = lines_.number();
-      break;
-    }
-    if (!cell.empty() && lowerCase(cell) != "nan")
-      frame.p[i / 3][static_cast<int>(i % 3)] = cells.number(cell);
-  }
-  while (cells.next(cell))
-    if (!cell.empty())
-      throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected " +
-                                        std::to_string(names_.size()) + " markers of three numbers");
+  readRow(cells, frame);
   for (std::size_t i = 0; i < frame.p.size(); ++i) {
     if (frame.p[i].allFinite())
       frame.state[i] = JointState::kTracked;

@@ -14,8 +14,10 @@ namespace abstand {
 bool looksLikeTrc(std::string_view text);
 
 /// Marker names may be apart by one, two or three tabs, so they are counted, not placed. An empty cell, `nan`
-/// in any case, or a row that ends early is a gap. Markers and frames are those found; a claim that differs
-/// is a warning.
+/// in any case, or a row that ends early is a gap. Where a row ends within a marker, a value is missing and
+/// nobody knows which: all its markers are gaps, with a warning. Values of whole markers behind the named
+/// ones are left out with a warning; other values too many are an error. Markers and frames are those found;
+/// a claim that differs is a warning.
 class TrcReader : public PointReader {
  public:
   /// `text` must outlive this. Throws ParseError for the head.
@@ -31,6 +33,7 @@ class TrcReader : public PointReader {
   void readHead();
   void readNames(std::string_view line);
   void finish();
+  void readRow(Cells& cells, PointFrame& frame);
 
   std::string file_;
   Lines lines_;
@@ -40,7 +43,8 @@ class TrcReader : public PointReader {
   long long claimed_frames_{-1}, claimed_markers_{-1};
   std::size_t frames_{0};
   double last_t_{0.0};
-  int first_short_line_{0};
+  /// Lines, 0: none. Rows with fewer markers than names, with more, and with a part of a marker.
+  int first_short_line_{0}, first_long_line_{0}, first_odd_line_{0};
   bool done_{false};
 };
 

@@ -42,6 +42,7 @@ int PairTableModel::columnCount(const QModelIndex& parent) const { return parent
 
 PairTableModel::Level PairTableModel::level(std::size_t row) const {
   const PairSnapshot& pair = values_[row];
+  if (pair.paused) return Level::kPaused;
   if (pair.result.contacts > 0 || pair.result.distance < 0.0) return Level::kContact;
   if (lost_[static_cast<std::size_t>(pairs_[row].first)] ||
       lost_[static_cast<std::size_t>(pairs_[row].second)])
@@ -64,6 +65,8 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
           return tr("⚠ contact");
         case Level::kLost:
           return tr("? pose lost");
+        case Level::kPaused:
+          return tr("? not checked");
         case Level::kNear:
           return tr("▲ near");
         case Level::kFine:
@@ -77,18 +80,18 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
     case kB:
       return names_[static_cast<std::size_t>(pairs_[row].second)];
     case kDistance:
-      return millimetres(pair.result.distance);
+      return pair.paused ? tr("–") : millimetres(pair.result.distance);
     case kBound:
-      return millimetres(pair.result.bound);
+      return pair.paused ? tr("–") : millimetres(pair.result.bound);
     case kMargin: {
       const double reach = reachOf(row);
       if (!(reach > 0.0)) return millimetres(pair.margin, 0);
       return millimetres(pair.margin, 0) + (std::isinf(reach) ? tr(" + ∞") : " + " + millimetres(reach, 0));
     }
     case kForce:
-      return fixed(pair.result.force_a.norm(), 1);
+      return pair.paused ? tr("–") : fixed(pair.result.force_a.norm(), 1);
     case kContacts:
-      return QString::number(pair.result.contacts);
+      return pair.paused ? tr("–") : QString::number(pair.result.contacts);
     default:
       return {};
   }
@@ -101,7 +104,8 @@ double PairTableModel::number(std::size_t row, int column) const {
     case kState:
       return -static_cast<double>(level(row));
     case kDistance:
-      return finite(pair.result.distance);
+      // What is not checked may be the nearest of all.
+      return pair.paused ? -kInfinity : finite(pair.result.distance);
     case kBound:
       return finite(pair.result.bound);
     case kMargin:
@@ -127,7 +131,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
                               Qt::AlignVCenter);
     case Qt::BackgroundRole: {
       const Level now = level(row);
-      if (now != Level::kContact && now != Level::kNear && now != Level::kLost) return {};
+      if (now == Level::kFine || now == Level::kUnknown) return {};
       QColor tint(now == Level::kContact ? kVermillion : kAmber);
       tint.setAlpha(now == Level::kContact ? 60 : 36);
       return QBrush(tint);
@@ -141,6 +145,11 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       return {};
     case Qt::ToolTipRole: {
       const PairSnapshot& pair = values_[row];
+      if (pair.paused)
+        return tr("%1 and %2 are not checked: their group does not run, or they are in none. When last "
+                  "checked: %3")
+            .arg(text(row, kA).toString(), text(row, kB).toString(),
+                 millimetresWithUnit(pair.result.distance));
       return tr("%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N")
           .arg(text(row, kA).toString(), text(row, kB).toString(), millimetresWithUnit(pair.result.distance),
                millimetresWithUnit(pair.result.distance - pair.result.bound),
@@ -182,7 +191,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kState:
         return tr(
             "Contact: within the margins. Near: closer than twice the margins. "
-            "Pose lost: the distance is that of an old pose.");
+            "Pose lost: the distance is that of an old pose. Not checked: their group does not run.");
       case kDistance:
         return tr("Between the bare surfaces, negative inside");
       case kBound:

@@ -33,7 +33,7 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  enum class Level { kUnknown, kFine, kNear, kLost, kContact };
+  enum class Level { kUnknown, kFine, kNear, kLost, kPaused, kContact };
   Level level(std::size_t row) const;
   double reachOf(std::size_t row) const;
   QVariant text(std::size_t row, int column) const;

@@ -6,8 +6,10 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/format.hpp"
+#include "ui/model/nearest_classes.hpp"
 #include "ui/model/stop_text.hpp"
 #include "ui/theme.hpp"
 
@@ -40,6 +42,11 @@ QString leftOut(const StepCounts& work, std::size_t pairs) {
   if (work.beyond > 0) text += StatusPanel::tr(", beyond %1").arg(work.beyond);
   if (work.put_off > 0) text += StatusPanel::tr(", late %1").arg(work.put_off);
   return text;
+}
+
+std::size_t notChecked(const SceneSnapshot& snapshot) {
+  return static_cast<std::size_t>(std::count_if(snapshot.pairs.begin(), snapshot.pairs.end(),
+                                                [](const PairSnapshot& pair) { return pair.paused; }));
 }
 
 QString leftOutInWords(const StepCounts& work, std::size_t pairs) {
@@ -79,8 +86,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
-  overruns_->setToolTip(tr("Cycles that took longer than their period"));
-  real_time_->setToolTip(tr("Simulation time by wall time"));
+  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last half second"));
   nearest_->setContentsMargins(8, 0, 8, 0);
   opening_->setContentsMargins(8, 0, 8, 0);
   opening_->setObjectName(QStringLiteral("opening"));
@@ -106,25 +112,30 @@ StatusPanel::StatusPanel(QStatusBar* bar)
 void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
   const auto pair = static_cast<std::size_t>(snapshot.nearest_pair);
   if (snapshot.nearest_pair >= 0 && pair < snapshot.pairs.size() && pair < outline.pairs.size()) {
-    const auto [a, b] = outline.pairs[pair];
     const PairResult& result = snapshot.pairs[pair].result;
     const bool alarm = result.contacts > 0 || result.distance < 0.0;
-    nearest_->setText(tr("%1Nearest: %2 – %3, %4")
-                          .arg(alarm ? QStringLiteral("⚠ ") : QString(),
-                               QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
-                               QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
-                               millimetresWithUnit(result.distance)));
+    nearest_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + nearestText(outline, snapshot));
+    nearest_->setToolTip(nearestLines(outline, snapshot));
     colourText(nearest_, alarm);
   } else {
     nearest_->clear();
   }
   showRobots(outline, snapshot);
-  setText(left_out_, leftOut(snapshot.work, snapshot.pairs.size()));
+  const std::size_t not_checked = notChecked(snapshot);
+  QString left_out = leftOut(snapshot.work, snapshot.pairs.size());
+  if (not_checked > 0) left_out = tr("⚠ %1 pairs not checked. %2").arg(not_checked).arg(left_out);
+  setText(left_out_, left_out);
+  colourText(left_out_, not_checked > 0);
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
   setText(cycle_,
           tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
-  setText(overruns_, tr("Overruns %1").arg(snapshot.overruns));
-  setText(real_time_, tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
+  setText(overruns_, tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));
+  overruns_->setToolTip(tr("Cycles that took longer than the step that the loop has chosen, %1 ms, of all\n"
+                           "since playing began or its speed changed")
+                            .arg(fixed(1e3 * snapshot.step_s, 2)));
+  setText(real_time_, std::isnan(snapshot.real_time_factor)
+                          ? tr("Real time –")
+                          : tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }
 
 void StatusPanel::showRobots(const SceneOutline& outline, const SceneSnapshot& snapshot) {

@@ -19,10 +19,20 @@ constexpr double kDefaultSpan = 10.0;  // s
 constexpr double kPlayheadPlace = 0.85;
 }  // namespace
 
-PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), span_{new QComboBox(this)} {
-  charts_ = {new StripChart({tr("Smallest distance"), tr("mm"), 1e3, 1, false}, QColor(kAccent), this),
-             new StripChart({tr("Largest force"), tr("N"), 1.0, 1, false}, QColor(kVermillion), this),
-             new StripChart({tr("Largest joint torque"), tr("N·m"), 1.0, 2, true}, QColor(0xff7a5aa6), this)};
+PlotPanel::PlotPanel(QWidget* parent)
+    : QWidget(parent), span_{new QComboBox(this)}, joint_{new QComboBox(this)} {
+  charts_ = {
+      new StripChart({tr("Smallest distance"), tr("mm"), 1e3, 1, false}, QColor(kAccent), this),
+      new StripChart({tr("Largest force"), tr("N"), 1.0, 1, false}, QColor(kVermillion), this),
+      new StripChart({tr("Largest joint torques"), tr("N·m"), 1.0, 1, true}, QColor(kContactForce), this)};
+  // In the order of TorqueParts.
+  charts_[2]->setLines({{tr("contact"), QColor(kContactForce)},
+                        {tr("reaction"), QColor(0xff7a5aa6)},
+                        {tr("gravity"), QColor(kBlue), Qt::DashLine},
+                        {tr("motion"), QColor(kCyan), Qt::DashLine}});
+  charts_[2]->setToolTip(tr(
+      "Torques on the joints: of contact (margins too), what the reaction adds, of gravity, and of the\n"
+      "motion itself (inertia). Gravity and motion are unknown (–) where the robot's file names no masses."));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2, 4, 2, 2);
   layout->setSpacing(2);
@@ -38,6 +48,15 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), span_{new QComboBox(thi
   head->addWidget(label);
   head->addWidget(span_);
   head->addStretch();
+  auto* of = new QLabel(tr("&Joint"), this);
+  of->setBuddy(joint_);
+  joint_->setAccessibleName(tr("Joint whose torques are plotted"));
+  joint_->setObjectName(QStringLiteral("torque_joint"));
+  joint_->setToolTip(tr("The joint whose torques are plotted, or the largest of all joints"));
+  joint_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  joint_->setMinimumContentsLength(12);
+  head->addWidget(of);
+  head->addWidget(joint_);
   layout->addLayout(head);
   for (StripChart* chart : charts_) {
     layout->addWidget(chart, chart == charts_.back() ? 4 : 3);
@@ -51,13 +70,41 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), span_{new QComboBox(thi
     setFollow(true);
     followTime();
   });
+  connect(joint_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    nameTorques();
+    Q_EMIT jointChosen(joint_->currentData().toInt());
+  });
+  setJoints({});
 }
 
-void PlotPanel::setSeries(const FrameSeries* distance, const FrameSeries* force, const FrameSeries* effort,
-                          double start, double end) {
+void PlotPanel::setJoints(const std::vector<SceneOutline::JointInfo>& joints) {
+  joint_->clear();
+  prismatic_.clear();
+  joint_->addItem(tr("largest of all"), -1);
+  for (const auto& joint : joints) {
+    joint_->addItem(
+        tr("%1 %2").arg(QString::fromStdString(joint.mechanism), QString::fromStdString(joint.name)),
+        static_cast<int>(prismatic_.size()));
+    prismatic_.push_back(joint.prismatic);
+  }
+  joint_->setEnabled(!joints.empty());
+  nameTorques();
+}
+
+void PlotPanel::nameTorques() {
+  const int joint = joint_->currentData().toInt();
+  const bool force = joint >= 0 && prismatic_[static_cast<std::size_t>(joint)];
+  charts_[2]->setQuantity(joint < 0 ? tr("Largest joint torques")
+                          : force   ? tr("Forces on %1").arg(joint_->currentText())
+                                    : tr("Torques on %1").arg(joint_->currentText()),
+                          force ? tr("N") : tr("N·m"));
+}
+
+void PlotPanel::setSeries(const FrameSeries* distance, const FrameSeries* force,
+                          const std::array<FrameSeries, kTorqueParts>* torques, double start, double end) {
   charts_[0]->setSeries(distance);
   charts_[1]->setSeries(force);
-  charts_[2]->setSeries(effort);
+  for (std::size_t k = 0; k < kTorqueParts; ++k) charts_[2]->setSeries(&(*torques)[k], k);
   start_ = start;
   end_ = end;
   time_ = start;

@@ -1,9 +1,10 @@
-// The live plots: smallest distance, largest force, largest joint torque, on one time axis.
+// The live plots: smallest distance, largest force, what acts on the joints, on one time axis.
 #pragma once
 
 #include <QWidget>
 #include <array>
 
+#include "core/scene/snapshot.hpp"
 #include "ui/model/frame_series.hpp"
 
 class QComboBox;
@@ -21,8 +22,11 @@ class PlotPanel : public QWidget {
   explicit PlotPanel(QWidget* parent = nullptr);
 
   /// Series live in the owner and must outlive the panel or be replaced; null for none.
-  void setSeries(const FrameSeries* distance, const FrameSeries* force, const FrameSeries* effort,
-                 double start, double end);
+  /// `torques`: in the order of TorqueParts.
+  void setSeries(const FrameSeries* distance, const FrameSeries* force,
+                 const std::array<FrameSeries, kTorqueParts>* torques, double start, double end);
+  /// Joints that can be chosen; the largest of all is chosen.
+  void setJoints(const std::vector<SceneOutline::JointInfo>& joints);
   void setTime(double t);
   /// Margin (m) of the nearest pair, shown as a band in the distance chart.
   void setMargin(double metres);
@@ -35,13 +39,17 @@ class PlotPanel : public QWidget {
  Q_SIGNALS:
   void timePicked(double t);
   void followChanged(bool on);
+  /// Index of the joint whose torques are wanted, -1: the largest of all.
+  void jointChosen(int joint);
 
  private:
+  void nameTorques();
   void moveWindow(double left, double right);
   void followTime();
 
   std::array<StripChart*, 3> charts_;
-  QComboBox* span_;
+  QComboBox *span_, *joint_;
+  std::vector<bool> prismatic_;  ///< of each joint
   double start_{0.0}, end_{0.0}, time_{0.0};
   bool follow_{true};
 };

@@ -36,29 +36,35 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
     : QWidget(parent),
       text_{std::move(text)},
       plot_{new QwtPlot(this)},
+      title_{new QLabel(this)},
       value_{new QLabel(this)},
-      trace_{new Trace},
+      values_{new QLabel(this)},
+      traces_{new Trace},
       grid_{new QwtPlotGrid} {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 2, 8, 0);
-  auto* title = new QLabel(tr("%1 [%2]").arg(text_.quantity, text_.unit), this);
-  QFont font = title->font();
+  QFont font = title_->font();
   font.setWeight(QFont::DemiBold);
-  title->setFont(font);
+  title_->setFont(font);
   value_->setFont(font);
   value_->setAlignment(Qt::AlignRight);
-  head->addWidget(title);
+  head->addWidget(title_);
   head->addStretch();
   head->addWidget(value_);
   layout->addLayout(head);
+  values_->setContentsMargins(6, 0, 8, 0);
+  values_->setTextFormat(Qt::RichText);
+  values_->setWordWrap(true);
+  values_->hide();
+  layout->addWidget(values_);
   layout->addWidget(plot_, 1);
 
-  trace_->factor = text_.factor;
-  trace_->colour = colour;
-  trace_->attach(plot_);
+  traces_[0]->factor = text_.factor;
+  traces_[0]->colour = colour;
+  traces_[0]->attach(plot_);
   grid_->attach(plot_);
 
   auto* canvas = new QwtPlotCanvas(plot_);
@@ -90,7 +96,7 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
   } else {
     plot_->axisScaleDraw(QwtPlot::xBottom)->enableComponent(QwtAbstractScaleDraw::Labels, false);
   }
-  setAccessibleName(tr("%1 over time").arg(text_.quantity));
+  setQuantity(text_.quantity, text_.unit);
   setToolTip(tr("Drag to move the time, wheel to zoom, right button to move the window"));
   setMinimumHeight(90);
   applyPalette();
@@ -98,10 +104,57 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
 
 StripChart::~StripChart() = default;
 
-void StripChart::setSeries(const FrameSeries* series) {
-  trace_->series = series;
+void StripChart::setQuantity(const QString& quantity, const QString& unit) {
+  text_.quantity = quantity;
+  text_.unit = unit;
+  title_->setText(tr("%1 [%2]").arg(quantity, unit));
+  setAccessibleName(tr("%1 over time").arg(quantity));
+  dirty_ = true;
+}
+
+void StripChart::setLines(const std::vector<Line>& lines) {
+  while (traces_.size() < lines.size()) {
+    auto* trace = new Trace;
+    trace->factor = text_.factor;
+    trace->first = false;
+    trace->attach(plot_);
+    traces_.push_back(trace);
+  }
+  names_.clear();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    traces_[i]->colour = lines[i].colour;
+    traces_[i]->style = lines[i].style;
+    names_.push_back(lines[i].name);
+  }
+  values_->setVisible(names_.size() > 1);
+  value_->setVisible(names_.size() <= 1);
+  dirty_ = true;
+}
+
+void StripChart::setSeries(const FrameSeries* series, std::size_t line) {
+  traces_[line]->series = series;
   shown_revision_ = -1;
   dirty_ = true;
+}
+
+long StripChart::revision() const {
+  long sum = 0;
+  for (const Trace* trace : traces_)
+    if (trace->series) sum += trace->series->revision();
+  return sum;
+}
+
+QString StripChart::valuesText() const {
+  QStringList parts;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const Trace& trace = *traces_[i];
+    const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+    const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
+    parts << QStringLiteral("<span style='white-space:nowrap'><span style='color:%1'>%2</span> %3 %4</span>")
+                 .arg(trace.colour.name(), mark, names_[i].toHtmlEscaped(),
+                      fixed(value, text_.decimals).toHtmlEscaped());
+  }
+  return parts.join(QStringLiteral(" &nbsp; "));
 }
 
 void StripChart::setWindow(double left, double right) {
@@ -113,36 +166,42 @@ void StripChart::setWindow(double left, double right) {
 }
 
 void StripChart::setPlayhead(double t) {
-  if (t == trace_->playhead) return;
-  trace_->playhead = t;
+  if (t == traces_[0]->playhead) return;
+  for (Trace* trace : traces_) trace->playhead = t;
   dirty_ = true;
 }
 
 void StripChart::setBand(double high, const QString& text) {
   const double scaled = high * text_.factor;
-  if (scaled == trace_->band_high && text == trace_->band_text) return;
-  trace_->band_high = scaled;
-  trace_->band_text = text;
+  if (scaled == traces_[0]->band_high && text == traces_[0]->band_text) return;
+  traces_[0]->band_high = scaled;
+  traces_[0]->band_text = text;
   dirty_ = true;
 }
 
 void StripChart::refresh() {
-  const long revision = trace_->series ? trace_->series->revision() : 0;
-  if (!dirty_ && revision == shown_revision_) return;
+  const long now = revision();
+  if (!dirty_ && now == shown_revision_) return;
   dirty_ = false;
-  shown_revision_ = revision;
+  shown_revision_ = now;
   fitValues();
-  const double value = trace_->series ? trace_->series->at(trace_->playhead) * text_.factor : std::nan("");
+  const Trace& trace = *traces_[0];
+  const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+  if (names_.size() > 1) values_->setText(valuesText());
   value_->setText(QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit));
   plot_->replot();
 }
 
 void StripChart::fitValues() {
-  Extremes seen =
-      trace_->series ? trace_->series->between(left_, right_) : Extremes{std::nan(""), std::nan("")};
+  Extremes seen{std::nan(""), std::nan("")};
+  for (const Trace* trace : traces_) {
+    if (!trace->series) continue;
+    const Extremes one = trace->series->between(left_, right_);
+    seen = {std::fmin(seen.low, one.low), std::fmax(seen.high, one.high)};
+  }
   // Zero and the band are always in sight, and a flat line has room above it.
   double low = std::fmin(0.0, seen.low * text_.factor);
-  double high = std::fmax(trace_->band_high, seen.high * text_.factor);
+  double high = std::fmax(traces_[0]->band_high, seen.high * text_.factor);
   if (std::isnan(high)) high = 0.0;
   if (!(high - low > 1e-9)) high = low + 1.0;
   const double room = 0.08 * (high - low);

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <vector>
 
 #include "ui/model/frame_series.hpp"
 
@@ -33,8 +34,17 @@ class StripChart : public QWidget {
   StripChart(Text text, const QColor& colour, QWidget* parent = nullptr);
   ~StripChart() override;
 
-  /// The series must outlive the chart or be replaced; null for none.
-  void setSeries(const FrameSeries* series);
+  /// One line of a chart with several.
+  struct Line {
+    QString name;
+    QColor colour;
+    Qt::PenStyle style{Qt::SolidLine};
+  };
+  /// Instead of the one line of the constructor; their names and values stand above the chart.
+  void setLines(const std::vector<Line>& lines);
+  /// The series must outlive the chart or be replaced; null for none. `line`: counts setLines().
+  void setSeries(const FrameSeries* series, std::size_t line = 0);
+  void setQuantity(const QString& quantity, const QString& unit);
   void setWindow(double left, double right);
   void setPlayhead(double t);
   /// In the unit of the series; 0 for no band.
@@ -52,14 +62,17 @@ class StripChart : public QWidget {
 
  private:
   void fitValues();
+  QString valuesText() const;
+  long revision() const;
   void applyPalette();
   double timeAt(int x) const;
 
   Text text_;
   QwtPlot* plot_;
-  QLabel* value_;
-  Trace* trace_;       // owned by the plot
-  QwtPlotGrid* grid_;  // owned by the plot
+  QLabel *title_, *value_, *values_;
+  std::vector<Trace*> traces_;  // owned by the plot; at least one
+  std::vector<QString> names_;  // of the lines, when there are several
+  QwtPlotGrid* grid_;           // owned by the plot
   double left_{0.0}, right_{1.0};
   double low_{0.0}, high_{0.0};
   double drag_from_{0.0};

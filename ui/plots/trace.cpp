@@ -19,7 +19,7 @@ Trace::Trace() {
 }
 
 void Trace::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
-  drawBand(*painter, y, canvas);
+  if (first) drawBand(*painter, y, canvas);
   if (series) drawSeries(*painter, x, y, canvas);
   drawPlayhead(*painter, x, y, canvas);
 }
@@ -47,7 +47,7 @@ void Trace::drawSeries(QPainter& painter, const QwtScaleMap& x, const QwtScaleMa
                        const QRectF& canvas) const {
   series->decimate(x.invTransform(canvas.left()), x.invTransform(canvas.right()),
                    static_cast<int>(canvas.width()), points_);
-  painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(colour, 1.6, style, Qt::RoundCap, Qt::RoundJoin));
   painter.setRenderHint(QPainter::Antialiasing, points_.size() < 4000);
   const auto flush = [&] {
     if (line_.size() == 1)
@@ -73,7 +73,7 @@ void Trace::drawPlayhead(QPainter& painter, const QwtScaleMap& x, const QwtScale
   QColor ink = plot()->palette().color(QPalette::Text);
   ink.setAlpha(150);
   painter.setPen(QPen(ink, 1.0));
-  painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
+  if (first) painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
   const double value = series ? series->at(playhead) : std::nan("");
   if (std::isnan(value)) return;
   painter.setRenderHint(QPainter::Antialiasing);

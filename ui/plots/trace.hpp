@@ -20,6 +20,8 @@ class Trace : public QwtPlotItem {
   const FrameSeries* series{nullptr};
   double factor{1.0};  ///< from the series's unit to the axis's
   QColor colour;
+  Qt::PenStyle style{Qt::SolidLine};
+  bool first{true};       ///< of its chart: draws what belongs to no series
   double playhead{0.0};   ///< s
   double band_high{0.0};  ///< axis unit; a band from 0 up to here, none when 0
   QString band_text;

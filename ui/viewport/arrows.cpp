@@ -14,6 +14,7 @@ constexpr double kLargestArc = 0.16;       // m, radius of a torque's arc
 constexpr double kShortest = 0.06;         // m, so that an arrow can be seen as one
 constexpr double kSmallestArc = 0.04;      // m
 constexpr double kForceRadius = 0.012;     // m
+constexpr double kVirtualRadius = 0.006;   // m, of forces of the margins
 constexpr double kVelocityRadius = 0.004;  // m
 
 /// Factor from value to length, and the largest arrow for the legend.
@@ -28,55 +29,70 @@ double scaleFor(double largest, double longest, double fixed, bool automatic, Ar
 
 void Arrows::open(const SceneOutline& outline) {
   const auto n = static_cast<int>(outline.objects.size());
-  forces_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
+  for (auto& batch : forces_)
+    batch = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
   torques_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kCurved, n, renderer_);
   velocities_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
-  forces_->setColour(QColor(0xffc0342b));
+  forces_[kReal]->setColour(QColor(kContactForce));
+  forces_[kVirtual]->setColour(QColor(kVirtualForce));
   torques_->setColour(QColor(kBlue));
   velocities_->setColour(QColor(kCyan));
-  contact_points_.assign(outline.objects.size(), Vector3d::Zero());
-  weights_.assign(outline.objects.size(), 0.0);
+  for (auto& pushes : pushes_) pushes.assign(outline.objects.size(), {});
 }
 
-void Arrows::findContactPoints(const SceneOutline& outline, const SceneSnapshot& snapshot) {
-  std::fill(contact_points_.begin(), contact_points_.end(), Vector3d::Zero());
-  std::fill(weights_.begin(), weights_.end(), 0.0);
-  const auto add = [&](int object, const Vector3d& p_W, double weight) {
-    if (!(weight > 0.0) || !p_W.allFinite()) return;
-    contact_points_[static_cast<std::size_t>(object)] += weight * p_W;
-    weights_[static_cast<std::size_t>(object)] += weight;
-  };
+void Arrows::sumForces(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+  for (auto& pushes : pushes_) std::fill(pushes.begin(), pushes.end(), Push{});
   for (std::size_t p = 0; p < std::min(outline.pairs.size(), snapshot.pairs.size()); ++p) {
-    const PairResult& result = snapshot.pairs[p].result;
+    const PairSnapshot& pair = snapshot.pairs[p];
+    const PairResult& result = pair.result;
+    if (pair.paused || result.contacts == 0) continue;
+    auto& pushes = pushes_[result.distance < 0.0 ? kReal : kVirtual];
     const double weight = result.force_a.norm();
-    add(outline.pairs[p].first, result.witness_a, weight);
-    add(outline.pairs[p].second, result.witness_b, weight);
+    const auto add = [&](int object, const Vector3d& force, const Vector3d& p_W) {
+      Push& push = pushes[static_cast<std::size_t>(object)];
+      push.force += force;
+      if (!(weight > 0.0) || !p_W.allFinite()) return;
+      push.point += weight * p_W;
+      push.weight += weight;
+    };
+    add(outline.pairs[p].first, result.force_a, result.witness_a);
+    add(outline.pairs[p].second, -result.force_a, result.witness_b);
   }
-  for (std::size_t i = 0; i < weights_.size(); ++i)
-    contact_points_[i] =
-        weights_[i] > 0.0 ? Vector3d(contact_points_[i] / weights_[i]) : snapshot.objects[i].p_WCom;
+  for (auto& pushes : pushes_)
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+      pushes[i].point =
+          pushes[i].weight > 0.0 ? Vector3d(pushes[i].point / pushes[i].weight) : snapshot.objects[i].p_WCom;
 }
 
 bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options) {
-  if (!forces_ || snapshot.objects.size() != weights_.size()) return false;
-  findContactPoints(outline, snapshot);
+  if (!torques_ || snapshot.objects.size() != pushes_[kReal].size()) return false;
+  sumForces(outline, snapshot);
+  std::array<double, kKinds> most{};
   double most_force = 0.0, most_torque = 0.0, most_speed = 0.0;
   for (const ObjectSnapshot& object : snapshot.objects) {
-    if (options.forces) most_force = std::max(most_force, object.contact.force.norm());
     if (options.torques) most_torque = std::max(most_torque, object.contact.torque.norm());
     if (options.velocities) most_speed = std::max(most_speed, object.velocity.linear.norm());
   }
-  if (most_force < options.least_force) most_force = 0.0;
+  if (options.forces)
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      for (const Push& push : pushes_[kind]) most[kind] = std::max(most[kind], push.force.norm());
+      if (most[kind] < options.least_force) most[kind] = 0.0;
+      most_force = std::max(most_force, most[kind]);
+    }
   if (most_torque < options.least_torque) most_torque = 0.0;
   if (most_speed < options.least_speed) most_speed = 0.0;
   const bool automatic = options.auto_scale;
-  const double per_newton = scaleFor(most_force, kLongest, options.metres_per_newton, automatic, force_);
+  // One scale for both kinds; a kind that is not in sight has no line in the legend.
+  ArrowScale scale;
+  const double per_newton = scaleFor(most_force, kLongest, options.metres_per_newton, automatic, scale);
+  for (std::size_t kind = 0; kind < kKinds; ++kind)
+    force_scale_[kind] = most[kind] > 0.0 ? scale : ArrowScale{};
   const double per_newton_metre =
       scaleFor(most_torque, kLargestArc, options.metres_per_newton_metre, automatic, torque_);
   const double per_speed =
       scaleFor(most_speed, kLongest, options.metres_per_metre_per_second, automatic, velocity_);
 
-  forces_->begin();
+  for (auto& batch : forces_) batch->begin();
   torques_->begin();
   velocities_->begin();
   for (std::size_t i = 0; i < snapshot.objects.size(); ++i) {
@@ -87,8 +103,9 @@ bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot,
       if (size >= least) batch.add(p_W, v / size, std::clamp(size * factor, shortest, longest), radius);
     };
     if (options.forces)
-      arrow(*forces_, contact_points_[i], object.contact.force, options.least_force, per_newton, kShortest,
-            kLongest, kForceRadius);
+      for (std::size_t kind = 0; kind < kKinds; ++kind)
+        arrow(*forces_[kind], pushes_[kind][i].point, pushes_[kind][i].force, options.least_force, per_newton,
+              kShortest, kLongest, kind == kReal ? kForceRadius : kVirtualRadius);
     if (options.torques)
       arrow(*torques_, object.p_WCom, object.contact.torque, options.least_torque, per_newton_metre,
             kSmallestArc, kLargestArc, 0.0);
@@ -96,7 +113,8 @@ bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot,
       arrow(*velocities_, object.p_WCom, object.velocity.linear, options.least_speed, per_speed, kShortest,
             kLongest, kVelocityRadius);
   }
-  bool changed = forces_->finish();
+  bool changed = false;
+  for (auto& batch : forces_) changed |= batch->finish();
   changed |= torques_->finish();
   changed |= velocities_->finish();
   return changed;

@@ -3,6 +3,7 @@
 
 #include <vtkRenderer.h>
 
+#include <array>
 #include <memory>
 
 #include "core/scene/snapshot.hpp"
@@ -22,22 +23,33 @@ class Arrows {
   explicit Arrows(vtkRenderer* renderer) : renderer_{renderer} {}
 
   void open(const SceneOutline& outline);
-  /// Total contact force on each object at the centre of its contact points (weighted by force), total torque
-  /// about its centre of mass, velocity of its centre of mass. True when something looks different now.
+  /// Two forces on each object, each at the centre of its contact points (weighted by force): that of pairs
+  /// whose surfaces overlap, and, thinner and in another colour, that of pairs that are only within their
+  /// margins. Total torque about its centre of mass, velocity of its centre of mass. True when something
+  /// looks different now.
   bool refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options);
 
-  const ArrowScale& forceScale() const { return force_; }
+  const ArrowScale& forceScale() const { return force_scale_[kReal]; }
+  const ArrowScale& virtualScale() const { return force_scale_[kVirtual]; }
   const ArrowScale& torqueScale() const { return torque_; }
   const ArrowScale& velocityScale() const { return velocity_; }
 
  private:
-  void findContactPoints(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  enum Kind { kReal, kVirtual, kKinds };
+  /// What all pairs of one kind do to an object.
+  struct Push {
+    Vector3d force{Vector3d::Zero()};
+    Vector3d point{Vector3d::Zero()};  ///< the sum of weighted points at first
+    double weight{0.0};
+  };
+  void sumForces(const SceneOutline& outline, const SceneSnapshot& snapshot);
 
   vtkRenderer* renderer_;
-  std::unique_ptr<ArrowBatch> forces_, torques_, velocities_;
-  std::vector<Vector3d> contact_points_;  // by object; the sum of weighted points at first
-  std::vector<double> weights_;
-  ArrowScale force_, torque_, velocity_;
+  std::array<std::unique_ptr<ArrowBatch>, kKinds> forces_;
+  std::unique_ptr<ArrowBatch> torques_, velocities_;
+  std::array<std::vector<Push>, kKinds> pushes_;  // by object
+  std::array<ArrowScale, kKinds> force_scale_;
+  ArrowScale torque_, velocity_;
 };
 
 }  // namespace abstand::ui

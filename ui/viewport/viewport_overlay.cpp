@@ -45,8 +45,8 @@ void Viewport::Impl::addClosest() {
     std::iota(order_.begin(), order_.end(), 0);
   }
   const auto distance = [&](int pair) {
-    const double d = snapshot.pairs[static_cast<std::size_t>(pair)].result.distance;
-    return std::isnan(d) ? kInfinity : d;
+    const PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
+    return std::isnan(p.result.distance) || p.paused ? kInfinity : p.result.distance;
   };
   // A chosen pair comes first, then by distance.
   const auto key = [&](int pair) { return pair == selection.pair() ? -kInfinity : distance(pair); };
@@ -58,6 +58,7 @@ void Viewport::Impl::addClosest() {
     const int pair = order_[k];
     const PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const PairResult& result = now.result;
+    if (now.paused) continue;
     if (!(result.distance < kFarLine) && pair != selection.pair()) break;
     if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
     double depth_a = 0.0, depth_b = 0.0;
@@ -110,7 +111,10 @@ void Viewport::Impl::addLegend() {
     legend.push_back(
         {mark, QColor(colour), text.arg(millimetresWithUnit(scale.metres, 0), fixed(scale.value, decimals))});
   };
-  add(LegendLine::Mark::kArrow, 0xffc0342b, arrows.forceScale(), Viewport::tr("Force: %1 ≙ %2 N"), 1);
+  add(LegendLine::Mark::kArrow, kContactForce, arrows.forceScale(), Viewport::tr("Contact force: %1 ≙ %2 N"),
+      1);
+  add(LegendLine::Mark::kThinArrow, kVirtualForce, arrows.virtualScale(),
+      Viewport::tr("Repulsion (margin, virtual): %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kCurvedArrow, kBlue, arrows.torqueScale(), Viewport::tr("Torque: %1 ≙ %2 N·m"), 2);
   add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
 }

@@ -141,6 +141,86 @@ TEST(LiveSession, PlaysToTheEndAndStops) {
   ASSERT_TRUE(l.waitFor([&] { return l.seen.playing && l.seen.loop_start == 0.0 && l.seen.t > 0.05; }));
 }
 
+TEST(LiveSession, ShowsWhatActsOnTheJoints) {
+  Live l(kYield);
+  l.live.send(command::Step{1000});
+  ASSERT_TRUE(l.waitForTime(1.0));
+  ASSERT_EQ(l.seen.joint_torques.size(), 1u);
+  const TorqueParts& parts = l.seen.joint_torques[0];
+  EXPECT_EQ(parts.contact, l.seen.joint_efforts[0]);
+  EXPECT_LT(parts.reaction, -1.0) << "the thing comes near and pushes the ball away";
+  EXPECT_NEAR(parts.gravity, 0.0, 1e-9) << "the slide is level";
+  // Nothing else moves it than the reaction and what holds it on its plan, so that its inertia is against
+  // both.
+  EXPECT_TRUE(std::isfinite(parts.motion));
+  std::vector<PlotSample> samples;
+  l.live.drainPlot(samples);
+  double most = 0.0;
+  for (const PlotSample& sample : samples) most = std::max(most, sample.peak_torque.reaction);
+  EXPECT_GE(most, -parts.reaction);
+}
+
+TEST(LiveSession, TorquesCanBeTurnedOffAndOn) {
+  Live l("{repulsion: {range: 0.2, force: 100}}");
+  l.live.send(command::Torques{false});
+  l.live.send(command::Step{900});
+  ASSERT_TRUE(l.waitForTime(0.9));
+  EXPECT_FALSE(l.seen.torques_on);
+  EXPECT_EQ(l.seen.joint_torques[0].reaction, 0.0);
+  EXPECT_NEAR(l.seen.joint_positions[0], 0.0, 1e-9) << "it stays on its plan";
+  l.live.send(command::Torques{true});
+  l.live.send(command::Step{300});
+  ASSERT_TRUE(l.waitForTime(1.2));
+  EXPECT_TRUE(l.seen.torques_on);
+  EXPECT_LT(l.seen.joint_torques[0].reaction, 0.0);
+  EXPECT_LT(l.seen.joint_positions[0], -0.01);
+  // They stay off over a seek, which begins a new closed loop.
+  l.live.send(command::Torques{false});
+  l.live.send(command::Seek{0.9});
+  l.live.send(command::Step{100});
+  ASSERT_TRUE(l.waitForTime(1.0));
+  EXPECT_EQ(l.seen.joint_torques[0].reaction, 0.0);
+}
+
+TEST(LiveSession, APausedGroupIsStaleAndItsRobotStops) {
+  Live l("{repulsion: {range: 0.2, force: 100}}");
+  EXPECT_EQ(l.live.outline().pair_groups, std::vector<std::string>{"slide - objects"});
+  l.live.send(command::SetGroup{0, PairGroupState::kPaused});
+  l.live.send(command::Step{900});
+  ASSERT_TRUE(l.waitForTime(0.9));
+  EXPECT_EQ(l.seen.groups[0].state, PairGroupState::kPaused);
+  EXPECT_TRUE(l.seen.pairs[0].paused);
+  EXPECT_EQ(l.seen.nearest_pair, -1) << "a distance that is stale is not the smallest one";
+  ASSERT_EQ(l.seen.robots.size(), 1u);
+  EXPECT_NE(l.seen.robots[0].state, StopState::kRunning);
+  EXPECT_EQ(l.seen.robots[0].cause.reason, StopReason::kDistance);
+  EXPECT_TRUE(std::isnan(l.seen.robots[0].cause.value)) << "it is not known";
+  EXPECT_EQ(l.seen.joint_torques[0].reaction, 0.0) << "no direction is known";
+  l.live.send(command::SetGroup{0, PairGroupState::kRunning});
+  l.live.send(command::Step{100});
+  ASSERT_TRUE(l.waitForTime(1.0));
+  EXPECT_FALSE(l.seen.pairs[0].paused);
+  EXPECT_EQ(l.seen.nearest_pair, 0);
+}
+
+TEST(LiveSession, APairLeavesItsGroupAndComesBack) {
+  Live l("{}");
+  l.live.send(command::RemovePair{0});
+  ASSERT_TRUE(l.waitFor([&] { return !l.seen.pair_group.empty() && l.seen.pair_group[0] == -1; }));
+  EXPECT_TRUE(l.seen.pairs[0].paused);
+  EXPECT_EQ(l.seen.groups[0].pairs, 0u);
+  for (const int wrong : {-1, 1, 99}) {
+    l.live.send(command::AddPair{wrong, 0});
+    l.live.send(command::AddPair{0, wrong});
+    l.live.send(command::RemovePair{wrong});
+    l.live.send(command::SetGroup{wrong, PairGroupState::kStopped});
+  }
+  l.live.send(command::AddPair{0, 0});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.pair_group[0] == 0; }));
+  EXPECT_FALSE(l.seen.pairs[0].paused);
+  EXPECT_EQ(l.seen.groups[0].pairs, 1u);
+}
+
 TEST(LiveSession, ARobotThatCannotReactDoesNotAndItIsSaidWhy) {
   testing::ScratchFolder folder;
   const SceneDescription scene = testing::sceneWithoutMasses(folder);

@@ -1,6 +1,8 @@
 // Sequence numbers: what is lost, late, seen twice, or of somebody else.
 #include "app/serve/packet_stream.hpp"
 
+#include "app/serve/joint_owners.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
@@ -69,6 +71,24 @@ TEST_F(Streamed, BeginsAnewAfterSilence) {
   t += 0.2;
   EXPECT_TRUE(take(1));
   EXPECT_EQ(counts.lost, 0);
+}
+
+TEST(JointOwnership, EveryJointValueHasOneSender) {
+  JointOwners owners(2, 0.1);
+  EXPECT_TRUE(owners.mayTake(kAllMechanisms, 0.0, kHere));
+  owners.took(kAllMechanisms, 0.0, kHere);
+  for (const std::uint32_t m : {0u, 1u, kAllMechanisms}) {
+    EXPECT_FALSE(owners.mayTake(m, 0.05, kThere)) << m;
+    EXPECT_TRUE(owners.mayTake(m, 0.05, kHere)) << m;
+  }
+  // Mechanism 1 falls silent, mechanism 0 does not: all together still have an owner.
+  owners.took(0, 0.09, kHere);
+  EXPECT_FALSE(owners.mayTake(0, 0.15, kThere));
+  EXPECT_FALSE(owners.mayTake(kAllMechanisms, 0.15, kThere));
+  EXPECT_TRUE(owners.mayTake(1, 0.15, kThere));
+  owners.took(1, 0.15, kThere);
+  EXPECT_FALSE(owners.mayTake(kAllMechanisms, 0.18, kHere));
+  EXPECT_TRUE(owners.mayTake(0, 0.18, kHere));
 }
 
 TEST(ServeAddress, ReadsAndWrites) {

@@ -9,6 +9,7 @@ import pathlib
 import random
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -57,9 +58,9 @@ class Serve(unittest.TestCase):
             self.program.kill()
             self.program.communicate()
 
-    def start(self, *options, stdin=None):
+    def start(self, *options, stdin=None, stale=STALE):
         self.program = subprocess.Popen(
-            [PROGRAM, "serve", self.scene, "--bind", "127.0.0.1:0", "--json", "--duration", "60", "--stale", str(STALE),
+            [PROGRAM, "serve", self.scene, "--bind", "127.0.0.1:0", "--json", "--duration", "60", "--stale", str(stale),
              *options],
             stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=self.environment)
         listening = self.program.stderr.readline()
@@ -145,6 +146,43 @@ class Serve(unittest.TestCase):
         self.assertEqual(robot["speed_scale"], 0.0)
         self.assertEqual(robot["reason"], 4)  # lost person
         self.assertIn("lost person", [s["reason"] for s in self.finish()["stops"]])
+
+    def test_groups_of_pairs_and_torques_are_controlled(self):
+        c = self.start("--resume", "0")
+        panel = self.client(c.socket.getpeername()[1])
+
+        def order(sequence, **fields):
+            panel.socket.send(json.dumps({"type": "control", "seq": sequence, "time_us": 0, **fields}).encode())
+            answer = panel.receive(ALLOWANCE)
+            self.assertIsNotNone(answer)
+            return json.loads(answer)
+
+        answer = order(1, do="report")
+        self.assertTrue(answer["done"] and answer["torques_on"])
+        self.assertEqual({g["state"] for g in answer["groups"]}, {"running"})
+        self.assertIn("slide - operator", [g["name"] for g in answer["groups"]])
+        answer = order(2, do="pause", group="slide - operator")
+        self.assertIn({"name": "slide - operator", "state": "paused", "pairs": 14}, answer["groups"])
+        c.joints([0.0])
+        state = c.receive(ALLOWANCE)
+        self.assertEqual(client.HEADER.unpack_from(state)[6] & 24, 16)
+        self.assertNotEqual(client.robot_of(state, 0, 1)["state"], "running")
+        answer = order(3, do="add", group="slide - operator", a="ball", b="operator/head")
+        self.assertEqual((answer["done"], answer["reason"]), (False, "the pair is in a group already"))
+        self.assertTrue(order(4, do="run")["done"])
+        # The same in bytes: torques off.
+        panel.sequence[4, 0] = 5
+        panel.send(4, 0, struct.pack("<4I", 7, 0xFFFFFFFF, 0, 0))
+        answer = panel.receive(ALLOWANCE)
+        self.assertEqual(client.HEADER.unpack_from(answer)[2:4], (5, 5))
+        self.assertEqual(struct.unpack_from("<2I", answer, 40), (0, 0))
+        c.joints([0.0])
+        state = c.receive(ALLOWANCE)
+        self.assertEqual(client.HEADER.unpack_from(state)[6] & 24, 8)
+        panel.socket.send(b'{"type":"control","seq":6,"time_us":0,"do":"pause","group":"nobody"}')
+        summary = self.finish()
+        self.assertEqual(summary["controls"], 5)
+        self.assertEqual(summary["bad_by_reason"]["index"], 1)
 
     def test_random_bytes_do_no_harm(self):
         c = self.start()
@@ -247,6 +285,40 @@ class Serve(unittest.TestCase):
         self.assertIn("joints of slide: 40 bytes", out)
         self.assertIn("skeleton of a person: 584 bytes", out)
         self.assertIn("state, the answer: 880 bytes", out)
+        layout = json.loads(subprocess.run([PROGRAM, "serve", self.scene, "--layout", "--json"], capture_output=True,
+                                           text=True, check=True, env=self.environment).stdout)
+        self.assertEqual([p["bytes"] for p in layout["packets"]],
+                         [40, 584, 880, 48, 56 + 8 * len(layout["groups"])])
+        self.assertGreater(len(layout["groups"]), 0)
+        for packet in layout["packets"]:  # fields fill the packet without a gap
+            last = packet["fields"][-1]
+            self.assertEqual(last["offset"] + int(last["type"][1:]) // 8, packet["bytes"])
+        self.assertEqual(layout["packets"][0]["fields"][-1],
+                         {"offset": 32, "type": "f64", "meaning": "slide.q0, rad or m"})
+        self.assertEqual(layout["states"][0], "running")
+        self.assertEqual(layout["schema_version"], 1)
+
+    def test_every_joint_value_has_one_sender(self):
+        c = self.start(stale=30.0)
+        other = self.client(c.socket.getpeername()[1])
+        c.joints([0.1])
+        self.assertIsNotNone(c.receive(5.0))
+        for _ in range(20):
+            c.joints([0.1])
+            other.joints([0.9], index=0)
+            self.assertIsNotNone(c.receive(5.0))
+        self.assertIsNone(other.receive(0.05))
+        summary = self.finish()
+        self.assertEqual(summary["bad_by_reason"]["foreign"], 20)
+        self.assertEqual(summary["joints"], 21)
+
+    def test_terminate_and_hang_up_end_like_ctrl_c(self):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            self.start()
+            self.program.send_signal(number)
+            out, err = self.program.communicate(timeout=60)
+            self.assertEqual(self.program.returncode, 130, err)
+            self.assertTrue(json.loads(out)["interrupted"])
 
     def test_wrong_usage(self):
         for bad in (["--bind", "localhost"], ["--stale", "0"], ["--rate", "none"], ["--bind", "203.0.113.1:5"],

@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "app/loop/closed_loop.hpp"
+#include "humanmodel/part_reach.hpp"
 #include "humanmodel/rest_pose.hpp"
+#include "tests/app/loop/slide_scene.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
@@ -163,6 +166,48 @@ TEST_F(Served, AnAdmittanceTellsPositions) {
   EXPECT_TRUE(scene->report().offset.empty());
 }
 
+TEST(ServedMass, TorqueAndEnergyStopAreThoseOfTheClosedLoop) {
+  // A slide of 2 kg drives towards a ball that nobody moves, damped by a weak potential that cannot stop it.
+  // The closed loop says where it is in every millisecond, and what it was told; served, it is told the same.
+  const char* const reaction = "{repulsion: {range: 0.4, force: 0.35, damping: 1}}";
+  const char* const plan = "    motion: come.csv\n";
+  abstand::testing::SlideScene run(reaction, "", plan), sent(reaction, "", plan);
+  ClosedLoop loop(*run.session, 0.0);
+  ServedOptions options;
+  options.scene_first = true;
+  ServedScene scene(std::move(sent.session), options);
+  EXPECT_TRUE(scene.remarks().empty());
+  Packet packet = makePacket(scene.format());
+  packet.type = PacketType::kJoints;
+  packet.index = 0;
+  packet.values = 1;
+  double most = 0.0;
+  bool stopped = false;
+  for (int i = 0; i < 1900; ++i) {
+    const double t = 1e-3 * i;
+    packet.q[0] = loop.robots()[0]->q()[0];
+    packet.time_us = static_cast<std::uint64_t>(1000) * static_cast<std::uint64_t>(i);
+    loop.step();
+    scene.take(packet, t);
+    scene.cycle(t);
+    const double torque = loop.robots()[0]->torque()[0];
+    ASSERT_EQ(scene.report().robots[0].state, loop.robots()[0]->stops().state()) << t;
+    ASSERT_NEAR(scene.report().torque[0], torque, 1e-9) << t;
+    most = std::max(most, std::abs(torque));
+    stopped = stopped || loop.robots()[0]->stops().state() == StopState::kEmergencyStop;
+  }
+  EXPECT_GT(most, 0.01);
+  EXPECT_TRUE(stopped);
+}
+
+TEST_F(Served, ARobotWithoutInertiaIsDampedByAConstantMassAndThatIsSaid) {
+  ReactionDescription reaction;
+  reaction.repulsion.emplace();
+  open(false, reaction);
+  ASSERT_EQ(scene->remarks().size(), 1u);
+  EXPECT_NE(scene->remarks()[0].find("constant mass of 5 kg"), std::string::npos) << scene->remarks()[0];
+}
+
 TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
   ReactionDescription reaction;
   reaction.repulsion.emplace();
@@ -220,6 +265,22 @@ TEST_F(Served, BoundsWidenWithTheAgeOfASkeleton) {
     EXPECT_EQ(now.distance, fresh.distance);
     EXPECT_NEAR(now.bound - fresh.bound, 2.0 * age, 1e-9) << age;
   }
+}
+
+TEST_F(Served, BoundsWidenWithJointsThatTheSenderOnlyGuessed) {
+  open(true);
+  person(0.5);
+  joints(1.0, 0.5);
+  scene->cycle(0.5);
+  const PairReport tracked = scene->report().separation[0];
+  packet.skeleton.state.fill(JointState::kInferred);
+  packet.type = PacketType::kSkeleton;
+  packet.index = 0;
+  scene->take(packet, 0.5);
+  scene->cycle(0.5);
+  const PairReport guessed = scene->report().separation[0];
+  EXPECT_EQ(guessed.distance, tracked.distance);
+  EXPECT_NEAR(guessed.bound - tracked.bound, kReachQuantile * kGuessedSpread, 1e-9);
 }
 
 TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {

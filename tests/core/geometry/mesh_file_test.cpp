@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include "core/base/error.hpp"
 #include "core/base/text_file.hpp"
@@ -117,6 +119,73 @@ TEST(MeshFile, ReadsATetrahedronInEveryFormat) {
     SCOPED_TRACE(c.content.substr(0, 40));
     expectTetrahedron(parseMesh(c.content, c.format, "f"), 1.0);
     expectTetrahedron(parseMesh(c.content, c.format, "f", 0.001), 0.001);
+  }
+}
+
+TEST(MeshFile, ReadsPlyTriangleStrips) {
+  // A strip 0 2 1 3 0 2 winds around a tetrahedron; written whole, and as two strips of one list.
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  for (const char* list : {"6 0 2 1 3 0 2\n", "10 0 2 1 3 -1 1 3 0 2 -1\n", "10 0 2 1 3 3 1 1 3 0 2\n"})
+    expectTetrahedron(parseMesh(head + list, "ply", "f"), 1.0);
+  EXPECT_THROW(parseMesh(head + "3 0 1 9\n", "ply", "f"), ParseError);
+  EXPECT_THROW(parseMesh(head + "3 0 1 -2\n", "ply", "f"), ParseError);
+}
+
+/// Corners of a polygon in the plane x + y + z = 0, and of a roof over it, so that a solid of it is closed.
+std::string objOfPolygon(const std::vector<std::pair<double, double>>& corners) {
+  std::string obj, bottom = "f", top = "f";
+  const std::size_t n = corners.size();
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : corners)
+      obj += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  for (std::size_t i = 0; i < n; ++i) {
+    bottom += " " + std::to_string(n - i);
+    top += " " + std::to_string(n + i + 1);
+    const std::size_t k = (i + 1) % n;
+    obj += "f " + std::to_string(i + 1) + " " + std::to_string(k + 1) + " " + std::to_string(n + k + 1) +
+           " " + std::to_string(n + i + 1) + "\n";
+  }
+  return obj + bottom + "\n" + top + "\n";
+}
+
+TEST(MeshFile, CutsLargePolygons) {
+  // With more corners, triangles of star and comb are flat by the tolerance of cleaning, 1e-6 of the extent.
+  constexpr int kFewCorners = 2'000, kPolygonCorners = 20'000;
+  std::vector<std::pair<double, double>> star, comb, frame, spiral;
+  for (int i = 0; i < kFewCorners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kFewCorners, r = i % 2 == 0 ? 10.0 : 9.0;
+    star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  // Teeth of a comb, a rectangle with many corners on its sides, an arm that winds inwards and back.
+  comb.emplace_back(kFewCorners, -kFewCorners);
+  for (int i = kFewCorners; i-- > 0;) comb.emplace_back(i, i % 2 == 0 ? 5.0 : 0.0);
+  comb.emplace_back(0.0, -kFewCorners);
+  for (int i = 0; i < kPolygonCorners / 4; ++i) frame.emplace_back(i, 0.0);
+  for (int i = 0; i < kPolygonCorners / 4; ++i) frame.emplace_back(kPolygonCorners / 4, i);
+  for (int i = 0; i < kPolygonCorners / 4; ++i)
+    frame.emplace_back(kPolygonCorners / 4 - i, kPolygonCorners / 4);
+  for (int i = 0; i < kPolygonCorners / 4; ++i) frame.emplace_back(0.0, kPolygonCorners / 4 - i);
+  for (int i = 0; i < kPolygonCorners / 2; ++i) {
+    const double a = 0.05 * i;
+    spiral.emplace_back((10.0 + a) * std::cos(a), (10.0 + a) * std::sin(a));
+  }
+  for (int i = kPolygonCorners / 2; i-- > 0;) {
+    const double a = 0.05 * i;
+    spiral.emplace_back((12.0 + a) * std::cos(a), (12.0 + a) * std::sin(a));
+  }
+  std::reverse(spiral.begin(), spiral.end());
+  for (const auto* polygon : {&star, &comb, &frame, &spiral}) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < polygon->size(); ++i) {
+      const auto& [x0, y0] = (*polygon)[i];
+      const auto& [x1, y1] = (*polygon)[(i + 1) % polygon->size()];
+      area += 0.5 * (x0 * y1 - x1 * y0);
+    }
+    const auto mesh = parseMesh(objOfPolygon(*polygon), "obj", "f");
+    EXPECT_EQ(mesh.report.open_edges, 0u);
+    EXPECT_NEAR(mesh.report.volume, std::abs(area), 1e-5 * std::abs(area));
   }
 }
 

@@ -63,6 +63,45 @@ TEST(NearField, ErrorsAreWithinTheBound) {
   }
 }
 
+TEST(NearField, DeepBlocksCarryNoSamplesAndKeepTheirBound) {
+  for (const auto& surface : bodies()) {
+    const double h = surface->bounds().extent().maxCoeff() / 150.0;
+    const VoxelGrid grid = makeGrid(surface->bounds(), h, 6);
+    const NearField whole(*surface, grid, 4.0 * h, 2, std::size_t(1) << 40),
+        field(*surface, grid, 4.0 * h, 2, 0);
+    ASSERT_FALSE(whole.deep(0.0f, 0.0f, 0.0f));
+    EXPECT_EQ(whole.deepErrorBound(), whole.errorBound());
+    EXPECT_LT(field.errorBound(), 0.88 * h);
+    int deep = 0, near = 0;
+    double error = 0.0;
+    for (int i = 0; i < 5000; ++i) {
+      const Vector3f p = probe(*surface, i, 8.0 * h);
+      const double exact = surface->signedDistance(p.cast<double>());
+      float sample = 0.0f, expected = 0.0f, same = 0.0f, gradient[3];
+      const bool there = field.sample(p.x(), p.y(), p.z(), sample);
+      ASSERT_EQ(there, whole.sample(p.x(), p.y(), p.z(), expected)) << "what is outside stays as it was";
+      if (!there) continue;
+      ASSERT_TRUE(field.sampleGradient(p.x(), p.y(), p.z(), same, gradient));
+      ASSERT_EQ(same, sample);
+      if (field.deep(p.x(), p.y(), p.z())) {
+        ASSERT_LT(exact, -NearField::kInnerBand * h);
+        ASSERT_NEAR(sample, exact, field.deepErrorBound());
+        error += std::abs(sample - exact);
+        ++deep;
+      } else {
+        ASSERT_NEAR(sample, expected, field.quantum() + whole.quantum());
+        ++near;
+      }
+    }
+    EXPECT_GT(near, 100);
+    EXPECT_EQ(deep > 0, field.deepErrorBound() > field.errorBound());
+    if (deep > 100) {
+      EXPECT_LT(field.memoryBytes(), whole.memoryBytes());
+      EXPECT_LT(error / deep, 0.35 * field.deepErrorBound()) << "smooth but for ridges";
+    }
+  }
+}
+
 TEST(NearField, IsMuchBetterWhereTheSurfaceIsSmooth) {
   // Within two voxels of a sphere of ten voxels' radius: the second derivative is 1 / r, so the error is
   // about 2 h^2 / (8 r) = h / 40; a quarter of a voxel is far more.

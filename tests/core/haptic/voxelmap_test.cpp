@@ -177,6 +177,28 @@ TEST(Voxelmap, DoesNotDependOnThreads) {
   for (const int threads : {2, 3, 0}) EXPECT_EQ(makeVoxelmap(*surface, 0.004, 6, threads).layer, one.layer);
 }
 
+/// In cubes as all at once: shapes, a mesh, a mesh with a cavity, and grids that end anywhere in a cube.
+TEST(VoxelCounts, AreThoseOfAllVoxels) {
+  TriangleMesh hollow = tessellate(Sphere{0.1}, 1e-3);
+  const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);
+  const auto offset = static_cast<std::uint32_t>(hollow.vertices.size());
+  hollow.vertices.insert(hollow.vertices.end(), hole.vertices.begin(), hole.vertices.end());
+  for (const auto& t : hole.triangles)
+    hollow.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
+  std::vector<std::shared_ptr<const Surface>> surfaces{makeSurface(hollow),
+                                                       makeSurface(tessellate(Capsule{0.06, 0.1}, 1e-4))};
+  for (const Shape& shape : testing::someShapes()) surfaces.push_back(makeSurface(shape));
+  int with_inside = 0;
+  for (const auto& surface : surfaces) {
+    const double h = surface->bounds().extent().maxCoeff() / 110.0;
+    const VoxelCounts whole = countVoxels(*surface, h, 2), cubes = countVoxels(*surface, h, 2, 0);
+    EXPECT_EQ(cubes.surface, whole.surface);
+    EXPECT_EQ(cubes.solid, whole.solid);
+    with_inside += whole.solid > whole.surface;
+  }
+  EXPECT_GE(with_inside, 5) << "thin shapes have none";
+}
+
 TEST(Voxelmap, ACavityIsOutside) {
   TriangleMesh mesh = tessellate(Sphere{0.1}, 1e-3);
   const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);

@@ -180,6 +180,8 @@ TEST(Urdf, OddThingsAreWarnings) {
       {"<link name='a'>\n\n<visual><geometry><capsule radius='1' length='1'/></geometry></visual></link>",
        "left out", 3},
       {"<link name='a'>\n<visual/></link>", "without a geometry", 2},
+      {"<link name='a'>\n<collision><geometry><sphere radius='0'/></geometry></collision></link>",
+       "radius 0 in <collision>, expected a positive one: left out", 2},
       {"<link name='a'/><link name='b'/><joint name='j' type='prismatic'><parent link='a'/><child "
        "link='b'/>\n"
        "<axis xyz='0 0 2'/><limit lower='0' upper='1' effort='1' velocity='1'/></joint>",
@@ -195,6 +197,7 @@ TEST(Urdf, OddThingsAreWarnings) {
     ASSERT_EQ(robot.warnings.size(), 1u);
     EXPECT_EQ(robot.warnings[0].find("test.urdf:" + std::to_string(c.line) + ":"), 0u) << robot.warnings[0];
     EXPECT_NE(robot.warnings[0].find(c.says), std::string::npos) << robot.warnings[0];
+    EXPECT_TRUE(robot.geometry.empty());
   }
 }
 

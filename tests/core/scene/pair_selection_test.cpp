@@ -29,6 +29,28 @@ TEST(PairSelection, CountsOfTheDefaults) {
   EXPECT_TRUE(selectPairs({}, rules(PairDefault::kAll), {}).empty());
 }
 
+TEST(PairSelection, PartsOfOnePersonOnlyWhereAsked) {
+  // Two people of three parts, of which the first two are adjacent, and a thing.
+  std::vector<SelectableBody> bodies;
+  for (const char* person : {"p", "q"})
+    for (const char* part : {"/torso", "/head", "/foot"})
+      bodies.push_back({person + std::string(part), person, true});
+  bodies.push_back({"thing", "objects"});
+  const Pairs adjacent{{0, 1}, {3, 4}};
+  auto r = rules(PairDefault::kAll);
+  const std::size_t between = 3 * 3 + 6;
+  EXPECT_EQ(selectPairs(bodies, r, adjacent).size(), between);
+  r.include = {{"p/torso", "p/foot"}};
+  EXPECT_EQ(selectPairs(bodies, r, adjacent).size(), between + 1) << "named";
+  r.include.clear();
+  r.within_people = true;
+  EXPECT_EQ(selectPairs(bodies, r, adjacent).size(), between + 2 * 2);
+  r.standard = PairDefault::kBetweenGroups;
+  EXPECT_EQ(selectPairs(bodies, r, adjacent).size(), between + 2 * 2);
+  r.standard = PairDefault::kNone;
+  EXPECT_TRUE(selectPairs(bodies, r, adjacent).empty());
+}
+
 TEST(PairSelection, TwoArmsOfSevenLinksHave79Pairs) {
   std::vector<SelectableBody> bodies;
   Pairs adjacent;

@@ -81,7 +81,7 @@ TEST_F(RobotScene, VisualGeometryWhereItIsThere) {
   EXPECT_TRUE(s.mechanisms[0].links[0].shape) << "nice.dae is missing: the collision box is taken";
   EXPECT_EQ(std::get<Sphere>(*s.mechanisms[0].links[1].shape).radius, 0.5);
   EXPECT_TRUE(std::any_of(s.remarks.begin(), s.remarks.end(), [](const std::string& r) {
-    return r.find("a: not all visual meshes") != std::string::npos;
+    return r.find("not all visual meshes") != std::string::npos && r.ends_with(": a");
   }));
 }
 
@@ -95,6 +95,75 @@ TEST_F(RobotScene, FramesHaveNames) {
             std::string::npos)
       << refused(", links: [{name: x, frame: bb, shape: {sphere: {radius: 1}}}]");
   EXPECT_NE(refused(", geometry: visual, links: []").find("beside `links`"), std::string::npos);
+}
+
+TEST_F(RobotScene, ALinkWhoseGeometryIsAbsentIsMissingUnlessNamed) {
+  const char* const robot =
+      "<robot name='r'><link name='a'><visual><geometry><mesh filename='a.dae'/></geometry></visual></link>"
+      "<link name='b'><visual><geometry><mesh filename='b.dae'/></geometry></visual></link><link name='c'>"
+      "<collision><geometry><sphere radius='1'/></geometry></collision></link><link name='frame'/>"
+      "<joint name='ab' type='fixed'><parent link='a'/><child link='b'/></joint>"
+      "<joint name='bc' type='fixed'><parent link='b'/><child link='c'/></joint>"
+      "<joint name='cf' type='fixed'><parent link='c'/><child link='frame'/></joint></robot>";
+  folder_.write("r.urdf", robot);
+  const auto s = parse("");
+  const MechanismDescription& m = s.mechanisms[0];
+  EXPECT_EQ(m.frames_with_geometry, 3u) << "a link without geometry is a frame";
+  ASSERT_EQ(m.missing.size(), 2u);
+  EXPECT_EQ(m.missing[1].frame, "b");
+  EXPECT_EQ(m.missing[1].reason, "found no file b.dae");
+  ASSERT_EQ(s.remarks.size(), 1u) << "one line for all";
+  EXPECT_TRUE(s.remarks[0].starts_with("2 of 3 links of m have no body, or not all of it: a, b ("))
+      << s.remarks[0];
+
+  const auto one = parse(", bodiless: [a]");
+  ASSERT_EQ(one.mechanisms[0].missing.size(), 1u);
+  EXPECT_EQ(one.mechanisms[0].missing[0].frame, "b");
+  EXPECT_EQ(parseScene(describeScene(one), folder_.path() / "scene.yaml").mechanisms[0].missing.size(), 1u);
+  EXPECT_TRUE(parse(", bodiless: [a, b]").mechanisms[0].missing.empty());
+  const auto none = parse(", geometry: none");
+  EXPECT_TRUE(none.mechanisms[0].links.empty() && none.mechanisms[0].missing.empty());
+  EXPECT_TRUE(none.mechanisms[0].no_geometry);
+  EXPECT_NE(refused(", bodiless: [d]").find("found `d` in `bodiless`"), std::string::npos);
+}
+
+TEST_F(RobotScene, ALinkWithNothingButAnUnreadVisualIsMissing) {
+  folder_.write("r.urdf",
+                "<robot name='r'><link name='a'><visual><geometry><capsule radius='1' length='1'/></geometry>"
+                "</visual></link><link name='b'><visual><geometry><capsule radius='1' length='1'/></geometry>"
+                "</visual><collision><geometry><sphere radius='1'/></geometry></collision></link>"
+                "<joint name='ab' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+  const auto s = parse("");
+  const MechanismDescription& m = s.mechanisms[0];
+  EXPECT_EQ(m.frames_with_geometry, 2u);
+  ASSERT_EQ(m.missing.size(), 1u);
+  EXPECT_EQ(m.missing[0].frame, "a");
+  EXPECT_NE(m.missing[0].reason.find("capsule"), std::string::npos) << m.missing[0].reason;
+  EXPECT_TRUE(parse(", bodiless: [a]").mechanisms[0].missing.empty());
+}
+
+TEST_F(RobotScene, TheCentreOfALinkPlacesItsBody) {
+  folder_.write("c.mech",
+                "chain\nframe 1 0 0 0 theta\nframe 2 1 0 0 theta\nend_chain\n"
+                "link\nid 1\ncenter 1 0 0 0.5  0 1 0 0  0 0 1 0.25\nend_link\n");
+  folder_.write("rod.stl", "x");
+  const auto link = [&](const std::string& text) {
+    const auto s =
+        parseScene("abstand: 1\nmechanisms:\n  - {name: m, file: c.mech, links: [{name: l, " + text + "}]}\n",
+                   folder_.path() / "scene.yaml", {{}, false});
+    return s.mechanisms[0].links[0];
+  };
+  const std::string rod = "shape: {cuboid: {size: [1, 0.1, 0.1]}}";
+  const Vector3d center(0.5, 0.0, 0.25);
+  EXPECT_EQ(link("frame: 1, " + rod).X_FL.translation(), center) << "a shape's origin is its centre";
+  EXPECT_EQ(link("frame: 1, pose: center, mesh: rod.stl").X_FL.translation(), center);
+  EXPECT_EQ(link("frame: 1, mesh: rod.stl").X_FL.translation(), Vector3d::Zero())
+      << "a mesh may stand in the axes of its frame";
+  EXPECT_EQ(link("frame: 1, mesh: rod.stl").p_FC, center) << "which is looked at when it is loaded";
+  EXPECT_EQ(link("frame: 1, pose: {xyz: [0, 0, 1]}, " + rod).X_FL.translation(), Vector3d(0, 0, 1));
+  EXPECT_EQ(link("frame: 2, " + rod).X_FL.translation(), Vector3d::Zero());
+  EXPECT_FALSE(link("frame: 2, " + rod).p_FC);
+  EXPECT_THROW(link("frame: 2, pose: center, " + rod), ParseError);
 }
 
 TEST_F(RobotScene, MissingCollisionMeshesAreListedAtOnce) {

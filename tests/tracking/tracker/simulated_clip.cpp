@@ -110,6 +110,24 @@ double JointErrors::quantile(const std::vector<double>& errors, double share) {
   return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1))];
 }
 
+void JointErrors::Stated::add(const Stated& other) {
+  error.insert(error.end(), other.error.begin(), other.error.end());
+  reach.insert(reach.end(), other.reach.begin(), other.reach.end());
+}
+
+double JointErrors::Stated::within() const {
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < error.size(); ++i) within += error[i] <= reach[i];
+  return error.empty() ? 1.0 : static_cast<double>(within) / static_cast<double>(error.size());
+}
+
+double JointErrors::Stated::medianRatio() const {
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < error.size(); ++i) ratio.push_back(reach[i] / std::max(error[i], 1e-9));
+  std::sort(ratio.begin(), ratio.end());
+  return ratio.empty() ? kNaN : JointErrors::quantile(ratio, 0.5);
+}
+
 JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector<SkeletonFrame>& truth) {
   JointErrors errors;
   std::array<Vector3d, kJointCount> offset;
@@ -129,15 +147,13 @@ JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector
     offset[j] += R_WH.transpose() * error;
     ++count[j];
   });
-  std::size_t within = 0;
   each([&](const SkeletonFrame& frame, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
     errors.raw.push_back(error.norm());
     errors.aligned.push_back((error - R_WH * offset[j] / count[j]).norm());
-    const double spread =
-        std::max(frame.spread[j], frame.state[j] == JointState::kInferred ? kGuessedSpread : 0.0);
-    within += errors.aligned.back() <= partReach(0.0, spread);
+    JointErrors::Stated& stated = frame.state[j] == JointState::kInferred ? errors.inferred : errors.tracked;
+    stated.error.push_back(error.norm());
+    stated.reach.push_back(partReach(0.0, frame.spread[j]));
   });
-  errors.within_reach = static_cast<double>(within) / static_cast<double>(errors.aligned.size());
   std::sort(errors.raw.begin(), errors.raw.end());
   std::sort(errors.aligned.begin(), errors.aligned.end());
 

@@ -35,9 +35,15 @@ struct JointErrors {
       aligned;               ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
   double longest_swap{0.0};  ///< s for which the body would fit better with left and right exchanged
   std::size_t lost{0};       ///< images without the body
-  /// Share of the joints whose error, offsets off, is within what their spread gives a part to reach
-  /// (partReach); guessed joints count with the spread of guessed ones.
-  double within_reach{0.0};
+  /// Raw errors of joints that were tracked, and of those that were inferred, against partReach() of the
+  /// spread that is stated.
+  struct Stated {
+    std::vector<double> error, reach;  ///< m, of the same joints
+    void add(const Stated& other);
+    double within() const;       ///< share of the errors that are no larger than the reach; 1 without joints
+    double medianRatio() const;  ///< median of reach / error; NaN without joints
+  };
+  Stated tracked, inferred;
 
   static double mean(const std::vector<double>& errors);
   static double quantile(const std::vector<double>& errors, double share);

@@ -11,20 +11,22 @@ namespace {
 using testing::ClipPlan;
 using testing::JointErrors;
 
-// Errors once each joint's constant offset is taken off, as recordings do not mean the same point by a
-// shoulder or a hip (with it they are 30 to 55 mm on the mean).
-constexpr double kMean = 0.035, kP95 = 0.080;  // m
-constexpr double kHiddenMean = 0.060;          // m; from behind, fists before the trunk are not seen
-constexpr double kLongestSwap = 0.2;           // s
-constexpr double kWithinReach = 0.9;           // of the joints
-constexpr double kMostLost = 0.01;             // of the images
+// Raw errors; and those once each joint's constant offset is taken off, as recordings do not mean the same
+// point by a shoulder or a hip.
+constexpr double kRawMean = 0.060, kRawP95 = 0.165;  // m
+constexpr double kMean = 0.035, kP95 = 0.080;        // m
+constexpr double kHiddenMean = 0.060;                // m; from behind, fists before the trunk are not seen
+constexpr double kLongestSwap = 0.2;                 // s
+constexpr double kWithinReach = 0.99;                // of the raw errors of tracked joints
+constexpr double kHiddenWithin = 0.97;               // of those of inferred ones
+constexpr double kMostLost = 0.01;                   // of the images
 
 constexpr std::size_t kLate = 6;  // images until a head is found, as beside a waving hand
 
 struct Case {
   const char* name;
   ClipPlan plan;
-  double mean{kMean}, p95{kP95}, within_reach{kWithinReach};
+  double mean{kMean}, p95{kP95}, raw_mean{kRawMean}, raw_p95{kRawP95}, within_reach{kWithinReach};
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -49,16 +51,31 @@ std::vector<Case> cases() {
         .look = {1.5, 0.0, 0.9}}},
       {"waving_in_thick_clothes",
        {.recording = mocap("bvh/fair1_wave_hello.bvh"), .end = 2.0, .clothing = 0.015, .body_seed = 3}},
-      {"jumping_jacks", {.recording = mocap("bvh/cmu_jumping_jacks_3dsmax_names.bvh"), .end = 2.5}},
+      {"jumping_jacks",
+       {.recording = mocap("bvh/cmu_jumping_jacks_3dsmax_names.bvh"), .end = 2.5},
+       kMean,
+       kP95,
+       kRawMean,
+       kRawP95,
+       // Its pelvis is 0.2 m from what other captures mean by it.
+       0.95},
       {"going_down", {.recording = mocap("bvh/mocapbank_test.bvh"), .end = 4.0, .eye = {3.2, 0.0, 1.2}}},
       {"sit_to_stand",
-       {.recording = testing::sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), .end = 4.0}},
+       {.recording = testing::sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), .end = 4.0},
+       kMean,
+       kP95,
+       kRawMean,
+       kRawP95,
+       // What is shown is itself as unsteady as a Kinect's joints.
+       0.97},
       {"dancing",
        {.recording = mocap("bvh/rokoko_jesse_dance.bvh"), .end = 3.0, .eye = {3.2, 0.0, 1.2}},
        // Hands on the hips are hard to tell from the trunk.
        0.065,
        0.200,
-       0.85},
+       0.100,
+       0.270,
+       0.96},
   };
 }
 
@@ -72,17 +89,36 @@ TEST_P(SimulatedPeople, AreFollowed) {
   const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
   EXPECT_LE(JointErrors::mean(errors.aligned), GetParam().mean);
   EXPECT_LE(JointErrors::quantile(errors.aligned, 0.95), GetParam().p95);
+  EXPECT_LE(JointErrors::mean(errors.raw), GetParam().raw_mean);
+  EXPECT_LE(JointErrors::quantile(errors.raw, 0.95), GetParam().raw_p95);
+  EXPECT_GE(errors.tracked.within(), GetParam().within_reach);
+  EXPECT_GE(errors.inferred.within(), kHiddenWithin);
   EXPECT_LE(errors.longest_swap, kLongestSwap);
   EXPECT_LE(static_cast<double>(errors.lost), kMostLost * static_cast<double>(clip.truth.size()));
   EXPECT_GE(track.people[0].frames.size() + kLate, clip.truth.size());
-  EXPECT_GE(errors.within_reach, GetParam().within_reach);
   std::printf(
-      "%s: %.0f mm on the mean, %.0f mm of 95 in 100, with offsets %.0f and %.0f; %.3f within reach; %.0f "
-      "images a second\n",
-      GetParam().name, 1e3 * JointErrors::mean(errors.aligned),
-      1e3 * JointErrors::quantile(errors.aligned, 0.95), 1e3 * JointErrors::mean(errors.raw),
-      1e3 * JointErrors::quantile(errors.raw, 0.95), errors.within_reach,
-      static_cast<double>(track.images) / track.seconds);
+      "%s: raw errors %.0f mm on the mean, %.0f mm of 95 in 100, with the mean offsets taken off %.0f and "
+      "%.0f; "
+      "within reach: tracked %.3f (x %.1f), inferred %.3f (x %.1f); %.0f images a second\n",
+      GetParam().name, 1e3 * JointErrors::mean(errors.raw), 1e3 * JointErrors::quantile(errors.raw, 0.95),
+      1e3 * JointErrors::mean(errors.aligned), 1e3 * JointErrors::quantile(errors.aligned, 0.95),
+      errors.tracked.within(), errors.tracked.medianRatio(), errors.inferred.within(),
+      errors.inferred.medianRatio(), static_cast<double>(track.images) / track.seconds);
+}
+
+// At 4 m feet and knees are too coarse to tell front from back: who faces the camera is not turned round.
+TEST(Facing, OfAFrontalPersonFarAwayIsTheFront) {
+  ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"),
+                .end = 1.0,
+                .eye = {4.2, 0.0, 1.2},
+                .width = 240};
+  auto clip = testing::simulate(plan);
+  const ClipTrack track = trackClip(*clip.stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_FALSE(track.people[0].facing.away) << track.people[0].facing.ratio;
+  const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
+  EXPECT_EQ(errors.longest_swap, 0.0) << "left and right";
+  std::printf("ratio %.2f\n", track.people[0].facing.ratio);
 }
 
 // The same people from behind: the feet, and the way knees and elbows bend, tell the back from the front.

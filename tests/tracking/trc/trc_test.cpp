@@ -57,6 +57,28 @@ TEST(Trc, SaysWhatDiffersFromItsClaims) {
   EXPECT_THAT(reader.warnings()[2].text, HasSubstr("rows end early"));
 }
 
+TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
+  // Of the second row a value is missing, nobody knows which; the third has three values behind the named
+  // markers.
+  const std::string text =
+      trc("1\t0\t1\t2\t3\t4\t5\t6\n2\t1\t1\t2\t3\t4\t5\n3\t2\t1\t2\t3\t4\t5\t6\t7\t8\t9\n");
+  TrcReader reader(text, "t.trc");
+  PointFrame f;
+  ASSERT_TRUE(reader.next(f));
+  ASSERT_TRUE(reader.next(f));
+  EXPECT_EQ(f.state[0], JointState::kMissing);
+  EXPECT_EQ(f.state[1], JointState::kMissing);
+  ASSERT_TRUE(reader.next(f));
+  EXPECT_EQ(f.p[0], Vector3d(1, 2, 3));
+  EXPECT_EQ(f.p[1], Vector3d(4, 5, 6));
+  EXPECT_FALSE(reader.next(f));
+  ASSERT_EQ(reader.warnings().size(), 3u);  // with the claim of two frames
+  EXPECT_EQ(reader.warnings()[1].line, 8);
+  EXPECT_THAT(reader.warnings()[1].text, HasSubstr("within a marker"));
+  EXPECT_EQ(reader.warnings()[2].line, 9);
+  EXPECT_THAT(reader.warnings()[2].text, HasSubstr("more markers"));
+}
+
 TEST(Trc, RefusesWithTheLine) {
   struct Case {
     std::string text;

@@ -1,5 +1,5 @@
 // The links of one robot of a scene, as surfaces that move.
-#include "app/depth/robot_links.hpp"
+#include "app/depth/calibration_links.hpp"
 
 #include <algorithm>
 
@@ -35,7 +35,8 @@ SceneDescription alone(SceneDescription scene, const std::string& robot) {
 
 }  // namespace
 
-RobotLinks::RobotLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options)
+CalibrationLinks::CalibrationLinks(SceneDescription scene, const std::string& robot,
+                                   const SessionOptions& options)
     : robot_(nameOf(scene, robot)),
       session_(std::make_unique<Session>(alone(std::move(scene), robot_), options)) {
   for (const Object& object : session_->scene().objects())
@@ -44,7 +45,7 @@ RobotLinks::RobotLinks(SceneDescription scene, const std::string& robot, const S
     throw UsageError("--robot: found no links of '" + robot_ + "', expected some with shapes or meshes");
 }
 
-std::vector<Transform> RobotLinks::at(double t) {
+std::vector<Transform> CalibrationLinks::at(double t) {
   session_->applyMotion(t);
   std::vector<Transform> X_WB;
   for (const Object& object : session_->scene().objects()) X_WB.push_back(object.X_WB);

@@ -8,11 +8,11 @@
 namespace abstand {
 
 /// Owns a session of that robot alone.
-class RobotLinks {
+class CalibrationLinks {
  public:
   /// `robot`: name of a mechanism of the scene; empty where it has one alone. Throws UsageError where there
   /// is no such robot, or it has no links, and ParseError for its files.
-  RobotLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options);
+  CalibrationLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options);
 
   const std::string& robot() const { return robot_; }
   const std::vector<const Surface*>& surfaces() const { return surfaces_; }

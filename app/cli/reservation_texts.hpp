@@ -1,0 +1,30 @@
+// What the answers of `run` and `check` have in common: reservations and smallest distances.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/run/run_scene.hpp"
+
+namespace abstand::cli {
+
+/// [{kind, text, t0, t1, share, fails}]; null where a number does not apply; `recording` where there are
+/// several.
+nlohmann::ordered_json reservationsJson(const std::vector<Reservation>& reservations);
+
+/// A line each: "reservation (KIND): TEXT".
+std::string reservationsText(const std::vector<Reservation>& reservations);
+
+/// {a, b, t, value}, or null.
+nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& extreme);
+
+using ByClass = std::array<std::optional<RunSummary::Extreme>, kPairClasses.size()>;
+
+/// {person_robot, person_thing, robot_robot, robot_thing}, each {a, b, t, value} or null: no such pair.
+nlohmann::ordered_json byClassJson(const ByClass& least);
+
+/// A line for each class that has pairs, people first.
+std::string closestText(const ByClass& least);
+
+}  // namespace abstand::cli

@@ -1,0 +1,243 @@
+#include "app/run/reservations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mechanism/joint_range.hpp"
+#include "core/scene/robot_links.hpp"
+#include "tracking/message_text.hpp"
+
+namespace abstand {
+namespace {
+
+/// A foot nearer to the floor than this (m) stands on it.
+constexpr double kFloorDistance = 0.3;
+/// A body whose centre is farther (m) from where its mechanism's file says does not stand there.
+constexpr double kCenterDistance = 0.01;
+/// A step of time longer than this many usual ones is a gap.
+constexpr double kLongStep = 3.0;
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+double shareOf(std::size_t part, std::size_t all) {
+  return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0.0;
+}
+
+void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
+                  std::vector<Reservation>& out) {
+  if (m.no_geometry)
+    out.push_back({"bodiless",
+                   m.name + " has no body, as the scene says (geometry: none)",
+                   {},
+                   {},
+                   {},
+                   Severity::kNote,
+                   {}});
+  else if (m.links.empty())
+    out.push_back({"no_body",
+                   m.name +
+                       " has no body: nothing of it is checked; `geometry: none` in the scene says that it "
+                       "has none on purpose",
+                   {},
+                   {},
+                   {},
+                   Severity::kAlways,
+                   {}});
+  if (!m.bodiless.empty())
+    out.push_back({"bodiless",
+                   "links of " + m.name + " without a body, as the scene says: " + joined(m.bodiless),
+                   {},
+                   {},
+                   {},
+                   Severity::kNote,
+                   {}});
+  if (!m.missing.empty())
+    out.push_back({"missing_body",
+                   missingBodiesText(m),
+                   {},
+                   {},
+                   shareOf(m.missing.size(), m.frames_with_geometry),
+                   Severity::kAlways,
+                   {}});
+
+  const auto ranges = jointRanges(driver.mechanism());
+  const auto unlimited =
+      std::count_if(ranges.begin(), ranges.end(), [](const auto& r) { return r.unlimited; });
+  std::vector<bool> no_speed(ranges.size(), false);
+  for (const auto& f : driver.mechanism().frames)
+    if (f.dof >= 0 && !f.mimic && !std::isfinite(f.limits.velocity))
+      no_speed[static_cast<std::size_t>(f.dof)] = true;
+  const auto fast = std::count(no_speed.begin(), no_speed.end(), true);
+  if (unlimited + fast > 0)
+    out.push_back({"no_limits",
+                   "of " + std::to_string(ranges.size()) + " joints of " + m.name + ", " +
+                       std::to_string(unlimited) + " have no position limits and " + std::to_string(fast) +
+                       " no velocity limit",
+                   {},
+                   {},
+                   {},
+                   m.reaction ? Severity::kStrict : Severity::kNote,
+                   {}});
+}
+
+/// Bodies that do not stand where the `link` environments of the mechanism's file have their centres.
+void addCenters(const MechanismDescription& m, const MechanismDriver& driver, const Scene& scene,
+                std::vector<Reservation>& out) {
+  for (std::size_t i = 0; i < m.links.size(); ++i) {
+    const LinkDescription& link = m.links[i];
+    const auto& object = driver.links()[i].object;
+    if (!link.p_FC || !object) continue;
+    const double off = (link.X_FL * scene.object(*object).spec.structure->com - *link.p_FC).norm();
+    if (off <= kCenterDistance) continue;
+    out.push_back({"link_center",
+                   link.name + ": its centre is " + rounded(off, 3) + " m from the one that " +
+                       m.file.filename().string() + " gives (`link` environment), which does not act here" +
+                       (link.posed ? "" : "; `pose: center` puts the mesh's origin there"),
+                   {},
+                   {},
+                   {},
+                   link.posed ? Severity::kNote : Severity::kStrict,
+                   {}});
+  }
+}
+
+/// Steps of time without a frame.
+void addSteps(const std::string& file, const Recording& recording, std::vector<Reservation>& out) {
+  const auto& frames = recording.frames;
+  if (frames.size() < 3 || !(recording.report.rate > 0.0)) return;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + (middle - steps.begin()), sorted.end());
+  const double usual = sorted[steps.size() / 2];
+  const double duration = frames.back().t - frames.front().t;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i] > kLongStep * usual)
+      out.push_back({"gaps",
+                     file + ": no frame for " + rounded(steps[i], 3) + " s",
+                     frames[i].t,
+                     frames[i + 1].t,
+                     duration > 0.0 ? std::optional(steps[i] / duration) : std::nullopt,
+                     Severity::kStrict,
+                     {}});
+}
+
+void addRecording(const HumanDescription& d, const HumanDriver& driver, const Scene& scene,
+                  std::vector<Reservation>& out) {
+  const Recording& recording = *driver.recording();
+  const RecordingReport& r = recording.report;
+  const std::string file = d.recording.file.filename().string();
+  const std::size_t frames = recording.frames.size();
+  if (r.frames_missing > 0)
+    out.push_back({"frames_missing",
+                   file + ": the recording is cut: " + std::to_string(r.frames_missing) + " of " +
+                       std::to_string(frames + r.frames_missing) + " frames are missing",
+                   recording.frames.back().t,
+                   {},
+                   shareOf(r.frames_missing, frames + r.frames_missing),
+                   Severity::kAlways,
+                   {}});
+  if (r.gaps > 0)
+    out.push_back({"gaps",
+                   file + ": a joint is missing in " + std::to_string(r.gaps) + " of " +
+                       std::to_string(frames) + " frames",
+                   {},
+                   {},
+                   shareOf(r.gaps, frames),
+                   Severity::kStrict,
+                   {}});
+  addSteps(file, recording, out);
+
+  bool paired = false;
+  for (const auto& part : r.missing_parts) {
+    ObjectId id(0);
+    paired |= scene.find(d.name + "/" + part, &id) && !scene.pairsOf(id).empty();
+  }
+  if (!r.missing_parts.empty())
+    out.push_back({"unmapped_part",
+                   file + ": nothing moves " + joined(r.missing_parts) + " of " + d.name,
+                   {},
+                   {},
+                   {},
+                   paired ? Severity::kAlways : Severity::kNote,
+                   {}});
+  if (r.units_guessed)
+    out.push_back({"units_guess",
+                   file + ": the units are guessed (" + r.units_guess + ": " + r.units_reason +
+                       "); say them as `units` in the scene",
+                   {},
+                   {},
+                   {},
+                   Severity::kStrict,
+                   {}});
+  if (r.up_guessed)
+    out.push_back({"up_guess",
+                   file + ": the axis that points up is guessed (" + r.up + ": " + r.up_reason +
+                       "); say it as `up` in the scene",
+                   {},
+                   {},
+                   {},
+                   Severity::kStrict,
+                   {}});
+  const double foot = r.lowest_foot + d.recording.place_xyz.z();
+  if (std::abs(foot) > kFloorDistance)
+    out.push_back({"floor",
+                   file + ": the lowest foot of " + d.name + " is at z = " + rounded(foot, 2) +
+                       " m, not on the floor at 0",
+                   {},
+                   {},
+                   {},
+                   Severity::kStrict,
+                   {}});
+  for (std::size_t i = 0; i < r.warnings.size(); ++i)
+    if (std::find(r.in_fields.begin(), r.in_fields.end(), i) == r.in_fields.end())
+      out.push_back({"recording", file + ": " + r.warnings[i], {}, {}, {}, Severity::kStrict, {}});
+}
+
+}  // namespace
+
+const char* severityName(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "never";
+    case Severity::kStrict:
+      return "strict";
+    case Severity::kAlways:
+      return "always";
+  }
+  return "always";
+}
+
+std::vector<Reservation> reservationsOf(const Session& session) {
+  std::vector<Reservation> out;
+  const SceneDescription& scene = session.description();
+  if (session.scene().pairs().empty())
+    out.push_back({"no_pairs", "no pair is checked: the scene has none", {}, {}, {}, Severity::kAlways, {}});
+  for (std::size_t i = 0; i < scene.mechanisms.size(); ++i) {
+    addMechanism(scene.mechanisms[i], *session.mechanisms()[i], out);
+    addCenters(scene.mechanisms[i], *session.mechanisms()[i], session.scene(), out);
+  }
+  for (std::size_t i = 0; i < scene.humans.size(); ++i)
+    if (session.humans()[i]->recording())
+      addRecording(scene.humans[i], *session.humans()[i], session.scene(), out);
+  // Pieces and dropped triangles are no reason to doubt a closed mesh: they stay remarks.
+  for (const MeshRemark& remark : session.meshRemarks())
+    if (remark.doubtful) out.push_back({"mesh", remark.text, {}, {}, {}, Severity::kStrict, {}});
+  return out;
+}
+
+void addReservations(std::vector<Reservation>& all, const std::vector<Reservation>& more) {
+  for (const Reservation& r : more)
+    if (std::find(all.begin(), all.end(), r) == all.end()) all.push_back(r);
+}
+
+bool failing(const Reservation& r, bool strict) {
+  return r.fails == Severity::kAlways || (strict && r.fails == Severity::kStrict);
+}
+
+}  // namespace abstand

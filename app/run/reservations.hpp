@@ -1,0 +1,47 @@
+// What weakens a verdict, and so stands beside it in every output of `run` and `check`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/session.hpp"
+
+namespace abstand {
+
+/// When a reservation fails `check`.
+enum class Severity {
+  kNote,    ///< never: a person who reads the verdict should know it
+  kStrict,  ///< with --strict: the distances may be wrong, or are those of a guess
+  kAlways   ///< something was not known at all, and unknown is never safe
+};
+
+/// One reason to doubt a verdict.
+struct Reservation {
+  /// One of: refused_pose, stale_pose, inferred_pose, no_person, outside_recording (of the frames that were
+  /// run); frames_missing, gaps, unmapped_part, units_guess, up_guess, floor, recording (of recordings);
+  /// no_body, missing_body, bodiless, link_center, mesh, no_limits, joint_limit (of robots and bodies);
+  /// no_pairs.
+  std::string kind;
+  std::string text;              ///< one line
+  std::optional<double> t0, t1;  ///< s, where it holds for a time only
+  std::optional<double> share;   ///< of the frames, 0 to 1
+  Severity fails{Severity::kStrict};
+  std::string recording;  ///< of `check` over several; else empty
+
+  bool operator==(const Reservation&) const = default;
+};
+
+/// "always", "strict" or "never".
+const char* severityName(Severity severity);
+
+/// What is known before a frame is run: of the scene, its robots, meshes and recordings.
+std::vector<Reservation> reservationsOf(const Session& session);
+
+/// Appends those of `more` that are not among `all` yet.
+void addReservations(std::vector<Reservation>& all, const std::vector<Reservation>& more);
+
+/// Whether one of them fails the check.
+bool failing(const Reservation& reservation, bool strict);
+
+}  // namespace abstand

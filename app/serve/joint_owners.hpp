@@ -1,0 +1,44 @@
+// Who sends the joint values of each mechanism.
+#pragma once
+
+#include <vector>
+
+#include "app/serve/packet.hpp"
+#include "app/serve/packet_stream.hpp"
+
+namespace abstand::serve {
+
+/// Every joint value has one sender at a time, whether it comes in packets of its mechanism or in those of
+/// all mechanisms. A mechanism belongs to the sender of its last accepted packet until it was silent for
+/// `stale` seconds. One thread, no allocation after construction.
+class JointOwners {
+ public:
+  JointOwners(std::size_t mechanisms, double stale) : owners_(mechanisms), stale_(stale) {}
+
+  /// Whether the sender may set the joints of the mechanism (or of kAllMechanisms) at `t` (s).
+  bool mayTake(std::uint32_t mechanism, double t, const Address& from) const noexcept {
+    for (std::size_t m = 0; m < owners_.size(); ++m)
+      if (concerns(mechanism, m) && owners_[m].from.known() && !(owners_[m].from == from) &&
+          t - owners_[m].t <= stale_)
+        return false;
+    return true;
+  }
+  /// After an accepted packet.
+  void took(std::uint32_t mechanism, double t, const Address& from) noexcept {
+    for (std::size_t m = 0; m < owners_.size(); ++m)
+      if (concerns(mechanism, m)) owners_[m] = {from, t};
+  }
+
+ private:
+  static bool concerns(std::uint32_t packet, std::size_t mechanism) noexcept {
+    return packet == kAllMechanisms || packet == mechanism;
+  }
+  struct Owner {
+    Address from;
+    double t{-kInfinity};
+  };
+  std::vector<Owner> owners_;
+  double stale_;
+};
+
+}  // namespace abstand::serve

@@ -1,0 +1,24 @@
+// Groups of pairs that are run, paused and stopped together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.hpp"
+#include "core/scene/scene_description.hpp"
+
+namespace abstand {
+
+struct PairGroup {
+  std::string name;  ///< unique
+  std::vector<PairId> pairs;
+};
+
+/// Every pair of the scene is in exactly one group. With `threads` from the scene file: its groups, "group 1"
+/// and so on, and, where it leaves pairs out, the group "rest". Without: a group for each two groups of
+/// bodies that have pairs, "left_arm - operator". Remarks say which pairs are in "rest" and which named pairs
+/// the scene does not check.
+std::vector<PairGroup> makePairGroups(const Scene& scene, const ThreadGroups& threads,
+                                      std::vector<std::string>& remarks);
+
+}  // namespace abstand

@@ -1,0 +1,18 @@
+// A write that the system refused.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace abstand {
+
+/// The disk, the device or the reader of a pipe took less than what there was to write (exit code 4).
+class WriteError : public std::runtime_error {
+ public:
+  /// `NAME: cannot be written whole: REASON`, where `error` is an errno value; 0: no reason is known.
+  WriteError(const std::string& name, int error);
+  WriteError(const std::string& name, const std::string& reason)
+      : std::runtime_error(name + ": cannot be written whole: " + reason) {}
+};
+
+}  // namespace abstand

@@ -1,0 +1,92 @@
+// Memory of fine maps goes with the surface: about 1,024 cells along an axis.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/geometry/mesh_file.hpp"
+#include "core/haptic/haptic_structure.hpp"
+#include "tests/core/geometry/brute_force.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+namespace {
+
+constexpr std::size_t kMostBytes = 200'000'000;
+constexpr double kMostBytesBuilding = 400e6;
+
+/// Bytes of this process in memory: now, or the most since the last reset.
+double residentBytes(const char* which) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind(which, 0) == 0) return 1024.0 * std::stod(line.substr(line.find(':') + 1));
+  return kNaN;
+}
+void resetPeak() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+TriangleMesh torus(double radius, double tube, int around, int across) {
+  TriangleMesh mesh;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double a = 2.0 * kPi * i / around, b = 2.0 * kPi * j / across, r = radius + tube * std::cos(b);
+      mesh.vertices.push_back({r * std::cos(a), r * std::sin(a), tube * std::sin(b)});
+    }
+  }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i % around * across + j % across); };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// Builds a body with so many cells along its longest axis, outer layers included, and looks at its memory
+/// and at its distances.
+void expectSmall(const std::shared_ptr<const Surface>& surface, int cells) {
+  const Bounds box = surface->bounds();
+  const double size = box.extent().maxCoeff();
+  HapticOptions options;
+  options.voxel_size = size / (cells - 1 - 2 * options.outer_layers + 0.5);
+  options.point_spacing = size / 100.0;
+  resetPeak();
+  const double before = residentBytes("VmRSS");
+  const auto s = buildHapticStructure("body", surface, options, 2);
+  const double peak = residentBytes("VmHWM") - before;
+  EXPECT_EQ(s->grid.size.maxCoeff(), cells);
+  EXPECT_LT(s->memoryBytes(), kMostBytes);
+  EXPECT_LT(peak, kMostBytesBuilding);
+  ::testing::Test::RecordProperty("memory_mb", std::to_string(1e-6 * double(s->memoryBytes())));
+  ::testing::Test::RecordProperty("peak_mb", std::to_string(1e-6 * peak));
+  std::printf("%zu MB, %.0f MB more while building, %.1f s\n", s->memoryBytes() / 1'000'000, 1e-6 * peak,
+              1e-3 * s->build_ms);
+  EXPECT_GT(s->solid_voxels, s->surface_voxels);
+  int deep = 0, near = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3f p = (box.centre() + randomPoint(i, 0.5).cwiseProduct(box.extent())).cast<float>();
+    const double exact = surface->signedDistance(p.cast<double>());
+    float sample = 0.0f;
+    if (!s->near_field->sample(p.x(), p.y(), p.z(), sample)) {
+      ASSERT_GT(exact, 0.0);
+    } else if (s->near_field->deep(p.x(), p.y(), p.z())) {
+      ASSERT_NEAR(sample, exact, s->near_field->deepErrorBound());
+      ++deep;
+    } else {
+      ASSERT_NEAR(sample, exact, s->near_field->errorBound());
+      ++near;
+    }
+  }
+  EXPECT_GT(deep, 100);
+  EXPECT_GT(near, 10);
+}
+
+TEST(FineMap, OfABall) { expectSmall(makeSurface(Sphere{0.5}), 1025); }
+TEST(FineMap, OfACuboid) { expectSmall(makeSurface(Cuboid{{1.0, 0.6, 0.4}}), 1024); }
+TEST(FineMap, OfALink) {
+  const TriangleMesh link = loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
+  expectSmall(makeSurface(link), 1024);
+}
+TEST(FineMap, OfATorus) { expectSmall(makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
+
+}  // namespace
+}  // namespace abstand::testing

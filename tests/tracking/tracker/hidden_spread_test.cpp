@@ -1,0 +1,127 @@
+// Hidden joints: no pose of the hidden limb is outside what is stated, and it grows to that with time.
+#include "tracking/tracker/hidden_spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include "humanmodel/part_reach.hpp"
+#include "tests/support/no_alloc.hpp"
+#include "tests/tracking/body/random_rig_pose.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kRounding = 1e-9;  // m
+
+const BodyRig& rig() {
+  static const BodyRig made = makeRig(makeHuman({}));
+  return made;
+}
+
+SeenSegments without(std::initializer_list<RigSegment> hidden) {
+  SeenSegments seen = (1u << kRigSegments) - 1u;
+  for (const RigSegment s : hidden) seen &= ~(1u << index(s));
+  return seen;
+}
+
+/// Where the joints are when a seen segment is held in place and everything else is in `pose`.
+SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, const RigPose& pose) {
+  RigPlacement X_WS;
+  place(rig(), pose, X_WS);
+  const Transform X = held_at[index(held)] * X_WS[index(held)].inverse();
+  for (Transform& X_WP : X_WS) X_WP = X * X_WP;
+  SkeletonFrame frame;
+  jointsOf(rig(), X_WS, JointState::kTracked, frame);
+  return frame;
+}
+
+TEST(HiddenWays, AreZeroForWhatIsSeenAndInfiniteWithoutAnything) {
+  for (const double way : hiddenWays(rig(), without({}))) EXPECT_EQ(way, 0.0);
+  for (const double way : hiddenWays(rig(), 0)) EXPECT_EQ(way, kInfinity);
+}
+
+TEST(HiddenWays, AddUpTheBonesFromTheLastSeenSegment) {
+  using enum Joint;
+  const auto ways =
+      hiddenWays(rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
+  const auto way = [&](Joint j) { return ways[static_cast<std::size_t>(j)]; };
+  const double forearm = rig().p_joint[static_cast<std::size_t>(kWristLeft)].norm();
+  const double hand = rig().p_joint[static_cast<std::size_t>(kHandLeft)].norm();
+  EXPECT_EQ(way(kElbowLeft), 0.0);
+  EXPECT_NEAR(way(kWristLeft), forearm, kRounding);
+  EXPECT_NEAR(way(kHandLeft), forearm + hand, kRounding);
+  EXPECT_GT(forearm, 0.2);
+  // The foot is seen: the ankle is where it ends.
+  EXPECT_NEAR(way(kAnkleRight), 0.0, kRounding);
+  EXPECT_EQ(way(kToeRight), 0.0);
+  EXPECT_EQ(way(kWristRight), 0.0);
+}
+
+TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
+  struct Case {
+    RigSegment held;
+    SeenSegments seen;
+  };
+  using enum RigSegment;
+  const std::vector<Case> cases{
+      {kChest, without({kUpperArmLeft, kForearmLeft, kHandLeft})},
+      {kUpperArmRight, without({kForearmRight, kHandRight})},
+      {kPelvis, without({kThighLeft, kThighRight, kCalfLeft, kCalfRight, kFootLeft, kFootRight})},
+      {kForearmLeft, 1u << index(kForearmLeft)},
+      {kHead, 1u << index(kHead)}};
+  for (const Case& c : cases) {
+    const auto ways = hiddenWays(rig(), c.seen);
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      RigPlacement held_at;
+      place(rig(), testing::randomRigPose(rig(), 2 * seed, 1.0), held_at);
+      const SkeletonFrame a = heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed, 1.0));
+      const SkeletonFrame b = heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed + 1, 1.0));
+      for (std::size_t j = 0; j < kJointCount; ++j) {
+        if ((c.seen >> index(rig().carrier[j]) & 1u) != 0) continue;
+        // Of joints that hang on another seen segment, which moved with the pose, nothing is claimed here.
+        if (c.held != kHead && c.held != kForearmLeft && ways[j] == 0.0) continue;
+        EXPECT_LE((a.p[j] - b.p[j]).norm(), 2.0 * ways[j] + kRounding) << jointName(static_cast<Joint>(j));
+      }
+    }
+  }
+}
+
+TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
+  using enum RigSegment;
+  HiddenSpread hidden(rig());
+  const auto wrist = static_cast<std::size_t>(Joint::kWristLeft),
+             elbow = static_cast<std::size_t>(Joint::kElbowLeft),
+             head = static_cast<std::size_t>(Joint::kHead);
+  hidden.see(0.0, without({}));
+  for (const double s : hidden.spread()) EXPECT_EQ(s, 0.0);
+  const SeenSegments seen = without({kUpperArmLeft, kForearmLeft, kHandLeft});
+  const double space = 2.0 * hiddenWays(rig(), seen)[wrist];
+  double last = 0.0;
+  for (int i = 1; i <= 60; ++i) {
+    const double t = i / 30.0;
+    hidden.see(t, seen);
+    const double reach = partReach(0.0, hidden.spread()[wrist]);
+    EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kLeast);
+    EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kLeast);
+    EXPECT_GE(reach, last);
+    EXPECT_GE(reach + kRounding, std::min(space, kPersonSpeed * t)) << "somebody is faster than that";
+    EXPECT_LE(reach, space + kRounding) << "an arm is not longer";
+    EXPECT_EQ(hidden.spread()[head], 0.0);
+    last = reach;
+  }
+  EXPECT_NEAR(last, space, kRounding);
+  hidden.see(2.1, without({}));
+  EXPECT_EQ(hidden.spread()[wrist], 0.0);
+}
+
+TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
+  HiddenSpread hidden(rig());
+  const SeenSegments seen = without({RigSegment::kThighLeft, RigSegment::kCalfLeft, RigSegment::kFootLeft});
+  testing::NoAlloc guard;
+  hidden.see(0.0, seen);
+  EXPECT_EQ(guard.count(), 0);
+  const auto ankle = static_cast<std::size_t>(Joint::kAnkleLeft);
+  EXPECT_NEAR(partReach(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle], kRounding);
+}
+
+}  // namespace
+}  // namespace abstand

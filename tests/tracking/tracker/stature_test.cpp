@@ -1,0 +1,120 @@
+// What is measured, what is an interval, and what is said of it.
+#include "tracking/tracker/stature.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tracking/tracker/tracked_recording.hpp"
+
+namespace abstand {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double kNear = 0.05;  // m
+
+/// A flat person: 0.5 m broad, from z = `low` to z = `high`, 3 m before a level camera 1 m above the floor.
+struct Flat {
+  DepthCamera camera;
+  DepthImage image;
+  std::vector<std::uint8_t> mask;
+
+  Flat(double low, double high) {
+    camera.width = 320;
+    camera.height = 240;
+    camera.fx = camera.fy = 290.0;
+    camera.cx = 159.5;
+    camera.cy = 119.5;
+    camera.X_WC.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+    camera.X_WC.translation() = Vector3d(0, 0, 1);
+    image = DepthImage(camera.width, camera.height);
+    mask.assign(image.z.size(), 0);
+    for (int v = 0; v < camera.height; ++v) {
+      for (int u = 0; u < camera.width; ++u) {
+        const Vector3d p = camera.X_WC * camera.at(u, v, 3.0);
+        if (std::abs(p.y()) > 0.25 || p.z() < low || p.z() > high) continue;
+        image.z[static_cast<std::size_t>(v * camera.width + u)] = 3.0f;
+        mask[static_cast<std::size_t>(v * camera.width + u)] = 1;
+      }
+    }
+  }
+  VerticalExtent extent() const { return verticalExtent(image, camera, mask); }
+};
+
+Stature of(double low, double high) {
+  return measureStature(std::vector<VerticalExtent>(15, Flat(low, high).extent()));
+}
+
+TEST(Stature, OfAnUprightPersonIsMeasured) {
+  const Stature s = of(0.0, 1.8);
+  EXPECT_TRUE(s.known());
+  EXPECT_NEAR(s.used, 1.8, kNear);
+  EXPECT_EQ(s.deviation(), 0.0);
+  EXPECT_THAT(statureReason(s), HasSubstr("measured"));
+}
+
+TEST(Stature, IsNotClampedAndCalledMeasured) {
+  for (const double height : {0.8, 1.2, 1.35}) {
+    const Stature s = of(0.0, height);
+    EXPECT_FALSE(s.known()) << height;
+    EXPECT_NEAR(s.interval[0], std::max(Stature::kShortest, height), kNear);
+    EXPECT_EQ(s.interval[1], Stature::kTallest);
+    EXPECT_GT(s.deviation(), 0.1);
+    EXPECT_THAT(statureReason(s), HasSubstr("not known, between"));
+  }
+  // Arms over the head: the extent says nothing.
+  const Stature raised = measureStature(std::vector<VerticalExtent>(15, {2.25, 2.25, true}));
+  EXPECT_FALSE(raised.known());
+  EXPECT_THAT(raised.interval, ElementsAre(Stature::kShortest, Stature::kTallest));
+}
+
+TEST(Stature, OfWhoIsCutByTheImageOrHiddenBelowIsAnInterval) {
+  // Above 2.24 m and below -0.24 m the camera sees nothing.
+  EXPECT_TRUE(Flat(0.0, 1.8).extent().whole);
+  EXPECT_FALSE(Flat(-2.0, 1.8).extent().whole) << "cut below";
+  EXPECT_FALSE(Flat(0.0, 3.0).extent().whole) << "cut above";
+  EXPECT_FALSE(Flat(0.7, 1.8).extent().whole) << "behind a table";
+  const Stature s = of(0.7, 1.8);
+  EXPECT_FALSE(s.known());
+  EXPECT_NEAR(s.used, 1.8, kNear) << "how high the head is says more than how much is seen";
+  EXPECT_EQ(s.interval[0], Stature::kShortest);
+}
+
+TEST(Stature, OfNobodyIsNotKnown) {
+  const Stature s = measureStature({});
+  EXPECT_FALSE(s.known());
+  EXPECT_GT(s.used, 0.0);
+  EXPECT_FALSE(Stature{}.known());
+}
+
+TEST(Stature, ThatIsNotKnownIsAWarning) {
+  ClipPerson person;
+  person.facing.given = true;
+  person.stature = Stature::given(1.5);
+  EXPECT_THAT(trackWarnings(person), IsEmpty());
+  person.stature = of(0.0, 1.2);
+  EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("--height")));
+}
+
+TEST(Facing, ThatIsNotDecidedIsTheFrontAndAWarning) {
+  ClipPerson person;
+  person.stature = Stature::given(1.75);
+  const auto decided = [&](double ratio) {
+    person.facing.ratio = ratio;
+    return person.facing.decided();
+  };
+  EXPECT_TRUE(decided(0.6));
+  EXPECT_TRUE(decided(1.5));
+  for (const double ratio : {1.0, 1.03, 1.06, kNaN}) {
+    EXPECT_FALSE(decided(ratio)) << ratio;
+    EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("the front is taken")));
+    EXPECT_THAT(facingReason(person.facing), HasSubstr("facing the camera at first, which"));
+  }
+  person.facing.given = true;
+  EXPECT_THAT(trackWarnings(person), IsEmpty());
+}
+
+}  // namespace
+}  // namespace abstand

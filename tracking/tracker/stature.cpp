@@ -1,0 +1,85 @@
+#include "tracking/tracker/stature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tracking/derived_joints.hpp"
+
+namespace abstand {
+namespace {
+
+// The soles and the hair that a camera at the height of the chest does not see.
+constexpr double kUnseen = 0.02;      // m
+constexpr double kFeet = 0.2;         // m above the floor
+constexpr double kOutermost = 0.005;  // share of the pixels
+
+std::string metres(double m) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f m", m);
+  return text;
+}
+
+}  // namespace
+
+VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera,
+                              std::span<const std::uint8_t> is_person) {
+  std::vector<double> heights;
+  bool cut = false;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const float z = image.at(u, v);
+      if (z <= 0.0f || is_person[static_cast<std::size_t>(v * image.width + u)] == 0) continue;
+      heights.push_back((camera.X_WC * camera.at(u, v, static_cast<double>(z))).z());
+      cut |= v == 0 || v == image.height - 1;
+    }
+  }
+  if (heights.empty()) return {};
+  const double low = quantile(heights, kOutermost), top = quantile(heights, 1.0 - kOutermost);
+  const bool to_floor = low < kFeet;
+  // Who is seen down to the feet stands on the floor, whose nearest pixels count as floor.
+  return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut};
+}
+
+double Stature::deviation() const { return known() ? 0.0 : (interval[1] - interval[0]) / std::sqrt(12.0); }
+
+Stature Stature::given(double height) { return {Source::kGiven, height, {height, height}, {}}; }
+
+Stature measureStature(std::span<const VerticalExtent> images) {
+  std::vector<double> heights, tops;
+  std::size_t whole = 0;
+  for (const VerticalExtent& e : images) {
+    heights.push_back(e.height);
+    tops.push_back(e.top);
+    whole += e.whole;
+  }
+  Stature stature;
+  stature.used = Stature::kUsual;
+  if (heights.empty()) {
+    stature.reason = "no image shows the person";
+    return stature;
+  }
+  const auto is_upright = [](double h) {
+    return h >= Stature::kShortestUpright && h <= Stature::kTallestUpright;
+  };
+  const double seen = quantile(heights, 0.5) + kUnseen, top = quantile(tops, 0.5) + kUnseen;
+  if (2 * whole > images.size()) {
+    stature.used = std::clamp(seen, Stature::kShortest, Stature::kTallest);
+    if (is_upright(seen)) {
+      stature.source = Stature::Source::kMeasured;
+      stature.interval = {seen, seen};
+      return stature;
+    }
+    stature.reason = "the person is " + metres(seen) + " high in the images, which is " +
+                     (seen < Stature::kShortestUpright ? "less" : "more") +
+                     " than an adult who stands upright";
+  } else {
+    if (is_upright(top)) stature.used = top;
+    stature.reason = "most images do not show the person from head to feet";
+  }
+  // Raised arms make a person higher, nothing does lower.
+  if (seen < Stature::kTallest) stature.interval[0] = std::max(Stature::kShortest, seen);
+  return stature;
+}
+
+}  // namespace abstand

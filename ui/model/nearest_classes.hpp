@@ -1,0 +1,28 @@
+// The nearest pairs of people and robots, people first.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "core/scene/snapshot.hpp"
+
+namespace abstand::ui {
+
+/// The nearest pair of one class, and how far its bodies are apart.
+struct NearestOfClass {
+  QString name;     ///< "Person – robot"
+  int pair;         ///< index into SceneOutline::pairs
+  double distance;  ///< m
+};
+
+/// Person – robot, person – thing, robot – robot, robot – thing, in this order; a class without a pair whose
+/// distance is known is left out. Two people and two things are in no class.
+std::vector<NearestOfClass> nearestOfClasses(const SceneOutline& outline, const SceneSnapshot& snapshot);
+
+/// "⚠ Person – robot: operator/hand_left – arm/link7, 12.3 mm; person – thing 40.1 mm"; the nearest of all
+/// where no class has one; empty without pairs.
+QString nearestText(const SceneOutline& outline, const SceneSnapshot& snapshot);
+/// A line for each class, with the names of the bodies.
+QString nearestLines(const SceneOutline& outline, const SceneSnapshot& snapshot);
+
+}  // namespace abstand::ui
