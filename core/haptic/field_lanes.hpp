@@ -238,15 +238,15 @@ class LayeredLanes {
       int voxel[3];
       const float at[3] = {x[lane], y[lane], z[lane]};
       if (!voxelOf(at, voxel)) continue;
-      const int layer = layerAt(voxel);
-      f[lane] = lower(layer, f[lane]);
+      const LayerOfVoxel of = layerOf(field_.layers, voxel[0], voxel[1], voxel[2]);
+      f[lane] = lower(of, f[lane]);
       const float n[3] = {tree.nx[first + lane], tree.ny[first + lane], tree.nz[first + lane]};
       float along = 0.0f;
       for (int a = 0; a < 3; ++a) {
         const float n_F = tree.X_FP[4 * a] * n[0] + tree.X_FP[4 * a + 1] * n[1] + tree.X_FP[4 * a + 2] * n[2];
         along += n_F * (field_.first_centre[a] + static_cast<float>(voxel[a]) * field_.voxel - at[a]);
       }
-      s[lane] = -(along + static_cast<float>(layer) * field_.voxel);
+      s[lane] = -(along + static_cast<float>(of.layer) * field_.voxel);
     }
     return {load(f), load(s)};
   }
@@ -259,7 +259,7 @@ class LayeredLanes {
     for (int lane = 0; lane < 8; ++lane) {
       int voxel[3];
       const float at[3] = {x[lane], y[lane], z[lane]};
-      if (voxelOf(at, voxel)) f[lane] = lower(layerAt(voxel), f[lane]);
+      if (voxelOf(at, voxel)) f[lane] = lower(layerOf(field_.layers, voxel[0], voxel[1], voxel[2]), f[lane]);
     }
     return load(f) - radius;
   }
@@ -285,15 +285,11 @@ class LayeredLanes {
     }
     return true;
   }
-  int layerAt(const int voxel[3]) const {
-    const auto slice = static_cast<long>(voxel[2]) * field_.size[1] + voxel[1];
-    return field_.layer[slice * field_.size[0] + voxel[0]];
-  }
   /// Layers are Chebyshev steps between voxels: layer -k leaves at least k - 1 whole voxels between, and
   /// inside no point of a voxel k steps from the surface voxels is deeper than k + 1 voxel diagonals.
-  float lower(int layer, float far) const {
-    if (layer >= 0) return -static_cast<float>(layer + 1) * kDiagonal * field_.voxel;
-    const float steps = static_cast<float>(-layer - 1) * field_.voxel;
+  float lower(LayerOfVoxel of, float far) const {
+    if (of.layer >= 0) return -static_cast<float>(of.layer + of.slack + 1) * kDiagonal * field_.voxel;
+    const float steps = static_cast<float>(-of.layer - of.slack - 1) * field_.voxel;
     return steps > far ? steps : far;
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/haptic/far_field.hpp"
+#include "core/haptic/layer_view.hpp"
 #include "core/haptic/near_field.hpp"
 #include "core/haptic/point_sphere_tree.hpp"
 
@@ -19,7 +20,7 @@ struct FieldView {
   float first_centre[3];
   float voxel;
   int size[3];
-  const std::int16_t* layer;
+  LayerView layers;
 };
 
 /// A point-sphere tree seen from the frame F of the other body.

@@ -8,17 +8,18 @@
 
 namespace abstand {
 
-VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers, double most) {
+VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
   // An extent that is a multiple of the voxel but for rounding counts as one.
   constexpr double kRounding = 1e-9;
   const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
   const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;
-  if (!(counts.prod() <= most)) {
+  if (!(counts.prod() <= kMostVoxels)) {
     std::ostringstream message;
     message << "a voxel size of " << voxel_size << " m makes " << counts.x() << " x " << counts.y() << " x "
             << counts.z() << " voxels of a body of " << box.extent().x() << " x " << box.extent().y() << " x "
-            << box.extent().z() << " m; at most " << most << " are made, so a voxel size of "
-            << voxel_size * std::cbrt(counts.prod() / most) * 1.05 << " m or fewer outer layers would do";
+            << box.extent().z() << " m; at most " << kMostVoxels << " are made, so a voxel size of "
+            << voxel_size * std::cbrt(counts.prod() / kMostVoxels) * 1.05
+            << " m or fewer outer layers would do";
     throw UsageError(message.str());
   }
   VoxelGrid grid;

@@ -154,7 +154,7 @@ double HapticStructure::errorBound() const {
 std::size_t HapticStructure::memoryBytes() const {
   std::size_t bytes =
       far_field.memoryBytes() + support.memoryBytes() + parts.memoryBytes() + bytesOf(shell) + bytesOf(tree);
-  if (voxelmap) bytes += voxelmap->layer.capacity() * sizeof(std::int16_t);
+  if (voxelmap) bytes += voxelmap->memoryBytes();
   if (near_field) bytes += near_field->memoryBytes();
   return bytes;
 }
@@ -169,7 +169,7 @@ FieldView HapticStructure::fieldView() const {
   }
   view.kind = FieldView::Kind::kLayered;
   view.voxel = static_cast<float>(voxelmap->grid.voxel_size);
-  view.layer = voxelmap->layer.data();
+  view.layers = voxelmap->view();
   for (int k = 0; k < 3; ++k) {
     view.first_centre[k] = static_cast<float>(voxelmap->grid.first_centre[k]);
     view.size[k] = voxelmap->grid.size[k];
@@ -205,7 +205,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
     watch.begin("voxels");
     BuildPhase voxels(watch, 0.1);
     if (options.field == FieldKind::kLayered) {
-      s.voxelmap = makeVoxelmap(*s.surface, h, options.outer_layers, threads);
+      s.voxelmap.emplace(*s.surface, h, options.outer_layers, threads);
       s.surface_voxels = s.voxelmap->surface_voxels;
       s.solid_voxels = s.voxelmap->solid_voxels;
       voxels.end();
@@ -246,6 +246,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   parallelFor(threads, 2, [&](std::size_t part) { part == 0 ? makeFields() : makePoints(); });
   Shrink shrink;
   shrink(s.shell, s.tree, s.support, s.parts);
+  if (s.voxelmap) shrink(*s.voxelmap);
   watch.end();
   s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return structure;

@@ -50,9 +50,14 @@ struct Blocks {
   double all{0.0};
 };
 
+/// How far from the surface blocks are kept (m).
+struct Bands {
+  double outer, inner;
+};
+
 // A cube of half edge r comes within the band of a flat surface with normal n when its centre is no farther
 // than band + r |n|_1.
-Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, double band, bool dense) {
+Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, const Bands& bands, bool dense) {
   constexpr int kCells = NearField::kCells;
   std::array<std::size_t, 3> n;
   for (int k = 0; k < 3; ++k) n[k] = (static_cast<std::size_t>(grid.size[k]) + kCells - 1) / kCells;
@@ -61,7 +66,6 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, double band, b
   const double edge = kCells * grid.voxel_size;
   const Vector3d first = grid.first_centre.array() + 0.5 * (edge - grid.voxel_size);
   const std::size_t asked = std::min(all, kAskedBlocks);
-  const double inner = NearField::kInnerBand * grid.voxel_size;
   std::size_t near = 0, deep = 0;
   for (std::size_t i = 0; i < asked; ++i) {
     // A golden ratio's steps spread evenly, whatever the sizes.
@@ -73,18 +77,31 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, double band, b
     const SurfacePoint nearest = surface.closest(c);
     const double towards = (c - nearest.point).lpNorm<1>() / std::max(nearest.distance, 1e-12);
     const bool inside = surface.inside(c, nearest);
-    if (nearest.distance <= (inside ? inner : band) + 0.5 * edge * towards)
+    if (nearest.distance <= (inside ? bands.inner : bands.outer) + 0.5 * edge * towards)
       ++near;
     else if (inside)
       ++deep;
   }
   const double of_asked = double(all) / double(asked);
-  Blocks blocks{double(near) * of_asked, double(deep) * of_asked, double(all)};
-  // As NearField does.
+  return {double(near) * of_asked, double(deep) * of_asked, double(all)};
+}
+
+// As NearField does.
+Blocks countNearBlocks(const Surface& surface, const VoxelGrid& grid, double band, bool dense) {
+  Blocks blocks = countBlocks(surface, grid, {band, NearField::kInnerBand * grid.voxel_size}, dense);
   constexpr double kBlockBytes = NearField::kBlockValues * sizeof(std::int16_t);
   if ((blocks.kept + blocks.deep) * kBlockBytes <= double(NearField::kWholeInsideBytes))
     blocks.kept += std::exchange(blocks.deep, 0.0);
   return blocks;
+}
+
+double layeredBytes(const Surface& surface, const VoxelGrid& grid) {
+  const bool exact = grid.cells() <= Voxelmap::kMostExactVoxels;
+  const double steps = (Voxelmap::kExactSteps + 1) * grid.voxel_size;
+  const Blocks blocks = countBlocks(surface, grid, {steps, steps}, exact);
+  const double packed = LayerView::kPackedBytes + sizeof(std::int16_t);
+  return packed * blocks.kept + sizeof(std::int32_t) * blocks.all +
+         (exact ? 0.0 : sizeof(std::int16_t) * blocks.all);
 }
 
 // us, the median over three directions of one query of two copies that are `gap` apart (m; negative: pressed
@@ -193,10 +210,10 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   c->far_bytes = double(s.far_field.memoryBytes());
   if (s.near_field) {
     c->band = s.near_field->band() / o.voxel_size;
-    c->blocks = countBlocks(*surface_, s.grid, s.near_field->band(), o.field == FieldKind::kFloat);
+    c->blocks = countNearBlocks(*surface_, s.grid, s.near_field->band(), o.field == FieldKind::kFloat);
     c->field_bytes = double(s.near_field->memoryBytes());
   } else {
-    c->field_bytes = double(s.voxelmap->layer.size() * sizeof(s.voxelmap->layer[0]));
+    c->field_bytes = double(s.voxelmap->memoryBytes());
   }
   c->shell_bytes = double(s.memoryBytes()) - c->far_bytes - c->field_bytes;
   const double size = s.surface->bounds().extent().maxCoeff();
@@ -213,8 +230,7 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
   const double h = options.voxel_size;
   VoxelGrid grid;
   try {
-    grid = makeGrid(surface_->bounds(), h, options.outer_layers,
-                    options.field == FieldKind::kLayered ? kMostDenseVoxels : kMostVoxels);
+    grid = makeGrid(surface_->bounds(), h, options.outer_layers);
   } catch (const UsageError& error) {
     e.refused = error.what();
     return e;
@@ -226,9 +242,9 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
 
   double field_bytes = c.field_bytes, field_ms = c.field_ms;
   if (options.field == FieldKind::kLayered) {
-    field_bytes *= double(grid.cells()) / double(s.grid.cells());
+    field_bytes = layeredBytes(*surface_, grid);
   } else if (finer > 1.0) {
-    const Blocks blocks = countBlocks(*surface_, grid, c.band * h, options.field == FieldKind::kFloat);
+    const Blocks blocks = countNearBlocks(*surface_, grid, c.band * h, options.field == FieldKind::kFloat);
     const double index = sizeof(std::uint32_t);
     const double more = blocks.kept / std::max(1.0, c.blocks.kept);
     field_bytes = (c.field_bytes - index * c.blocks.all) * more + index * blocks.all;

@@ -2,82 +2,78 @@
 #include "core/haptic/voxelmap.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "core/haptic/packed_layers.hpp"
+#include "core/haptic/voxel_steps.hpp"
 #include "core/haptic/voxelmap_sides.hpp"
 
 namespace abstand {
-namespace {
 
-constexpr std::int16_t kMostSteps = std::numeric_limits<std::int16_t>::max();
-
-std::int16_t next(std::int16_t steps) { return steps < kMostSteps ? steps + 1 : kMostSteps; }
-
-// Number of 26-neighbour steps to the nearest surface voxel (0 there, kMostSteps elsewhere on entry). Two
-// sweeps over half of the neighbours each give the same as breadth-first steps: Rosenfeld, Pfaltz, Distance
-// Functions on Digital Pictures (1968). Such a shortest way never crosses the surface, so the sides need not
-// be watched.
-void countSteps(const VoxelGrid& grid, std::vector<std::int16_t>& steps) {
-  const int nx = grid.size.x(), ny = grid.size.y(), nz = grid.size.z();
-  // The least of three rows' neighbours, with one more at each end that does not count.
-  std::vector<std::int16_t> least(nx + 2, kMostSteps);
-  const auto sweepRow = [&](int j, int k, int direction) {
-    std::fill(least.begin(), least.end(), kMostSteps);
-    const auto lower = [&](int jj, int kk) {
-      if (jj < 0 || jj >= ny || kk < 0 || kk >= nz) return;
-      const std::int16_t* row = &steps[grid.index(0, jj, kk)];
-      for (int i = 0; i < nx; ++i) least[i + 1] = std::min(least[i + 1], row[i]);
-    };
-    for (int dj = -1; dj <= 1; ++dj) lower(j + dj, k - direction);
-    lower(j - direction, k);
-    std::int16_t* row = &steps[grid.index(0, j, k)];
-    for (int i = 0; i < nx; ++i) {
-      row[i] = std::min(row[i], next(std::min({least[i], least[i + 1], least[i + 2]})));
-    }
-    if (direction > 0) {
-      for (int i = 1; i < nx; ++i) row[i] = std::min(row[i], next(row[i - 1]));
-    } else {
-      for (int i = nx - 2; i >= 0; --i) row[i] = std::min(row[i], next(row[i + 1]));
-    }
-  };
-  for (int k = 0; k < nz; ++k) {
-    for (int j = 0; j < ny; ++j) sweepRow(j, k, 1);
-  }
-  for (int k = nz - 1; k >= 0; --k) {
-    for (int j = ny - 1; j >= 0; --j) sweepRow(j, k, -1);
-  }
+Voxelmap::Voxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads,
+                   std::size_t most_exact) {
+  constexpr int kEdge = LayerView::kEdge;
+  grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
+  inside_doubtful = !surface.watertight();
+  blocks_ = (grid.size.array() + kEdge - 1) / kEdge;
+  block_index_.resize(std::size_t(blocks_.x()) * blocks_.y() * blocks_.z());
+  if (grid.cells() <= most_exact)
+    makeWhole(surface, outer_layers, threads);
+  else
+    makeInTiles(surface, outer_layers, threads);
 }
 
-}  // namespace
-
-Voxelmap makeVoxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads) {
-  Voxelmap map;
-  map.grid = makeGrid(surface.bounds(), voxel_size, outer_layers, kMostDenseVoxels);
-  map.inside_doubtful = !surface.watertight();
-  const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
-  map.surface_voxels = sides.surface_voxels;
-  map.solid_voxels = sides.solid_voxels;
-
-  map.layer.assign(map.grid.cells(), kMostSteps);
-  const Vector3i n = sides.grid.size;
-  const auto forInner = [&](auto&& fn) {
-    for (int k = 0; k < n.z(); ++k) {
-      for (int j = 0; j < n.y(); ++j) {
-        const std::int8_t* from = &sides.side[sides.grid.index(0, j, k)];
-        std::int16_t* to = &map.layer[map.grid.index(outer_layers, j + outer_layers, k + outer_layers)];
-        for (int i = 0; i < n.x(); ++i) fn(from[i], to[i]);
-      }
-    }
+void Voxelmap::makeWhole(const Surface& surface, int outer_layers, int threads) {
+  const VoxelSides sides = findVoxelSides(surface, grid.voxel_size, threads);
+  surface_voxels = sides.surface_voxels;
+  solid_voxels = sides.solid_voxels;
+  const Vector3i outer = Vector3i::Constant(outer_layers);
+  const auto side = [&](const Vector3i& v) {
+    const Vector3i inner = v - outer;
+    return sides.grid.contains(inner) ? sides.side[sides.grid.index(inner.x(), inner.y(), inner.z())]
+                                      : kVoxelOutside;
   };
-  forInner([](std::int8_t side, std::int16_t& layer) {
-    if (side == kVoxelSurface) layer = 0;
-  });
-  countSteps(map.grid, map.layer);
-  for (std::int16_t& layer : map.layer) layer = static_cast<std::int16_t>(-layer);
-  forInner([](std::int8_t side, std::int16_t& layer) {
-    if (side == kVoxelInside) layer = static_cast<std::int16_t>(-layer);
-  });
-  return map;
+
+  std::vector<std::int16_t> steps(grid.cells(), kMostSteps);
+  const Vector3i n = sides.grid.size;
+  for (int k = 0; k < n.z(); ++k) {
+    for (int j = 0; j < n.y(); ++j) {
+      const std::int8_t* from = &sides.side[sides.grid.index(0, j, k)];
+      std::int16_t* to = &steps[grid.index(outer_layers, j + outer_layers, k + outer_layers)];
+      for (int i = 0; i < n.x(); ++i)
+        if (from[i] == kVoxelSurface) to[i] = 0;
+    }
+  }
+  countSteps(grid.size, 1, steps);
+  PackedLayers all;
+  for (std::size_t b = 0; b < block_index_.size(); ++b) {
+    const auto nx = static_cast<std::size_t>(blocks_.x()), ny = static_cast<std::size_t>(blocks_.y());
+    const Vector3i first = LayerView::kEdge * Vector3i(int(b % nx), int(b / nx % ny), int(b / (nx * ny)));
+    // Voxels beyond the grid are like the last ones in it.
+    const auto inGrid = [&](int i, int j, int k) {
+      return Vector3i((first + Vector3i(i, j, k)).cwiseMin(grid.size - Vector3i::Ones()));
+    };
+    block_index_[b] = all.add(
+        [&](int i, int j, int k) {
+          const Vector3i v = inGrid(i, j, k);
+          return steps[grid.index(v.x(), v.y(), v.z())];
+        },
+        [&](int i, int j, int k) { return side(inGrid(i, j, k)) == kVoxelInside; });
+  }
+  least_steps_ = std::move(all.least_steps);
+  packed_ = std::move(all.packed);
+}
+
+LayerView Voxelmap::view() const {
+  return {block_index_.data(),
+          least_steps_.data(),
+          packed_.data(),
+          corner_steps_.data(),
+          {blocks_.x(), blocks_.y(), blocks_.z()}};
+}
+
+std::size_t Voxelmap::memoryBytes() const {
+  return block_index_.capacity() * sizeof(block_index_[0]) +
+         (least_steps_.capacity() + corner_steps_.capacity()) * sizeof(std::int16_t) + packed_.capacity();
 }
 
 }  // namespace abstand

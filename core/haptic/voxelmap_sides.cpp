@@ -114,22 +114,7 @@ void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std:
   fillEnclosed(surface, grid, side);
 }
 
-/// One cube of a large grid.
-VoxelCounts countCube(const Surface& surface, const VoxelGrid& cube, std::vector<std::int8_t>& side) {
-  side.assign(cube.cells(), kUnknown);
-  if (const Shape* shape = surface.shape()) {
-    markShape(*shape, cube, 1, side);
-  } else {
-    const auto& mesh = dynamic_cast<const MeshSurface&>(surface);
-    const Vector3d reach = Vector3d::Constant(cube.voxel_size);
-    const Vector3i last = cube.size.array() - 1;
-    const Bounds box{cube.first_centre - reach, cube.centre(last.x(), last.y(), last.z()) + reach};
-    mesh.tree().forOverlapping(box, [&](std::uint32_t slot) {
-      TriangleCorners t;
-      if (mesh.triangle(slot, t)) markTriangle({t[0], t[1], t[2]}, cube, side);
-    });
-    fillEnclosed(surface, cube, side);
-  }
+VoxelCounts count(const std::vector<std::int8_t>& side) {
   VoxelCounts counts;
   counts.surface = static_cast<std::size_t>(std::count(side.begin(), side.end(), kVoxelSurface));
   counts.solid =
@@ -149,9 +134,24 @@ VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads
     markTriangles(surface.mesh(0.0), sides.grid, threads, sides.side);
     fillPieces(surface, sides.grid, threads, sides.side);
   }
-  sides.surface_voxels = std::count(sides.side.begin(), sides.side.end(), kVoxelSurface);
-  sides.solid_voxels = sides.surface_voxels + std::count(sides.side.begin(), sides.side.end(), kVoxelInside);
+  const VoxelCounts counts = count(sides.side);
+  sides.surface_voxels = counts.surface;
+  sides.solid_voxels = counts.solid;
   return sides;
+}
+
+void findSidesOfPart(const Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side) {
+  side.assign(part.cells(), kUnknown);
+  if (const Shape* shape = surface.shape()) return markShape(*shape, part, 1, side);
+  const auto& mesh = dynamic_cast<const MeshSurface&>(surface);
+  const Vector3d reach = Vector3d::Constant(part.voxel_size);
+  const Vector3i last = part.size.array() - 1;
+  const Bounds box{part.first_centre - reach, part.centre(last.x(), last.y(), last.z()) + reach};
+  mesh.tree().forOverlapping(box, [&](std::uint32_t slot) {
+    TriangleCorners t;
+    if (mesh.triangle(slot, t)) markTriangle({t[0], t[1], t[2]}, part, side);
+  });
+  fillEnclosed(surface, part, side);
 }
 
 VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, std::size_t most_at_once) {
@@ -181,7 +181,7 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
       if (nearest.distance > 0.5 * kDiagonal * (kEdge + 1) * voxel_size)
         counts.solid = surface.inside(middle, nearest) ? cube.cells() : 0;
       else
-        counts = countCube(surface, cube, side);
+        findSidesOfPart(surface, cube, side), counts = count(side);
       of_row[row].surface += counts.surface;
       of_row[row].solid += counts.solid;
     }

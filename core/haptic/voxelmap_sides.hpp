@@ -29,6 +29,10 @@ struct VoxelSides {
 /// piece at the rim is asked, as it may reach inside through a hole.
 VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads);
 
+/// Sets `side` for a part of a larger grid, whose surface may end anywhere at the part's rim: each piece of
+/// the part is asked as an enclosed piece is. On the calling thread.
+void findSidesOfPart(const Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side);
+
 /// How many voxels those are.
 struct VoxelCounts {
   std::size_t surface{0};

@@ -41,12 +41,36 @@ TriangleMesh torus(double radius, double tube, int around, int across) {
   return mesh;
 }
 
+/// Layers against the exact distance: steps leave so many whole voxels between, and lead along diagonals at
+/// most; on either way half a diagonal is lost at each end.
+void expectLayers(const HapticStructure& s) {
+  const Voxelmap& map = *s.voxelmap;
+  const Bounds box = s.surface->bounds();
+  const double h = map.grid.voxel_size;
+  int exact = 0, far_inside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3d p = box.centre() + randomPoint(i, 0.5).cwiseProduct(box.extent());
+    const Vector3i v = map.grid.voxelOf(p);
+    const double d = s.surface->signedDistance(map.grid.centre(v.x(), v.y(), v.z()));
+    const int layer = map.at(v), slack = map.slack(v), steps = std::abs(layer);
+    ASSERT_TRUE(layer == 0 || (layer > 0) == (d < 0.0)) << d;
+    ASSERT_GE(std::abs(d), (steps - slack - 0.5) * h - 1e-9);
+    ASSERT_LE(std::abs(d), (steps + slack + 0.5) * std::sqrt(3.0) * h + 1e-9);
+    exact += slack == 0;
+    far_inside += slack > 0 && layer > 0;
+  }
+  EXPECT_GT(exact, 10);
+  EXPECT_GT(far_inside, 100);
+}
+
 /// Builds a body with so many cells along its longest axis, outer layers included, and looks at its memory
 /// and at its distances.
-void expectSmall(const std::shared_ptr<const Surface>& surface, int cells) {
+void expectSmall(const std::shared_ptr<const Surface>& surface, int cells,
+                 FieldKind field = FieldKind::kMixed) {
   const Bounds box = surface->bounds();
   const double size = box.extent().maxCoeff();
   HapticOptions options;
+  options.field = field;
   options.voxel_size = size / (cells - 1 - 2 * options.outer_layers + 0.5);
   options.point_spacing = size / 100.0;
   resetPeak();
@@ -61,6 +85,7 @@ void expectSmall(const std::shared_ptr<const Surface>& surface, int cells) {
   std::printf("%zu MB, %.0f MB more while building, %.1f s\n", s->memoryBytes() / 1'000'000, 1e-6 * peak,
               1e-3 * s->build_ms);
   EXPECT_GT(s->solid_voxels, s->surface_voxels);
+  if (field == FieldKind::kLayered) return expectLayers(*s);
   int deep = 0, near = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vector3f p = (box.centre() + randomPoint(i, 0.5).cwiseProduct(box.extent())).cast<float>();
@@ -81,10 +106,15 @@ void expectSmall(const std::shared_ptr<const Surface>& surface, int cells) {
 }
 
 TEST(FineMap, OfABall) { expectSmall(makeSurface(Sphere{0.5}), 1025); }
+TEST(FineMap, OfABallInLayers) { expectSmall(makeSurface(Sphere{0.5}), 1025, FieldKind::kLayered); }
 TEST(FineMap, OfACuboid) { expectSmall(makeSurface(Cuboid{{1.0, 0.6, 0.4}}), 1024); }
 TEST(FineMap, OfALink) {
   const TriangleMesh link = loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
   expectSmall(makeSurface(link), 1024);
+}
+TEST(FineMap, OfALinkInLayers) {
+  const TriangleMesh link = loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
+  expectSmall(makeSurface(link), 1024, FieldKind::kLayered);
 }
 TEST(FineMap, OfATorus) { expectSmall(makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
 

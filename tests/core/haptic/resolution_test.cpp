@@ -34,6 +34,9 @@ TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
   const Case cases[] = {
       {"ball, 2.5 mm", ball, both(0.0025)},
       {"ball, 2 mm, layered", ball, both(0.002, FieldKind::kLayered)},
+      {"large ball, in tiles, layered",
+       shape(Sphere{0.5}),
+       {.voxel_size = 0.0027, .point_spacing = 0.03, .field = FieldKind::kLayered}},
       {"ball, 2 mm, float", ball, both(0.002, FieldKind::kFloat)},
       {"ball, coarser than the probe", ball, both(0.01)},
       {"ball, few outer layers", ball, {.voxel_size = 0.002, .point_spacing = 0.004, .outer_layers = 2}},

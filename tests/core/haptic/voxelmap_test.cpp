@@ -40,6 +40,16 @@ bool overlapsSlowly(const Vector3d& a, const Vector3d& b, const Vector3d& c, dou
   return true;
 }
 
+TriangleMesh hollowBall() {
+  TriangleMesh hollow = tessellate(Sphere{0.1}, 1e-3);
+  const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);
+  const auto offset = static_cast<std::uint32_t>(hollow.vertices.size());
+  hollow.vertices.insert(hollow.vertices.end(), hole.vertices.begin(), hole.vertices.end());
+  for (const auto& t : hole.triangles)
+    hollow.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
+  return hollow;
+}
+
 TEST(VoxelGrid, IsTheThesissGrid) {
   const VoxelGrid grid = makeGrid(bounds(Shape(Sphere{0.05})), 0.005, 20);
   EXPECT_EQ(grid.size, Vector3i(61, 61, 61));
@@ -119,18 +129,18 @@ TEST(SurfaceVoxels, OfShapesAgreeWithThoseOfTheirTriangles) {
 }
 
 TEST(Voxelmap, LayersCountStepsToTheSurface) {
-  const Voxelmap map = makeVoxelmap(*makeSurface(Ellipsoid{{0.04, 0.02, 0.03}}), 0.004, 5, 1);
+  const Voxelmap map(*makeSurface(Ellipsoid{{0.04, 0.02, 0.03}}), 0.004, 5, 1);
   std::vector<Vector3i> surface;
-  forVoxels(map.grid, [&](const Vector3i& p, std::size_t at) {
-    if (map.layer[at] == 0) surface.push_back(p);
+  forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
+    if (map.at(p) == 0) surface.push_back(p);
   });
   EXPECT_EQ(surface.size(), map.surface_voxels);
   std::size_t solid = 0;
-  forVoxels(map.grid, [&](const Vector3i& p, std::size_t at) {
+  forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
     int steps = 1000;
     for (const Vector3i& s : surface) steps = std::min(steps, (s - p).cwiseAbs().maxCoeff());
-    ASSERT_EQ(std::abs(map.layer[at]), steps);
-    solid += map.layer[at] >= 0;
+    ASSERT_EQ(std::abs(map.at(p)), steps);
+    solid += map.at(p) >= 0;
   });
   EXPECT_EQ(solid, map.solid_voxels);
 }
@@ -141,7 +151,7 @@ TEST(Voxelmap, LayersAreDistancesWithinAVoxel) {
   const Shape cuboid = Cuboid{{0.2, 0.3, 0.4}};
   for (const bool meshed : {false, true}) {
     const auto surface = meshed ? makeSurface(tessellate(cuboid, 0.01)) : makeSurface(cuboid);
-    const Voxelmap map = makeVoxelmap(*surface, kVoxel, 12, 2);
+    const Voxelmap map(*surface, kVoxel, 12, 2);
     EXPECT_FALSE(map.inside_doubtful);
     const Vector3i middle = (map.grid.size.array() - 1) / 2;
     for (int axis = 0; axis < 3; ++axis) {
@@ -160,12 +170,12 @@ TEST(Voxelmap, LayersBoundDistances) {
   // half a diagonal on at each end.
   constexpr double kVoxel = 0.005;
   const Shape sphere = Sphere{0.05};
-  const Voxelmap map = makeVoxelmap(*makeSurface(sphere), kVoxel, 20, 2);
+  const Voxelmap map(*makeSurface(sphere), kVoxel, 20, 2);
   EXPECT_EQ(map.grid.size, Vector3i(61, 61, 61));
-  forVoxels(map.grid, [&](const Vector3i& p, std::size_t at) {
+  forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
     const double d = distanceTo(sphere, map.grid.centre(p.x(), p.y(), p.z())).distance;
-    const int steps = std::abs(map.layer[at]);
-    ASSERT_TRUE(steps == 0 || (map.layer[at] > 0) == (d < 0.0));
+    const int steps = std::abs(map.at(p));
+    ASSERT_TRUE(steps == 0 || (map.at(p) > 0) == (d < 0.0));
     ASSERT_GE(std::abs(d), (steps - 0.5) * kVoxel - 1e-12);
     ASSERT_LE(std::abs(d), (steps + 0.5) * std::sqrt(3.0) * kVoxel + 1e-12);
   });
@@ -173,19 +183,44 @@ TEST(Voxelmap, LayersBoundDistances) {
 
 TEST(Voxelmap, DoesNotDependOnThreads) {
   const auto surface = makeSurface(tessellate(Capsule{0.05, 0.1}, 1e-4));
-  const Voxelmap one = makeVoxelmap(*surface, 0.004, 6, 1);
-  for (const int threads : {2, 3, 0}) EXPECT_EQ(makeVoxelmap(*surface, 0.004, 6, threads).layer, one.layer);
+  for (const std::size_t most_exact : {Voxelmap::kMostExactVoxels, std::size_t{0}}) {
+    const Voxelmap one(*surface, 0.004, 6, 1, most_exact);
+    for (const int threads : {2, 3, 0}) {
+      const Voxelmap more(*surface, 0.004, 6, threads, most_exact);
+      forVoxels(one.grid, [&](const Vector3i& p, std::size_t) { ASSERT_EQ(more.at(p), one.at(p)); });
+    }
+  }
+}
+
+/// Grids that end anywhere in a tile: exact near the surface, and elsewhere as near as the slack says.
+TEST(Voxelmap, InTilesIsAsAllAtOnce) {
+  const TriangleMesh link = loadMesh(testing::projectFile("data/robots/lwr/link2.stl")).mesh;
+  const std::shared_ptr<const Surface> surfaces[] = {makeSurface(Sphere{0.05}),
+                                                     makeSurface(Cuboid{{0.1, 0.06, 0.02}}),
+                                                     makeSurface(link), makeSurface(hollowBall())};
+  std::size_t far_inside = 0, far_outside = 0;
+  for (const auto& surface : surfaces) {
+    const double h = surface->bounds().extent().maxCoeff() / 150.0;
+    for (const int outer_layers : {0, 60}) {
+      const Voxelmap whole(*surface, h, outer_layers, 2), tiled(*surface, h, outer_layers, 2, 0);
+      EXPECT_EQ(tiled.surface_voxels, whole.surface_voxels);
+      EXPECT_EQ(tiled.solid_voxels, whole.solid_voxels);
+      forVoxels(whole.grid, [&](const Vector3i& p, std::size_t) {
+        const int layer = whole.at(p), slack = tiled.slack(p);
+        ASSERT_LE(std::abs(tiled.at(p) - layer), slack) << p.transpose();
+        ASSERT_TRUE(slack == 0 || std::abs(layer) > Voxelmap::kExactSteps);
+        far_inside += slack > 0 && layer > 0;
+        far_outside += slack > 0 && layer < 0;
+      });
+    }
+  }
+  EXPECT_GT(far_inside, 100'000u);
+  EXPECT_GT(far_outside, 100'000u);
 }
 
 /// In cubes as all at once: shapes, a mesh, a mesh with a cavity, and grids that end anywhere in a cube.
 TEST(VoxelCounts, AreThoseOfAllVoxels) {
-  TriangleMesh hollow = tessellate(Sphere{0.1}, 1e-3);
-  const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);
-  const auto offset = static_cast<std::uint32_t>(hollow.vertices.size());
-  hollow.vertices.insert(hollow.vertices.end(), hole.vertices.begin(), hole.vertices.end());
-  for (const auto& t : hole.triangles)
-    hollow.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
-  std::vector<std::shared_ptr<const Surface>> surfaces{makeSurface(hollow),
+  std::vector<std::shared_ptr<const Surface>> surfaces{makeSurface(hollowBall()),
                                                        makeSurface(tessellate(Capsule{0.06, 0.1}, 1e-4))};
   for (const Shape& shape : testing::someShapes()) surfaces.push_back(makeSurface(shape));
   int with_inside = 0;
@@ -200,13 +235,7 @@ TEST(VoxelCounts, AreThoseOfAllVoxels) {
 }
 
 TEST(Voxelmap, ACavityIsOutside) {
-  TriangleMesh mesh = tessellate(Sphere{0.1}, 1e-3);
-  const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);
-  const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), hole.vertices.begin(), hole.vertices.end());
-  for (const auto& t : hole.triangles)
-    mesh.triangles.push_back({t[0] + offset, t[2] + offset, t[1] + offset});
-  const Voxelmap map = makeVoxelmap(*makeSurface(mesh), 0.01, 2, 1);
+  const Voxelmap map(*makeSurface(hollowBall()), 0.01, 2, 1);
   const auto layerAt = [&](const Vector3d& p) { return map.at(map.grid.voxelOf(p)); };
   EXPECT_LT(layerAt({0.0, 0.0, 0.0}), 0);
   EXPECT_GT(layerAt({0.075, 0.0, 0.0}), 0);
@@ -225,13 +254,13 @@ TEST_P(RealVoxelmap, HasASensibleInside) {
   if (!exists(file)) GTEST_SKIP() << file;
   const auto surface = makeSurface(loadMesh(file).mesh);
   const double h = surface->bounds().extent().maxCoeff() / 70.0;
-  const Voxelmap map = makeVoxelmap(*surface, h, 2, 2);
+  const Voxelmap map(*surface, h, 2, 2);
   EXPECT_EQ(map.inside_doubtful, GetParam().doubtful);
   std::size_t different = 0, decided = 0;
-  forVoxels(map.grid, [&](const Vector3i& p, std::size_t at) {
-    if (map.layer[at] == 0) return;
+  forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
+    if (map.at(p) == 0) return;
     ++decided;
-    different += (map.layer[at] > 0) != surface->inside(map.grid.centre(p.x(), p.y(), p.z()));
+    different += (map.at(p) > 0) != surface->inside(map.grid.centre(p.x(), p.y(), p.z()));
   });
   // A piece that is closed at this resolution has one side, even where winding numbers waver near cracks.
   EXPECT_LE(different, GetParam().doubtful ? decided / 100 : 0);

@@ -1,0 +1,61 @@
+// What a search reads of a voxelmap: plain numbers and pointers. Internal to core/haptic.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace abstand {
+
+/// Blocks of kEdge^3 voxels. A block near the surface keeps the layer of each of its voxels in half a byte:
+/// by how much its steps exceed the least of the block (neighbours differ by one step at most, so by 7 at
+/// most), and whether it is inside. Of a block farther away all voxels lie on one side, and their steps
+/// follow from those at its corners, of which the map keeps a lattice.
+struct LayerView {
+  static constexpr int kEdge = 8;
+  static constexpr int kPackedBytes = kEdge * kEdge * kEdge / 2;
+  static constexpr int kInsideBit = 8, kStepBits = 7;
+  static constexpr std::int32_t kFarInside = -1, kFarOutside = -2;
+  /// Steps by which those of a far block may be off: interpolation between eight corners of what changes by a
+  /// step a voxel at most errs by no more than the corners' mean distance, weighted as they are: 4.875 steps
+  /// at worst, and half a step of rounding.
+  static constexpr int kFarSlack = 6;
+
+  const std::int32_t* block_index;  ///< of the packed block, or kFarInside, kFarOutside
+  const std::int16_t* least_steps;  ///< of each packed block
+  const std::uint8_t* packed;  ///< kPackedBytes a block, voxels in the order x, y, z, the lower half first
+  const std::int16_t* corner_steps;  ///< at voxels (8 i, 8 j, 8 k), one more along each axis than blocks
+  int blocks[3];
+};
+
+namespace {
+
+struct LayerOfVoxel {
+  int layer;  ///< positive inside
+  int slack;  ///< the count of steps may be off by so many
+};
+
+/// Of voxel (i, j, k), which must lie in the grid. In an unnamed namespace, as each kernel compiles its own.
+inline LayerOfVoxel layerOf(const LayerView& map, int i, int j, int k) {
+  constexpr int kEdge = LayerView::kEdge, kShift = 3, kMask = kEdge - 1;
+  const std::ptrdiff_t bi = i >> kShift, bj = j >> kShift, bk = k >> kShift;
+  const int x = i & kMask, y = j & kMask, z = k & kMask;
+  const std::int32_t block = map.block_index[(bk * map.blocks[1] + bj) * map.blocks[0] + bi];
+  if (block >= 0) {
+    const int voxel = (z * kEdge + y) * kEdge + x;
+    const std::uint8_t two = map.packed[std::ptrdiff_t{block} * LayerView::kPackedBytes + voxel / 2];
+    const int half = voxel % 2 == 0 ? two & 15 : two >> 4;
+    const int steps = map.least_steps[block] + (half & LayerView::kStepBits);
+    return {(half & LayerView::kInsideBit) != 0 ? steps : -steps, 0};
+  }
+  const std::ptrdiff_t row = map.blocks[0] + 1, slice = row * (map.blocks[1] + 1);
+  const std::int16_t* corner = map.corner_steps + bk * slice + bj * row + bi;
+  const auto along_x = [&](std::ptrdiff_t at) { return (kEdge - x) * corner[at] + x * corner[at + 1]; };
+  const auto along_y = [&](std::ptrdiff_t at) { return (kEdge - y) * along_x(at) + y * along_x(at + row); };
+  const int sum = (kEdge - z) * along_y(0) + z * along_y(slice);
+  constexpr int kWhole = kEdge * kEdge * kEdge;
+  const int steps = (sum + kWhole / 2) / kWhole;
+  return {block == LayerView::kFarInside ? steps : -steps, LayerView::kFarSlack};
+}
+
+}  // namespace
+}  // namespace abstand

@@ -1,0 +1,161 @@
+// A large voxelmap, made tile by tile, so that time and memory go with the surface.
+#include <algorithm>
+#include <utility>
+
+#include "core/base/parallel.hpp"
+#include "core/haptic/packed_layers.hpp"
+#include "core/haptic/voxel_steps.hpp"
+#include "core/haptic/voxelmap.hpp"
+#include "core/haptic/voxelmap_sides.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr int kEdge = LayerView::kEdge;
+constexpr int kTileBlocks = 12;
+constexpr int kTile = kTileBlocks * kEdge;
+// A tile sees the surface so far beyond its own voxels. The steps of a block that comes within kExactSteps of
+// it are no more than 7 above that, and so exact; and so are all that do not exceed the halo.
+constexpr int kHalo = 24;
+static_assert(kHalo >= Voxelmap::kExactSteps + kEdge - 1);
+constexpr double kDiagonal = 1.7320508075688774;
+
+struct Tile {
+  PackedLayers layers;
+  std::size_t surface_voxels{0}, solid_voxels{0};
+};
+
+/// A box of voxels: [first, first + size).
+struct VoxelBox {
+  Vector3i first, size;
+  VoxelBox clippedTo(const VoxelBox& other) const {
+    const Vector3i lower = first.cwiseMax(other.first);
+    const Vector3i upper = (first + size).cwiseMin(other.first + other.size);
+    return {lower, (upper - lower).cwiseMax(0)};
+  }
+  std::size_t voxels() const { return std::size_t(size.x()) * size.y() * size.z(); }
+  std::size_t index(const Vector3i& v) const {
+    const Vector3i at = v - first;
+    return (std::size_t(at.z()) * size.y() + at.y()) * size.x() + at.x();
+  }
+  template <class Fn>
+  void forEach(Fn&& fn) const {
+    for (int k = 0; k < size.z(); ++k)
+      for (int j = 0; j < size.y(); ++j)
+        for (int i = 0; i < size.x(); ++i) fn(Vector3i(first + Vector3i(i, j, k)));
+  }
+};
+
+}  // namespace
+
+void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads) {
+  const Vector3i n = corners();
+  corner_steps_.assign(std::size_t(n.x()) * n.y() * n.z(), kMostSteps);
+  const VoxelBox solid{Vector3i::Constant(outer_layers), grid.size.array() - 2 * outer_layers};
+  // Tiles hold all corners of blocks, those at the far end of the grid included.
+  const Vector3i tiles = (n.array() + kTileBlocks - 1) / kTileBlocks;
+  std::vector<Tile> made(std::size_t(tiles.x()) * tiles.y() * tiles.z());
+
+  const auto blockIndex = [&](const Vector3i& b) {
+    return (std::size_t(b.z()) * blocks_.y() + b.y()) * blocks_.x() + b.x();
+  };
+  parallelFor(threads, made.size(), [&](std::size_t at) {
+    Tile& tile = made[at];
+    const auto tx = static_cast<std::size_t>(tiles.x()), ty = static_cast<std::size_t>(tiles.y());
+    const Vector3i place(int(at % tx), int(at / tx % ty), int(at / (tx * ty)));
+    const VoxelBox own{kTile * place, Vector3i::Constant(kTile)};
+    const VoxelBox seen{own.first.array() - kHalo, Vector3i::Constant(kTile + 2 * kHalo)};
+    const VoxelBox own_solid = own.clippedTo(solid), seen_solid = seen.clippedTo(solid);
+    const Vector3i last_block = (kTileBlocks * place.array() + kTileBlocks).matrix().cwiseMin(blocks_);
+    const auto forBlocks = [&](auto&& fn) {
+      for (int k = kTileBlocks * place.z(); k < last_block.z(); ++k)
+        for (int j = kTileBlocks * place.y(); j < last_block.y(); ++j)
+          for (int i = kTileBlocks * place.x(); i < last_block.x(); ++i) fn(Vector3i(i, j, k));
+    };
+    const auto allFar = [&](bool inside) {
+      forBlocks([&](const Vector3i& b) {
+        block_index_[blockIndex(b)] = inside ? LayerView::kFarInside : LayerView::kFarOutside;
+      });
+      if (inside) tile.solid_voxels = own_solid.voxels();
+    };
+
+    if (seen_solid.voxels() == 0) return allFar(false);
+    const VoxelGrid part{grid.centre(seen_solid.first.x(), seen_solid.first.y(), seen_solid.first.z()),
+                         grid.voxel_size, seen_solid.size};
+    const Vector3d half = 0.5 * grid.voxel_size * (part.size.array() - 1).matrix().cast<double>();
+    const Vector3d middle = part.first_centre + half;
+    const SurfacePoint nearest = surface.closest(middle);
+    // A voxel's diagonal more: a surface beside the box decides about none of its voxels.
+    if (nearest.distance > half.norm() + kDiagonal * grid.voxel_size)
+      return allFar(surface.inside(middle, nearest));
+
+    std::vector<std::int8_t> side;
+    findSidesOfPart(surface, part, side);
+    std::vector<std::int16_t> steps(seen.voxels(), kMostSteps);
+    bool any = false;
+    seen_solid.forEach([&](const Vector3i& v) {
+      if (side[seen_solid.index(v)] == kVoxelSurface) steps[seen.index(v)] = 0, any = true;
+    });
+    own_solid.forEach([&](const Vector3i& v) {
+      const std::int8_t s = side[seen_solid.index(v)];
+      tile.surface_voxels += s == kVoxelSurface;
+      tile.solid_voxels += s != kVoxelOutside;
+    });
+    if (any) countSteps(seen.size, 1, steps);
+
+    const auto inside = [&](const Vector3i& v) {
+      const Vector3i at_v = v.cwiseMin(grid.size - Vector3i::Ones());
+      return (at_v.array() >= seen_solid.first.array()).all() &&
+             (at_v.array() < (seen_solid.first + seen_solid.size).array()).all() &&
+             side[seen_solid.index(at_v)] == kVoxelInside;
+    };
+    forBlocks([&](const Vector3i& b) {
+      const Vector3i first = kEdge * b;
+      const VoxelBox block{first, Vector3i::Constant(kEdge)};
+      std::int16_t least = kMostSteps;
+      block.forEach([&](const Vector3i& v) { least = std::min(least, steps[seen.index(v)]); });
+      std::int32_t& index = block_index_[blockIndex(b)];
+      if (least > kExactSteps) {
+        index =
+            inside(first + Vector3i::Constant(kEdge / 2)) ? LayerView::kFarInside : LayerView::kFarOutside;
+        return;
+      }
+      index =
+          tile.layers.add([&](int i, int j, int k) { return steps[seen.index(first + Vector3i(i, j, k))]; },
+                          [&](int i, int j, int k) { return inside(first + Vector3i(i, j, k)); });
+    });
+    const Vector3i last_corner = (kTileBlocks * place.array() + kTileBlocks).matrix().cwiseMin(n);
+    for (int k = kTileBlocks * place.z(); k < last_corner.z(); ++k)
+      for (int j = kTileBlocks * place.y(); j < last_corner.y(); ++j)
+        for (int i = kTileBlocks * place.x(); i < last_corner.x(); ++i) {
+          const std::int16_t s = steps[seen.index(kEdge * Vector3i(i, j, k))];
+          if (s <= kHalo) corner_steps_[(std::size_t(k) * n.y() + j) * n.x() + i] = s;
+        }
+  });
+
+  // Farther away than the halo, the shortest way from a corner leads over one of the 26 corners about it: its
+  // longest component is more than 16 steps, and whichever others are within 8 of that are shortened with it.
+  countSteps(n, kEdge, corner_steps_);
+
+  std::size_t kept = 0;
+  for (const Tile& tile : made) kept += tile.layers.least_steps.size();
+  least_steps_.reserve(kept);
+  packed_.reserve(kept * LayerView::kPackedBytes);
+  for (std::size_t t = 0; t < made.size(); ++t) {
+    PackedLayers layers = std::move(made[t].layers);
+    const auto before = static_cast<std::int32_t>(least_steps_.size());
+    least_steps_.insert(least_steps_.end(), layers.least_steps.begin(), layers.least_steps.end());
+    packed_.insert(packed_.end(), layers.packed.begin(), layers.packed.end());
+    surface_voxels += made[t].surface_voxels;
+    solid_voxels += made[t].solid_voxels;
+    const auto tx = static_cast<std::size_t>(tiles.x()), ty = static_cast<std::size_t>(tiles.y());
+    const Vector3i first = kTileBlocks * Vector3i(int(t % tx), int(t / tx % ty), int(t / (tx * ty)));
+    const Vector3i end = (first.array() + kTileBlocks).matrix().cwiseMin(blocks_);
+    for (int k = first.z(); k < end.z(); ++k)
+      for (int j = first.y(); j < end.y(); ++j)
+        for (int i = first.x(); i < end.x(); ++i)
+          if (std::int32_t& index = block_index_[blockIndex({i, j, k})]; index >= 0) index += before;
+  }
+}
+
+}  // namespace abstand
