@@ -8,22 +8,24 @@ constexpr std::array<std::string_view, kBodyPartCount> kNames{
     "torso",      "head",       "biceps_left", "biceps_right", "forearm_left", "forearm_right", "hand_left",
     "hand_right", "thigh_left", "thigh_right", "calf_left",    "calf_right",   "foot_left",     "foot_right"};
 
-using enum BodyPart;
-constexpr std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1> kAdjacent{{
-    {kTorso, kHead},
-    {kTorso, kBicepsLeft},
-    {kTorso, kBicepsRight},
-    {kBicepsLeft, kForearmLeft},
-    {kBicepsRight, kForearmRight},
-    {kForearmLeft, kHandLeft},
-    {kForearmRight, kHandRight},
-    {kTorso, kThighLeft},
-    {kTorso, kThighRight},
-    {kThighLeft, kCalfLeft},
-    {kThighRight, kCalfRight},
-    {kCalfLeft, kFootLeft},
-    {kCalfRight, kFootRight},
-}};
+constexpr auto kAdjacent = [] {
+  using enum BodyPart;
+  return std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1>{{
+      {kTorso, kHead},
+      {kTorso, kBicepsLeft},
+      {kTorso, kBicepsRight},
+      {kBicepsLeft, kForearmLeft},
+      {kBicepsRight, kForearmRight},
+      {kForearmLeft, kHandLeft},
+      {kForearmRight, kHandRight},
+      {kTorso, kThighLeft},
+      {kTorso, kThighRight},
+      {kThighLeft, kCalfLeft},
+      {kThighRight, kCalfRight},
+      {kCalfLeft, kFootLeft},
+      {kCalfRight, kFootRight},
+  }};
+}();
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::array<std::string_view, kJointCount> kNames{
+constexpr std::array<std::string_view, kJointCount> kJointNames{
     "pelvis",        "spine",      "thorax",      "neck",      "head",           "head_top",
     "shoulder_left", "elbow_left", "wrist_left",  "hand_left", "shoulder_right", "elbow_right",
     "wrist_right",   "hand_right", "hip_left",    "knee_left", "ankle_left",     "toe_left",
@@ -11,11 +11,11 @@ constexpr std::array<std::string_view, kJointCount> kNames{
 
 }  // namespace
 
-std::string_view jointName(Joint joint) { return kNames[static_cast<std::size_t>(joint)]; }
+std::string_view jointName(Joint joint) { return kJointNames[static_cast<std::size_t>(joint)]; }
 
 std::optional<Joint> parseJoint(std::string_view name) {
   for (std::size_t i = 0; i < kJointCount; ++i)
-    if (kNames[i] == name) return static_cast<Joint>(i);
+    if (kJointNames[i] == name) return static_cast<Joint>(i);
   return std::nullopt;
 }
 

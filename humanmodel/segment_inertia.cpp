@@ -5,10 +5,10 @@ namespace abstand {
 namespace {
 
 /// Shares of body mass and of segment length; centre of mass from the proximal end.
-struct Row {
+struct InertiaRow {
   double mass, com, sagittal, transverse, longitudinal;
 };
-using Table = std::array<Row, kPartKindCount>;
+using Table = std::array<InertiaRow, kPartKindCount>;
 
 constexpr Table kMen{{{.4346, .5138, .328, .306, .169},
                       {.0694, .5002, .303, .315, .261},
@@ -30,9 +30,9 @@ constexpr Table kWomen{{{.4257, .4964, .307, .292, .147},
 // Wrist to third knuckle as a share of wrist to finger tip (de Leva, table 4: 86.2 of 187.9 mm; women alike).
 constexpr double kKnuckleShare = 0.459;
 
-Row rowOf(PartKind kind, std::optional<Sex> sex) {
-  const Row& m = kMen[index(kind)];
-  const Row& f = kWomen[index(kind)];
+InertiaRow rowOf(PartKind kind, std::optional<Sex> sex) {
+  const InertiaRow& m = kMen[index(kind)];
+  const InertiaRow& f = kWomen[index(kind)];
   if (sex) return *sex == Sex::kMale ? m : f;
   return {0.5 * (m.mass + f.mass), 0.5 * (m.com + f.com), 0.5 * (m.sagittal + f.sagittal),
           0.5 * (m.transverse + f.transverse), 0.5 * (m.longitudinal + f.longitudinal)};
@@ -47,7 +47,7 @@ void assignInertia(double mass, std::optional<Sex> sex, std::vector<HumanPart>& 
 
   for (HumanPart& part : parts) {
     const PartKind kind = kindOf(part.part);
-    const Row row = rowOf(kind, sex);
+    const InertiaRow row = rowOf(kind, sex);
     part.mass = mass * row.mass / sum;
 
     Vector3d p_start = part.p_proximal, p_end = part.p_distal;

@@ -32,8 +32,8 @@ constexpr double kAnkleHeight = .039, kShoulderHeight = .818;
 constexpr double kShoulderHalf = .115;
 // The table's torso is narrower than shoulders are, and its upper arms end in points: farther out they would
 // hang in the air.
-constexpr double kShoulderReach = .010;
-constexpr double kHeelBehindAnkle = .04;
+constexpr double kThesisShoulderReach = .010;
+constexpr double kThesisHeelBehindAnkle = .04;
 constexpr double kToeHeight = .010;
 
 }  // namespace
@@ -53,12 +53,12 @@ BodyPlan thesisPlan(double height) {
                torso_bottom = height - plan[PartKind::kHead].length - torso;
   plan.ankle_height = height * kAnkleHeight;
   plan.toe_height = height * kToeHeight;
-  plan.heel_share = height * kHeelBehindAnkle / plan[PartKind::kFoot].length;
+  plan.heel_share = height * kThesisHeelBehindAnkle / plan[PartKind::kFoot].length;
   const double hip_height = plan.ankle_height + plan[PartKind::kCalf].length + plan[PartKind::kThigh].length;
   plan.hip_share = (hip_height - torso_bottom) / torso;
   plan.shoulder_share = (height * kShoulderHeight - torso_bottom) / torso;
   plan.shoulder_half = height * kShoulderHalf;
-  plan.shoulder_reach = height * kShoulderReach;
+  plan.shoulder_reach = height * kThesisShoulderReach;
   return plan;
 }
 

@@ -3,15 +3,21 @@
 namespace abstand {
 namespace {
 
-using J = Joint;
-constexpr J kTorso[]{J::kPelvis, J::kSpine, J::kThorax, J::kNeck};
-constexpr J kHead[]{J::kNeck, J::kHead, J::kHeadTop};
-constexpr J kBicepsLeft[]{J::kShoulderLeft, J::kElbowLeft}, kBicepsRight[]{J::kShoulderRight, J::kElbowRight};
-constexpr J kForearmLeft[]{J::kElbowLeft, J::kWristLeft}, kForearmRight[]{J::kElbowRight, J::kWristRight};
-constexpr J kHandLeft[]{J::kWristLeft, J::kHandLeft}, kHandRight[]{J::kWristRight, J::kHandRight};
-constexpr J kThighLeft[]{J::kHipLeft, J::kKneeLeft}, kThighRight[]{J::kHipRight, J::kKneeRight};
-constexpr J kCalfLeft[]{J::kKneeLeft, J::kAnkleLeft}, kCalfRight[]{J::kKneeRight, J::kAnkleRight};
-constexpr J kFootLeft[]{J::kAnkleLeft, J::kToeLeft}, kFootRight[]{J::kAnkleRight, J::kToeRight};
+using PartJoint = Joint;
+constexpr PartJoint kTorso[]{PartJoint::kPelvis, PartJoint::kSpine, PartJoint::kThorax, PartJoint::kNeck};
+constexpr PartJoint kHead[]{PartJoint::kNeck, PartJoint::kHead, PartJoint::kHeadTop};
+constexpr PartJoint kBicepsLeft[]{PartJoint::kShoulderLeft, PartJoint::kElbowLeft},
+    kBicepsRight[]{PartJoint::kShoulderRight, PartJoint::kElbowRight};
+constexpr PartJoint kForearmLeft[]{PartJoint::kElbowLeft, PartJoint::kWristLeft},
+    kForearmRight[]{PartJoint::kElbowRight, PartJoint::kWristRight};
+constexpr PartJoint kHandLeft[]{PartJoint::kWristLeft, PartJoint::kHandLeft},
+    kHandRight[]{PartJoint::kWristRight, PartJoint::kHandRight};
+constexpr PartJoint kThighLeft[]{PartJoint::kHipLeft, PartJoint::kKneeLeft},
+    kThighRight[]{PartJoint::kHipRight, PartJoint::kKneeRight};
+constexpr PartJoint kCalfLeft[]{PartJoint::kKneeLeft, PartJoint::kAnkleLeft},
+    kCalfRight[]{PartJoint::kKneeRight, PartJoint::kAnkleRight};
+constexpr PartJoint kFootLeft[]{PartJoint::kAnkleLeft, PartJoint::kToeLeft},
+    kFootRight[]{PartJoint::kAnkleRight, PartJoint::kToeRight};
 
 constexpr PartJoints kParts[]{{"torso", kTorso},
                               {"head", kHead},

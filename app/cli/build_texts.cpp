@@ -1,4 +1,5 @@
 #include "app/cli/build_texts.hpp"
+#include "app/cli/json_values.hpp"
 
 #include <algorithm>
 
@@ -6,10 +7,6 @@ namespace abstand::cli {
 namespace {
 
 constexpr double kTable[] = {0.010, 0.005, 0.004, 0.002, 0.001};  // m, voxel and point spacing alike
-
-nlohmann::ordered_json numberOrNull(double v) {
-  return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
-}
 
 nlohmann::ordered_json placeOrNull(const Vector3d& p) {
   return p.allFinite() ? toJson(p) : nlohmann::ordered_json(nullptr);

@@ -26,16 +26,16 @@ constexpr int kFkBatch = 100;
 constexpr int kFkSamples = 2000;
 
 nlohmann::ordered_json benchFk() {
-  using Clock = std::chrono::steady_clock;
+  using Steady = std::chrono::steady_clock;
   const Mechanism chain = loadMechanism(dataFolder() / "scenes" / "chain.mech");
   MechanismState state;
   const std::vector<double> q(static_cast<std::size_t>(chain.dof), 0.3);
   forward(chain, q, state);
   CycleStatistics statistics(kInfinity);
   for (int i = 0; i < kFkSamples; ++i) {
-    const auto begin = Clock::now();
+    const auto begin = Steady::now();
     for (int k = 0; k < kFkBatch; ++k) forward(chain, q, state);
-    statistics.add(std::chrono::duration<double>(Clock::now() - begin).count() / kFkBatch);
+    statistics.add(std::chrono::duration<double>(Steady::now() - begin).count() / kFkBatch);
   }
   return {{"name", "fk"},
           {"what", "forward kinematics of three links"},
@@ -58,7 +58,7 @@ nlohmann::ordered_json benchScene(const CommandLine& line, const Benchmark& benc
           {"p999_ns", 1e3 * s.p999_us}, {"build_ms", s.build_ms},         {"memory_bytes", s.memory_bytes}};
 }
 
-int run(const CommandLine& line, const std::string& name) {
+int runBench(const CommandLine& line, const std::string& name) {
   nlohmann::ordered_json document{{"benchmarks", nlohmann::ordered_json::array()}};
   std::string text;
   std::vector<std::string> known{"fk"};
@@ -118,7 +118,7 @@ void addBench(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--out", scenario->out, "file that the JSON line is appended to"));
   command->callback([&line, name, scenario] {
     line.run = [&line, name, scenario] {
-      return scenario->scenario.empty() ? run(line, *name) : benchScenario(*scenario);
+      return scenario->scenario.empty() ? runBench(line, *name) : benchScenario(*scenario);
     };
   });
 }

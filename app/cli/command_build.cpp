@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDrawingSagitta = 2e-4;  // m, of the written mesh of a shape
 
-struct Arguments {
+struct BuildArguments {
   std::vector<std::string> meshes;
   std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
   int outer_layers{20};
@@ -102,7 +102,7 @@ MadeStructure build(const CommandLine& line, const Body& body, const HapticOptio
 }
 
 /// Builds one body, or explains it; both add to the document and the text.
-void make(const CommandLine& line, const Arguments& args, const HapticOptions& options,
+void make(const CommandLine& line, const BuildArguments& args, const HapticOptions& options,
           const std::string& name, StructureCache& cache, OutputFolder* folder,
           nlohmann::ordered_json& document, std::string& text) {
   const Body body = load(name, number(args.scale, "--scale"), args.packages, cache);
@@ -127,7 +127,7 @@ void make(const CommandLine& line, const Arguments& args, const HapticOptions& o
   for (const auto& remark : body.remarks) text += "  " + remark + "\n";
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runBuild(const CommandLine& line, const BuildArguments& args) {
   HapticOptions options;
   options.voxel_size = number(args.voxel, "--voxel");
   options.point_spacing = number(args.point, "--point");
@@ -167,7 +167,7 @@ void addBuild(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "build", "haptic structures (voxelmap, field, pointshell) of meshes and shapes",
                  "abstand build sphere:0.05 link1.stl --voxel 0.005 --point 0.005 --out structures");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<BuildArguments>();
   command
       ->add_option("MESH", args->meshes,
                    "mesh files, or sphere:r, cuboid:x,y,z, ellipsoid:a,b,c, cylinder:r,l, capsule:r,l (m)")
@@ -187,7 +187,7 @@ void addBuild(CLI::App& root, CommandLine& line) {
       "build nothing: predict error, memory, points, time and cost of this and other resolutions");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runBuild(line, *args); }; });
 }
 
 }  // namespace abstand::cli

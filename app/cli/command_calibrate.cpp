@@ -5,7 +5,7 @@
 namespace abstand::cli {
 namespace {
 
-int run(const CommandLine& line, const CalibrateArguments& args) {
+int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
   if (args.links.empty() && !args.robot.empty())
     throw UsageError("--robot: found without --links, expected a depth recording there");
   if (!args.images.empty()) {
@@ -69,7 +69,7 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
   command->add_option("--seed", args->seed, "of the search with --links");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runCalibrate(line, *args); }; });
 }
 
 }  // namespace abstand::cli

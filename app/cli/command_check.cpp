@@ -13,7 +13,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::string scene, min_distance, margins, junit, report;
   std::vector<std::string> recordings;
   std::string poses, react{"on"};
@@ -69,7 +69,7 @@ std::string whyNot(const CheckResult& result, bool strict) {
   return text;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runCheck(const CommandLine& line, const CheckArguments& args) {
   const SceneDescription scene = loadScene(args.scene, args.packages);
   if (args.dry_run) return dryRun(line, scene);
   if (args.min_distance.empty()) throw UsageError("--min-distance is required (or --dry-run)");
@@ -147,7 +147,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "check", "the gate for scripts: exit 1 when a limit is broken",
                  "abstand check cell.yaml --recording reach.bvh --min-distance 0.1 --junit result.xml");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<CheckArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--recording", args->recordings, "recordings, each checked in turn");
   command->add_flag(
@@ -172,7 +172,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
                     "between frames too: certified for bodies that go straight from pose to pose");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runCheck(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -15,14 +15,14 @@ namespace {
 // m and rad. What a table may leave of a posture.
 constexpr double kExact = 1e-9;
 
-struct Arguments {
+struct ConvertArguments {
   std::filesystem::path in, out;
   int postures{1000};
   PackagePaths packages;
 };
 
 /// The names of meshes as they must be in a file in another folder.
-void rebase(Robot& robot, const Arguments& args, std::vector<std::string>& warnings) {
+void rebase(Robot& robot, const ConvertArguments& args, std::vector<std::string>& warnings) {
   MeshFinder finder(args.in, args.packages);
   std::error_code ec;
   const auto folder =
@@ -48,7 +48,7 @@ struct Written {
   PostureResidual residual;
 };
 
-Written writeMech(const Robot& robot, const Arguments& args, const DhTolerance& tolerance) {
+Written writeMech(const Robot& robot, const ConvertArguments& args, const DhTolerance& tolerance) {
   Written w;
   const Robot table = toDh(robot, tolerance);
   w.extra_frames = table.mechanism.frames.size() - robot.mechanism.frames.size();
@@ -58,7 +58,7 @@ Written writeMech(const Robot& robot, const Arguments& args, const DhTolerance& 
   return w;
 }
 
-Written write(const Robot& robot, const Arguments& args) {
+Written write(const Robot& robot, const ConvertArguments& args) {
   const std::string extension = args.out.extension().string();
   if (extension == ".mech") {
     Written w = writeMech(robot, args, {});
@@ -77,7 +77,7 @@ Written write(const Robot& robot, const Arguments& args) {
   return w;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runConvert(const CommandLine& line, const ConvertArguments& args) {
   Robot robot = loadRobot(args.in);
   std::vector<std::string> warnings = robot.warnings;
   rebase(robot, args, warnings);
@@ -115,14 +115,14 @@ int run(const CommandLine& line, const Arguments& args) {
 void addConvert(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(root, line, "convert", "a robot file in the other format, with the residual",
                              "abstand convert robot.urdf robot.mech");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<ConvertArguments>();
   command->add_option("IN", args->in, "robot file (.mech or .urdf)")->required();
   line.output(command->add_option("OUT", args->out, "robot file to write, .mech or .urdf by its extension"))
       ->required();
   command->add_option("--postures", args->postures, "random postures that are compared")
       ->check(CLI::Range(1, 10000000));
   addPackagePath(command, args->packages);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runConvert(line, *args); }; });
 }
 
 }  // namespace abstand::cli

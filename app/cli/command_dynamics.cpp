@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 10'000'000;  // of --out
 
-struct Arguments {
+struct DynamicsArguments {
   std::string mechanism, q, qd, qdd, gravity, motion, out;
   double rate{1000.0};
   std::vector<std::string> solids, wrenches, effective;
@@ -73,7 +73,7 @@ std::vector<double> jointNumbers(const std::string& text, const std::string& opt
   return v;
 }
 
-Mechanism robotWithMasses(const Arguments& args) {
+Mechanism robotWithMasses(const DynamicsArguments& args) {
   Mechanism mechanism = loadRobot(args.mechanism).mechanism;
   for (const auto& text : args.solids) addSolid(mechanism, text, args.packages);
   double mass = 0.0;
@@ -112,8 +112,9 @@ nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) 
 }
 
 /// Efforts along a motion: their peaks, and every row in --out.
-nlohmann::ordered_json alongMotion(const Arguments& args, const Mechanism& mechanism, const RigidTree& tree,
-                                   const Vector3d& gravity_B, JointLimitWatch& watch, std::string& text) {
+nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanism& mechanism,
+                                   const RigidTree& tree, const Vector3d& gravity_B, JointLimitWatch& watch,
+                                   std::string& text) {
   const SmoothMotion motion(loadMotion(args.motion, mechanism.dof));
   const auto n = static_cast<std::size_t>(mechanism.dof);
   const double rows = std::floor((motion.end() - motion.start()) * args.rate + 1e-9) + 1.0;
@@ -166,7 +167,7 @@ nlohmann::ordered_json alongMotion(const Arguments& args, const Mechanism& mecha
   return peaks;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
   const Mechanism mechanism = robotWithMasses(args);
   const RigidTree tree = makeRigidTree(mechanism);
   const int dof = mechanism.dof;
@@ -249,7 +250,7 @@ void addDynamics(CLI::App& root, CommandLine& line) {
       addCommand(root, line, "dynamics", "joint efforts that postures and motions need",
                  "abstand dynamics data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 --effective "
                  "7:0,0,1");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<DynamicsArguments>();
   command->add_option("MECHANISM", args->mechanism, "mechanism file (.mech or .urdf)")->required();
   command->add_option("--q", args->q, "joint values a,b,... in SI (default: zeros)");
   command->add_option("--qd", args->qd, "joint velocities (default: zeros)");
@@ -266,7 +267,7 @@ void addDynamics(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(0.001, 1e6));
   line.output(command->add_option("--out", args->out, "CSV of the motion with its efforts"));
   addPackagePath(command, args->packages);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runDynamics(line, *args); }; });
 }
 
 }  // namespace abstand::cli

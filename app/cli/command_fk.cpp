@@ -11,7 +11,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct FkArguments {
   std::string mechanism, q;
   std::vector<std::string> wrenches;
   int repeat{0};
@@ -38,23 +38,23 @@ void addWrench(const Mechanism& mechanism, const MechanismState& state, const st
 }
 
 nlohmann::ordered_json timings(const Mechanism& mechanism, const std::vector<double>& q, int repeat) {
-  using Clock = std::chrono::steady_clock;
+  using Steady = std::chrono::steady_clock;
   MechanismState state;
   forward(mechanism, q, state);
   // A call is shorter than the clock is sharp, so a sample is the mean of a hundred.
   constexpr int kBatch = 100;
   CycleStatistics statistics(kInfinity);
   for (int i = 0; i < repeat; ++i) {
-    const auto begin = Clock::now();
+    const auto begin = Steady::now();
     for (int k = 0; k < kBatch; ++k) forward(mechanism, q, state);
-    statistics.add(std::chrono::duration<double>(Clock::now() - begin).count() / kBatch);
+    statistics.add(std::chrono::duration<double>(Steady::now() - begin).count() / kBatch);
   }
   return {{"median", 1e6 * statistics.median()},
           {"p99", 1e6 * statistics.p99()},
           {"max", 1e6 * statistics.max()}};
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runFk(const CommandLine& line, const FkArguments& args) {
   const Robot robot = loadRobot(args.mechanism);
   for (const auto& warning : robot.warnings) line.warn(warning);
   const Mechanism& mechanism = robot.mechanism;
@@ -101,7 +101,7 @@ void addFk(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "fk", "forward kinematics of a mechanism file",
                  "abstand fk data/robots/lwr/lwr4.mech --q 0,0.5,0,-1.2,0,0.8,0 --wrench 7:0,0,10,0,0,0");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<FkArguments>();
   command->add_option("MECHANISM", args->mechanism, "robot file (.mech or .urdf)")->required();
   command->add_option("--q", args->q,
                       "joint values a,b,... in SI, in the order of the mapping (default: zeros)");
@@ -110,7 +110,7 @@ void addFk(CLI::App& root, CommandLine& line) {
   command->add_option("--repeat", args->repeat, "time this many batches of calls")
       ->check(CLI::Range(1, 100000000));
   addPackagePath(command, args->packages);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runFk(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMeshSagitta = 2e-4;  // m, of the written meshes
 
-struct Arguments {
+struct HumanArguments {
   std::string height, mass, sex, preset{"anthropometric"}, out;
   std::vector<std::string> set;
 };
@@ -64,7 +64,7 @@ nlohmann::ordered_json partJson(const HumanPart& p) {
   return j;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runHuman(const CommandLine& line, const HumanArguments& args) {
   HumanOptions options;
   options.height = number(args.height, "--height");
   if (!args.mass.empty()) options.mass = number(args.mass, "--mass");
@@ -101,7 +101,7 @@ void addHuman(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "human", "the parametric human: fourteen parts from the height",
                  "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<HumanArguments>();
   command->add_option("--height", args->height, "stature in m (0.5 to 2.5)")->required();
   command->add_option("--mass", args->mass, "body mass in kg");
   command->add_option("--sex", args->sex, "f or m (default: the mean of both)")
@@ -110,7 +110,7 @@ void addHuman(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"thesis", "anthropometric"}));
   command->add_option("--set", args->set, "PART.contour=m, also length, breadth, depth, shape");
   line.output(command->add_option("--out", args->out, "folder for one mesh a part"), OutputKind::kFolder);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runHuman(line, *args); }; });
 }
 
 }  // namespace abstand::cli

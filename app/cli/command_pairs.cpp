@@ -13,7 +13,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct PairsArguments {
   std::filesystem::path file, out, srdf;
   std::string voxel{"0.005"}, clearance;
   StudyOptions study;
@@ -33,7 +33,7 @@ SceneDescription sceneOf(const std::filesystem::path& robot_file, const std::str
   return parseScene(scene, file.parent_path() / "scene.yaml", packages);
 }
 
-SceneDescription load(const Arguments& args) {
+SceneDescription load(const PairsArguments& args) {
   const std::string extension = args.file.extension().string();
   if (extension == ".yaml" || extension == ".yml") return loadScene(args.file, args.packages);
   return sceneOf(args.file, args.voxel, args.packages);
@@ -48,7 +48,7 @@ std::string srdfFor(const std::filesystem::path& file, const Srdf& srdf) {
   return mergedSrdfText(readFile(file, kMostRobotBytes), file.string(), srdf);
 }
 
-int run(const CommandLine& line, Arguments& args) {
+int runPairs(const CommandLine& line, PairsArguments& args) {
   number(args.voxel, "--voxel");
   if (!args.clearance.empty()) args.study.clearance = number(args.clearance, "--clearance");
   args.study.validate();
@@ -129,7 +129,7 @@ void addPairs(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "pairs", "which pairs of bodies can collide at all, by sampling the joint space",
                  "abstand pairs robot.urdf --out robot.pairs --srdf robot.srdf");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<PairsArguments>();
   command->add_option("FILE", args->file, "scene (.yaml) or robot file (.mech or .urdf)")->required();
   command->add_option("--samples", args->study.samples, "random postures");
   command->add_option("--seed", args->study.seed, "of the postures");
@@ -147,7 +147,7 @@ void addPairs(CLI::App& root, CommandLine& line) {
                                   "already everything else is kept"));
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runPairs(line, *args); }; });
 }
 
 }  // namespace abstand::cli

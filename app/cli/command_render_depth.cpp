@@ -9,7 +9,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct RenderDepthArguments {
   std::filesystem::path scene, recording, camera, out;
   std::string eye, look, noise{"kinect"}, rate{"30"}, start, end;
   std::string format{"png"}, body{"model"}, girth, clothing, height;
@@ -26,7 +26,7 @@ Vector3d point(const std::string& text, const std::string& option) {
   return {p[0], p[1], p[2]};
 }
 
-DepthCamera cameraOf(const Arguments& args, Session& session) {
+DepthCamera cameraOf(const RenderDepthArguments& args, Session& session) {
   DepthCamera camera;
   if (!args.camera.empty()) {
     if (args.width != 640) throw UsageError("--width: found beside --camera, expected one of them");
@@ -46,7 +46,7 @@ DepthCamera cameraOf(const Arguments& args, Session& session) {
   return camera;
 }
 
-std::optional<SkinOptions> skinOf(const Arguments& args) {
+std::optional<SkinOptions> skinOf(const RenderDepthArguments& args) {
   if (args.body == "skin") {
     SkinOptions skin;
     if (!args.girth.empty()) skin.girth = number(args.girth, "--girth");
@@ -59,7 +59,7 @@ std::optional<SkinOptions> skinOf(const Arguments& args) {
   return std::nullopt;
 }
 
-SceneDescription sceneOf(const Arguments& args) {
+SceneDescription sceneOf(const RenderDepthArguments& args) {
   if (!args.scene.empty()) {
     if (!args.height.empty())
       throw UsageError(
@@ -72,7 +72,7 @@ SceneDescription sceneOf(const Arguments& args) {
   return abstand::sceneOf(args.recording, height);
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   if (args.eye.empty() != args.look.empty())
     throw UsageError("found one of --eye and --look, expected both or none");
   DepthClipOptions options;
@@ -116,7 +116,7 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "render-depth", "what a depth camera would see of a scene, as a clip",
                  "abstand render-depth data/scenes/hug_boxing.yaml --out clip --end 2");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<RenderDepthArguments>();
   command->add_option("SCENE", args->scene,
                       "scene file (.yaml); without one: the person of --recording alone");
   line.output(command->add_option("--out", args->out, "folder of the clip"), OutputKind::kFolder)->required();
@@ -146,7 +146,7 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   command->add_flag("--room", args->room, "adds a floor at z = 0 and a wall 1.5 m behind the people");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runRenderDepth(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -10,7 +10,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
   std::string gain, person_speed;
   SessionOptions session;
@@ -128,7 +128,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
   return text;
 }
 
-int run(const CommandLine& line, Arguments& args) {
+int runRun(const CommandLine& line, RunArguments& args) {
   if (!args.start.empty()) args.run.start = number(args.start, "--start");
   if (!args.end.empty()) args.run.end = number(args.end, "--end");
   if (!args.rate.empty()) {
@@ -165,7 +165,7 @@ void addRun(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "run", "runs a scene over its motion: distances, forces, joint efforts",
                  "abstand run data/scenes/hug_boxing.yaml --json --pairs-out pairs.csv");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<RunArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_flag(
       "--cut-things", args->session.cut_things,
@@ -209,7 +209,7 @@ void addRun(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(1, 1000000));
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runRun(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -17,7 +17,7 @@ namespace {
 
 using namespace abstand::serve;
 
-struct Arguments {
+struct ServeArguments {
   std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
   std::size_t nearest{8};
   int threads{1};
@@ -25,7 +25,7 @@ struct Arguments {
   bool layout{false}, from_stdin{false};
 };
 
-ReactionDescription reactionOf(const Arguments& args) {
+ReactionDescription reactionOf(const ServeArguments& args) {
   ReactionDescription reaction = usualReaction();
   if (!args.reaction.empty()) {
     constexpr std::size_t kMostBytes = 1u << 20;
@@ -113,7 +113,7 @@ std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
   return text;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runServe(const CommandLine& line, const ServeArguments& args) {
   // Everything that can be wrong on the command line is seen before anything costly is built.
   const Address bind = parseAddress(args.bind, "--bind");
   ServedOptions served{
@@ -155,7 +155,7 @@ void addServe(CLI::App& root, CommandLine& line) {
       root, line, "serve",
       "the live loop over UDP: joint values and skeletons in; distances, forces, torques, stops out",
       "abstand serve data/scenes/hug_boxing.yaml --bind 127.0.0.1:4780");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<ServeArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--bind", args->bind,
                       "address and port; port 0: the system chooses (default 127.0.0.1:4780)");
@@ -178,7 +178,7 @@ void addServe(CLI::App& root, CommandLine& line) {
   command->add_flag("--layout", args->layout, "print the offsets of all packets of the scene, and end");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runServe(line, *args); }; });
 }
 
 }  // namespace abstand::cli

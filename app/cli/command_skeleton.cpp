@@ -10,7 +10,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct SkeletonArguments {
   std::string file, out, compact, filter;
   double fill{0.0};  ///< s
   bool doctor{false}, fit_lengths{false}, predict{false};
@@ -137,7 +137,7 @@ std::string reportText(const Recording& recording, const std::string& file) {
   return text;
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
   Recording recording = openRecording(args.file, args.options);
   auto json = reportJson(recording);
   std::string text = reportText(recording, args.file);
@@ -178,7 +178,7 @@ int run(const CommandLine& line, const Arguments& args) {
 void addSkeleton(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(root, line, "skeleton", "reads a recording of a person, reports and converts it",
                              "abstand skeleton boxing.bvh --out boxing.csv");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<SkeletonArguments>();
   command->add_option("FILE", args->file, "the recording")->required();
   command->add_option("--format", args->options.format, "auto, or " + join(recordingFormats()));
   command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
@@ -212,7 +212,7 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
       ->add_option("--filter", args->filter,
                    "of what is written: one-euro, butterworth or butterworth-both-ways")
       ->check(CLI::IsMember({"one-euro", "butterworth", "butterworth-both-ways"}));
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runSkeleton(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -12,7 +12,7 @@
 namespace abstand::cli {
 namespace {
 
-struct Arguments {
+struct TrackArguments {
   std::filesystem::path depth, camera, out, pictures, scene;
   PackagePaths packages;
   std::string height, rate, seconds, send, facing{"auto"};
@@ -34,7 +34,7 @@ void draw(const ClipMoment& moment, OutputFolder& folder) {
   saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder.place(name));
 }
 
-int live(const CommandLine& line, const Arguments& args, const DepthStreamOptions& stream,
+int live(const CommandLine& line, const TrackArguments& args, const DepthStreamOptions& stream,
          const ClipTrackerOptions& options) {
   if (!args.scene.empty())
     throw UsageError(
@@ -56,7 +56,7 @@ int live(const CommandLine& line, const Arguments& args, const DepthStreamOption
   return runLiveTrack(line, own);
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runTrack(const CommandLine& line, const TrackArguments& args) {
   DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
   if (!args.rate.empty()) stream_options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
@@ -143,7 +143,7 @@ int run(const CommandLine& line, const Arguments& args) {
 void addTrack(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(root, line, "track", "finds and follows a person in a depth recording",
                              "abstand track clip --out person.csv");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<TrackArguments>();
   command
       ->add_option("DEPTH", args->depth,
                    "folder or file of depth images, which docs/recordings.md lists; or live:kinect")
@@ -178,7 +178,7 @@ void addTrack(CLI::App& root, CommandLine& line) {
           "--as", args->names,
           "names in the scene of the people who are sent, in the order in which they come (operator)")
       ->delimiter(',');
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runTrack(line, *args); }; });
 }
 
 }  // namespace abstand::cli

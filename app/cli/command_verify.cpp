@@ -1,5 +1,6 @@
 // abstand verify: is the engine right on this machine?
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 #include "app/cli/version.hpp"
 #include "core/base/error.hpp"
 #include "core/verify/report.hpp"
@@ -10,18 +11,13 @@ namespace {
 
 constexpr std::size_t kQuickPoses = 3'000;
 
-struct Arguments {
+struct VerifyArguments {
   std::string report, only;
   std::size_t poses{0};  ///< 0: the default of the mode
   std::uint64_t seed{1};
   bool quick{false};
   int threads{0};
 };
-
-/// JSON has no NaN.
-nlohmann::ordered_json numberOrNull(double v) {
-  return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
-}
 
 nlohmann::ordered_json toJson(const verify::CheckResult& r) {
   return {{"name", r.name},
@@ -36,7 +32,7 @@ nlohmann::ordered_json toJson(const verify::CheckResult& r) {
           {"passed", r.passed}};
 }
 
-int run(const CommandLine& line, const Arguments& args) {
+int runVerify(const CommandLine& line, const VerifyArguments& args) {
   verify::VerifyOptions options;
   options.quick = args.quick;
   options.poses = args.poses ? args.poses : (args.quick ? kQuickPoses : options.poses);
@@ -81,7 +77,7 @@ void addVerify(CLI::App& root, CommandLine& line) {
                  "is the engine right on this machine: distances against brute force, forces against "
                  "closed forms",
                  "abstand verify --report verification.html");
-  auto args = std::make_shared<Arguments>();
+  auto args = std::make_shared<VerifyArguments>();
   line.output(command->add_option("--report", args->report, "HTML page with tables and plots"));
   command
       ->add_option("--poses", args->poses,
@@ -93,7 +89,7 @@ void addVerify(CLI::App& root, CommandLine& line) {
   for (const verify::CheckFamily& family : verify::checkFamilies()) names.emplace_back(family.name);
   command->add_option("--only", args->only, "one family of checks")->check(CLI::IsMember(names));
   command->add_option("--threads", args->threads, "0: all cores")->check(CLI::Range(0, 256));
-  command->callback([&line, args] { line.run = [&line, args] { return run(line, *args); }; });
+  command->callback([&line, args] { line.run = [&line, args] { return runVerify(line, *args); }; });
 }
 
 }  // namespace abstand::cli

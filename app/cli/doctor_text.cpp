@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -10,10 +11,6 @@ namespace {
 constexpr double kMm = 1e3;
 /// Longer lists are cut in the text; the JSON has all.
 constexpr std::size_t kMostLines = 10;
-
-nlohmann::ordered_json numberOrNull(double v) {
-  return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
-}
 
 }  // namespace
 

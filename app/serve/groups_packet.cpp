@@ -6,7 +6,7 @@
 namespace abstand::serve {
 namespace {
 
-constexpr std::array<std::string_view, 3> kStates{"\"running\"", "\"paused\"", "\"stopped\""};
+constexpr std::array<std::string_view, 3> kStateWords{"\"running\"", "\"paused\"", "\"stopped\""};
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::size_t writeGroupsJson(const GroupsReport& report, const ReplyTo& to, const
   out.text(",\"groups\":").list(static_cast<std::size_t>(control.groups()), [&](std::size_t i) {
     const auto g = static_cast<int>(i);
     out.text("{\"name\":").text(quoted_format.groups[i]);
-    out.text(",\"state\":").text(kStates[static_cast<std::size_t>(control.state(g))]);
+    out.text(",\"state\":").text(kStateWords[static_cast<std::size_t>(control.state(g))]);
     out.text(",\"pairs\":").number(control.size(g)).text("}");
   });
   return out.text("}\n").size();

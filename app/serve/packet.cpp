@@ -14,15 +14,13 @@ constexpr std::array<std::string_view, kControlOrders> kOrderNames{
     "report", "run", "pause", "stop", "add", "remove", "torques_on", "torques_off"};
 constexpr std::size_t kMagicBytes = 4;
 
-bool usable(double v) { return std::isfinite(v) && std::abs(v) <= kMostCoordinate; }
-
 PacketFault readJoints(std::span<const std::byte> bytes, const PacketFormat& format, Packet& out) {
   if (!format.hasMechanism(out.index)) return PacketFault::kIndex;
   out.values = format.dof(out.index);
   if (bytes.size() != jointsBytes(out.values)) return PacketFault::kSize;
   for (std::size_t i = 0; i < out.values; ++i) {
     out.q[i] = load<double>(bytes, kHeaderBytes + 8 * i);
-    if (!usable(out.q[i])) return PacketFault::kNumber;
+    if (!isUsableCoordinate(out.q[i])) return PacketFault::kNumber;
   }
   return PacketFault::kNone;
 }
@@ -39,7 +37,7 @@ PacketFault readSkeleton(std::span<const std::byte> bytes, const PacketFormat& f
     if (state != static_cast<std::uint8_t>(JointState::kMissing)) {
       for (std::size_t k = 0; k < 3; ++k) {
         p[static_cast<Eigen::Index>(k)] = load<double>(bytes, kHeaderBytes + 24 * j + 8 * k);
-        if (!usable(p[static_cast<Eigen::Index>(k)])) return PacketFault::kNumber;
+        if (!isUsableCoordinate(p[static_cast<Eigen::Index>(k)])) return PacketFault::kNumber;
       }
     }
     out.skeleton.set(static_cast<Joint>(j), p, static_cast<JointState>(state));

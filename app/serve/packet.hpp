@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,7 @@ inline constexpr std::size_t kMostPacketBytes = 65507;
 inline constexpr std::uint32_t kAllMechanisms = 0xffffffff;
 /// rad or m. Joint values and coordinates farther from 0 are refused, as Scene refuses such poses.
 inline constexpr double kMostCoordinate = 1e6;
+inline bool isUsableCoordinate(double v) { return std::abs(v) <= kMostCoordinate; }
 
 enum class PacketType : std::uint16_t { kJoints = 1, kSkeleton = 2, kState = 3, kControl = 4, kGroups = 5 };
 

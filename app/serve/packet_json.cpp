@@ -105,8 +105,6 @@ bool readField(std::string_view key, JsonScanner& in, Fields& fields, Packet& ou
   return false;
 }
 
-bool usable(double v) { return std::abs(v) <= kMostCoordinate; }
-
 PacketFault finishJoints(const Fields& fields, const PacketFormat& format, Packet& out) {
   if (!fields.q || fields.joints || fields.person || fields.control()) return PacketFault::kJson;
   out.type = PacketType::kJoints;
@@ -119,7 +117,7 @@ PacketFault finishJoints(const Fields& fields, const PacketFormat& format, Packe
   if (!format.hasMechanism(out.index)) return PacketFault::kIndex;
   if (out.values != format.dof(out.index)) return PacketFault::kSize;
   for (std::size_t i = 0; i < out.values; ++i)
-    if (!usable(out.q[i])) return PacketFault::kNumber;
+    if (!isUsableCoordinate(out.q[i])) return PacketFault::kNumber;
   return PacketFault::kNone;
 }
 
@@ -133,9 +131,9 @@ PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Pac
   for (std::size_t j = 0; j < kJointCount; ++j)
     if (out.skeleton.has(static_cast<Joint>(j)))
       for (const double v : out.skeleton.p[j])
-        if (!usable(v)) return PacketFault::kNumber;
+        if (!isUsableCoordinate(v)) return PacketFault::kNumber;
   for (const double spread : out.skeleton.spread)
-    if (!usable(spread) || spread < 0.0) return PacketFault::kNumber;
+    if (!isUsableCoordinate(spread) || spread < 0.0) return PacketFault::kNumber;
   return PacketFault::kNone;
 }
 

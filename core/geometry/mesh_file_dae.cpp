@@ -14,7 +14,7 @@ constexpr int kDeepestNode = 256;
 constexpr std::size_t kLeastWork = std::size_t{64} << 20;
 constexpr std::size_t kMostInstances = 32;
 constexpr std::size_t kWorkOfElement = 64;
-constexpr std::size_t kMostVertices = 20'000'000;
+constexpr std::size_t kMaxDaeVertices = 20'000'000;
 constexpr std::size_t kMostTriangles = 20'000'000;
 
 /// Columns of an index list; real files have at most a handful.
@@ -73,7 +73,7 @@ class Reader {
     const auto url = e.attribute(key);
     const auto found = url.starts_with('#') ? ids_.find(url.substr(1)) : ids_.end();
     if (found == ids_.end() || (!expected.empty() && found->second->name != expected))
-      fail(e, "found " + quoted(url) + ", expected # and the id of an element <" + std::string(expected) +
+      fail(e, "found " + inQuotes(url) + ", expected # and the id of an element <" + std::string(expected) +
                   "> of this file");
     return *found->second;
   }
@@ -106,7 +106,7 @@ class Reader {
     std::string_view rest = e.text;
     for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
       const auto value = parseInt(word);
-      if (!value || *value < 0) fail(e, "found " + quoted(word) + ", expected an index from 0");
+      if (!value || *value < 0) fail(e, "found " + inQuotes(word) + ", expected an index from 0");
       values.push_back(static_cast<std::uint32_t>(*value));
     }
     return values;
@@ -174,7 +174,7 @@ class Reader {
       const auto word = accessor->attribute(key);
       if (word.empty()) return otherwise;
       const auto value = parseInt(word);
-      if (!value || *value < 0) fail(*accessor, "found " + quoted(word) + ", expected a number from 0");
+      if (!value || *value < 0) fail(*accessor, "found " + inQuotes(word) + ", expected a number from 0");
       return static_cast<std::uint64_t>(*value);
     };
     const auto count = integer("count", 0), offset = integer("offset", 0), stride = integer("stride", 1);
@@ -182,8 +182,8 @@ class Reader {
       fail(*accessor, "found " + std::to_string(count) + " points with stride " + std::to_string(stride) +
                           " in an array of " + std::to_string(values.size()) +
                           " numbers, expected them to fit");
-    if (mesh_.vertices.size() + count > kMostVertices)
-      fail(source, "found more than " + std::to_string(kMostVertices) + " vertices");
+    if (mesh_.vertices.size() + count > kMaxDaeVertices)
+      fail(source, "found more than " + std::to_string(kMaxDaeVertices) + " vertices");
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto* v = values.data() + offset + i * stride;
@@ -202,7 +202,7 @@ class Reader {
       const auto word = input.attribute("offset");
       const auto offset = parseInt(word.empty() ? "0" : word);
       if (!offset || *offset < 0 || static_cast<std::size_t>(*offset) >= kMostColumns)
-        fail(input, "found offset " + quoted(word) + ", expected 0 to " + std::to_string(kMostColumns - 1));
+        fail(input, "found offset " + inQuotes(word) + ", expected 0 to " + std::to_string(kMostColumns - 1));
       columns = std::max(columns, static_cast<std::size_t>(*offset) + 1);
       if (input.attribute("semantic") != "VERTEX") continue;
       vertices = &target(input, "source", "vertices");

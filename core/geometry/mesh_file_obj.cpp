@@ -10,7 +10,7 @@ std::uint32_t vertexOf(std::string_view word, std::size_t vertices_so_far, const
   const auto index = parseInt(word.substr(0, word.find('/')));
   const auto n = static_cast<std::int64_t>(vertices_so_far);
   if (!index || *index == 0 || n + *index < 0)
-    throw ParseError(pos, "found " + quoted(word) + ", expected a vertex number (from 1, or back from -1)");
+    throw ParseError(pos, "found " + inQuotes(word) + ", expected a vertex number (from 1, or back from -1)");
   return static_cast<std::uint32_t>(*index > 0 ? *index - 1 : n + *index);
 }
 

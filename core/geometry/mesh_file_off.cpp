@@ -7,7 +7,7 @@ namespace {
 
 int count(std::string_view word, const char* what, const SourcePos& pos) {
   const auto n = parseInt(word);
-  if (!n || *n < 0) throw ParseError(pos, "found " + quoted(word) + ", expected the number of " + what);
+  if (!n || *n < 0) throw ParseError(pos, "found " + inQuotes(word) + ", expected the number of " + what);
   return *n;
 }
 
@@ -27,8 +27,9 @@ TriangleMesh readOff(std::string_view content, const std::string& name) {
   // The keyword may be missing; [ST][C][N] before OFF announce columns after x, y, z.
   const bool keyword = word.ends_with("OFF");
   if (keyword && word.find_first_of("4n") != std::string_view::npos)
-    throw ParseError(lines.pos(), "found " + quoted(word) + ", expected vertices with three coordinates");
-  if (!keyword && !parseInt(word)) throw ParseError(lines.pos(), "found " + quoted(word) + ", expected OFF");
+    throw ParseError(lines.pos(), "found " + inQuotes(word) + ", expected vertices with three coordinates");
+  if (!keyword && !parseInt(word))
+    throw ParseError(lines.pos(), "found " + inQuotes(word) + ", expected OFF");
   if (!keyword) rest = line;
   if (rest.find_first_not_of(kBlank) == std::string_view::npos)
     rest = expectLine(lines, "the numbers of vertices and faces");

@@ -42,7 +42,7 @@ Type typeOf(std::string_view word, const SourcePos& pos) {
                                                                    {"double", "float64"}}};
   for (std::size_t i = 0; i < kNames.size(); ++i)
     if (word == kNames[i][0] || word == kNames[i][1]) return static_cast<Type>(i);
-  throw ParseError(pos, "found " + quoted(word) + ", expected a PLY type such as float or uchar");
+  throw ParseError(pos, "found " + inQuotes(word) + ", expected a PLY type such as float or uchar");
 }
 
 std::size_t sizeOf(Type type) {
@@ -72,7 +72,7 @@ Header readHeader(Lines& lines) {
       else if (format == "binary_big_endian")
         header.encoding = Encoding::kBig;
       else
-        throw ParseError(lines.pos(), "found format " + quoted(format) +
+        throw ParseError(lines.pos(), "found format " + inQuotes(format) +
                                           ", expected ascii, binary_little_endian or binary_big_endian");
       format_known = true;
     } else if (word == "element") {
@@ -81,7 +81,7 @@ Header readHeader(Lines& lines) {
       const auto count = parseInt(count_word);
       if (!count || *count < 0)
         throw ParseError(lines.pos(),
-                         "found " + quoted(count_word) + ", expected a number of elements below 2^31");
+                         "found " + inQuotes(count_word) + ", expected a number of elements below 2^31");
       header.elements.push_back({name, *count, {}});
     } else if (word == "property") {
       if (header.elements.empty()) throw ParseError(lines.pos(), "found a property before the first element");

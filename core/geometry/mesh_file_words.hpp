@@ -27,7 +27,7 @@ inline std::string_view nextWord(std::string_view& rest) {
 }
 
 /// At most 40 printable characters of `word`, in quotes, for an error.
-inline std::string quoted(std::string_view word) {
+inline std::string inQuotes(std::string_view word) {
   if (word.empty()) return "nothing";
   std::string text = "\"";
   for (const char c : word.substr(0, 40)) text += c >= ' ' && c < '\x7f' ? c : '?';
@@ -37,7 +37,7 @@ inline std::string quoted(std::string_view word) {
 /// The word as a number. Throws ParseError when it is none or not finite.
 inline double number(std::string_view word, const SourcePos& pos) {
   const auto value = parseDouble(word);
-  if (!value) throw ParseError(pos, "found " + quoted(word) + ", expected a finite number");
+  if (!value) throw ParseError(pos, "found " + inQuotes(word) + ", expected a finite number");
   return *value;
 }
 

@@ -62,7 +62,7 @@ class Parser {
   std::string_view word() {
     const auto begin = at_;
     at_ = std::min(document_.find_first_of(" \t\r\n/>=<\"'", at_), document_.size());
-    if (at_ == begin) fail("found " + quoted(document_.substr(at_, 1)) + ", expected a name");
+    if (at_ == begin) fail("found " + inQuotes(document_.substr(at_, 1)) + ", expected a name");
     return document_.substr(begin, at_ - begin);
   }
 
@@ -70,7 +70,7 @@ class Parser {
 
   void expect(char c) {
     if (at_ >= document_.size() || document_[at_] != c)
-      fail("found " + quoted(document_.substr(at_, 1)) + ", expected '" + c + "'");
+      fail("found " + inQuotes(document_.substr(at_, 1)) + ", expected '" + c + "'");
     ++at_;
   }
 

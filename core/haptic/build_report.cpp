@@ -10,7 +10,7 @@ namespace abstand {
 namespace {
 
 constexpr double kThinVoxels = 2.0;
-constexpr double kSagitta = 0.1;            // of a voxel, for the triangles of a shape
+constexpr double kReportSagitta = 0.1;      // of a voxel, for the triangles of a shape
 constexpr std::size_t kPointsABlock = 256;  // for one call of the parallel loops
 
 /// Way from p along the unit vector n to the first triangle that is left there, or infinity from `reach` on.
@@ -97,7 +97,7 @@ std::optional<BuildReport::Hull> hullOf(const HapticStructure& s, const Triangle
 
 BuildReport reportOn(const HapticStructure& s) {
   BuildReport report;
-  const TriangleMesh mesh = s.surface->mesh(kSagitta * s.options.voxel_size);
+  const TriangleMesh mesh = s.surface->mesh(kReportSagitta * s.options.voxel_size);
   report.thin_walls = thinWalls(s, mesh);
   if (s.surface->shape() != nullptr) {
     // Every shape is convex.

@@ -13,7 +13,7 @@ namespace abstand {
 namespace {
 
 constexpr double kMostVertices = 5e7;
-constexpr double kMostQuanta = 65535.0;
+constexpr double kMaxFarQuanta = 65535.0;
 constexpr float kEpsilon = 0x1p-23f;
 // Relative, for what rounding does to a distance before it is stored.
 constexpr double kStored = 1e-12;
@@ -23,7 +23,7 @@ constexpr float kOverlap = 2.0f;
 // interpolating loses of a squared distance.
 constexpr double kLoss = 0.245;
 // More sites than these, and asking the surface itself is quicker.
-constexpr std::size_t kFewSites = 1000, kSitesPerTriangle = 30;
+constexpr std::size_t kMaxDirectSites = 1000, kSitesPerTriangle = 30;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
     parallelFor(threads, sites.size(), [&](std::size_t level) {
       sites[level] =
           std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
-                                     kFewSites + kSitesPerTriangle * mesh.triangles.size());
+                                     kMaxDirectSites + kSitesPerTriangle * mesh.triangles.size());
     });
   }
   // Neighbouring slices together, as many as a search parts its grid into at least.
@@ -117,7 +117,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   for (int l = 0; l < v.levels; ++l) {
     const float* from = &distance[grid * static_cast<std::size_t>(l)];
     const double largest = *std::max_element(from, from + grid);
-    const double quantum = std::max(largest, 1e-12) / (kMostQuanta - 1.0);
+    const double quantum = std::max(largest, 1e-12) / (kMaxFarQuanta - 1.0);
     for (std::size_t i = 0; i < grid; ++i)
       values_[grid * static_cast<std::size_t>(l) + i] = static_cast<std::uint16_t>(double(from[i]) / quantum);
     v.q2[l] = static_cast<float>(quantum * quantum) * (1.0f - kEpsilon);

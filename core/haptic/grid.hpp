@@ -29,6 +29,9 @@ struct VoxelGrid {
   }
 };
 
+/// Of a cube, in edges.
+inline constexpr double kCubeDiagonal = 1.7320508075688774;
+
 /// Of one grid: some 2,000 an axis. What is kept goes with the surface, but for a few bytes a block of 8^3
 /// voxels.
 inline constexpr double kMostVoxels = 8e9;

@@ -9,11 +9,11 @@
 namespace abstand {
 namespace {
 
-// Of the largest coordinate; far below kRounding.
+// Of the largest coordinate; far below kHullRounding.
 constexpr double kOutside = 1e-12;
-constexpr std::size_t kLanes = 8;
+constexpr std::size_t kHullLanes = 8;
 // Relative to the radius: points and directions in float, three products and two sums, and storing.
-constexpr float kRounding = 8.0f * 0x1p-24f;
+constexpr float kHullRounding = 8.0f * 0x1p-24f;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& cen
     hints_.push_back(surface.closest(corner).hint);
   }
   const auto pad = [](auto& v) {
-    v.resize((v.size() + kLanes - 1) / kLanes * kLanes, v.back());
+    v.resize((v.size() + kHullLanes - 1) / kHullLanes * kHullLanes, v.back());
     v.shrink_to_fit();
   };
   pad(x_), pad(y_), pad(z_), pad(hints_);
@@ -47,7 +47,7 @@ HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& cen
 float HullPoints::reachAboutCentre(const Vector3f& g) const {
   const float farthest =
       searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
-  return farthest + kRounding * g.lpNorm<1>() * radius_;
+  return farthest + kHullRounding * g.lpNorm<1>() * radius_;
 }
 
 double HullPoints::reach(const Vector3d& g) const {
@@ -65,7 +65,7 @@ double HullPoints::farthest(const Vector3d& g, ExtremePoint& extreme) const {
   const std::size_t i =
       searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
   extreme = {centre_ + Vector3f(x_[i], y_[i], z_[i]).cast<double>(), hints_[i]};
-  return g.dot(extreme.point) + 2.0 * static_cast<double>(kRounding * d.lpNorm<1>() * radius_);
+  return g.dot(extreme.point) + 2.0 * static_cast<double>(kHullRounding * d.lpNorm<1>() * radius_);
 }
 
 }  // namespace abstand

@@ -2,11 +2,11 @@
 #include "core/haptic/near_blocks.hpp"
 
 #include "core/base/parallel.hpp"
+#include "core/haptic/grid.hpp"
 
 namespace abstand {
 namespace {
 
-constexpr double kDiagonal = 1.7320508075688774;
 // Blocks along an edge of the cubes that threads take.
 constexpr int kCubeBlocks = 8;
 
@@ -37,13 +37,13 @@ class Classifier {
     if (halve) {
       const double half = 0.5 * edge;
       BlockKind kind = BlockKind::kNear;
-      if (distanceToBox(body_, centre) > outer_ + kDiagonal * half) {
+      if (distanceToBox(body_, centre) > outer_ + kCubeDiagonal * half) {
         kind = BlockKind::kOutside;
       } else {
         const SurfacePoint nearest = surface_.closest(centre, hint);
         hint = nearest.hint;
         // No surface in the cube, so its side is that of its centre.
-        if (nearest.distance > std::max(outer_, inner_) + kDiagonal * half)
+        if (nearest.distance > std::max(outer_, inner_) + kCubeDiagonal * half)
           kind = surface_.inside(centre, nearest) ? BlockKind::kDeep : BlockKind::kOutside;
       }
       if (kind != BlockKind::kNear) {
@@ -70,14 +70,14 @@ class Classifier {
   /// displacement, so one query decides for all but the cubes at the rim of a band; those are divided once.
   BlockKind kindOf(const Vector3d& c, int voxels, std::uint32_t& hint) const {
     const double half = 0.5 * voxels * grid_.voxel;
-    if (distanceToBox(body_, c) > outer_ + kDiagonal * half) return BlockKind::kOutside;
+    if (distanceToBox(body_, c) > outer_ + kCubeDiagonal * half) return BlockKind::kOutside;
     const SurfacePoint nearest = surface_.closest(c, hint);
     hint = nearest.hint;
     const bool inside = surface_.inside(c, nearest);
     const double band = inside ? inner_ : outer_;
     const BlockKind rest = inside ? BlockKind::kDeep : BlockKind::kOutside;
     if (nearest.distance <= band + half) return BlockKind::kNear;
-    if (nearest.distance > band + kDiagonal * half) return rest;
+    if (nearest.distance > band + kCubeDiagonal * half) return rest;
     if (voxels < BlockGrid::kCells) return BlockKind::kNear;
     for (int i = 0; i < 8; ++i) {
       const Vector3d offset = 0.5 * half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);

@@ -14,7 +14,7 @@ constexpr double kPlane = 1e-4, kPlaneOfBody = 1e-6;
 constexpr float kCompared = 1e-5f;
 /// Half-spaces of an edge or a vertex; what is more would help little.
 constexpr std::size_t kMostHalfSpaces = 8;
-constexpr float kFar = std::numeric_limits<float>::max();
+constexpr float kNoDistance = std::numeric_limits<float>::max();
 
 /// An edge of a triangle: the one from corner `side` to the next.
 struct Side {
@@ -208,7 +208,7 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
   const int nx = (block.size.x() + 3) / 4, ny = block.size.y(), nz = block.size.z();
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) best[k][j][i] = {splat(kFar), Four{}};
+      for (int i = 0; i < nx; ++i) best[k][j][i] = {splat(kNoDistance), Four{}};
     }
   }
   const Vector3f p0 = (place(block.first.cast<double>()) - middle_).cast<float>();
@@ -221,7 +221,7 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
   };
   for (const std::uint32_t id : list) {
     const Feature& f = features_[id];
-    const Four slot = splat(std::bit_cast<float>(f.slot)), far = splat(kFar);
+    const Four slot = splat(std::bit_cast<float>(f.slot)), far = splat(kNoDistance);
     const Vector3f from = p0 - Vector3f::Map(balls_[id].v);
     const HalfSpaces& m = half_spaces_[f.first];
     if (f.kind == Kind::kFace) {
@@ -267,7 +267,7 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < block.size.x(); ++i) {
         const Best& b = best[k][j][i / 4];
-        if (b.distance2[i % 4] < kFar) {
+        if (b.distance2[i % 4] < kNoDistance) {
           nearest.distance[k][j][i] = std::sqrt(b.distance2[i % 4]);
           nearest.slot[k][j][i] = std::bit_cast<std::uint32_t>(b.slot[i % 4]);
         } else {

@@ -10,6 +10,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parallel.hpp"
+#include "core/haptic/field_quanta.hpp"
 #include "core/haptic/near_distances.hpp"
 
 namespace abstand {
@@ -17,11 +18,8 @@ namespace {
 
 constexpr int kCells = NearField::kCells;
 constexpr int kVertices = NearField::kVertices;
-constexpr double kEpsilon = 0x1p-23;
+constexpr double kFloatEpsilon = 0x1p-23;
 constexpr double kMostBytes = 2e9;
-constexpr double kDiagonal = 1.7320508075688774;
-constexpr float kMostQuanta = 32766.0f;
-constexpr double kQuantized = 1.01;  // and the rounding of the division
 constexpr float kSlopeRounding = 1.0f + 1e-5f;
 // Blocks that one thread measures after each other.
 constexpr int kTogether = 64;
@@ -200,7 +198,8 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   // those of a mesh were measured in float about its middle.
   const Vector3d end = blockOrigin(all - 1).array() + kCells * step;
   const double rounding =
-      8.0 * kEpsilon * (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
+      8.0 * kFloatEpsilon *
+      (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
   const Bounds body = surface.bounds();
   std::vector<BlockKind> kinds(all, BlockKind::kNear);
   if (std::isfinite(band)) kinds = classifyBlocks(surface, cubes, band, kInnerBand * step, threads);
@@ -223,9 +222,10 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   // A sparse field's distances are known to be below this, so each block is rounded to quanta as soon as it
   // is measured and the floats of all need not be kept: a block near the surface has a cube of half its width
   // whose centre is no farther than the band and that cube's half diagonal. Else the largest decides.
-  const double most = std::max(band, kInnerBand * step) + (0.25 + 1.0) * kDiagonal * kCells * step + rounding;
+  const double most =
+      std::max(band, kInnerBand * step) + (0.25 + 1.0) * kCubeDiagonal * kCells * step + rounding;
   const bool at_once = std::isfinite(band) && !keeps_inside;
-  quantum_ = static_cast<float>(most) / kMostQuanta;
+  quantum_ = static_cast<float>(most) / kMaxQuanta;
   const auto toQuanta = [&](float value) {
     const float quanta = value / quantum_;
     return static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
@@ -297,13 +297,13 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   if (!at_once) {
     float largest = std::numeric_limits<float>::min();
     for (const float value : values) largest = std::max(largest, std::abs(value));
-    quantum_ = largest / kMostQuanta;
+    quantum_ = largest / kMaxQuanta;
     values_.resize(values.size());
     std::transform(values.begin(), values.end(), values_.begin(), toQuanta);
   }
   slope_ = steepest(threads);
 
-  error_bound_ = 0.5 * kDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
+  error_bound_ = 0.5 * kCubeDiagonal * step + 0.5 * double(quantum_) * kQuantized + rounding;
   const double margin = std::min((body.lower - origin).minCoeff(), (end - body.upper).minCoeff());
   band_ = std::max(0.0, std::min(band, margin) - rounding);
   deep_error_ = error_bound_;

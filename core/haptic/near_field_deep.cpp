@@ -4,16 +4,10 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
+#include "core/haptic/field_quanta.hpp"
 #include "core/haptic/near_field.hpp"
 
 namespace abstand {
-namespace {
-
-constexpr double kDiagonal = 1.7320508075688774;
-constexpr float kMostQuanta = 32766.0f;
-constexpr double kQuantized = 1.01;  // half a quantum, and the rounding of the division
-
-}  // namespace
 
 // The corners of deep blocks, row by row, so that each is near the one before it: its nearest triangle is a
 // good hint.
@@ -44,13 +38,14 @@ void NearField::measureDeep(const Surface& surface, const BlockGrid& grid, doubl
   });
   float largest = std::numeric_limits<float>::min();
   for (const float d : distance) largest = std::max(largest, std::abs(d));
-  deep_quantum_ = largest / kMostQuanta;
+  deep_quantum_ = largest / kMaxQuanta;
   deep_.resize(distance.size());
   std::transform(distance.begin(), distance.end(), deep_.begin(), [&](float d) {
     const float quanta = d / deep_quantum_;
     return static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
   });
-  deep_error_ = 0.5 * kDiagonal * kCells * grid.voxel + 0.5 * double(deep_quantum_) * kQuantized + rounding;
+  deep_error_ =
+      0.5 * kCubeDiagonal * kCells * grid.voxel + 0.5 * double(deep_quantum_) * kQuantized + rounding;
 }
 
 NearField::Cell NearField::deepCellOf(float px, float py, float pz) const {

@@ -13,12 +13,12 @@ namespace abstand {
 namespace {
 
 // Part of the coordinates; the balls are placed in double.
-constexpr double kRounding = 1e-12;
+constexpr double kAxisRounding = 1e-12;
 // Spacings; where bodies overlap by a tenth of a millimetre, a point is nearer to it than this.
 constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
-constexpr int kSteps = 10;
-constexpr std::uint32_t kIdle = 16, kMostIdle = 64, kPartsIdle = 4, kMostPartsIdle = 16;
+constexpr int kAxisSteps = 10;
+constexpr std::uint32_t kSettledQueries = 16, kMostIdle = 64, kPartsIdle = 4, kMostPartsIdle = 16;
 // Cosine of the angle between lines that are kept as one.
 constexpr double kSameLine = 0.98;
 
@@ -103,7 +103,7 @@ void PairSet::place(std::span<const Transform> X_WB) {
   for (std::size_t i = 0; i < structures_.size(); ++i) {
     const EnclosingSphere& sphere = structures_[i]->bounding_sphere;
     const Vector3d centre = X_WB[i] * sphere.centre;
-    balls_[i] = {centre, sphere.radius + kRounding * (sphere.radius + centre.lpNorm<1>())};
+    balls_[i] = {centre, sphere.radius + kAxisRounding * (sphere.radius + centre.lpNorm<1>())};
   }
 }
 
@@ -157,7 +157,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
   const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
   const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
   Vector3d v = balls_[pair.a].centre - balls_[pair.b].centre;
-  for (int step = 0; step < kSteps && v.squaredNorm() > 0.0; ++step) {
+  for (int step = 0; step < kAxisSteps && v.squaredNorm() > 0.0; ++step) {
     const Vector3d n = v.normalized();
     const Vector3d w = X_WA * a.support.extreme(X_WA.linear().transpose() * -n).point -
                        X_WB_b * b.support.extreme(X_WB_b.linear().transpose() * n).point;
@@ -172,7 +172,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
     else
       v += t * way;
   }
-  lines.hulls.failed(kIdle, kMostIdle);
+  lines.hulls.failed(kSettledQueries, kMostIdle);
   return false;
 }
 

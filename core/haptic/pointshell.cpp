@@ -15,7 +15,7 @@ namespace abstand {
 namespace {
 
 // Lengths are multiples of the spacing.
-constexpr double kSagitta = 0.01;
+constexpr double kShellSagitta = 0.01;
 /// Of the mesh whose overlaps a shape's points are adjusted to.
 constexpr double kFineSagitta = 0.001;
 /// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
@@ -230,7 +230,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
     throw UsageError("point spacing is " + std::to_string(spacing) + " m, expected a positive length");
   }
   const Shape* shape = surface.shape();
-  const TriangleMesh mesh = surface.mesh(kSagitta * spacing);
+  const TriangleMesh mesh = surface.mesh(kShellSagitta * spacing);
   const PitchField field(mesh, spacing);
   const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
   if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
@@ -296,7 +296,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   for (std::uint32_t& k : nearest) k = kept[k];
   // No point of a shape's surface is farther than the sagitta from its mesh.
   shell.covering_radius =
-      coveringRadius(pool, positions, nearest) + (shape != nullptr ? kSagitta * spacing : 0.0);
+      coveringRadius(pool, positions, nearest) + (shape != nullptr ? kShellSagitta * spacing : 0.0);
   return shell;
 }
 

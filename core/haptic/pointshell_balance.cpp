@@ -82,7 +82,7 @@ std::size_t stride(std::size_t n) {
   return step;
 }
 
-constexpr std::size_t kLanes = 4;
+constexpr std::size_t kBalanceLanes = 4;
 
 /// A point while its place and area are mended: in float, about the middle of the points, with the spacing as
 /// unit.
@@ -111,7 +111,7 @@ struct Pressed {
 Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t> inside, const Vector3f& u,
                 float level, float move2, std::vector<float>& depths) {
   Four fx{}, fy{}, fz{}, g00{}, g01{}, g02{}, g11{}, g12{}, g22{};
-  for (std::size_t k = 0; k < inside.size(); k += kLanes) {
+  for (std::size_t k = 0; k < inside.size(); k += kBalanceLanes) {
     const Active &a = active[inside[k]], &b = active[inside[k + 1]], &c = active[inside[k + 2]],
                  &d = active[inside[k + 3]];
     const Columns now(a.now, b.now, c.now, d.now), still(a.still, b.still, c.still, d.still);
@@ -135,7 +135,7 @@ Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t
 /// Changes areas, and places where move2 is not 0, as far as the pull does.
 void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depths, const Vector3f& u,
           const Vector3f& pull, float move2, std::vector<Active>& active) {
-  for (std::size_t k = 0; k < inside.size(); k += kLanes) {
+  for (std::size_t k = 0; k < inside.size(); k += kBalanceLanes) {
     const Four depth = load(&depths[k]);
     const FourInts in = depth > 0.0f;
     if (bits(in) == 0) continue;
@@ -224,7 +224,7 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
       points_.push_back(place[point]);
       pressed_[point] = true;
     }
-    while (points_.size() % kLanes != 0) points_.push_back(static_cast<std::uint32_t>(points.size()));
+    while (points_.size() % kBalanceLanes != 0) points_.push_back(static_cast<std::uint32_t>(points.size()));
     presses_.back().count = static_cast<std::uint32_t>(points_.size()) - presses_.back().first;
   }
 }

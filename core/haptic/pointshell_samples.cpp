@@ -8,7 +8,7 @@ namespace abstand {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr float kFar = std::numeric_limits<float>::max();
+constexpr float kFarSample = std::numeric_limits<float>::max();
 /// From one round to the next the reach falls by this factor.
 constexpr float kRound = 0.97f;
 /// Below so many cells the first centre is any; above, the first ones come from a sample of each cell.
@@ -143,7 +143,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   std::uint32_t groups = 0;
   for (std::size_t c = 0; c < cells; ++c) {
     const std::uint32_t end = groups + (next[c] + kLanes - 1) / kLanes;
-    cells_[c] = {splat(kFar), splat(-kFar), kFar, kFar, groups, end};
+    cells_[c] = {splat(kFarSample), splat(-kFarSample), kFarSample, kFarSample, groups, end};
     next[c] = groups * kLanes;
     groups = end;
   }
@@ -158,7 +158,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
     cell.least_weight = std::min(cell.least_weight, sample.weight);
     const std::uint32_t at = next[cell_of_[i]]++;
     order_[at] = i;
-    put(at, sample, kFar);
+    put(at, sample, kFarSample);
   }
   for (std::uint32_t c = 0; c < cells; ++c) {
     for (std::uint32_t at = next[c]; at < cells_[c].end * kLanes; ++at) put(at, sample(at - 1), -1.0f);
@@ -244,7 +244,7 @@ void SampleCover::descend(float from, float reach) {
 void SampleCover::spread(double reach) {
   if (cells_.size() <= kFewCells) {
     for (Cell& cell : cells_) {
-      while (cell.farthest == kFar) addSample(farthestOf(cell), kFar, kFar);
+      while (cell.farthest == kFarSample) addSample(farthestOf(cell), kFarSample, kFarSample);
     }
     fill(reach);
     return;

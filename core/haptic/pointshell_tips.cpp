@@ -19,7 +19,7 @@ constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
 /// Spacings between the points by which the nearest crease is found.
 constexpr double kAlongCrease = 0.5;
 
-struct Cell {
+struct TipCell {
   std::array<std::int64_t, 3> key;
   double defect;
   double weight;      ///< of the convex vertices
@@ -51,7 +51,7 @@ std::vector<double> angleDefects(const TriangleMesh& mesh) {
 
 std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
   const std::vector<double> defect = angleDefects(mesh);
-  std::vector<Cell> cells;
+  std::vector<TipCell> cells;
   for (std::size_t v = 0; v < defect.size(); ++v) {
     if (defect[v] == 0.0) continue;
     const Vector3d key = (mesh.vertices[v] / scale).array().floor();
@@ -62,7 +62,7 @@ std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
                      weight,
                      weight * mesh.vertices[v]});
   }
-  const auto by_key = [](const Cell& l, const Cell& r) { return l.key < r.key; };
+  const auto by_key = [](const TipCell& l, const TipCell& r) { return l.key < r.key; };
   std::stable_sort(cells.begin(), cells.end(), by_key);
   std::size_t last = 0;
   for (std::size_t i = 1; i < cells.size(); ++i) {
@@ -77,12 +77,12 @@ std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
   if (!cells.empty()) cells.resize(last + 1);
 
   std::vector<Vector3f> tips;
-  for (const Cell& cell : cells) {
+  for (const TipCell& cell : cells) {
     if (cell.defect < kCellAngle) continue;
     double sum = 0.0;
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
-        Cell probe = cell;
+        TipCell probe = cell;
         probe.key = {cell.key[0] + dx, cell.key[1] + dy, cell.key[2] - 1};
         auto it = std::lower_bound(cells.begin(), cells.end(), probe, by_key);
         for (; it != cells.end() && it->key[0] == probe.key[0] && it->key[1] == probe.key[1] &&

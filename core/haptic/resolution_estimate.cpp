@@ -20,11 +20,11 @@ using Clock = std::chrono::steady_clock;
 // to show; done in a fraction of a second.
 constexpr double kProbeVoxels = 32.0;
 constexpr double kProbePoints = 1200.0;
-constexpr double kPointArea = 2.0 / std::numbers::sqrt3;  // spacings^2 a point, on flat surfaces
+constexpr double kAreaPerPoint = 2.0 / std::numbers::sqrt3;  // spacings^2 a point, on flat surfaces
 // Blocks whose centres are asked; of more, an even sample.
 constexpr std::size_t kAskedBlocks = 4096;
 // A field's float coordinates, as a part of how far they reach; it does not shrink with the voxel.
-constexpr double kRounding = 1e-5;
+constexpr double kFieldRounding = 1e-5;
 constexpr double kMostFieldBytes = 2e9;  // NearField refuses more
 // Growth of the time for voxels with their number along an edge: between surface and volume. Of the time for
 // a near field with its blocks: each of a mesh's holds fewer features. Of that for a far field with its
@@ -144,7 +144,8 @@ double timePoint() {
   const auto begin = Clock::now();
   const Sphere ball{0.1};
   const auto surface = makeSurface(ball);
-  const Pointshell shell = makePointshell(*surface, std::sqrt(surface->area() / (kPointArea * kBallPoints)));
+  const Pointshell shell =
+      makePointshell(*surface, std::sqrt(surface->area() / (kAreaPerPoint * kBallPoints)));
   return milliseconds(Clock::now() - begin) / double(shell.size());
 }
 
@@ -162,7 +163,7 @@ struct ResolutionProbe::Coarse {
   double distance_us{0.0}, contact_us{0.0};
 
   double points(double spacing) const {
-    return area / (kPointArea * spacing * spacing) + edges / spacing + tips;
+    return area / (kAreaPerPoint * spacing * spacing) + edges / spacing + tips;
   }
   /// A part that stays, and one that grows with the points.
   double shellMs(double n) const { return shell_ms + point_ms * (n - double(built->shell.size())); }
@@ -173,7 +174,7 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   HapticOptions o = asked;
   const double area = surface_->area();
   o.voxel_size = std::max(o.voxel_size, surface_->bounds().extent().maxCoeff() / kProbeVoxels);
-  o.point_spacing = std::max(o.point_spacing, std::sqrt(area / (kPointArea * kProbePoints)));
+  o.point_spacing = std::max(o.point_spacing, std::sqrt(area / (kAreaPerPoint * kProbePoints)));
   const auto same = [&](const HapticOptions& l) {
     return l.voxel_size == o.voxel_size && l.point_spacing == o.point_spacing &&
            l.outer_layers == o.outer_layers && l.field == o.field;
@@ -262,7 +263,7 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
   e.memory_bytes = field_bytes + c.far_bytes * more_far + c.shell_bytes * more_points;
   e.error_bound =
       (s.errorBound() - s.shell.covering_radius) / finer +
-      (finer > 1.0 ? kRounding * (box.upper.cwiseMax(-box.lower) + box.extent()).maxCoeff() : 0.0) +
+      (finer > 1.0 ? kFieldRounding * (box.upper.cwiseMax(-box.lower) + box.extent()).maxCoeff() : 0.0) +
       (same_shell ? s.shell.covering_radius : kCovering * options.point_spacing);
   e.build_ms = c.voxels_ms * std::pow(finer, kVoxelTimeGrowth) + field_ms +
                c.far_ms * std::pow(more_far, kFarTimeGrowth) + c.shellMs(e.points);

@@ -9,14 +9,14 @@ namespace abstand {
 namespace {
 
 // Parts of a voxel: below it, cube and shape touch.
-constexpr double kTouch = 1e-9;
+constexpr double kShapeTouch = 1e-9;
 
 // Whether the surface of a convex solid meets the cube about c, `half` the cube's half edge, d the signed
 // distance at c. The signed distance of a convex solid is convex, so over the cube it is greatest at a
 // corner; whether it comes down to 0 is decided by alternating projections between cube and solid, which
 // converge to the shortest way between the two (Cheney, Goldstein 1959).
 bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) {
-  const double touch = kTouch * half;
+  const double touch = kShapeTouch * half;
   if (std::abs(d) <= half) return true;
   bool any_inside = d <= touch, any_outside = d >= -touch;
   for (int i = 0; i < 8; ++i) {
@@ -46,7 +46,7 @@ bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) 
 
 void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side) {
   const double s = grid.voxel_size;
-  const double half_diagonal = 0.5 * std::sqrt(3.0) * s * (1.0 + kTouch);
+  const double half_diagonal = 0.5 * std::sqrt(3.0) * s * (1.0 + kShapeTouch);
   parallelFor(threads, grid.size.z(), [&](std::size_t slice) {
     const int k = static_cast<int>(slice);
     for (int j = 0; j < grid.size.y(); ++j) {

@@ -161,7 +161,6 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
     return {sides.surface_voxels, sides.solid_voxels};
   }
   constexpr int kEdge = 32;
-  constexpr double kDiagonal = 1.7320508075688774;
   const Vector3i cubes = (grid.size.array() + kEdge - 1) / kEdge;
   std::vector<VoxelCounts> of_row(static_cast<std::size_t>(cubes.y()) * static_cast<std::size_t>(cubes.z()));
   parallelFor(threads, of_row.size(), [&](std::size_t row) {
@@ -178,7 +177,7 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
       hint = nearest.hint;
       VoxelCounts counts;
       // One voxel more: a surface beside a cube decides about none of its voxels.
-      if (nearest.distance > 0.5 * kDiagonal * (kEdge + 1) * voxel_size)
+      if (nearest.distance > 0.5 * kCubeDiagonal * (kEdge + 1) * voxel_size)
         counts.solid = surface.inside(middle, nearest) ? cube.cells() : 0;
       else
         findSidesOfPart(surface, cube, side), counts = count(side);

@@ -18,7 +18,6 @@ constexpr int kTile = kTileBlocks * kEdge;
 // it are no more than 7 above that, and so exact; and so are all that do not exceed the halo.
 constexpr int kHalo = 24;
 static_assert(kHalo >= Voxelmap::kExactSteps + kEdge - 1);
-constexpr double kDiagonal = 1.7320508075688774;
 
 struct Tile {
   PackedLayers layers;
@@ -86,7 +85,7 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
     const Vector3d middle = part.first_centre + half;
     const SurfacePoint nearest = surface.closest(middle);
     // A voxel's diagonal more: a surface beside the box decides about none of its voxels.
-    if (nearest.distance > half.norm() + kDiagonal * grid.voxel_size)
+    if (nearest.distance > half.norm() + kCubeDiagonal * grid.voxel_size)
       return allFar(surface.inside(middle, nearest));
 
     std::vector<std::int8_t> side;

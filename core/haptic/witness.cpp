@@ -10,7 +10,7 @@ constexpr int kDepthSteps = 6;        // halvings of the step inside
 constexpr double kLeastStep = 0.2;    // of the first
 constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
 constexpr double kSteep = 0.2;        // likewise, when the field saw none
-constexpr double kEnough = 1e-6;      // m: gains below this are not worth a query
+constexpr double kConverged = 1e-6;   // m: gains below this are not worth a query
 constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
 constexpr double kDepthPart = 0.002;  // of the depth, where the field leads
 
@@ -71,7 +71,7 @@ void approach(Surfaces& surfaces, Witness& w) {
     const double gain = w.distance - d;
     if (gain <= 0.0) return;
     set(w, p, q, d);
-    if (gain < std::max(kEnough, kEnoughPart * d)) return;
+    if (gain < std::max(kConverged, kEnoughPart * d)) return;
   }
 }
 
@@ -87,7 +87,7 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
     if (deeper > depth && inside) {
       const double gain = deeper - depth;
       set(w, p, q, -deeper);
-      if (gain < kEnough) return;
+      if (gain < kConverged) return;
     } else {
       step *= 0.5;
     }
@@ -170,7 +170,7 @@ bool walkWitness(const Surface& points, const Surface& field, const Transform& X
   set(w, p, on_field.point, on_field.distance);
   w.hint_points = on_points.hint;
   w.hint_field = on_field.hint;
-  return gain >= std::max(kEnough, kEnoughPart * w.distance);
+  return gain >= std::max(kConverged, kEnoughPart * w.distance);
 }
 
 void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,

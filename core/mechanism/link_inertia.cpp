@@ -7,7 +7,7 @@ namespace abstand {
 namespace {
 
 // Of the largest entry: what printed digits and a rotation may leave.
-constexpr double kRounding = 1e-6;
+constexpr double kInertiaRounding = 1e-6;
 
 /// Inertia of a point of mass 1 at r, about the origin.
 Matrix3d ofPoint(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - r * r.transpose(); }
@@ -47,10 +47,10 @@ std::string inertiaFault(const LinkInertia& body) {
   const Matrix3d& I = body.inertia_F;
   if (!I.allFinite()) return "found an inertia that is not finite, expected kg m^2";
   const double size = I.cwiseAbs().maxCoeff();
-  if ((I - I.transpose()).cwiseAbs().maxCoeff() > kRounding * size)
+  if ((I - I.transpose()).cwiseAbs().maxCoeff() > kInertiaRounding * size)
     return "found an inertia that is not symmetric, expected a symmetric one";
   const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  if (least < -kRounding * size)
+  if (least < -kInertiaRounding * size)
     return "found a principal moment of inertia of " + words(least) + " kg m^2, expected 0 or more";
   if (body.mass == 0.0 && size > 0.0) return "found an inertia without a mass, expected both or none";
   return {};

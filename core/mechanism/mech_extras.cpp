@@ -11,7 +11,7 @@
 namespace abstand {
 namespace {
 
-constexpr double kLargest = 1e6;
+constexpr double kMaxExtra = 1e6;
 constexpr double kPoseTolerance = 1e-3;  // as for the centres of links
 constexpr std::size_t kPoseNumbers = 12;
 
@@ -110,9 +110,9 @@ MechanismFrame& MechExtras::frameOf(const Item& item, Mechanism& mechanism) cons
 
 double MechExtras::si(const MechNumber& n, double unit) const {
   const double value = n.value * unit;
-  if (std::abs(value) > kLargest)
-    reader_.fail(n, "found " + formatDouble(n.value) + ", expected at most " + formatDouble(kLargest / unit) +
-                        " in size");
+  if (std::abs(value) > kMaxExtra)
+    reader_.fail(n, "found " + formatDouble(n.value) + ", expected at most " +
+                        formatDouble(kMaxExtra / unit) + " in size");
   return value;
 }
 
@@ -124,13 +124,13 @@ void MechExtras::name(const Item& item, Robot& robot) const {
     const auto text = fromMechWord(line.words[i].text);
     if (!text || text->empty() || !isPlainText(*text))
       reader_.fail(line.line, line.words[i].column,
-                   "found " + quoted(line.words[i].text) + ", expected a name with %20 for a blank");
+                   "found " + wordInQuotes(line.words[i].text) + ", expected a name with %20 for a blank");
     if (i == 2)
       for (const auto& other : robot.mechanism.frames)
         if (other.name == *text && &other != &frame)
-          reader_.fail(
-              line.line, line.words[i].column,
-              "found the name " + abstand::quoted(*text) + " that another frame has, expected unique names");
+          reader_.fail(line.line, line.words[i].column,
+                       "found the name " + abstand::wordInQuotes(*text) +
+                           " that another frame has, expected unique names");
     (i == 2 ? frame.name : frame.joint) = *text;
   }
 }
@@ -160,7 +160,7 @@ void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mech
   if (accelerates) l.acceleration = limitOr(item, 6, "the acceleration", unit, kInfinity);
   const auto refuse = [&](std::size_t i, const char* expected) {
     reader_.fail(item.line->line, item.line->words[i].column,
-                 "found " + quoted(item.line->words[i].text) + ", expected " + expected);
+                 "found " + wordInQuotes(item.line->words[i].text) + ", expected " + expected);
   };
   if (l.lower > l.upper) refuse(3, "an upper limit not below the lower one");
   if (l.velocity < 0.0) refuse(4, "a velocity from 0 on");
@@ -205,7 +205,7 @@ void MechExtras::addShape(const Item& item, const MechUnits& units, LinkGeometry
     const MechNumber n = reader_.number(line, 2 + i, "a size");
     const double value = si(n, units.length);
     if (value < kLeastDimension && !(kind == "capsule" && i == 2 && value == 0.0))
-      reader_.fail(n, "found the size " + quoted(line.words[2 + i].text) + ", expected a positive one");
+      reader_.fail(n, "found the size " + wordInQuotes(line.words[2 + i].text) + ", expected a positive one");
     return value;
   };
   if (kind == "sphere") geometry.shape = Sphere{size(1)};
@@ -233,7 +233,7 @@ void MechExtras::geometry(const Item& item, const MechUnits& units, Robot& robot
     const auto file = fromMechWord(line.words[3].text);
     if (!file || file->empty() || !isPlainText(*file))
       reader_.fail(line.line, line.words[3].column,
-                   "found " + quoted(line.words[3].text) + ", expected a file with %20 for a blank");
+                   "found " + wordInQuotes(line.words[3].text) + ", expected a file with %20 for a blank");
     g.mesh = *file;
     for (std::size_t i = 0; i < 3; ++i) {
       const MechNumber n = reader_.number(line, 4 + i, "a scale");

@@ -77,7 +77,7 @@ class MechParser : private MechReader {
       bool& has = is_length ? has_length : has_angle;
       if (has)
         fail(line->line, line->words[0].column,
-             "found a second " + quoted(line->words[0].text) + ", expected one");
+             "found a second " + wordInQuotes(line->words[0].text) + ", expected one");
       has = true;
       expectValues(*line, 1, is_length ? "mm, cm, m or inches" : "degrees or radians");
       const auto word = line->words[1].text;
@@ -110,14 +110,15 @@ class MechParser : private MechReader {
       if (count != 2 && count != 4)
         fail(line->line, count > 4 ? line->words[5].column : line->end_column,
              "found " + std::to_string(count) + (count == 1 ? " value" : " values") + " behind " +
-                 quoted(line->words[0].text) +
+                 wordInQuotes(line->words[0].text) +
                  ", expected 2 or 4: id, frame and, if wanted, offset and scale");
       const MechNumber id = integer(*line, 1, 0, "the id of a degree of freedom");
       if (mimic && id.value >= static_cast<double>(dof_count_))
-        fail(id, "found a mimic of dof " + quoted(line->words[1].text) + ", expected one that stands before");
+        fail(id, "found a mimic of dof " + wordInQuotes(line->words[1].text) +
+                     ", expected one that stands before");
       if (!mimic && id.value != static_cast<double>(dof_count_))
-        fail(id, "found dof " + quoted(line->words[1].text) + ", expected " + std::to_string(dof_count_) +
-                     ": ids count 0, 1, 2, ...");
+        fail(id, "found dof " + wordInQuotes(line->words[1].text) + ", expected " +
+                     std::to_string(dof_count_) + ": ids count 0, 1, 2, ...");
       RawDof dof;
       dof.dof = static_cast<int>(id.value);
       dof.mimic = mimic;
@@ -146,7 +147,7 @@ class MechParser : private MechReader {
         if (id.value != 0.0) {
           const auto at = index_.find(static_cast<int>(id.value));
           if (at == index_.end())
-            fail(id, "found the reference " + quoted(line->words[1].text) +
+            fail(id, "found the reference " + wordInQuotes(line->words[1].text) +
                          ", expected 0 or a frame of a chain that stands before this one");
           parent = at->second;
         }
@@ -168,7 +169,8 @@ class MechParser : private MechReader {
     f.id = integer(line, 1, 1, "the id of a frame");
     const int index = static_cast<int>(frames_.size());
     if (!index_.emplace(static_cast<int>(f.id.value), index).second)
-      fail(f.id, "found the frame id " + quoted(line.words[1].text) + " a second time, expected unique ids");
+      fail(f.id,
+           "found the frame id " + wordInQuotes(line.words[1].text) + " a second time, expected unique ids");
     f.a = number(line, 2, "a");
     f.alpha = number(line, 3, "alpha");
     const bool d_varies = line.words[4].text == "d", theta_varies = line.words[5].text == "theta";
@@ -196,7 +198,7 @@ class MechParser : private MechReader {
       const bool is_id = line->words[0].text == "id";
       if (is_id ? link.id.has_value() : !link.center.empty())
         fail(line->line, line->words[0].column,
-             "found a second " + quoted(line->words[0].text) + ", expected one a link");
+             "found a second " + wordInQuotes(line->words[0].text) + ", expected one a link");
       if (is_id) {
         expectValues(*line, 1, "the id of a frame");
         link.id = integer(*line, 1, 1, "the id of a frame");

@@ -23,7 +23,7 @@ void MechReader::unknown(const MechLine& line, std::size_t i, const std::string&
     hint = "words are written in lowercase: " + near;
   else if (!near.empty())
     hint = "did you mean " + near + "?";
-  fail(line.line, word.column, "found " + quoted(word.text) + ", expected " + expected, hint);
+  fail(line.line, word.column, "found " + wordInQuotes(word.text) + ", expected " + expected, hint);
 }
 
 void MechReader::expectValues(const MechLine& line, std::size_t count, const std::string& what) const {
@@ -32,14 +32,14 @@ void MechReader::expectValues(const MechLine& line, std::size_t count, const std
   const int column = found > count ? line.words[count + 1].column : line.end_column;
   fail(line.line, column,
        "found " + std::to_string(found) + (found == 1 ? " value" : " values") + " behind " +
-           quoted(line.words[0].text) + ", expected " + std::to_string(count) + ": " + what);
+           wordInQuotes(line.words[0].text) + ", expected " + std::to_string(count) + ": " + what);
 }
 
 void MechReader::expectAlone(const MechLine& line) const {
   if (line.words.size() > 1)
     fail(line.line, line.words[1].column,
-         "found " + quoted(line.words[1].text) + ", expected the end of the line behind " +
-             quoted(line.words[0].text));
+         "found " + wordInQuotes(line.words[1].text) + ", expected the end of the line behind " +
+             wordInQuotes(line.words[0].text));
 }
 
 const MechLine* MechReader::command(const MechLine& begin, const std::vector<std::string>& known) {
@@ -68,7 +68,8 @@ MechNumber MechReader::number(const MechLine& line, std::size_t i, const std::st
   const auto& word = line.words[i];
   const auto value = parseDouble(word.text);
   if (!value)
-    fail(line.line, word.column, "found " + quoted(word.text) + ", expected " + what + ": a finite number");
+    fail(line.line, word.column,
+         "found " + wordInQuotes(word.text) + ", expected " + what + ": a finite number");
   return {*value, line.line, word.column};
 }
 
@@ -78,7 +79,7 @@ MechNumber MechReader::integer(const MechLine& line, std::size_t i, int least,
   const auto value = parseInt(word.text);
   if (!value || *value < least)
     fail(line.line, word.column,
-         "found " + quoted(word.text) + ", expected " + what + ": a whole number from " +
+         "found " + wordInQuotes(word.text) + ", expected " + what + ": a whole number from " +
              std::to_string(least) + " on");
   return {static_cast<double>(*value), line.line, word.column};
 }

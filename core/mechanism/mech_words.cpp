@@ -27,7 +27,7 @@ std::vector<MechLine> splitMechWords(std::string_view text) {
   return lines;
 }
 
-std::string quoted(std::string_view word) {
+std::string wordInQuotes(std::string_view word) {
   constexpr std::size_t kMost = 40;
   std::string text = "'";
   for (const char c : word.substr(0, kMost)) text += (c >= 0x20 && c != 0x7f) ? c : '?';

@@ -24,6 +24,6 @@ struct MechLine {
 std::vector<MechLine> splitMechWords(std::string_view text);
 
 /// A word for a message: in quotes, shortened, and nothing in it that is not printable.
-std::string quoted(std::string_view word);
+std::string wordInQuotes(std::string_view word);
 
 }  // namespace abstand

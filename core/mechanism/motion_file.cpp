@@ -90,10 +90,10 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
       const auto cell = cells.peek();
       if (!has_header) {
         if (cell != columnName(i))
-          fail(number, cells.column(), "found " + quoted(cell) + ", expected the header " + header);
+          fail(number, cells.column(), "found " + wordInQuotes(cell) + ", expected the header " + header);
       } else if (const auto value = parseDouble(cell); !value) {
         fail(number, cells.column(),
-             "found " + quoted(cell) + ", expected " + columnName(i) + ": a finite number");
+             "found " + wordInQuotes(cell) + ", expected " + columnName(i) + ": a finite number");
       } else if (i > 0) {
         q.push_back(*value);
       } else {
@@ -107,8 +107,8 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
     }
     if (!cells.atEnd())
       fail(number, cells.column(),
-           "found another column " + quoted(cells.peek()) + ", expected " + std::to_string(dof + 1) + ": " +
-               header);
+           "found another column " + wordInQuotes(cells.peek()) + ", expected " + std::to_string(dof + 1) +
+               ": " + header);
     has_header = true;
   }
   if (t.empty())

@@ -15,7 +15,7 @@
 namespace abstand {
 namespace {
 
-using mesh_file::quoted;
+using mesh_file::inQuotes;
 
 constexpr double kAxisTolerance = 1e-3;  // an axis that is longer or shorter was meant to be a unit vector
 
@@ -59,7 +59,7 @@ class UrdfChecker {
     if (e.name.starts_with("xacro:")) refuse("<" + std::string(e.name.substr(0, 40)) + ">");
     for (const auto& [key, value] : e.attributes)
       if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos)
-        refuse(quoted(value));
+        refuse(inQuotes(value));
     for (const auto& child : e.children) refuseXacro(child);
   }
 
@@ -71,7 +71,7 @@ class UrdfChecker {
   std::string newName(const XmlElement& e, std::unordered_set<std::string>& taken) const {
     std::string name = values_.needText(e, "name");
     if (!taken.insert(name).second)
-      values_.fail(e, "found the " + std::string(e.name) + " name " + quoted(name) +
+      values_.fail(e, "found the " + std::string(e.name) + " name " + inQuotes(name) +
                           " a second time, expected unique names");
     return name;
   }
@@ -170,7 +170,7 @@ class UrdfChecker {
     if (shape.name == "sphere") return positive("radius");
     if (shape.name == "cylinder") return positive("radius") + positive("length");
     if (shape.name != "box")
-      return "found the geometry " + quoted(shape.name) + " in " + what +
+      return "found the geometry " + inQuotes(shape.name) + " in " + what +
              ", expected mesh, box, sphere or cylinder";
     values_.needText(shape, "size");
     const Vector3d size = *values_.vector(shape, "size");
@@ -214,7 +214,7 @@ class UrdfChecker {
     if (std::find(kTypes.begin(), kTypes.end(), joint.type) == kTypes.end()) {
       const std::string near = nearestName(joint.type, {kTypes.begin(), kTypes.end()});
       values_.fail(e,
-                   "found the joint type " + quoted(joint.type) +
+                   "found the joint type " + inQuotes(joint.type) +
                        ", expected revolute, continuous, prismatic, fixed, floating or planar",
                    near.empty() ? "" : "did you mean " + near + "?");
     }

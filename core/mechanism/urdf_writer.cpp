@@ -13,10 +13,11 @@
 namespace abstand {
 namespace {
 
-constexpr double kRounding = 1e-15;
+constexpr double kUrdfRounding = 1e-15;
 
 Vector3d neat(const Vector3d& v) {
-  return {neatNumber(v.x(), kRounding), neatNumber(v.y(), kRounding), neatNumber(v.z(), kRounding)};
+  return {neatNumber(v.x(), kUrdfRounding), neatNumber(v.y(), kUrdfRounding),
+          neatNumber(v.z(), kUrdfRounding)};
 }
 
 std::string originText(const Transform& X) {
@@ -157,8 +158,8 @@ class UrdfWriter {
     if (!ends && !std::isfinite(l.velocity) && !std::isfinite(l.effort)) return;
     text_ += "    <limit";
     if (ends)
-      text_ += " lower=\"" + known(neatNumber(l.lower - offset, kRounding), -kUrdfNoLimit) + "\" upper=\"" +
-               known(neatNumber(l.upper - offset, kRounding), kUrdfNoLimit) + "\"";
+      text_ += " lower=\"" + known(neatNumber(l.lower - offset, kUrdfRounding), -kUrdfNoLimit) +
+               "\" upper=\"" + known(neatNumber(l.upper - offset, kUrdfRounding), kUrdfNoLimit) + "\"";
     text_ += " velocity=\"" + known(l.velocity, kUrdfNoLimit) + "\" effort=\"" +
              known(l.effort, kUrdfNoLimit) + "\"/>\n";
   }

@@ -11,7 +11,7 @@
 namespace abstand {
 namespace {
 
-using mesh_file::quoted;
+using mesh_file::inQuotes;
 
 constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
     {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
@@ -51,7 +51,7 @@ std::optional<std::string> XmlValues::text(const XmlElement& e, std::string_view
         return rest.starts_with(entity.first);
       });
       if (found == kEntities.end())
-        fail(e, "found " + quoted(rest.substr(0, 12)) + " in " + std::string(key) + " of " + tag(e) +
+        fail(e, "found " + inQuotes(rest.substr(0, 12)) + " in " + std::string(key) + " of " + tag(e) +
                     ", expected &lt; &gt; &amp; &quot; or &apos;");
       plain += found->second;
       rest.remove_prefix(found->first.size());
@@ -71,10 +71,10 @@ std::string XmlValues::needText(const XmlElement& e, std::string_view key) const
 double XmlValues::parse(const XmlElement& e, std::string_view key, std::string_view word) const {
   const auto value = parseDouble(word);
   if (!value)
-    fail(e, "found " + quoted(word) + " for " + std::string(key) + " of " + tag(e) +
+    fail(e, "found " + inQuotes(word) + " for " + std::string(key) + " of " + tag(e) +
                 ", expected a finite number");
   if (std::abs(*value) > kLargest)
-    fail(e, "found " + quoted(word) + " for " + std::string(key) + " of " + tag(e) + ", expected at most " +
+    fail(e, "found " + inQuotes(word) + " for " + std::string(key) + " of " + tag(e) + ", expected at most " +
                 formatDouble(kLargest) + " in size");
   return *value;
 }

@@ -8,7 +8,7 @@
 namespace abstand {
 namespace {
 
-constexpr double kUp = 1.0 + 1e-12;  // for rounding
+constexpr double kSpeedUp = 1.0 + 1e-12;  // for rounding
 
 }  // namespace
 
@@ -49,7 +49,7 @@ double LinkMotion::speed(double t0, double t1) const noexcept {
     }
     i = f.parent;
   }
-  return speed * kUp;
+  return speed * kSpeedUp;
 }
 
 }  // namespace abstand

@@ -6,7 +6,7 @@
 namespace abstand {
 namespace {
 
-using Bodies = std::vector<const LinkGeometry*>;
+using LinkBodies = std::vector<const LinkGeometry*>;
 
 constexpr std::size_t kMaxNames = 16;  // in one line
 
@@ -34,7 +34,7 @@ class LinkChooser {
 
   RobotLinks run() {
     const int frames = static_cast<int>(robot_.mechanism.frames.size());
-    std::vector<Bodies> collisions(static_cast<std::size_t>(frames) + 1), visuals = collisions;
+    std::vector<LinkBodies> collisions(static_cast<std::size_t>(frames) + 1), visuals = collisions;
     for (const auto& g : robot_.geometry)
       (g.use == GeometryUse::kCollision ? collisions : visuals)[static_cast<std::size_t>(g.frame + 1)]
           .push_back(&g);
@@ -51,7 +51,7 @@ class LinkChooser {
   }
 
  private:
-  void choose(int frame, const Bodies& collisions, const Bodies& visuals) {
+  void choose(int frame, const LinkBodies& collisions, const LinkBodies& visuals) {
     if (std::find(bodiless_.begin(), bodiless_.end(), frameName(robot_, frame)) != bodiless_.end()) return;
     const bool take_visuals = collisions.empty() || (wanted_ == GeometryUse::kVisual && !visuals.empty());
     if (take_visuals) {
@@ -66,7 +66,7 @@ class LinkChooser {
     place(frame, collisions);
   }
 
-  void place(int frame, const Bodies& bodies) {
+  void place(int frame, const LinkBodies& bodies) {
     int count = 0;
     for (const LinkGeometry* g : bodies) {
       LinkDescription link;

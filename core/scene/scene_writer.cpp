@@ -9,7 +9,7 @@
 namespace abstand {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string inDoubleQuotes(const std::string& text) {
   std::string s = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') s += '\\';
@@ -30,7 +30,7 @@ std::string scalar(const std::string& text) {
   bool plain = !text.empty() && letter(text.front());
   for (const char c : text)
     plain = plain && (letter(c) || (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-');
-  return plain && text != "null" && text != "Null" && text != "NULL" ? text : quoted(text);
+  return plain && text != "null" && text != "Null" && text != "NULL" ? text : inDoubleQuotes(text);
 }
 
 std::string vector(const Vector3d& v) {

@@ -21,26 +21,22 @@ constexpr double kDeepest = 2.0;  // voxels, of pressed poses
 constexpr std::size_t kPart = 10;
 
 // Bodies. The wall is so wide that whatever is pressed into its upper face (z = 0) feels a half-space.
-constexpr double kBall = 0.05, kSmallBall = 0.03, kRod = 0.03, kRodLength = 0.15, kDrum = 0.04,
+constexpr double kBallRadius = 0.05, kSmallBall = 0.03, kRod = 0.03, kRodLength = 0.15, kDrum = 0.04,
                  kDrumLength = 0.1;
-const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kWall{1.6, 1.6, 0.2};
+const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kSlabSize{1.6, 1.6, 0.2};
 const Transform kWallPose = fromXyzRpy({0, 0, -0.1}, Vector3d::Zero());
 
 enum Body { kBallBody, kSmallBallBody, kRodBody, kDrumBody, kBoxBody, kEggBody, kWallBody, kBodies };
-const std::array<Shape, kBodies> kShapes{Sphere{kBall},
-                                         Sphere{kSmallBall},
-                                         Capsule{kRod, kRodLength},
-                                         Cylinder{kDrum, kDrumLength},
-                                         Cuboid{kBox},
-                                         Ellipsoid{kEgg},
-                                         Cuboid{kWall}};
+const std::array<Shape, kBodies> kShapes{
+    Sphere{kBallRadius}, Sphere{kSmallBall}, Capsule{kRod, kRodLength}, Cylinder{kDrum, kDrumLength},
+    Cuboid{kBox},        Ellipsoid{kEgg},    Cuboid{kSlabSize}};
 
 /// How far a body reaches below its centre, turned by R.
 double reachDown(Body body, const Matrix3d& R) {
   const Vector3d down = -R.transpose() * Vector3d::UnitZ();
   switch (body) {
     case kBallBody:
-      return kBall;
+      return kBallRadius;
     case kSmallBallBody:
       return kSmallBall;
     case kRodBody:
@@ -59,7 +55,7 @@ double outsideDistance(Body body, const Vector3d& p) {
   const double from_axis = std::hypot(p.x(), p.y());
   switch (body) {
     case kBallBody:
-      return p.norm() - kBall;
+      return p.norm() - kBallRadius;
     case kRodBody: {
       const double beyond = std::max(0.0, std::abs(p.z()) - 0.5 * kRodLength);
       return std::hypot(from_axis, beyond) - kRod;

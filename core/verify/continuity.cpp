@@ -11,9 +11,9 @@
 namespace abstand::verify {
 namespace {
 
-constexpr double kVoxel = 0.005;  // m, and point spacing
+constexpr double kPressVoxel = 0.005;  // m, and point spacing
 constexpr double kPartOfVoxel = 0.1;
-constexpr double kStiffness = 1e6;  // N/m^3
+constexpr double kPressStiffness = 1e6;  // N/m^3
 const double kSteepest = std::sqrt(3.0);
 
 /// A moves in a straight line against B, which rests at the origin.
@@ -53,10 +53,10 @@ struct Jumps {
 
 Jumps follow(const Path& path, FieldKind field, const VerifyOptions& options) {
   const HapticOptions build{
-      .voxel_size = kVoxel, .point_spacing = kVoxel, .outer_layers = kOuterLayers, .field = field};
+      .voxel_size = kPressVoxel, .point_spacing = kPressVoxel, .outer_layers = kOuterLayers, .field = field};
   const auto a = buildHapticStructure("a", path.a, build, options.threads);
   const auto b = buildHapticStructure("b", path.b, build, options.threads);
-  const double step = kPartOfVoxel * kVoxel;
+  const double step = kPartOfVoxel * kPressVoxel;
   const auto steps = static_cast<std::size_t>(path.way.norm() / step);
   std::vector<Vector3d> forces(steps + 1);
   std::vector<double> areas(steps + 1, 0.0);
@@ -65,11 +65,11 @@ Jumps follow(const Path& path, FieldKind field, const VerifyOptions& options) {
   parallelFor(options.threads, steps + 1, [&](std::size_t i) {
     Transform X_WA = path.start;
     X_WA.translation() += path.way.normalized() * (step * static_cast<double>(i));
-    forces[i] = query(*a, X_WA, *b, Transform::Identity(), {.stiffness = kStiffness}).force_a;
+    forces[i] = query(*a, X_WA, *b, Transform::Identity(), {.stiffness = kPressStiffness}).force_a;
     // The area of all points that are, or come in one step, below the surface, as far as the field errs.
     const Transform X_FP = from_a ? X_WA : Transform(X_WA.inverse());
     for (std::size_t k = 0; k < P.shell.size(); ++k)
-      if (F.surface->signedDistance(X_FP * P.shell.point(k)) < 0.5 * kSteepest * kVoxel + step)
+      if (F.surface->signedDistance(X_FP * P.shell.point(k)) < 0.5 * kSteepest * kPressVoxel + step)
         areas[i] += static_cast<double>(P.shell.area[k]);
   });
   Jumps jumps;
@@ -79,7 +79,7 @@ Jumps follow(const Path& path, FieldKind field, const VerifyOptions& options) {
     jumps.peak = std::max(jumps.peak, forces[i].norm());
     if (i > 0) jumps.largest = std::max(jumps.largest, (forces[i] - forces[i - 1]).norm());
   }
-  jumps.possible = kStiffness * kSteepest * step * *std::ranges::max_element(areas);
+  jumps.possible = kPressStiffness * kSteepest * step * *std::ranges::max_element(areas);
   return jumps;
 }
 

@@ -12,8 +12,8 @@
 namespace abstand::verify {
 namespace {
 
-constexpr double kVoxel = 0.002;    // m, and point spacing
-constexpr double kStiffness = 1e6;  // N/m^3
+constexpr double kBenchmarkVoxel = 0.002;    // m, and point spacing
+constexpr double kBenchmarkStiffness = 1e6;  // N/m^3
 
 struct Method {
   const char* name;
@@ -40,15 +40,17 @@ struct Signal {
 };
 
 Signal measure(const HapticScene& scene, const Method& method, int threads) {
-  const HapticOptions options{
-      .voxel_size = kVoxel, .point_spacing = kVoxel, .outer_layers = kOuterLayers, .field = method.field};
+  const HapticOptions options{.voxel_size = kBenchmarkVoxel,
+                              .point_spacing = kBenchmarkVoxel,
+                              .outer_layers = kOuterLayers,
+                              .field = method.field};
   const auto a = buildHapticStructure("a", scene.a, options, threads);
   const auto b = buildHapticStructure("b", scene.b, options, threads);
   const std::size_t n = scene.path.size();
   Signal signal{std::vector<Vector3d>(n), std::vector<Vector3d>(n), std::vector<Vector3d>(n)};
   parallelFor(threads, n, [&](std::size_t i) {
     const PairResult r = query(*a, scene.path[i].X_WA, *b, Transform::Identity(),
-                               {.stiffness = kStiffness, .law = method.law});
+                               {.stiffness = kBenchmarkStiffness, .law = method.law});
     signal.force[i] = r.force_a;
     signal.torque_a[i] = r.torque_a;
     signal.torque_b[i] = r.torque_b;
@@ -60,7 +62,7 @@ Signal measure(const HapticScene& scene, const Method& method, int threads) {
 double gainOf(const HapticScene& scene, const Signal& signal) {
   double along = 0.0, size = 0.0;
   for (std::size_t i = 0; i < scene.path.size(); ++i) {
-    along += signal.force[i].dot(kStiffness * scene.path[i].force_a);
+    along += signal.force[i].dot(kBenchmarkStiffness * scene.path[i].force_a);
     size += signal.force[i].squaredNorm();
   }
   return along / size;
@@ -73,15 +75,15 @@ Quality qualityOf(const HapticScene& scene, const Signal& signal) {
   std::vector<double> angles, sizes, noise, torques;
   double mean = 0.0;
   for (std::size_t i = 0; i < n; ++i)
-    mean += kStiffness * scene.path[i].force_a.norm() / static_cast<double>(n);
+    mean += kBenchmarkStiffness * scene.path[i].force_a.norm() / static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3d truth = kStiffness * scene.path[i].force_a, &force = signal.force[i];
+    const Vector3d truth = kBenchmarkStiffness * scene.path[i].force_a, &force = signal.force[i];
     errors[i] = force - truth;
     angles.push_back(std::atan2(force.cross(truth).norm(), force.dot(truth)) * 180.0 / kPi);
     sizes.push_back(100.0 * (force.norm() / truth.norm() - 1.0));
-    torques.push_back(100.0 * (signal.torque_a[i] - kStiffness * scene.path[i].torque_a).norm() /
+    torques.push_back(100.0 * (signal.torque_a[i] - kBenchmarkStiffness * scene.path[i].torque_a).norm() /
                       (mean * length));
-    torques.push_back(100.0 * (signal.torque_b[i] - kStiffness * scene.path[i].torque_b).norm() /
+    torques.push_back(100.0 * (signal.torque_b[i] - kBenchmarkStiffness * scene.path[i].torque_b).norm() /
                       (mean * length));
     if (i >= 2 && !(i >= scene.second_part && i < scene.second_part + 2))
       noise.push_back(100.0 * (errors[i] - 2.0 * errors[i - 1] + errors[i - 2]).norm() / mean);
@@ -123,7 +125,7 @@ CheckResult checkScene(const HapticScene& scene, const VerifyOptions& options) {
     Series series{method.name, {}, {}};
     for (std::size_t i = 0; i < scene.path.size(); ++i) {
       series.x.push_back(static_cast<double>(i));
-      series.y.push_back(signal.force[i].norm() / (kStiffness * scene.path[i].force_a.norm()));
+      series.y.push_back(signal.force[i].norm() / (kBenchmarkStiffness * scene.path[i].force_a.norm()));
     }
     plot.series.push_back(std::move(series));
   }

@@ -16,21 +16,21 @@
 namespace abstand::verify {
 namespace {
 
-constexpr std::size_t kSteps = 40;         // of one path
+constexpr std::size_t kMotionSteps = 40;   // of one path
 constexpr std::size_t kPosesAStep = 5;     // of the poses at rest, for one step here
 constexpr std::uint64_t kOtherPoses = 77;  // not those of the bodies at rest
 // m a step, of the point that moves most, about.
 constexpr std::array kStepSizes{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
-struct Path {
+struct BodyPath {
   bool done{false};
   std::size_t size{0};  ///< index in kStepSizes
-  std::array<BoundAnswer, kSteps> answers;
-  std::array<bool, kSteps> overlapping{};
+  std::array<BoundAnswer, kMotionSteps> answers;
+  std::array<bool, kMotionSteps> overlapping{};
 };
 
 /// Bodies go on in about the same direction, as limbs and links do, and turn about a point of their own.
-Path walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t index) {
+BodyPath walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t index) {
   NastyPose pose = nastyPose(bodies, seed + kOtherPoses, index);
   // Kilometres apart nothing is remembered that a step would change.
   for (std::uint64_t other = 1; pose.family == PoseFamily::kFar; ++other)
@@ -39,7 +39,7 @@ Path walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t 
   const std::size_t field = index % kFields.size();
   const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
   Random random(seed + kOtherPoses, index);
-  Path path;
+  BodyPath path;
   path.size = random.below(kStepSizes.size());
   const double step = kStepSizes[path.size];
   const Vector3d way = random.direction() * (random.chance(0.3) ? 0.0 : step);
@@ -52,7 +52,7 @@ Path walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t 
   PairMemory memory;
   PairScratch scratch;
   PairResult result;
-  for (std::size_t i = 0; i < kSteps; ++i) {
+  for (std::size_t i = 0; i < kMotionSteps; ++i) {
     queryPair(A, pose.X_WA, B, pose.X_WB, {}, memory, scratch, result);
     const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
     path.answers[i] = judge(result);
@@ -64,16 +64,16 @@ Path walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t 
   return path;
 }
 
-Table tableOf(const std::vector<Path>& paths) {
+Table tableOf(const std::vector<BodyPath>& paths) {
   Table table;
   table.header = {"metres a step",      "poses",     "overlapping",   "breaches",
                   "error p50 [voxels]", "error p99", "largest error", "largest part of the bound used"};
   for (std::size_t s = 0; s < kStepSizes.size(); ++s) {
     std::size_t overlapping = 0, breaches = 0;
     std::vector<double> errors, used;
-    for (const Path& path : paths) {
+    for (const BodyPath& path : paths) {
       if (path.size != s) continue;
-      for (std::size_t i = 0; i < kSteps; ++i) {
+      for (std::size_t i = 0; i < kMotionSteps; ++i) {
         const BoundAnswer& answer = path.answers[i];
         overlapping += path.overlapping[i];
         breaches += answer.breach;
@@ -93,7 +93,7 @@ Table tableOf(const std::vector<Path>& paths) {
 
 std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
   const std::vector<NastyBody> bodies = nastyBodies(options.threads);
-  std::vector<Path> paths(std::max<std::size_t>(1, options.poses / (kPosesAStep * kSteps)));
+  std::vector<BodyPath> paths(std::max<std::size_t>(1, options.poses / (kPosesAStep * kMotionSteps)));
   std::atomic<std::size_t> done{0};
   const auto caller = std::this_thread::get_id();
   parallelFor(options.threads, paths.size(), [&](std::size_t i) {
@@ -103,7 +103,7 @@ std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
     if (options.progress && std::this_thread::get_id() == caller) options.progress(done, paths.size());
   });
   const auto all = paths.size();
-  std::erase_if(paths, [](const Path& path) { return !path.done; });
+  std::erase_if(paths, [](const BodyPath& path) { return !path.done; });
 
   CheckResult result;
   result.name = "bound.moving";
@@ -114,7 +114,7 @@ std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
   result.reason = "What is remembered may make an answer quicker, and never weaken its bound.";
   std::vector<double> used;
   std::size_t breaches = 0;
-  for (const Path& path : paths)
+  for (const BodyPath& path : paths)
     for (const BoundAnswer& answer : path.answers) {
       used.push_back(answer.used);
       breaches += answer.breach;

@@ -11,7 +11,7 @@ namespace abstand::verify {
 namespace {
 
 // Few layers suffice: beyond them the far field answers, and that shall be tested too.
-constexpr int kOuterLayers = 6;
+constexpr int kFewOuterLayers = 6;
 
 Vector3d normalOf(const TriangleMesh& mesh, std::size_t t) {
   return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized();
@@ -88,7 +88,7 @@ std::vector<NastyBody> nastyBodies(int threads) {
     NastyBody body;
     body.name = name;
     body.mesh = std::move(mesh);
-    body.options = {.voxel_size = voxel, .point_spacing = point, .outer_layers = kOuterLayers};
+    body.options = {.voxel_size = voxel, .point_spacing = point, .outer_layers = kFewOuterLayers};
     bodies.push_back(std::move(body));
   };
   add("cube", boxMesh({0.1, 0.1, 0.1}), 0.005, 0.005);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array kThreads{1, 2, 3, 7, 16};
 constexpr int kFrames = 20;
-constexpr double kMargin = 0.02;  // m
-constexpr double kReach = 0.2;    // m
+constexpr double kMargin = 0.02;    // m
+constexpr double kPoseRange = 0.2;  // m
 
 Scene makeScene(const std::vector<NastyBody>& bodies) {
   Scene scene;
@@ -62,7 +62,7 @@ std::vector<CheckResult> checkSameBits(const VerifyOptions& options) {
       for (std::uint32_t i = 0; i < scene.objectCount(); ++i) {
         Transform X = Transform::Identity();
         X.linear() = random.rotation();
-        X.translation() = random.inCube(kReach);
+        X.translation() = random.inCube(kPoseRange);
         scene.setPose(ObjectId{i}, X, frame * 0.001);
       }
       scene.step();

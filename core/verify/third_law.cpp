@@ -9,10 +9,10 @@ namespace abstand::verify {
 namespace {
 
 constexpr double kLimit = 1e-12;      // of the moments: rounding in double
-constexpr double kReach = 10.0;       // m, of the points about which moments are taken
+constexpr double kPoseReach = 10.0;   // m, of the points about which moments are taken
 constexpr double kMostMargin = 0.05;  // m
 // Of options.poses: the brute force has the most.
-constexpr std::size_t kPart = 5;
+constexpr std::size_t kHullPart = 5;
 
 /// Both results are NaN for a pose without contact.
 struct Sums {
@@ -29,7 +29,7 @@ Sums sums(const NastyBody& a, const NastyBody& b, const NastyPose& pose, Random&
                             .law = random.chance(0.5) ? ForceLaw::kVolume : ForceLaw::kThesis};
   const PairResult r = query(A, pose.X_WA, B, pose.X_WB, options);
   if (r.contacts == 0) return s;
-  const Vector3d q = random.inCube(kReach);
+  const Vector3d q = random.inCube(kPoseReach);
   const Vector3d arm_a = pose.X_WA * A.com - q, arm_b = pose.X_WB * B.com - q;
   const Vector3d on_a = r.torque_a + arm_a.cross(r.force_a), on_b = r.torque_b - arm_b.cross(r.force_a);
   const double size =
@@ -49,7 +49,7 @@ Sums sums(const NastyBody& a, const NastyBody& b, const NastyPose& pose, Random&
 
 std::vector<CheckResult> checkThirdLaw(const VerifyOptions& options) {
   const std::vector<NastyBody> bodies = nastyBodies(options.threads);
-  const std::size_t poses = std::max<std::size_t>(options.poses / kPart, 1);
+  const std::size_t poses = std::max<std::size_t>(options.poses / kHullPart, 1);
   std::vector<Sums> all(poses);
   parallelFor(options.threads, poses, [&](std::size_t i) {
     if (options.stop()) return;

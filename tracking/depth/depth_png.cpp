@@ -15,7 +15,7 @@ namespace abstand {
 namespace {
 
 constexpr double kMost = 65535.0;
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMaxDepthPngBytes = std::uintmax_t{256} << 20;
 /// Before the decoder reserves memory for what a stranger says.
 void checkHeader(const std::string& bytes, const std::string& file) {
   const PngHeader header = readPngHeader(bytes, file, "a depth image (grey, 16 bits)");
@@ -44,7 +44,7 @@ void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::
 }
 
 DepthImage loadDepthPng(const std::filesystem::path& file, double scale) {
-  const std::string bytes = readFile(file, kMostBytes);
+  const std::string bytes = readFile(file, kMaxDepthPngBytes);
   checkHeader(bytes, file.string());
   return decodeGrey16(bytes, scale, file.string(), "PNG");
 }

@@ -13,18 +13,18 @@ namespace abstand {
 namespace {
 
 constexpr int kNoDisparity = 2047;
-constexpr int kMostMillimetres = 10000;  // FREENECT_DEPTH_MM_MAX_VALUE
-constexpr double kFarthest = 10.0;       // m
+constexpr int kMaxFreenectMillimetres = 10000;  // FREENECT_DEPTH_MM_MAX_VALUE
+constexpr double kMaxFreenectDepth = 10.0;      // m
 // 1 / m, and 1 / m a step: the line of freenectDepth().
 constexpr double kLineAtZero = 3.3309495161, kLineStep = 0.0030711016;
 
-struct Header {
+struct FreenectHeader {
   int width{0}, height{0};
   std::size_t data{0};  ///< where the pixels begin
 };
 
 /// `P5 WIDTH HEIGHT MAXIMUM` and one blank; lines of remarks begin with #.
-Header parseHeader(std::string_view bytes, const std::string& file) {
+FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& file) {
   std::size_t at = 0;
   const auto fail = [&](const std::string& message) -> void {
     throw ParseError({file}, "at byte " + std::to_string(at) + ": " + message);
@@ -52,7 +52,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
       fail("found " + inQuotes(text) + ", expected " + what + " from 1 to " + std::to_string(most));
     return n.value_or(0);
   };
-  Header header;
+  FreenectHeader header;
   header.width = number("a width", DepthCamera::kMostPixels);
   header.height = number("a height", DepthCamera::kMostPixels);
   const int maximum = number("a largest value", 65535);
@@ -73,7 +73,7 @@ int pixel(std::string_view pixels, std::size_t i, bool is_low_first) {
 }
 
 FreenectUnits unitsOf(std::string_view pixels, std::size_t count, const std::string& file) {
-  for (const int limit : {kNoDisparity, kMostMillimetres}) {
+  for (const int limit : {kNoDisparity, kMaxFreenectMillimetres}) {
     for (const bool is_low_first : {true, false}) {
       int largest = 0;
       std::size_t none = 0, zero = 0;
@@ -102,7 +102,7 @@ FreenectUnits unitsOf(std::string_view pixels, std::size_t count, const std::str
 float freenectDepth(int raw) {
   if (raw < 0 || raw >= kNoDisparity) return 0.0f;
   const double inverse = kLineAtZero - kLineStep * raw;
-  return inverse > 1.0 / kFarthest ? static_cast<float>(1.0 / inverse) : 0.0f;
+  return inverse > 1.0 / kMaxFreenectDepth ? static_cast<float>(1.0 / inverse) : 0.0f;
 }
 
 int freenectRaw(float z) {
@@ -126,7 +126,7 @@ std::string freenectDump(const DepthImage& image) {
 
 FreenectImage parseFreenectDepth(std::string_view bytes, const std::string& file,
                                  const std::optional<FreenectUnits>& units) {
-  const Header header = parseHeader(bytes, file);
+  const FreenectHeader header = parseFreenectHeader(bytes, file);
   FreenectImage read{DepthImage(header.width, header.height), {}};
   const std::string_view pixels = bytes.substr(header.data);
   read.units = units ? *units : unitsOf(pixels, read.image.z.size(), file);

@@ -11,12 +11,12 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMaxGreyPngBytes = std::uintmax_t{256} << 20;
 
 }  // namespace
 
 GreyImage loadGreyPng(const std::filesystem::path& file) {
-  const std::string bytes = readFile(file, kMostBytes);
+  const std::string bytes = readFile(file, kMaxGreyPngBytes);
   readPngHeader(bytes, file.string(), "an image of grey or colour");
   cv::Mat grey;
   try {

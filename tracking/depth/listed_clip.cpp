@@ -12,7 +12,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostListBytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t kMaxClipListBytes = std::uintmax_t{64} << 20;
 
 struct Listed {
   double t{0.0};
@@ -52,7 +52,7 @@ std::size_t depthColumn(const std::vector<Word>& words, const std::filesystem::p
 }
 
 std::vector<Listed> readList(const std::filesystem::path& file, std::size_t& repeated) {
-  const std::string text = readFile(file, kMostListBytes);
+  const std::string text = readFile(file, kMaxClipListBytes);
   Lines lines(text);
   std::vector<Listed> listed;
   std::string_view line;

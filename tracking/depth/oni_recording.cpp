@@ -14,9 +14,9 @@ namespace abstand {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x0052494e;  // "NIR" and a zero
-constexpr std::uint32_t kMostFields = 1u << 20, kMostData = 64u << 20;
+constexpr std::uint32_t kMaxOniFields = 1u << 20, kMostData = 64u << 20;
 constexpr std::uint32_t kDepthStream = 2;
-constexpr std::uint64_t kMillimetres = 100, kTenthsOfThem = 101;  // ONI_PIXEL_FORMAT_DEPTH_...
+constexpr std::uint64_t kOniMillimetres = 100, kTenthsOfThem = 101;  // ONI_PIXEL_FORMAT_DEPTH_...
 
 enum Type : std::uint32_t {
   kAdded4 = 0x02,
@@ -88,7 +88,7 @@ class Reader {
     };
     if (word(0) != kMagic) fail("found no record, expected NIR");
     const std::uint32_t type = word(1), stream = word(2), fields = word(3), data = word(4);
-    if (fields < header_ || fields - header_ > kMostFields || data > kMostData)
+    if (fields < header_ || fields - header_ > kMaxOniFields || data > kMostData)
       fail("found a record of " + std::to_string(fields) + " and " + std::to_string(data) +
            " bytes, expected smaller ones");
     if (!take(fields - header_)) return false;
@@ -167,10 +167,10 @@ class Reader {
       if (lowFirst(value.substr(0, 4)) != 0) fail("found images that are cropped, expected whole ones");
     } else if (name == "oniPixelFormat" && size == 8) {
       const std::uint64_t unit = lowFirst(value);
-      if (unit != kMillimetres && unit != kTenthsOfThem)
+      if (unit != kOniMillimetres && unit != kTenthsOfThem)
         fail("found depth in pixels of kind " + std::to_string(unit) +
              ", expected millimetres (100) or tenths of them (101)");
-      depth_.metres = unit == kMillimetres ? 1e-3 : 1e-4;
+      depth_.metres = unit == kOniMillimetres ? 1e-3 : 1e-4;
     }
   }
 

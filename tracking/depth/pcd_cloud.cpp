@@ -16,9 +16,9 @@
 namespace abstand {
 namespace {
 
-constexpr std::size_t kMostFields = 64;
+constexpr std::size_t kMaxPcdFields = 64;
 constexpr std::size_t kMostPointBytes = 1024;
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxPcdBytes = std::size_t{1} << 30;
 
 struct Field {
   std::string name;
@@ -65,7 +65,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
     if (w.empty()) continue;
     const std::size_t values = w.size() - 1;
     if (w[0] == "FIELDS" || w[0] == "COLUMNS") {
-      if (values == 0 || values > kMostFields || !header.fields.empty())
+      if (values == 0 || values > kMaxPcdFields || !header.fields.empty())
         fail("found " + std::to_string(values) + " fields, expected 1 to 64, once");
       for (std::size_t i = 0; i < values; ++i) header.fields.push_back({std::string(w[i + 1])});
     } else if (w[0] == "SIZE" || w[0] == "TYPE" || w[0] == "COUNT") {
@@ -195,7 +195,7 @@ PcdCloud parsePcd(std::string_view bytes, const std::string& file) {
       fail("found " + std::to_string(cloud.points.size()) + " points, expected " + std::to_string(count));
     return cloud;
   }
-  if (stride * count > kMostBytes)
+  if (stride * count > kMaxPcdBytes)
     fail("found " + std::to_string(stride * count) + " bytes of points, expected at most 1073741824");
   const bool is_packed = header.kind == "binary_compressed";
   if (is_packed) {

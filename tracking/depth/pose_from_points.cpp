@@ -12,8 +12,8 @@
 namespace abstand {
 namespace {
 
-constexpr char kHeader[] = "cx,cy,cz,wx,wy,wz";
-constexpr double kFarthest = 1e3;  // m
+constexpr char kPointsHeader[] = "cx,cy,cz,wx,wy,wz";
+constexpr double kMaxPointDistance = 1e3;  // m
 // Share of the longest extent that points have to leave a line by.
 constexpr double kOffLine = 0.02;
 
@@ -25,15 +25,15 @@ MatchedPoint pointOf(std::string_view line, const std::string& file, int number)
   for (std::size_t k = 0; k < v.size(); ++k) {
     if (!cells.next(cell))  // it would begin behind one more comma
       throw ParseError({file, number, static_cast<int>(line.size()) + 2},
-                       "found " + std::to_string(k) + " numbers, expected 6: " + kHeader);
+                       "found " + std::to_string(k) + " numbers, expected 6: " + kPointsHeader);
     const auto value = parseDouble(cell);
-    if (!value || !(std::abs(*value) <= kFarthest))
+    if (!value || !(std::abs(*value) <= kMaxPointDistance))
       throw ParseError(cells.pos(),
                        "found " + inQuotes(cell) + ", expected a number of metres, at most 1000");
     v[k] = *value;
   }
   if (cells.next(cell))
-    throw ParseError(cells.pos(), std::string("found more than 6 numbers, expected 6: ") + kHeader);
+    throw ParseError(cells.pos(), std::string("found more than 6 numbers, expected 6: ") + kPointsHeader);
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
@@ -55,9 +55,9 @@ std::vector<MatchedPoint> readMatchedPoints(const std::string& text, const std::
   Lines lines(text);
   std::string_view line;
   if (!lines.next(line))
-    throw ParseError({file, 1, 1}, std::string("found nothing, expected the header ") + kHeader);
-  if (withoutBlanksBehind(line) != kHeader)
-    throw ParseError({file, 1, 1}, "found " + inQuotes(line) + ", expected the header " + kHeader);
+    throw ParseError({file, 1, 1}, std::string("found nothing, expected the header ") + kPointsHeader);
+  if (withoutBlanksBehind(line) != kPointsHeader)
+    throw ParseError({file, 1, 1}, "found " + inQuotes(line) + ", expected the header " + kPointsHeader);
   while (lines.next(line))
     if (const std::string_view row = withoutBlanksBehind(line); !row.empty())
       points.push_back(pointOf(row, file, lines.number()));

@@ -15,8 +15,8 @@ namespace {
 
 using enum Joint;
 
-constexpr double kUnevenness = 0.08;  // of thicknesses of a body with a seed
-constexpr double kSamePlace = 0.01;   // m, joints that are one
+constexpr double kUnevenness = 0.08;     // of thicknesses of a body with a seed
+constexpr double kSameSkinPlace = 0.01;  // m, joints that are one
 
 // Thicknesses in shares of stature: radii of girths that adults have on the mean (ANSUR II, Gordon et al.
 // 2014, men and women together), drawn as profiles by hand. x: 0 at the proximal joint, 1 at the distal one.
@@ -166,10 +166,10 @@ void SkinBody::addTrunk(const SkeletonFrame& f, Parts& parts) const {
     if (!f.has(j)) continue;
     // Some recordings have the spine's joints behind the shoulders or in one place.
     const double before = (f[j] - points.back()).norm(), left = (p_shoulders - f[j]).norm();
-    if (before > kSamePlace && left > 0.12 * trunk && left < (p_shoulders - points.back()).norm())
+    if (before > kSameSkinPlace && left > 0.12 * trunk && left < (p_shoulders - points.back()).norm())
       points.push_back(f[j]);
   }
-  if ((p_shoulders - points.back()).norm() < kSamePlace) return;
+  if ((p_shoulders - points.back()).norm() < kSameSkinPlace) return;
   points.push_back(p_shoulders);
   const Spine spine(std::move(points));
 
@@ -199,7 +199,7 @@ void SkinBody::addTrunk(const SkeletonFrame& f, Parts& parts) const {
 void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
   if (!hasAll(f, {kNeck, kHeadTop, kShoulderLeft, kShoulderRight, kPelvis})) return;
   const Vector3d up = f[kHeadTop] - f[kNeck];
-  if (up.norm() < kSamePlace) return;
+  if (up.norm() < kSameSkinPlace) return;
   const Vector3d axis = up.normalized();
   const Vector3d front = squareTo(axis, axesOf(f, kShoulderLeft, kShoulderRight).front);
   const Vector3d left = axis.cross(front);
@@ -222,7 +222,7 @@ void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
   }
   parts.push_back({"head", std::move(mesh)});
   const Vector3d base = f[kNeck] - 0.3 * half * axis;
-  if ((centre - base).norm() > kSamePlace)
+  if ((centre - base).norm() > kSameSkinPlace)
     parts.push_back({"neck", limb(
                                  base, centre, front, [&](double) { return kNeckRadius * neck_; }, none)});
 }
@@ -230,7 +230,9 @@ void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
 void SkinBody::addArm(const SkeletonFrame& f, bool is_left, Parts& parts) const {
   const Joint shoulder = is_left ? kShoulderLeft : kShoulderRight, elbow = is_left ? kElbowLeft : kElbowRight;
   const Joint wrist = is_left ? kWristLeft : kWristRight, hand = is_left ? kHandLeft : kHandRight;
-  const auto apart = [&](Joint a, Joint b) { return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSamePlace; };
+  const auto apart = [&](Joint a, Joint b) {
+    return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSameSkinPlace;
+  };
   const Vector3d front = hasAll(f, {kShoulderLeft, kShoulderRight, kNeck, kPelvis})
                              ? axesOf(f, kShoulderLeft, kShoulderRight).front
                              : Vector3d(Vector3d::UnitX());
@@ -265,7 +267,9 @@ void SkinBody::addArm(const SkeletonFrame& f, bool is_left, Parts& parts) const 
 void SkinBody::addLeg(const SkeletonFrame& f, bool is_left, Parts& parts) const {
   const Joint hip = is_left ? kHipLeft : kHipRight, knee = is_left ? kKneeLeft : kKneeRight;
   const Joint ankle = is_left ? kAnkleLeft : kAnkleRight, toe = is_left ? kToeLeft : kToeRight;
-  const auto apart = [&](Joint a, Joint b) { return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSamePlace; };
+  const auto apart = [&](Joint a, Joint b) {
+    return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSameSkinPlace;
+  };
   Vector3d front = hasAll(f, {kHipLeft, kHipRight, kNeck, kPelvis}) ? axesOf(f, kHipLeft, kHipRight).front
                                                                     : Vector3d(Vector3d::UnitX());
   if (apart(ankle, toe)) front = f[toe] - f[ankle];

@@ -9,7 +9,7 @@
 namespace abstand {
 namespace {
 
-constexpr float kFarthest = 100.0f;  // m; no depth camera measures beyond
+constexpr float kMaxStraightDepth = 100.0f;  // m; no depth camera measures beyond
 
 /// Where the pixel (u, v) of a camera without distortion lies in the image of the camera with it; row-major
 /// number of the nearest pixel, -1 beside the image.
@@ -43,7 +43,7 @@ void StraightImages::straighten(DepthImage& image) {
   ABSTAND_CHECK(image.width == camera_.width && image.height == camera_.height);
   // Written so that NaN is not measured.
   for (float& z : image.z)
-    if (!(z > 0.0f && z <= kFarthest)) z = 0.0f;
+    if (!(z > 0.0f && z <= kMaxStraightDepth)) z = 0.0f;
   if (!from_.empty()) {
     for (std::size_t i = 0; i < from_.size(); ++i)
       straight_.z[i] = from_[i] >= 0 ? image.z[static_cast<std::size_t>(from_[i])] : 0.0f;

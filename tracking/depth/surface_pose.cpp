@@ -22,7 +22,7 @@ constexpr double kAgree = 0.6;               // cosine between the normals of im
 constexpr double kFlat = 0.25;               // cosine to the ray; flatter surfaces are not measured well
 constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
 constexpr int kSteps = 25;
-constexpr double kSmallStep = 1e-6;
+constexpr double kSmallSurfaceStep = 1e-6;
 constexpr double kSmallest = 5e-4;  // m, of the scale of the weights
 constexpr double kTouch = 1e-4;     // m; nearer than this the direction to the surface is not its normal
 constexpr std::size_t kStarts = 4;
@@ -129,7 +129,7 @@ class Fit {
       const Vector6d step = -held.ldlt().solve(sum.JTr);
       if (!step.allFinite()) return X_WC;
       X_WC = movedAbout(sum.middle, X_WC, step);
-      if (part == 1.0 && step.norm() < kSmallStep) break;
+      if (part == 1.0 && step.norm() < kSmallSurfaceStep) break;
     }
     return X_WC;
   }

@@ -9,10 +9,10 @@
 namespace abstand {
 namespace {
 
-constexpr std::size_t kPoints = 1200;  // of all views
+constexpr std::size_t kSearchPoints = 1200;  // of all views
 constexpr std::size_t kCoarse = 6000, kKept = 16;
 constexpr int kRounds = 8, kTries = 60;
-constexpr double kFirstTolerance = 0.1, kLastTolerance = 0.03;  // m
+constexpr double kFirstTolerance = 0.1, kFinestTolerance = 0.03;  // m
 constexpr double kNotSeen = 0.6;  // cost of a point that is hidden, or falls where nothing was measured
 
 struct Candidate {
@@ -32,7 +32,7 @@ SurfaceSearch::SurfaceSearch(const DepthCamera& camera, std::span<const Surface*
                              std::span<const SurfaceView> views, std::uint64_t seed)
     : camera_(camera), views_(views), seed_(seed) {
   for (std::size_t k = 0; k < views.size(); ++k)
-    for (const SurfaceSample& s : sampleSurfaces(bodies, kPoints / views.size(), seed + k)) {
+    for (const SurfaceSample& s : sampleSurfaces(bodies, kSearchPoints / views.size(), seed + k)) {
       const Transform& X_WB = views[k].X_WB[s.body];
       points_.push_back({X_WB * s.p, X_WB.linear() * s.normal, k});
     }
@@ -94,7 +94,7 @@ std::vector<Transform> SurfaceSearch::search(std::size_t most) {
   for (Candidate& best : found)
     for (int round = 0; round < kRounds; ++round) {
       const double part = static_cast<double>(round) / (kRounds - 1);
-      const double tolerance = kFirstTolerance + part * (kLastTolerance - kFirstTolerance);
+      const double tolerance = kFirstTolerance + part * (kFinestTolerance - kFirstTolerance);
       const double smaller = 0.3 * std::pow(0.7, round);
       best.cost = cost(best.X_WC, tolerance);
       for (int i = 0; i < kTries; ++i) {

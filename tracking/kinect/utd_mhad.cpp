@@ -8,7 +8,7 @@ namespace abstand {
 namespace {
 
 constexpr std::size_t kJoints = 20;
-constexpr double kRate = 30.0;
+constexpr double kUtdMhadRate = 30.0;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ UtdMhadReader::UtdMhadReader(std::string_view bytes, const std::string& file) {
   frames_ = values_.size() / (kJoints * 3);
 
   facts_.format = "utd-mhad";
-  facts_.rate = kRate;
+  facts_.rate = kUtdMhadRate;
   facts_.rate_reason = "no time in the file; the set was recorded at 30 Hz";
   facts_.unit = UnitChoice{"m", "Kinect v1 gives metres", 1.0, ""};
   facts_.up = UpChoice{"y", "the camera's up; a camera that looks down or up is not corrected", ""};
@@ -36,7 +36,7 @@ std::span<const std::string> UtdMhadReader::names() const { return utdMhadJoints
 bool UtdMhadReader::next(PointFrame& frame) {
   if (next_ == frames_) return false;
   frame.clear(kJoints);
-  frame.t = static_cast<double>(next_) / kRate;
+  frame.t = static_cast<double>(next_) / kUtdMhadRate;
   const double* first = values_.data() + next_ * kJoints * 3;
   for (std::size_t j = 0; j < kJoints; ++j) {
     const Vector3d p(first[j], first[kJoints + j], first[2 * kJoints + j]);

@@ -3,29 +3,32 @@
 namespace abstand {
 namespace {
 
-using enum BodySize;
-
 constexpr std::array<std::string_view, kBodySizes> kNames{
     "stature", "hips", "trunk", "shoulders", "head", "upper_arm", "forearm", "hand", "thigh", "calf", "foot"};
 
-constexpr std::array<BodySize, 3> along(BodySize size) { return {kStature, kStature, size}; }
+constexpr std::array<BodySize, 3> along(BodySize size) {
+  return {BodySize::kStature, BodySize::kStature, size};
+}
 
 // In the order of RigSegment.
-constexpr std::array<std::array<BodySize, 3>, kRigSegments> kAxes{{{kStature, kHips, kTrunk},
-                                                                   {kStature, kShoulders, kTrunk},
-                                                                   along(kHead),
-                                                                   along(kUpperArm),
-                                                                   along(kUpperArm),
-                                                                   along(kForearm),
-                                                                   along(kForearm),
-                                                                   along(kHand),
-                                                                   along(kHand),
-                                                                   along(kThigh),
-                                                                   along(kThigh),
-                                                                   along(kCalf),
-                                                                   along(kCalf),
-                                                                   {kFoot, kStature, kStature},
-                                                                   {kFoot, kStature, kStature}}};
+constexpr auto kAxes = [] {
+  using enum BodySize;
+  return std::array<std::array<BodySize, 3>, kRigSegments>{{{kStature, kHips, kTrunk},
+                                                            {kStature, kShoulders, kTrunk},
+                                                            along(kHead),
+                                                            along(kUpperArm),
+                                                            along(kUpperArm),
+                                                            along(kForearm),
+                                                            along(kForearm),
+                                                            along(kHand),
+                                                            along(kHand),
+                                                            along(kThigh),
+                                                            along(kThigh),
+                                                            along(kCalf),
+                                                            along(kCalf),
+                                                            {kFoot, kStature, kStature},
+                                                            {kFoot, kStature, kStature}}};
+}();
 
 }  // namespace
 
@@ -39,7 +42,7 @@ Vector3d growth(RigSegment s, const SizeVector& sizes) {
   Vector3d by = Vector3d::Constant(sizes[0]);
   for (int k = 0; k < 3; ++k) {
     const BodySize own = axisSizes(s)[static_cast<std::size_t>(k)];
-    if (own != kStature) by[k] += sizes[static_cast<int>(index(own))];
+    if (own != BodySize::kStature) by[k] += sizes[static_cast<int>(index(own))];
   }
   return by;
 }
@@ -64,7 +67,7 @@ Eigen::Matrix<double, 3, static_cast<int>(kBodySizes)> sizeJacobian(const BodyRi
     J.col(0) += R_WS * p;
     for (int k = 0; k < 3; ++k) {
       const BodySize own = axisSizes(segment)[static_cast<std::size_t>(k)];
-      if (own != kStature) J.col(static_cast<int>(index(own))) += R_WS.col(k) * p[k];
+      if (own != BodySize::kStature) J.col(static_cast<int>(index(own))) += R_WS.col(k) * p[k];
     }
   };
   grow(s, p_S);

@@ -13,13 +13,13 @@ constexpr double kStatureSpread = 0.10, kBoneSpread = 0.05, kBreadthSpread = 0.0
 constexpr double kLeastSize = 0.4, kMostSize = 2.0;  // of the base, each size
 constexpr double kIndependentMoments = 10.0;
 constexpr std::size_t kFirstMoments = 6;
-constexpr double kAtRest = 1e-5;      // m, of a marker; shares, of a size
-constexpr double kMostLost = 0.2;     // share of misplaced markers at which a pose is searched for anew
-constexpr double kLeastStiff = 0.05;  // 1/rad^2, as in the solver's damping
-constexpr int kSteps = 12;            // of a pose, between two changes of the body
+constexpr double kCalibrationAtRest = 1e-5;  // m, of a marker; shares, of a size
+constexpr double kMostLost = 0.2;      // share of misplaced markers at which a pose is searched for anew
+constexpr double kLeastStiff = 0.05;   // 1/rad^2, as in the solver's damping
+constexpr int kCalibrationSteps = 12;  // of a pose, between two changes of the body
 // From a wide reach to that of every frame, then on until all is at rest.
-constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kReach = 0.05;  // m
-constexpr double kNarrower = 0.7;                                         // a round
+constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kLastReach = 0.05;  // m
+constexpr double kNarrower = 0.7;                                             // a round
 constexpr int kMostRounds = 40;
 // Far from the truth the equations promise too much: a round changes a size and a marker's place by so much
 // at most.
@@ -50,7 +50,8 @@ class Calibration {
     for (std::size_t f = 0; f < moments_.size(); ++f) {
       MarkerPose found;
       found.misplaced = 1;
-      if (f > 0) found = solver.solve(body_.markers, *moments_[f], poses_[f - 1], hold, reach, 3 * kSteps);
+      if (f > 0)
+        found = solver.solve(body_.markers, *moments_[f], poses_[f - 1], hold, reach, 3 * kCalibrationSteps);
       if (found.misplaced > kMostLost * found.seen) found = solver.search(body_.markers, *moments_[f], hold);
       poses_[f] = found.pose;
     }
@@ -67,7 +68,7 @@ class Calibration {
     Dense across(all, kRigFreedoms);
     for (std::size_t f = 0; f < moments_.size(); ++f) {
       const MarkerPlaces& seen = *moments_[f];
-      poses_[f] = solver.solve(body_.markers, seen, poses_[f], hold, reach, kSteps).pose;
+      poses_[f] = solver.solve(body_.markers, seen, poses_[f], hold, reach, kCalibrationSteps).pose;
       RigPlacement X_WS;
       place(body_.rig, poses_[f], X_WS);
       across.setZero();
@@ -198,8 +199,8 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
   const auto converge = [&](double reach) {
     for (int i = 0; i < kMostRounds; ++i) {
       const double changed = calibration.improve(reach);
-      if (changed < kAtRest && reach == kReach) return;
-      reach = std::max(kReach, kNarrower * reach);
+      if (changed < kCalibrationAtRest && reach == kLastReach) return;
+      reach = std::max(kLastReach, kNarrower * reach);
     }
   };
   calibration.take(evenly(kFirstMoments), kFirstReach);

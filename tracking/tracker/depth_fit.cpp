@@ -10,7 +10,7 @@ namespace {
 constexpr float kNormalWeight = 0.03f;  // m for a normal at right angles
 // m: beyond it a point is an outlier of the cost. Wider than a wrist, narrower than a torso.
 constexpr float kCostReach = 0.08f;
-constexpr double kExplained = 0.05;     // m
+constexpr double kExplainedFit = 0.05;  // m
 constexpr double kRows = 1000.0;        // all points together weigh as so many
 constexpr double kSampleWeight = 0.6;   // a sample in free space counts as so many points
 constexpr double kBefore = 0.04;        // m, that a sample may lie before what was measured
@@ -159,7 +159,7 @@ DepthMisfit DepthFit::misfit(const SeenBody& seen, const RigPlacement& X_WS) {
   for (std::size_t i = 0; i < points.count; ++i) {
     const std::size_t s = segment_[i];
     const double d = seenDistance(surfaces_[s], X_WS[s], points.point(i), seen.eye()).d;
-    if (std::abs(d) > kExplained) continue;
+    if (std::abs(d) > kExplainedFit) continue;
     ++explained;
     sum += d * d;
   }

@@ -10,7 +10,7 @@
 namespace abstand {
 namespace {
 
-std::string metres(double m) {
+std::string toMillimetre(double m) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f m", m);
   return text;
@@ -46,7 +46,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.notes = facts.notes;
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
-                    " images, " + metres(tracked.residual) + " from the body on the mean");
+                    " images, " + toMillimetre(tracked.residual) + " from the body on the mean");
   return recording;
 }
 
@@ -68,14 +68,15 @@ std::string facingReason(const Facing& facing) {
 std::string statureReason(const Stature& stature) {
   switch (stature.source) {
     case Stature::Source::kGiven:
-      return metres(stature.used) + ", as given";
+      return toMillimetre(stature.used) + ", as given";
     case Stature::Source::kMeasured:
-      return metres(stature.used) + ", measured";
+      return toMillimetre(stature.used) + ", measured";
     case Stature::Source::kInterval:
       break;
   }
-  return "not known, between " + metres(stature.interval[0]) + " and " + metres(stature.interval[1]) + ": " +
-         stature.reason + (stature.used > 0.0 ? "; fitted with " + metres(stature.used) : "");
+  return "not known, between " + toMillimetre(stature.interval[0]) + " and " +
+         toMillimetre(stature.interval[1]) + ": " + stature.reason +
+         (stature.used > 0.0 ? "; fitted with " + toMillimetre(stature.used) : "");
 }
 
 std::vector<std::string> trackWarnings(const ClipPerson& person) {

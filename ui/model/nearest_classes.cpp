@@ -9,7 +9,7 @@
 namespace abstand::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("NearestClasses", text); }
+QString trClass(const char* text) { return QCoreApplication::translate("NearestClasses", text); }
 
 /// A body of no person and no mechanism is in this group.
 constexpr const char* kThings = "objects";
@@ -32,15 +32,15 @@ int classOf(Side a, Side b) {
 }
 
 QString className(int i) {
-  const std::array<QString, kClasses> names{tr("Person – robot"), tr("Person – thing"), tr("Robot – robot"),
-                                            tr("Robot – thing")};
+  const std::array<QString, kClasses> names{trClass("Person – robot"), trClass("Person – thing"),
+                                            trClass("Robot – robot"), trClass("Robot – thing")};
   return names[static_cast<std::size_t>(i)];
 }
 
 QString pairText(const SceneOutline& outline, const SceneSnapshot& snapshot, int pair) {
   const auto i = static_cast<std::size_t>(pair);
   const auto [a, b] = outline.pairs[i];
-  return tr("%1 – %2, %3")
+  return trClass("%1 – %2, %3")
       .arg(QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
            QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
            millimetresWithUnit(snapshot.pairs[i].result.distance));
@@ -81,7 +81,7 @@ QString nearestText(const SceneOutline& outline, const SceneSnapshot& snapshot) 
               millimetresWithUnit(classes[i].distance);
     return text;
   }
-  return known(nearest) ? tr("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
+  return known(nearest) ? trClass("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
 }
 
 QString nearestLines(const SceneOutline& outline, const SceneSnapshot& snapshot) {
