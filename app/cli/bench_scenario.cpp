@@ -191,17 +191,14 @@ nlohmann::ordered_json statistics(std::vector<double> seconds) {
           {"mean", us(sum / static_cast<double>(n))}};
 }
 
-void writeDump(const std::string& file, const std::vector<std::int32_t>& frames, std::size_t pairs,
+void writeDump(std::ostream& out, const std::vector<std::int32_t>& frames, std::size_t pairs,
                const std::vector<float>& values) {
-  OutputFile file_out(file);
-  std::ostream& out = file_out.stream();
   const std::int32_t head[2] = {static_cast<std::int32_t>(frames.size()), static_cast<std::int32_t>(pairs)};
   out.write(reinterpret_cast<const char*>(head), sizeof head);
   out.write(reinterpret_cast<const char*>(frames.data()),
             static_cast<std::streamsize>(frames.size() * sizeof(std::int32_t)));
   out.write(reinterpret_cast<const char*>(values.data()),
             static_cast<std::streamsize>(values.size() * sizeof(float)));
-  file_out.commit();
 }
 
 }  // namespace
@@ -244,7 +241,11 @@ int benchScenario(const BenchScenario& args) {
     if (interrupted()) return kInterrupted;
   }
   if (times.empty()) throw UsageError("no frame of the scenario was chosen");
-  if (!args.dump.empty()) writeDump(args.dump, frames, scenario.pairs.size(), values);
+  std::optional<OutputFile> dump;
+  if (!args.dump.empty()) {
+    writeDump(dump.emplace(args.dump).stream(), frames, scenario.pairs.size(), values);
+    dump->finish();
+  }
   const nlohmann::ordered_json row{
       {"peer", "abstand"},
       {"variant", args.variant},
@@ -259,7 +260,8 @@ int benchScenario(const BenchScenario& args) {
       {"hwm_before_build_mb", before},
       {"touching_per_frame", static_cast<double>(touching) / static_cast<double>(times.size())}};
   if (!args.out.empty()) appendToFile(args.out, row.dump() + "\n");
-  writeStandardOutput(row.dump() + "\n");
+  if (dump) dump->commit();
+  if (!isStandardOutputClaimed()) writeStandardOutput(row.dump() + "\n");
   return kDone;
 }
 

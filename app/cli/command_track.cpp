@@ -3,6 +3,7 @@
 #include "app/cli/track_people.hpp"
 #include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/output_folder.hpp"
 #include "tracking/depth/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -100,8 +101,13 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
   if (track.people.empty())
     throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
   const Recording recording = recordingOf(track, stream->facts(), chosen);
-  if (!args.out.empty()) writeSkeletonCsv(args.out, recording);
+  std::optional<OutputFile> csv;
+  if (!args.out.empty()) {
+    writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
+    csv->finish();
+  }
   if (pictures) pictures->commit();
+  if (csv) csv->commit();
 
   const ClipPerson& person = track.people[chosen];
   const DepthFacts& facts = stream->facts();

@@ -40,6 +40,17 @@ bool replaces(const Named& output, OutputKind kind, const std::string& input) {
   return fs::exists(output.value, ec) && fs::equivalent(output.value, input, ec);
 }
 
+/// Whether the second output goes where the first one does.
+bool isOneName(const std::string& a, OutputKind a_kind, const std::string& b, OutputKind b_kind) {
+  if (a_kind == OutputKind::kFile && b_kind == OutputKind::kFile) return isSameOutput(a, b);
+  std::error_code ec;
+  const auto absolute = [&ec](const std::string& name) {
+    const fs::path path = fs::weakly_canonical(fs::absolute(name, ec), ec);
+    return path.has_filename() ? path : path.parent_path();
+  };
+  return absolute(a) == absolute(b);
+}
+
 }  // namespace
 
 void checkOutputs(const CLI::App& root, const CommandLine& line) {
@@ -66,8 +77,7 @@ void checkOutputs(const CLI::App& root, const CommandLine& line) {
         throw UsageError(output.option + ": found " + output.value + ", which is an input too (" +
                          input.option + "), expected an output of its own");
     for (std::size_t k = 0; k < i; ++k)
-      if (outputs[k].second == OutputKind::kFile && kind == OutputKind::kFile &&
-          isSameOutput(outputs[k].first.value, output.value))
+      if (isOneName(outputs[k].first.value, outputs[k].second, output.value, kind))
         throw UsageError(output.option + ": found " + output.value + ", which " + outputs[k].first.option +
                          " writes too, expected two names");
   }

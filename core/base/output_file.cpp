@@ -196,11 +196,20 @@ void writeFile(const std::filesystem::path& file, std::string_view text) {
 void appendToFile(const std::filesystem::path& file, std::string_view text) {
   const OutputPlace place = placeOfOutput(file);
   if (place.kind != OutputPlace::Kind::kFile) return writeFile(file, text);
+  if (isInput(place.path))
+    throw UsageError(file.string() + ": found a file that is an input too, expected an output of its own");
   const int d = ::open(place.path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (d < 0) failToOpen(file, errno);
+  struct stat before {};
+  const bool known = ::fstat(d, &before) == 0;
   int error = writeAll(d, text);
+  // Half a text is worse than none.
+  if (error != 0 && known && ::ftruncate(d, before.st_size) != 0) error = errno;
   if (::close(d) != 0 && error == 0) error = errno;
-  if (error != 0) throw WriteError(file.string(), error);
+  if (error == 0) return;
+  std::error_code ignored;
+  if (!place.exists) std::filesystem::remove(place.path, ignored);
+  throw WriteError(file.string(), error);
 }
 
 }  // namespace abstand

@@ -54,7 +54,8 @@ class OutputFile {
 /// Writes a whole file at once, in the same way. Throws UsageError and WriteError.
 void writeFile(const std::filesystem::path& file, std::string_view text);
 
-/// Adds to the end of a file, which it makes where there is none. Throws UsageError and WriteError.
+/// Adds to the end of a file, which it makes where there is none; all of the text or nothing. Throws
+/// UsageError (an input of this run, too) and WriteError.
 void appendToFile(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace abstand
