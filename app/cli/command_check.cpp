@@ -8,6 +8,7 @@
 #include "app/run/distance_check.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
+#include "core/base/interrupt.hpp"
 #include "core/base/standard_output.hpp"
 
 namespace abstand::cli {
@@ -69,49 +70,80 @@ std::string whyNot(const CheckResult& result, bool strict) {
   return text;
 }
 
+/// All that was checked, of one recording after the other.
+struct Judged {
+  CheckResult all;
+  nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
+  nlohmann::ordered_json joint_limits = nlohmann::ordered_json::array();
+  std::string robots_text;
+  bool interrupted{false};
+};
+
+void judge(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene, double limit,
+           const std::string& recording, Judged& judged) {
+  SessionOptions options;
+  options.recording = recording;
+  options.cut_things = args.cut_things;
+  options.poses = args.poses;
+  options.cache = line.cache;
+  options.monitor = buildMonitor(line);
+  // The gate leaves nothing out, whatever the scene allows.
+  options.rest = 0.0;
+  options.remember = false;
+  options.horizon = options.budget = kInfinity;
+  Session session(scene, options);
+  if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
+  DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
+  RunOptions run;
+  run.progress = progressBar(line, recording.empty() ? "check" : recording);
+  run.interrupted = interrupted;
+  run.react = args.react == "on";
+  run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
+  const RunSummary summary = runScene(session, run);
+  check.finish(summary, judged.all);
+  if (summary.cycles > 0) {
+    judged.reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
+    judged.robots_text += (args.recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);
+  }
+  for (auto& j : jointLimitsJson(summary.joint_limits)) {
+    if (!recording.empty()) j["recording"] = recording;
+    judged.joint_limits.push_back(std::move(j));
+  }
+  judged.interrupted = summary.interrupted;
+}
+
+/// What an interrupt leaves out fails the check, and the rest is reported.
+Judged judgeAll(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene, double limit) {
+  Judged judged;
+  std::vector<std::string> recordings = args.recordings;
+  if (recordings.empty()) recordings.emplace_back();
+  for (const auto& recording : recordings) {
+    bool begun = !judged.interrupted;
+    if (begun) {
+      try {
+        judge(line, args, scene, limit, recording, judged);
+      } catch (const BuildCancelled&) {
+        begun = false;
+      } catch (const Interrupted&) {
+        begun = false;
+      }
+    }
+    if (begun) continue;
+    judged.interrupted = true;
+    Reservation r = interruptedReservation(0, 0, {});
+    r.recording = recording;
+    addReservations(judged.all.reservations, {r});
+  }
+  return judged;
+}
+
 int runCheck(const CommandLine& line, const CheckArguments& args) {
   const SceneDescription scene = loadScene(args.scene, args.packages);
   if (args.dry_run) return dryRun(line, scene);
   if (args.min_distance.empty()) throw UsageError("--min-distance is required (or --dry-run)");
   const double limit = number(args.min_distance, "--min-distance");
-
-  CheckResult all;
-  auto reactions = nlohmann::ordered_json::array();
-  std::string robots_text;
-  auto joint_limits = nlohmann::ordered_json::array();
-  std::vector<std::string> recordings = args.recordings;
-  if (recordings.empty()) recordings.emplace_back();
-  for (const auto& recording : recordings) {
-    SessionOptions options;
-    options.recording = recording;
-    options.cut_things = args.cut_things;
-    options.poses = args.poses;
-    options.cache = line.cache;
-    options.monitor = buildMonitor(line);
-    // The gate leaves nothing out, whatever the scene allows.
-    options.rest = 0.0;
-    options.remember = false;
-    options.horizon = options.budget = kInfinity;
-    Session session(scene, options);
-    if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
-    DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
-    RunOptions run;
-    run.progress = progressBar(line, recording.empty() ? "check" : recording);
-    run.interrupted = interrupted;
-    run.react = args.react == "on";
-    run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
-    const RunSummary summary = runScene(session, run);
-    check.finish(summary, all);
-    if (summary.cycles > 0) {
-      reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
-      robots_text += (recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);
-    }
-    for (auto& j : jointLimitsJson(summary.joint_limits)) {
-      if (!recording.empty()) j["recording"] = recording;
-      joint_limits.push_back(std::move(j));
-    }
-    if (summary.interrupted) return kInterrupted;
-  }
+  const Judged judged = judgeAll(line, args, scene, limit);
+  const CheckResult& all = judged.all;
   const bool ok = passed(all, args.strict);
   nlohmann::ordered_json document{{"passed", ok}, {"min_distance_limit", limit}, {"frames", all.frames}};
   document["min_distance"] = extremeJson(all.min_distance);
@@ -130,14 +162,16 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
   document["reservations"] = reservationsJson(all.reservations);
   document["stale"] = all.stale;
   if (args.swept) document["swept"] = {{"queries", all.swept_queries}};
-  if (!reactions.empty()) document["reactions"] = reactions;
-  document["joint_limits"] = joint_limits;
-  text += robots_text;
+  if (!judged.reactions.empty()) document["reactions"] = judged.reactions;
+  document["joint_limits"] = judged.joint_limits;
+  document["interrupted"] = judged.interrupted;
+  text += judged.robots_text;
   text += reservationsText(all.reservations) +
           (ok ? "passed\n" : "not passed: " + whyNot(all, args.strict) + "\n");
   if (!args.junit.empty()) writeJunit(all, args.scene, args.strict, args.junit);
   if (!args.report.empty()) writeHtmlReport(all, args.scene, limit, args.strict, args.report);
   line.print(document, text);
+  if (judged.interrupted) return kInterrupted;
   return ok ? kDone : kLimitBroken;
 }
 

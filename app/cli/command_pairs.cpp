@@ -1,4 +1,5 @@
 // abstand pairs: which pairs of bodies can collide at all.
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -65,18 +66,23 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
   const auto pairs = collisionPairs(session, args.study);
   const double study_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  if (interrupted()) return kInterrupted;
+  // What is not known of some pairs is no list to check by.
+  const bool incomplete = std::any_of(pairs.begin(), pairs.end(), [](const CollisionPair& p) {
+    return p.study.verdict == PairVerdict::kUndecided;
+  });
   std::optional<OutputFile> list, srdf;
-  if (!args.out.empty()) list.emplace(args.out).stream() << pairsText(session, pairs, args.study);
-  if (!args.srdf.empty()) srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, srdfOf(session, pairs));
+  if (!args.out.empty() && !incomplete)
+    list.emplace(args.out).stream() << pairsText(session, pairs, args.study);
+  if (!args.srdf.empty() && !incomplete)
+    srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, srdfOf(session, pairs));
   for (auto* file : {&list, &srdf})
     if (*file) (*file)->finish();
   for (auto* file : {&list, &srdf})
     if (*file) (*file)->commit();
 
   const auto& objects = session.scene().objects();
-  std::map<std::string, int> counts{
-      {"adjacent", 0}, {"never", 0}, {"always", 0}, {"user", 0}, {"sometimes", 0}};
+  std::map<std::string, int> counts{{"adjacent", 0}, {"never", 0},     {"always", 0},
+                                    {"user", 0},     {"sometimes", 0}, {"undecided", 0}};
   auto rows = nlohmann::ordered_json::array();
   std::string text;
   int found_by_search = 0;
@@ -95,7 +101,7 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
                   {"hits", s.hits},
                   {"by_search", s.by_search},
                   {"posture", p.posture}});
-      if (s.verdict != PairVerdict::kSometimes)
+      if (s.verdict != PairVerdict::kSometimes && s.verdict != PairVerdict::kUndecided)
         text +=
             format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
     }
@@ -111,7 +117,8 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
                    {"build_ms", session.buildMs()},
                    {"study_ms", study_ms},
                    {"list", rows},
-                   {"remarks", session.remarks()}});
+                   {"remarks", session.remarks()},
+                   {"interrupted", incomplete}});
   text += format(
       "%zu bodies, %zu pairs: %d adjacent, %d never, %d always, %d user, %d sometimes (%d of them found by "
       "search)\n"
@@ -119,8 +126,13 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
       objects.size(), pairs.size(), counts["adjacent"], counts["never"], counts["always"], counts["user"],
       counts["sometimes"], found_by_search, args.study.samples,
       static_cast<unsigned long long>(args.study.seed), 1e-3 * study_ms);
+  if (incomplete) {
+    const int open = counts["undecided"];
+    text += format("interrupted: %d %s undecided", open, open == 1 ? "pair is" : "pairs are");
+    text += args.out.empty() && args.srdf.empty() ? "\n" : ", nothing was written\n";
+  }
   line.print(document, text);
-  return kDone;
+  return incomplete ? kInterrupted : kDone;
 }
 
 }  // namespace

@@ -49,23 +49,25 @@ int runVerify(const CommandLine& line, const VerifyArguments& args) {
     if (options.progress) options.progress(1, 1);
     if (interrupted()) break;
   }
-  const bool passed = std::ranges::all_of(results, &verify::CheckResult::passed);
+  const bool cut_short = interrupted();
+  const bool passed = !cut_short && std::ranges::all_of(results, &verify::CheckResult::passed);
 
   nlohmann::ordered_json document{{"passed", passed},
                                   {"poses", options.poses},
                                   {"seed", options.seed},
                                   {"quick", options.quick},
-                                  {"checks", nlohmann::ordered_json::array()}};
+                                  {"checks", nlohmann::ordered_json::array()},
+                                  {"interrupted", cut_short}};
   std::string text;
   for (const auto& r : results) {
     document["checks"].push_back(toJson(r));
     text += format("%-26s %s  %7zu poses, breaches %zu, worst %.3g (limit %.3g)\n", r.name.c_str(),
                    r.passed ? "passed" : "FAILED", r.poses, r.breaches, r.worst, r.limit);
   }
-  text += passed ? "passed\n" : "not passed\n";
-  if (!args.report.empty()) verify::writeReport(results, options, kVersion, args.report);
+  text += cut_short ? "interrupted: not all was checked\n" : passed ? "passed\n" : "not passed\n";
+  if (!args.report.empty() && !cut_short) verify::writeReport(results, options, kVersion, args.report);
   line.print(document, text);
-  if (interrupted()) return kInterrupted;
+  if (cut_short) return kInterrupted;
   return passed ? kDone : kLimitBroken;
 }
 

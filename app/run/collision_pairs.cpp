@@ -113,7 +113,6 @@ std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOpt
       out.push_back(std::move(pair));
     }
   std::vector<StudiedPair> studied = studyPairs(study.mechanisms, study.bodies, open, options);
-  if (studied.size() != open.size()) return {};
   for (std::size_t i = 0; i < open.size(); ++i) {
     CollisionPair& pair = out[open_at[i]];
     const int a = pair.study.a, b = pair.study.b;
@@ -167,7 +166,8 @@ Srdf srdfOf(const Session& session, const std::vector<CollisionPair>& pairs) {
     if (a == frame_of.end() || b == frame_of.end() || a->second == b->second) continue;
     const IndexPair key = std::minmax(a->second, b->second);
     const auto at = links.emplace(key, &p.study).first;
-    if (p.study.verdict == PairVerdict::kSometimes) at->second = nullptr;
+    if (p.study.verdict == PairVerdict::kSometimes || p.study.verdict == PairVerdict::kUndecided)
+      at->second = nullptr;
   }
   Srdf srdf;
   srdf.robot = driver.mechanism().name;

@@ -15,7 +15,7 @@ struct CollisionPair {
 
 /// All pairs of links of mechanisms with each other and with single objects, in scene order. People are left
 /// out: they are anywhere. Adjacent pairs and those that the scene's `exclude`, or a file or SRDF with the
-/// verdict user, takes out are not sampled.
+/// verdict user, takes out are not sampled. Pairs that an interrupt left open are undecided.
 std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOptions& options);
 
 /// The file of pairs (core/scene/pairs_file.hpp).

@@ -231,6 +231,18 @@ std::vector<Reservation> reservationsOf(const Session& session) {
   return out;
 }
 
+Reservation interruptedReservation(std::size_t done, std::size_t all, std::optional<double> last) {
+  Reservation r;
+  r.kind = "interrupted";
+  r.text = last ? "interrupted at " + rounded(*last, 3) + " s: " + std::to_string(done) + " of " +
+                      std::to_string(all) + " frames were run"
+                : "interrupted before a frame was run";
+  r.t0 = last;
+  if (all > 0) r.share = 1.0 - shareOf(done, all);
+  r.fails = Severity::kAlways;
+  return r;
+}
+
 void addReservations(std::vector<Reservation>& all, const std::vector<Reservation>& more) {
   for (const Reservation& r : more)
     if (std::find(all.begin(), all.end(), r) == all.end()) all.push_back(r);

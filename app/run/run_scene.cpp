@@ -217,7 +217,12 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
   pair_clock.finish(extremes, summary);
   summary.reservations = reservationsOf(session);
   addReservations(summary.reservations, poses.reservations());
-  summary.joint_limits = jointLimitsOf(session, loop, times.front(), times.back());
+  // Nothing is said of the time after an interrupt.
+  std::optional<double> last_frame;
+  if (summary.frames > 0) last_frame = times[summary.frames - 1];
+  if (summary.interrupted)
+    summary.reservations.push_back(interruptedReservation(summary.frames, times.size(), last_frame));
+  summary.joint_limits = jointLimitsOf(session, loop, times.front(), last_frame.value_or(times.front()));
   addReservations(summary.reservations, reservationsOf(summary.joint_limits));
   csv.finish();
   if (log) log->finish();

@@ -41,6 +41,7 @@ struct BlockPair {
 struct Work {
   StudiedPair pair;
   long overlaps{0};
+  bool searched{false};       ///< from all of `nearest`, or until the first hit
   std::vector<Near> nearest;  ///< the best of each block, the nearest first; at most `searches`
 };
 
@@ -67,21 +68,27 @@ class PairStudy {
       const std::size_t count = std::min(round, static_cast<std::size_t>(options_.samples) - done);
       sample(done, count);
       done += count;
-      if (stopped()) return {};
+      if (stopped()) break;
     }
     search();
-    if (stopped()) return {};
     std::vector<StudiedPair> out;
     for (auto& w : work_) {
-      w.pair.verdict = w.pair.hits == 0 && !w.pair.by_search ? PairVerdict::kNever
-                       : w.overlaps == w.pair.samples        ? PairVerdict::kAlways
-                                                             : PairVerdict::kSometimes;
+      w.pair.verdict = verdictOf(w);
       out.push_back(std::move(w.pair));
     }
     return out;
   }
 
  private:
+  PairVerdict verdictOf(const Work& w) const {
+    if (isOver(w) || w.pair.by_search) return PairVerdict::kSometimes;
+    const bool moves = !w.pair.dofs.empty();
+    const bool sampled = w.pair.samples >= (moves ? options_.samples : 1);
+    const bool searched = !moves || w.pair.hits > 0 || options_.searches == 0 || w.searched;
+    if (!sampled || !searched) return PairVerdict::kUndecided;
+    return w.pair.hits == 0 ? PairVerdict::kNever : PairVerdict::kAlways;
+  }
+
   bool stopped() const { return options_.interrupted && options_.interrupted(); }
 
   /// Samples number `first` to first + count - 1, of all pairs that are not over. Blocks know what the rounds
@@ -105,11 +112,12 @@ class PairStudy {
         options_.progress(first + done, static_cast<std::size_t>(options_.samples));
       }
     });
-    if (stopped()) return;
     for (std::size_t i = 0; i < open.size(); ++i) {
       Work& w = work_[open[i]];
-      w.pair.samples += static_cast<long>(count);
-      for (auto& block : found) {
+      for (std::size_t b = 0; b < blocks; ++b) {
+        auto& block = found[b];
+        if (block.empty()) continue;  // interrupted before it
+        w.pair.samples += static_cast<long>(std::min(kBlock, count - b * kBlock));
         w.pair.hits += block[i].hits;
         w.overlaps += block[i].overlaps;
         if (!block[i].nearest.q.empty()) keep(std::move(block[i].nearest), w);
@@ -164,7 +172,7 @@ class PairStudy {
 
   /// Counter-examples for the pairs that no sample hit.
   void search() {
-    if (options_.searches == 0) return;
+    if (options_.searches == 0 || stopped()) return;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < work_.size(); ++i)
       if (work_[i].pair.hits == 0 && !work_[i].pair.dofs.empty()) open.push_back(i);
@@ -173,7 +181,8 @@ class PairStudy {
       Work& w = work_[open[i]];
       StudyPosture posture(model_);
       for (const Near& start : w.nearest) {
-        if (stopped() || w.pair.by_search) break;
+        if (stopped()) return;
+        if (w.pair.by_search) break;
         const Near end = descend(w.pair, start, posture);
         if (end.distance < w.pair.distance) {
           w.pair.distance = end.distance;
@@ -182,6 +191,7 @@ class PairStudy {
         }
         w.pair.by_search = isHit(end);
       }
+      w.searched = true;
       if (options_.progress) {
         const std::scoped_lock lock(progress_mutex_);
         options_.progress(++done, open.size());

@@ -63,8 +63,9 @@ struct StudiedPair {
 /// Sampling proves nothing: what is rare in the joint space can be missed. The smallest distance that was
 /// found is kept as evidence.
 ///
-/// The result depends on the seed, not on the number of threads. Throws UsageError for bad options; returns
-/// an empty list when interrupted.
+/// The result depends on the seed, not on the number of threads. Throws UsageError for bad options. When
+/// interrupted it gives what was sampled so far; pairs of which more had to be sampled or searched are
+/// undecided.
 std::vector<StudiedPair> studyPairs(const std::vector<StudyMechanism>& mechanisms,
                                     const std::vector<StudyBody>& bodies,
                                     const std::vector<std::pair<int, int>>& pairs,

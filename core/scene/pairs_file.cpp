@@ -1,6 +1,7 @@
 #include "core/scene/pairs_file.hpp"
 
 #include <array>
+#include <span>
 #include <string_view>
 
 #include "core/base/text_file.hpp"
@@ -10,7 +11,9 @@ namespace abstand {
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 256u << 20;
-constexpr std::array<const char*, 5> kVerdicts{"adjacent", "never", "always", "user", "sometimes"};
+/// As PairVerdict; a file has all but the last.
+constexpr std::array<const char*, 6> kNames{"adjacent", "never", "always", "user", "sometimes", "undecided"};
+constexpr std::span kVerdicts(kNames.data(), kNames.size() - 1);
 
 /// The text up to the next comma, which goes too.
 std::string_view nextField(std::string_view& rest) {
@@ -22,7 +25,7 @@ std::string_view nextField(std::string_view& rest) {
 
 }  // namespace
 
-std::string verdictName(PairVerdict verdict) { return kVerdicts[static_cast<std::size_t>(verdict)]; }
+std::string verdictName(PairVerdict verdict) { return kNames[static_cast<std::size_t>(verdict)]; }
 
 std::vector<PairRow> parsePairs(const std::string& text, const std::string& file) {
   std::vector<PairRow> rows;

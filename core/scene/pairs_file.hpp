@@ -16,6 +16,7 @@ enum class PairVerdict {
   kAlways,     ///< overlapping in every posture
   kUser,       ///< somebody said so
   kSometimes,  ///< may collide
+  kUndecided,  ///< the study was interrupted before it knew; never in a file
 };
 std::string verdictName(PairVerdict verdict);
 

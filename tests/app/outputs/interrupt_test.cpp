@@ -29,6 +29,7 @@ TEST_F(Interrupts, SignalsEndLikeCtrlC) {
     const json j = json::parse(a.out, nullptr, false);
     ASSERT_TRUE(j.is_object()) << signal << a.out;
     EXPECT_EQ(j["interrupted"], true);
+    EXPECT_EQ(j["reservations"].back()["kind"], "interrupted") << j["reservations"];
     EXPECT_GT(j["frames"].get<long>(), 0);
     // What was done is readable.
     EXPECT_GT(readFile(in("pairs.csv")).size(), 100u);
@@ -55,6 +56,107 @@ TEST_F(Interrupts, APipeWithoutAReaderCanBeInterrupted) {
       "exit $?");
   EXPECT_EQ(a.code, 130) << a.err;
   EXPECT_EQ(json::parse(a.out, nullptr, false)["interrupted"], true) << a.out;
+}
+
+// A gate that was not closed to the end is open nowhere, though all that it saw was far apart.
+TEST_F(Interrupts, CheckSaysWhatItSawAndDoesNotPass) {
+  write("slide.csv", kLongMotion);
+  const Answer a =
+      interrupt("check scene.yaml --min-distance 0.01 --json --junit result.xml --report result.html");
+  EXPECT_EQ(a.code, 130) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out;
+  EXPECT_EQ(j["interrupted"], true);
+  EXPECT_EQ(j["passed"], false);
+  EXPECT_TRUE(j["violations"].empty());
+  const long frames = j["frames"];
+  EXPECT_GT(frames, 0);
+  EXPECT_LT(frames, 5'000'001);
+  EXPECT_NEAR(j["min_distance"]["value"].get<double>(), 0.3, 0.05);
+  const json& r = j["reservations"].back();
+  EXPECT_EQ(r["kind"], "interrupted") << j["reservations"];
+  EXPECT_EQ(r["fails"], "always");
+  EXPECT_NEAR(r["t0"].get<double>(), 1e-3 * static_cast<double>(frames - 1), 1e-6);
+  EXPECT_NE(r["text"].get<std::string>().find(std::to_string(frames) + " of 5000001 frames"),
+            std::string::npos)
+      << r;
+  EXPECT_NE(readFile(in("result.xml")).find("<failure type=\"interrupted\""), std::string::npos);
+  EXPECT_NE(readFile(in("result.html")).find("Not passed"), std::string::npos);
+  EXPECT_NE(readFile(in("result.html")).find("interrupted at"), std::string::npos);
+}
+
+TEST_F(Interrupts, CheckKeepsTheViolationsThatItFoundBefore) {
+  write("slide.csv", kLongMotion);
+  const Answer a = interrupt("check scene.yaml --min-distance 0.5");
+  EXPECT_EQ(a.code, 130) << a.err;
+  EXPECT_NE(a.out.find("broken: cart to wall"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("reservation (interrupted)"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("not passed: 1 limit broken, 1 reservation (interrupted)"), std::string::npos)
+      << a.out;
+}
+
+TEST_F(Interrupts, PairsAreUndecidedAndNothingIsWritten) {
+  const auto before = names();
+  const std::string command =
+      "pairs pair.urdf --voxel 0.05 --samples 100000000 --out pair.pairs --srdf pair.srdf";
+  const Answer a = interrupt(command + " --json");
+  EXPECT_EQ(a.code, 130) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out;
+  EXPECT_EQ(j["interrupted"], true);
+  EXPECT_EQ(j["undecided"], 1);
+  EXPECT_EQ(j["never"], 0);
+  EXPECT_EQ(j["adjacent"], 2);
+  for (const json& row : j["list"]) {
+    if (row["verdict"] != "undecided") continue;
+    EXPECT_GT(row["samples"].get<long>(), 0);
+    EXPECT_LT(row["samples"].get<long>(), 100000000);
+    EXPECT_GT(row["distance"].get<double>(), 0.1);
+  }
+  EXPECT_EQ(names(), before);
+  const Answer text = interrupt(command);
+  EXPECT_EQ(text.code, 130) << text.err;
+  EXPECT_NE(text.out.find("1 pair is undecided, nothing was written"), std::string::npos) << text.out;
+  EXPECT_EQ(names(), before);
+}
+
+/// "clip", so long that nobody sees its end: as many images as `count`, the last one at `end` s.
+std::string manyImages(int count, double end) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += std::to_string(end * i / count) + " depth_000000.png\n";
+  return text;
+}
+
+TEST_F(Interrupts, TrackThatStillLooksForPeopleHasFoundNobody) {
+  makeClip();
+  // All in the first seconds, which are looked through before anybody is followed.
+  write("clip/depth.txt", manyImages(20'000, 4.0));
+  const auto before = names();
+  const Answer a = interrupt("track clip --json --out person_found.csv --pictures pictures");
+  EXPECT_EQ(a.code, 130) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out;
+  EXPECT_EQ(j["interrupted"], true);
+  EXPECT_EQ(j["frames"], 0);
+  EXPECT_EQ(j["tracked"], 0);
+  EXPECT_TRUE(j["people"].empty());
+  EXPECT_EQ(names(), before);
+}
+
+TEST_F(Interrupts, TrackThatFollowsSomebodyWritesThem) {
+  makeClip();
+  write("clip/depth.txt", manyImages(20'000, 1e5));
+  const Answer a =
+      interrupt("track clip --height 1.75 --usual-body --facing camera --json --out person_found.csv");
+  EXPECT_EQ(a.code, 130) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out;
+  EXPECT_EQ(j["interrupted"], true);
+  const long frames = j["frames"];
+  EXPECT_GT(frames, 0);
+  EXPECT_LT(frames, 20'000);
+  EXPECT_EQ(j["tracked"], frames);
+  EXPECT_EQ(runJson("skeleton '" + in("person_found.csv").string() + "'")["frames"], frames);
 }
 
 }  // namespace

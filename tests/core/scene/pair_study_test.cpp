@@ -171,9 +171,37 @@ TEST(PairStudy, BadOptionsAreRefusedAndAnInterruptEndsIt) {
   auto o = options(100, 1);
   o.clearance = kNaN;
   EXPECT_THROW(studyPairs(e.mechanisms, e.bodies, {}, o), UsageError);
-  o = options(100, 1);
+}
+
+// What was found before an interrupt is told; what is not known then is neither never nor always.
+TEST(PairStudy, AnInterruptLeavesUndecidedWhatIsNotKnownYet) {
+  const Elbow e(2.0);
+  auto o = options(100, 1);
   o.interrupted = [] { return true; };
-  EXPECT_TRUE(studyPairs(e.mechanisms, e.bodies, {{0, 1}}, o).empty());
+  auto pairs = studyPairs(e.mechanisms, e.bodies, {{0, 1}}, o);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].verdict, PairVerdict::kUndecided);
+  EXPECT_EQ(pairs[0].samples, 0);
+  // After two blocks of 32 samples.
+  int asked = 0;
+  o.samples = 100000;
+  o.interrupted = [&asked] { return ++asked > 2; };
+  pairs = studyPairs(e.mechanisms, e.bodies, {{0, 1}}, o);
+  EXPECT_EQ(pairs[0].verdict, PairVerdict::kUndecided);
+  EXPECT_EQ(pairs[0].samples, 64);
+  EXPECT_LT(pairs[0].distance, 0.8);
+  // All samples, but not the search.
+  asked = 0;
+  o.samples = 64;
+  pairs = studyPairs(e.mechanisms, e.bodies, {{0, 1}}, o);
+  EXPECT_EQ(pairs[0].verdict, PairVerdict::kUndecided);
+  // The pair hits sometimes, and that is known for good.
+  const Elbow far(kPi);
+  asked = 0;
+  o.samples = 100000;
+  o.clearance = 0.5;
+  pairs = studyPairs(far.mechanisms, far.bodies, {{0, 1}}, o);
+  EXPECT_EQ(pairs[0].verdict, PairVerdict::kSometimes);
 }
 
 }  // namespace
