@@ -1,5 +1,6 @@
 // abstand convert: robot files from one format to the other, and how far apart they then are.
 #include <algorithm>
+#include <cmath>
 
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
@@ -77,6 +78,15 @@ Written write(const Robot& robot, const ConvertArguments& args) {
   return w;
 }
 
+/// The joints whose acceleration limits a URDF cannot hold, as a warning; empty: none.
+std::string lostAccelerations(const Mechanism& mechanism) {
+  std::string joints;
+  for (const auto& f : mechanism.frames)
+    if (std::isfinite(f.limits.acceleration))
+      joints += (joints.empty() ? "" : ", ") + (f.joint.empty() ? f.name : f.joint);
+  return joints.empty() ? joints : "left out the acceleration limits, which a URDF does not have: " + joints;
+}
+
 int runConvert(const CommandLine& line, const ConvertArguments& args) {
   Robot robot = loadRobot(args.in);
   std::vector<std::string> warnings = robot.warnings;
@@ -88,6 +98,8 @@ int runConvert(const CommandLine& line, const ConvertArguments& args) {
     if (w.scale[i] != 1.0)
       warnings.push_back(
           format("the value of dof %zu is %g times that of the source: a URDF has no scale", i, w.scale[i]));
+  if (args.out.extension() == ".urdf")
+    if (const std::string lost = lostAccelerations(robot.mechanism); !lost.empty()) warnings.push_back(lost);
   for (const auto& warning : warnings) line.warn(warning);
   const bool exact = w.residual.position <= kExact && w.residual.angle <= kExact;
   nlohmann::ordered_json document{{"file", args.out.string()},

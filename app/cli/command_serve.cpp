@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/robot_texts.hpp"
 #include "app/serve/layout.hpp"
 #include "app/serve/serve_loop.hpp"
 #include "core/base/error.hpp"
@@ -72,6 +73,18 @@ nlohmann::ordered_json stopsJson(const ServedScene& scene) {
   return list;
 }
 
+/// What the joint values that came did against the limits of their robots.
+std::vector<JointLimitReport> limitsOf(const ServedScene& scene) {
+  std::vector<JointLimitReport> all;
+  for (std::size_t m = 0; m < scene.robots().size(); ++m) {
+    const auto own =
+        reportsOf(scene.format().mechanisms[m].name, scene.session().mechanisms()[m]->mechanism(),
+                  scene.robots()[m]->limits().breaches(), false);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& scene) {
   nlohmann::ordered_json faults;
   for (std::size_t i = 1; i < kPacketFaults; ++i)
@@ -95,6 +108,7 @@ nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& sce
       {"cycle_us",
        {{"median", 1e6 * s.cycles.median()}, {"p99", 1e6 * s.cycles.p99()}, {"max", 1e6 * s.cycles.max()}}},
       {"stops", stopsJson(scene)},
+      {"joint_limits", jointLimitsJson(limitsOf(scene))},
       {"interrupted", s.interrupted}};
 }
 
@@ -110,7 +124,7 @@ std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
     for (std::size_t i = 0; i < log.kept(); ++i)
       text += scene.format().mechanisms[m].name + ": " + describe(log.entry(i)) + "\n";
   }
-  return text;
+  return text + jointLimitsText(limitsOf(scene));
 }
 
 int runServe(const CommandLine& line, const ServeArguments& args) {

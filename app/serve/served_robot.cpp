@@ -19,7 +19,8 @@ ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& de
     : driver_(driver),
       reaction_(reaction, driver.dof(), scene.pairs().size(), dofLimits(driver.mechanism())),
       pairs_(driver, scene, people, reaction),
-      mass_(driver.mechanism()) {
+      mass_(driver.mechanism()),
+      limits_(dofLimits(driver.mechanism())) {
   if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
   if (const auto link = HeldLink::find(description, reaction))
     held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
@@ -29,9 +30,12 @@ ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& de
 
 void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, Scene& scene) {
   const double by_stamp = stamp - last_stamp_;
-  const double dt =
-      by_stamp >= kLeastStep && by_stamp <= kMostStep ? by_stamp : std::max(t - last_t_, kLeastStep);
+  const bool timed = by_stamp >= kLeastStep && by_stamp <= kMostStep;
+  const double dt = timed ? by_stamp : std::max(t - last_t_, kLeastStep);
   for (std::size_t i = 0; i < qd_.size(); ++i) qd_[i] = started_ ? (q[i] - driver_.q()[i]) / dt : 0.0;
+  // Times of arrival say little of how fast a robot is.
+  limits_.look(t, q, timed && started_ && !stale_ ? std::span<const double>(qd_) : std::span<const double>(),
+               {}, {});
   driver_.moveTo(q, t, scene);
   last_t_ = t;
   last_stamp_ = stamp;

@@ -5,6 +5,7 @@
 #include "app/session/braking_watch.hpp"
 #include "app/session/held_link.hpp"
 #include "app/session/robot_mass.hpp"
+#include "core/mechanism/joint_limit_watch.hpp"
 
 namespace abstand::serve {
 
@@ -37,6 +38,9 @@ class ServedRobot {
   bool stale() const { return stale_; }
   std::size_t dof() const { return qd_.size(); }
   const StopLog& stops() const { return reaction_.stops().log(); }
+  /// What the joint values that came did against the robot's limits of position, and of velocity where two
+  /// time stamps of the sender are known.
+  const JointLimitWatch& limits() const { return limits_; }
 
  private:
   MechanismDriver& driver_;
@@ -45,6 +49,7 @@ class ServedRobot {
   std::optional<BrakingWatch> braking_;
   std::optional<HeldLink> held_;
   RobotMass mass_;
+  JointLimitWatch limits_;
   std::vector<double> qd_, efforts_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};
   bool stale_{true}, reset_{false}, started_{false};

@@ -58,4 +58,15 @@ std::vector<LimitBreach> JointLimitWatch::breaches() const {
   return found;
 }
 
+std::size_t JointLimitWatch::copyBreaches(std::span<LimitBreach> out) const noexcept {
+  if (kept_) return 0;
+  std::size_t count = 0;
+  for (const LimitBreach& b : worst_) {
+    if (b.count == 0) continue;
+    if (count < out.size()) out[count] = b;
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace abstand

@@ -39,6 +39,8 @@ class JointLimitWatch {
             std::span<const double> efforts) noexcept;
   /// In the order of the dofs, and of LimitKind.
   std::vector<LimitBreach> breaches() const;
+  /// The same into `out`, as many as fit; gives how many there are. Does not allocate or throw.
+  std::size_t copyBreaches(std::span<LimitBreach> out) const noexcept;
   bool kept() const { return kept_; }  ///< nothing was beyond its limit
   const std::vector<DofLimits>& limits() const { return limits_; }
 

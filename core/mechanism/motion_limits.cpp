@@ -1,6 +1,7 @@
 #include "core/mechanism/motion_limits.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/smooth_motion.hpp"
@@ -48,7 +49,10 @@ void lookSmooth(const Mechanism& mechanism, const MotionTable& table, double sta
   };
   look(start);
   eachStretch(table, start, end, [&](double t0, double t1) {
-    for (int i = 0; i <= kSmoothSamples; ++i) look(t0 + (t1 - t0) * i / kSmoothSamples);
+    // At its very ends the motion rests; just inside it has the accelerations with which it begins and ends.
+    const double inside0 = std::nextafter(t0, t1), inside1 = std::nextafter(t1, t0);
+    for (int i = 0; i <= kSmoothSamples; ++i)
+      look(std::clamp(t0 + (t1 - t0) * i / kSmoothSamples, inside0, std::max(inside0, inside1)));
   });
 }
 

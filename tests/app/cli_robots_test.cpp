@@ -167,6 +167,90 @@ TEST_F(Cli, FkReadsAUrdf) {
             std::string::npos);
 }
 
+/// A slide within 1 m, 0.5 m/s, 21 N and 0.8 m/s^2, of 2 kg.
+const char* kLimitedSlide =
+    "chain\n frame 1 0 0 d 0\nend_chain\nlimits\n limit 1 -1 1 0.5 21 0.8\nend_limits\n"
+    "inertia\n body 1 2 0 0 0 0.1 0.1 0.1 0 0 0\nend_inertia\nnames\n name 1 cart rail\nend_names\n";
+
+/// As {joint, kind, value, limit, t, since, samples, planned}.
+void expectLimit(const json& row, const char* kind, double value, double limit, bool planned) {
+  EXPECT_EQ(row["joint"], "rail");
+  EXPECT_EQ(row["kind"], kind);
+  EXPECT_NEAR(row["value"].get<double>(), value, 1e-9);
+  EXPECT_NEAR(row["limit"].get<double>(), limit, 1e-9);
+  EXPECT_EQ(row["planned"], planned);
+}
+
+TEST_F(Cli, FkSaysWhatIsBeyondAJointLimit) {
+  const std::string fk = "fk " + write("slide.mech", kLimitedSlide);
+  EXPECT_EQ(runJson(fk + " --q 0.9")["joint_limits"], json::array());
+  const json j = runJson(fk + " --q 1.5 --wrench cart:0,0,-30,0,0,0");
+  ASSERT_EQ(j["joint_limits"].size(), 2u) << j["joint_limits"];
+  const json& position = j["joint_limits"].at(0);
+  expectLimit(position, "position", 1.5, 1.0, false);
+  EXPECT_EQ(position["samples"], 1);
+  EXPECT_TRUE(position["t"].is_null());
+  EXPECT_TRUE(position["since"].is_null());
+  EXPECT_FALSE(position.contains("mechanism"));
+  EXPECT_EQ(j["joint_limits"].at(1)["kind"], "effort");
+  EXPECT_EQ(j["joint_limits"].at(1)["limit"].get<double>() > 0,
+            j["joint_limits"].at(1)["value"].get<double>() > 0);
+  const Answer text = run(fk + " --q 1.5");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.err.find("warning: joint rail: position 1.5 m, limit 1"), std::string::npos) << text.err;
+}
+
+TEST_F(Cli, DynamicsSaysWhatIsBeyondAJointLimit) {
+  const std::string dynamics = "dynamics " + write("slide.mech", kLimitedSlide);
+  EXPECT_EQ(runJson(dynamics + " --qdd 0.1")["joint_limits"], json::array());
+  const json still = runJson(dynamics + " --qd -0.6 --qdd 0.9")["joint_limits"];
+  ASSERT_EQ(still.size(), 3u) << still;
+  expectLimit(still.at(0), "velocity", -0.6, -0.5, true);
+  expectLimit(still.at(1), "acceleration", 0.9, 0.8, true);
+  EXPECT_EQ(still.at(2)["kind"], "effort");
+  // From rest to rest over 0.6 m in 2 s: 6 d / T^2 = 0.9 m/s^2 at the ends.
+  const std::string motion = write("m.csv", "t,q0\n0,0\n2,0.6\n");
+  const json moving = runJson(dynamics + " --motion " + motion + " --rate 100")["joint_limits"];
+  ASSERT_EQ(moving.size(), 2u) << moving;
+  // In rows of 10 ms, of which the first and the last are at rest.
+  expectLimit(moving.at(0), "acceleration", -0.9 * 0.99, -0.8, true);
+  EXPECT_NEAR(moving.at(0)["t"].get<double>(), 1.99, 1e-9);
+  EXPECT_NEAR(moving.at(0)["since"].get<double>(), 0.01, 1e-9);
+  EXPECT_EQ(moving.at(0)["samples"], 22);
+  EXPECT_EQ(moving.at(1)["kind"], "effort");
+}
+
+TEST_F(Cli, CheckSaysWhatIsBeyondAJointLimitAndFailsWhereItIsStrict) {
+  write("slide.mech", kLimitedSlide);
+  write("fast.csv", "t,q0\n0,0\n0.1,0.06\n");
+  const std::string scene = write(
+      "s.yaml",
+      "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nmechanisms:\n  - {name: m, file: slide.mech, "
+      "motion: fast.csv, links: [{name: cart, frame: cart, shape: {sphere: {radius: 0.1}}}]}\nobjects:\n"
+      "  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}, pose: {xyz: [-1, 0, 0]}}\n");
+  const std::string check = "check " + scene + " --no-cache --min-distance 0.01";
+  const json j = runJson(check);
+  EXPECT_EQ(j["passed"], true);
+  ASSERT_EQ(j["joint_limits"].size(), 1u) << j["joint_limits"];
+  const json& row = j["joint_limits"].at(0);
+  expectLimit(row, "velocity", 0.6, 0.5, true);
+  EXPECT_EQ(row["mechanism"], "m");
+  EXPECT_EQ(j["reservations"].back()["kind"], "joint_limit") << j["reservations"];
+  EXPECT_EQ(run(check + " --strict").code, 1);
+}
+
+TEST_F(Cli, ConvertToAUrdfSaysThatItLeavesAccelerationsOut) {
+  const std::string urdf = (folder_.path() / "slide.urdf").string();
+  const std::string mech = write("slide.mech", kLimitedSlide);
+  const Answer a = run("convert " + mech + " " + urdf);
+  EXPECT_EQ(a.code, 0) << a.err;
+  EXPECT_NE(a.err.find("acceleration limits, which a URDF does not have: rail"), std::string::npos) << a.err;
+  EXPECT_EQ(runJson("convert " + mech + " " + urdf)["warnings"].size(), 1u);
+  const std::string again = (folder_.path() / "again.mech").string();
+  EXPECT_TRUE(runJson("convert " + mech + " " + again)["warnings"].empty());
+  EXPECT_NE(readFile(again).find(" 0.8"), std::string::npos);
+}
+
 TEST_F(Cli, ConvertGoesThereAndBack) {
   const std::string mech = (folder_.path() / "a.mech").string(), urdf = (folder_.path() / "b.urdf").string();
   const json there = runJson("convert data/robots/rail7/rail7.urdf " + mech + " --postures 100");

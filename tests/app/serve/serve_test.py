@@ -92,6 +92,7 @@ class Serve(unittest.TestCase):
         self.assertEqual((summary["bad"], summary["late"], summary["lost"], summary["duplicates"]), (0, 0, 0, 0))
         self.assertTrue(summary["interrupted"])
         self.assertGreater(summary["cycle_us"]["median"], 0)
+        self.assertEqual(summary["joint_limits"], [])
 
     def test_every_packet_of_the_cpp_client_is_answered(self):
         port = self.start().socket.getpeername()[1]

@@ -37,9 +37,10 @@ struct Served : ::testing::Test {
   abstand::testing::ScratchFolder folder;
   std::unique_ptr<ServedScene> scene;
   Packet packet;
+  std::string slide{kSlide};
 
   void open(bool person, const ReactionDescription& reaction = usualReaction()) {
-    folder.write("slide.mech", kSlide);
+    folder.write("slide.mech", slide);
     std::string text = kScene;
     if (person) {
       text.replace(text.find("defaults: {voxel: 0.01, point: 0.01}\n"), 37, "");
@@ -72,6 +73,58 @@ struct Served : ::testing::Test {
   }
   const RobotReport& robot() const { return scene->report().robots[0]; }
 };
+
+TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
+  slide += "limits\n limit 1 0.2 0.8 2 none\nend_limits\n";
+  open(false);
+  const JointLimitWatch& limits = scene->robots()[0]->limits();
+  // From 0.5 m down at 1 m/s: too low in the last two packets.
+  for (int i = 0; i <= 4; ++i) {
+    joints(0.5 - 0.1 * i, 0.1 * i);
+    scene->cycle(0.1 * i);
+  }
+  auto breaches = limits.breaches();
+  ASSERT_EQ(breaches.size(), 1u);
+  EXPECT_EQ(breaches[0].kind, LimitKind::kPosition);
+  EXPECT_NEAR(breaches[0].value, 0.1, 1e-12);
+  EXPECT_EQ(breaches[0].limit, 0.2);
+  EXPECT_NEAR(breaches[0].since, 0.4, 1e-12);
+  EXPECT_EQ(breaches[0].count, 1);
+  // Up by 0.3 m within 0.1 s of the sender's clock.
+  joints(0.4, 0.5);
+  breaches = limits.breaches();
+  ASSERT_EQ(breaches.size(), 2u);
+  EXPECT_EQ(breaches[1].kind, LimitKind::kVelocity);
+  EXPECT_NEAR(breaches[1].value, 3.0, 1e-6);
+  EXPECT_EQ(breaches[1].limit, 2.0);
+  EXPECT_EQ(breaches[1].count, 1);
+  // What came was used as it came.
+  EXPECT_EQ(scene->session().mechanisms()[0]->q()[0], 0.4);
+}
+
+TEST_F(Served, OnlyTheSendersClockSaysHowFastARobotIs) {
+  slide += "limits\n limit 1 none none 2 none\nend_limits\n";
+  open(false);
+  const JointLimitWatch& limits = scene->robots()[0]->limits();
+  joints(0.5, 0.01);
+  // The clock was set back, stands, and is ahead by an hour.
+  for (const double stamp : {0.0, 0.0, 3600.0}) {
+    packet.q[0] += 0.1;
+    packet.time_us = static_cast<std::uint64_t>(1e6 * stamp);
+    scene->take(packet, 0.02);
+  }
+  EXPECT_TRUE(limits.kept());
+  // After a silence somebody else may send.
+  joints(0.5, 3600.01);
+  EXPECT_FALSE(limits.kept());
+  open(false);
+  const JointLimitWatch& anew = scene->robots()[0]->limits();
+  joints(0.5, 0.01);
+  scene->cycle(0.01);
+  scene->cycle(5.0);
+  joints(20.5, 5.0);
+  EXPECT_TRUE(anew.kept());
+}
 
 TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
   open(false);

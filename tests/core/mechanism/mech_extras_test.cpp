@@ -49,6 +49,15 @@ TEST(MechExtras, AreReadInTheFilesUnits) {
   EXPECT_EQ(std::get<Capsule>(*r.geometry[2].shape).length, 0.0);
 }
 
+TEST(MechExtras, ASixthNumberIsAnAcceleration) {
+  const Robot r = read("limits\n limit 1 -90 180 45 30 90\n limit 2 none 500 none none 2500\nend_limits\n");
+  EXPECT_DOUBLE_EQ(r.mechanism.frames[0].limits.acceleration, kPi / 2);
+  EXPECT_DOUBLE_EQ(r.mechanism.frames[1].limits.acceleration, 2.5);
+  const Robot unknown = read("limits\n limit 1 -90 180 45 30 none\n limit 2 0 500 10 none\nend_limits\n");
+  EXPECT_EQ(unknown.mechanism.frames[0].limits.acceleration, kInfinity);
+  EXPECT_EQ(unknown.mechanism.frames[1].limits.acceleration, kInfinity);
+}
+
 TEST(MechExtras, MimicSharesADof) {
   const Robot r = read("mapping\n dof 0 1\n mimic 0 2 10 5\nend_mapping\n");
   EXPECT_EQ(r.mechanism.dof, 1);
@@ -70,7 +79,8 @@ TEST(MechExtras, WrittenFilesReadBackTheSame) {
   const Robot r = read(
       "mapping\n dof 0 1 15 -1\n mimic 0 2 10 5\nend_mapping\nlink\n id 3\n center 1 0 0 1 0 1 0 2 0 0 1 "
       "3\nend_link\n"
-      "limits\n limit 1 -90 180 45 none\nend_limits\nnames\n name 1 a%20b\nend_names\n"
+      "limits\n limit 1 -90 180 45 none\n limit 2 none 500 none none 2500\nend_limits\nnames\n name 1 "
+      "a%20b\nend_names\n"
       "geometry\n visual 0 ellipsoid 10 20 30  1 0 0 0  0 1 0 0  0 0 1 0\nend_geometry\n");
   const std::string once = mechText(r);
   EXPECT_EQ(mechText(parseMech(once, "r.mech")), once);
@@ -110,6 +120,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"weak", "limits\nlimit 1 0 1 1 -1\nend_limits\n", 2, 15, "from 0 on"},
         BadCase{"word", "limits\nlimit 1 non 1 1 1\nend_limits\n", 2, 9, "did you mean none?"},
         BadCase{"few", "limits\nlimit 1 0 1 1\nend_limits\n", 2, 14, "expected 5"},
+        BadCase{"no acceleration", "limits\nlimit 1 0 1 1 1 0\nend_limits\n", 2, 17, "above 0"},
+        BadCase{"negative acceleration", "limits\nlimit 1 0 1 1 1 -3\nend_limits\n", 2, 17, "above 0"},
+        BadCase{"acceleration in words", "limits\nlimit 1 0 1 1 1 nan\nend_limits\n", 2, 17, "acceleration"},
+        BadCase{"too many limits", "limits\nlimit 1 0 1 1 1 1 1\nend_limits\n", 2, 17, "expected 5"},
         BadCase{"alone", "limits\nlimit\nend_limits\n", 2, 6, "expected 1"},
         BadCase{"negative mass", "inertia\nbody 1 -1 0 0 0 1 1 1 0 0 0\nend_inertia\n", 2, 8,
                 "negative mass"},
