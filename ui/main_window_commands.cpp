@@ -23,6 +23,7 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
+#include "ui/picture_file.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -199,10 +200,12 @@ void MainWindow::saveScreenshot() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Save screenshot"), name, tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
-  if (picture.save(path))
+  try {
+    savePicture(picture, path);
     statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
-  else
-    showProblem(tr("Screenshot"), tr("%1 cannot be written").arg(path));
+  } catch (const std::exception& e) {
+    showProblem(tr("Screenshot"), QString::fromUtf8(e.what()));
+  }
 }
 
 }  // namespace abstand::ui

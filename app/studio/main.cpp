@@ -1,17 +1,24 @@
 // abstand-studio: the desktop program.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFile>
 #include <QSettings>
 #include <QTextStream>
 #include <QTimer>
 #include <algorithm>
+#include <csignal>
+#include <functional>
 #include <string_view>
 
 #include "app/cli/version.hpp"
 #include "app/studio/studio.hpp"
+#include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
 #include "core/base/number.hpp"
+#include "core/base/output_place.hpp"
 #include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/picture_file.hpp"
 #include "ui/theme.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/window_grab.hpp"
@@ -20,7 +27,7 @@ namespace {
 
 using namespace abstand;
 
-constexpr int kWrongUsage = 2, kBadInput = 3;
+constexpr int kWrongUsage = 2, kBadInput = 3, kNotWritten = 4;
 constexpr int kSettle_ms = 700;  // until the first snapshots are drawn
 const QSize kDefaultSize(1500, 950);
 
@@ -98,18 +105,25 @@ bool parse(const QApplication& app, Arguments& args) {
   return true;
 }
 
+/// Exit code of what writes an output, or asks where it would go.
+int written(const std::function<void()>& work) {
+  try {
+    work();
+    return 0;
+  } catch (const UsageError& e) {
+    return fail(kWrongUsage, QString("abstand-studio: error: ") + QString::fromUtf8(e.what()));
+  } catch (const std::exception& e) {
+    return fail(kNotWritten, QString("abstand-studio: error: ") + QString::fromUtf8(e.what()));
+  }
+}
+
 /// Plays for `play_s`, then waits until the moment is drawn, saves the picture and ends the program.
 void takePicture(ui::MainWindow& window, const Arguments& args) {
   if (args.play_s > 0.0) window.playback().setPlaying(true);
   QTimer::singleShot(static_cast<int>(1000.0 * args.play_s), &window, [&window, args] {
     window.playback().setPlaying(false);
     QTimer::singleShot(kSettle_ms, &window, [&window, args] {
-      if (ui::grabWindow(window).save(args.screenshot)) {
-        QApplication::exit(0);
-      } else {
-        QApplication::exit(
-            fail(kWrongUsage, "abstand-studio: error: " + args.screenshot + ": cannot be written"));
-      }
+      QApplication::exit(written([&] { ui::savePicture(ui::grabWindow(window), args.screenshot); }));
     });
   });
 }
@@ -118,6 +132,9 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
 
 int main(int argc, char** argv) {
   using abstand::Studio;
+  // So that writes to a closed pipe or beyond a limit fail instead of ending the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   const bool picture =
       std::any_of(argv, argv + argc, [](const char* a) { return std::string_view(a) == "--screenshot"; });
   ui::prepareOpenGl(picture);
@@ -128,6 +145,10 @@ int main(int argc, char** argv) {
   Arguments args;
   if (!parse(app, args)) return kWrongUsage;
   if (!args.screenshot.isEmpty()) {
+    // Seen before anything costly is built; a picture does not replace what it shows.
+    keepInputLog();
+    const auto place = [&args] { placeOfOutput(QFile::encodeName(args.screenshot).toStdString()); };
+    if (const int code = written(place)) return code;
     // A picture must not depend on how the last user left the window.
     QCoreApplication::setApplicationName("abstand-studio-picture");
     QSettings().clear();
