@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/depth/scene_things.hpp"
+#include "core/base/error.hpp"
 #include "core/base/message_line.hpp"
 #include "core/scene/pair_selection.hpp"
 
@@ -27,6 +28,9 @@ Session::Session(SceneDescription description, const SessionOptions& options)
     : description_(std::move(description)),
       library_(options.cache ? userCacheFolder() : std::filesystem::path()),
       remarks_(description_.remarks) {
+  if (!options.recording.empty() && description_.humans.empty())
+    throw UsageError(description_.file.string() + ": found no person whom " + options.recording.string() +
+                     " could move, expected a scene with `humans`");
   for (auto& human : description_.humans) {
     if (!options.recording.empty()) human.recording.file = options.recording;
     human.recording.speed *= options.person_speed;

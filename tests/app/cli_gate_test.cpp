@@ -238,6 +238,60 @@ TEST_F(Gate, NamedLinksNeedNoBody) {
   EXPECT_EQ(ran.out.find("1 of 2 links", line + 1), std::string::npos) << ran.out;
 }
 
+// A recording that moves nobody would pass whatever it shows.
+TEST_F(Gate, ARecordingNeedsAPerson) {
+  person({});
+  const std::string recording = " --no-cache --recording " + (folder_.path() / "p.csv").string();
+  const std::string nobody = scene(kThings);
+  for (const std::string& command :
+       {"run " + nobody + recording, "check " + nobody + recording + " --min-distance 0.01",
+        "render-depth " + nobody + " --out " + (folder_.path() / "clip").string() + " --recording " +
+            (folder_.path() / "p.csv").string()}) {
+    const Answer a = run(command);
+    EXPECT_EQ(a.code, 2) << command << a.err;
+    EXPECT_NE(a.err.find("s.yaml: found no person"), std::string::npos) << a.err;
+  }
+  EXPECT_EQ(
+      run("run " + scene(std::string("humans:\n  - {name: p, height: 1.75}\n") + kThings) + recording).code,
+      0);
+}
+
+// The thesis's files say where the centre of a link is; a mesh that stands elsewhere is not that link.
+TEST_F(Gate, ALinkThatStandsElsewhereThanItsFileSaysIsDoubtful) {
+  write("r.mech",
+        "chain\n frame 1 0 0 0 theta\nend_chain\nlimits\n limit 1 -1 1 1 1\nend_limits\n"
+        "link\n id 1\n center 1 0 0 0.5  0 1 0 0  0 0 1 0\nend_link\n");
+  write("cube.obj",
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+        "f 1 4 3\nf 1 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 "
+        "5\nf 4 5 8\n");
+  const auto check = [&](const std::string& place) {
+    return "check " +
+           scene(
+               "mechanisms:\n  - {name: m, file: r.mech, links: [{name: cube, frame: 1, mesh: cube.obj, "
+               "scale: "
+               "0.1" +
+               place + "}]}\n" + kThings + kBetween) +
+           " --no-cache --min-distance 0.01";
+  };
+  const json away = runJson(check(""));
+  const json found = find(away, "link_center");
+  ASSERT_FALSE(found.is_null()) << away["reservations"];
+  EXPECT_EQ(found["fails"], "strict");
+  EXPECT_NE(
+      found["text"].get<std::string>().find("cube: its centre is 0.500 m from the one that r.mech gives"),
+      std::string::npos)
+      << found;
+  EXPECT_EQ(run(check("") + " --strict").code, 1);
+  // Somebody has put it there: to know, but no doubt.
+  const json posed = find(runJson(check(", pose: {xyz: [0.2, 0, 0]}")), "link_center");
+  ASSERT_FALSE(posed.is_null());
+  EXPECT_EQ(posed["fails"], "never");
+  EXPECT_EQ(run(check(", pose: {xyz: [0.2, 0, 0]}") + " --strict").code, 0);
+  for (const char* there : {", pose: center", ", pose: {xyz: [0.5, 0, 0]}", ", pose: {xyz: [0.495, 0, 0]}"})
+    EXPECT_TRUE(find(runJson(check(there)), "link_center").is_null()) << there;
+}
+
 TEST_F(Gate, SmallestDistancesComeApartAndPartsOfOnePersonOnlyWhereAsked) {
   person({});
   write("r.urdf",
