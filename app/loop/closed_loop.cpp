@@ -141,6 +141,7 @@ void ClosedLoop::capture(SceneSnapshot& out) const {
     r.refused_resets = stops.refusedResets();
     r.refusal = stops.lastRefusal();
     r.log = stops.log();
+    r.breach_count = robot->limits().copyBreaches(r.breaches);
   }
 }
 

@@ -1,9 +1,11 @@
 // What the window sees of a running session: values only, copied once a cycle.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "core/mechanism/joint_limit_watch.hpp"
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
 
@@ -56,6 +58,10 @@ struct RobotSnapshot {
   long refused_resets{0};                     ///< since SceneSnapshot::loop_start
   ResetRefusal refusal{ResetRefusal::kNone};  ///< of the last one
   StopLog log;                                ///< of what came before, since SceneSnapshot::loop_start
+  /// The worst of each joint against each kind of limit, since SceneSnapshot::loop_start: the first ones, and
+  /// how many there are.
+  std::array<LimitBreach, 16> breaches;
+  std::size_t breach_count{0};
 };
 
 /// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.

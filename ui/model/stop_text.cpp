@@ -1,4 +1,4 @@
-// What a robot's stop machine says, in the user's words and units.
+// What a robot's stop machine and the limits of its joints say, in the user's words and units.
 #include "ui/model/stop_text.hpp"
 
 #include <QCoreApplication>
@@ -144,6 +144,33 @@ QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size
       tr("%1  %2: %3 → %4").arg(secondsWithUnit(entry.t), name, stateText(entry.from), stateText(entry.to));
   return rank(entry.to) < rank(entry.from) ? tr("%1, after %2").arg(text, secondsWithUnit(entry.lasted))
                                            : tr("%1: %2").arg(text, causeText(entry.cause, outline, robot));
+}
+
+QString breachText(const LimitBreach& breach, const SceneOutline& outline, std::size_t robot) {
+  const std::string name = robot < outline.reacting.size() ? outline.reacting[robot] : std::string();
+  const auto* joint = jointOf(outline, name, breach.dof);
+  const bool slides = joint && joint->prismatic;
+  const auto amount = [&](double value) {
+    switch (breach.kind) {
+      case LimitKind::kPosition:
+        return slides ? tr("%1 m").arg(fixed(value, 3)) : tr("%1 rad").arg(fixed(value, 3));
+      case LimitKind::kVelocity:
+        return slides ? tr("%1 m/s").arg(fixed(value, 2)) : tr("%1 rad/s").arg(fixed(value, 2));
+      case LimitKind::kAcceleration:
+        return slides ? tr("%1 m/s²").arg(fixed(value, 2)) : tr("%1 rad/s²").arg(fixed(value, 2));
+      case LimitKind::kEffort:
+        return slides ? tr("%1 N").arg(fixed(value, 1)) : tr("%1 N m").arg(fixed(value, 1));
+    }
+    return QString();
+  };
+  const QString kind = breach.kind == LimitKind::kPosition       ? tr("position")
+                       : breach.kind == LimitKind::kVelocity     ? tr("velocity")
+                       : breach.kind == LimitKind::kAcceleration ? tr("acceleration")
+                                                                 : tr("effort");
+  return tr("%1  %2: joint %3 beyond its %4 limit: %5, limit %6")
+      .arg(secondsWithUnit(breach.t), QString::fromStdString(name),
+           joint ? QString::fromStdString(joint->name) : QString::number(breach.dof), kind,
+           amount(breach.value), amount(breach.limit));
 }
 
 QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bool* alarm) {

@@ -1,4 +1,4 @@
-// What a robot's stop machine says, in the user's words and units.
+// What a robot's stop machine and the limits of its joints say, in the user's words and units.
 #pragma once
 
 #include <QString>
@@ -17,6 +17,8 @@ bool isStop(StopState state);
 QString causeText(const StopCause& cause, const SceneOutline& outline, std::size_t robot);
 /// One line of the log: "6.574 s  left_arm: running → protective stop: distance …"
 QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size_t robot);
+/// "6.574 s  left_arm: joint A2 beyond its velocity limit: 2.10 rad/s, limit 1.92 rad/s"
+QString breachText(const LimitBreach& breach, const SceneOutline& outline, std::size_t robot);
 /// "left_arm: protective stop" of the robot that is worst off, the first of equal ones; empty without robots.
 QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bool* alarm);
 

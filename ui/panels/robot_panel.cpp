@@ -84,6 +84,7 @@ void RobotPanel::open(const SceneOutline& outline) {
   loops_ = -1;
   in_log_.assign(outline.reacting.size(), 0);
   refused_.assign(outline.reacting.size(), 0);
+  broken_.assign(outline.reacting.size(), {});
   reset_->setVisible(!outline.reacting.empty());
   reset_->setEnabled(false);
   log_->setVisible(!outline.reacting.empty());
@@ -128,6 +129,7 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
     loops_ = snapshot.loops;
     std::fill(in_log_.begin(), in_log_.end(), 0);
     std::fill(refused_.begin(), refused_.end(), 0);
+    for (auto& limits : broken_) limits.clear();
     log_->clear();
   }
   struct New {
@@ -156,6 +158,9 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
                                 .arg(secondsWithUnit(snapshot.t), QString::fromStdString(outline.reacting[i]),
                                      refusalText(robot.refusal)));
     refused_[i] = robot.refused_resets;
+    for (std::size_t k = 0; k < std::min(robot.breach_count, robot.breaches.size()); ++k)
+      if (broken_[i].emplace(robot.breaches[k].dof, robot.breaches[k].kind).second)
+        log_->appendPlainText(breachText(robot.breaches[k], outline, i));
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <set>
 #include <vector>
 
 #include "core/scene/snapshot.hpp"
@@ -13,8 +14,9 @@ class QVBoxLayout;
 
 namespace abstand::ui {
 
-/// A card for each robot of SceneOutline::reacting, and under them a line for each change of a state, the
-/// newest last. A new beginning of the closed loop empties the log. GUI thread only.
+/// A card for each robot of SceneOutline::reacting, and under them a line for each change of a state and for
+/// each limit that a joint broke, the newest last. A new beginning of the closed loop empties the log. GUI
+/// thread only.
 class RobotPanel : public QWidget {
   Q_OBJECT
 
@@ -46,6 +48,7 @@ class RobotPanel : public QWidget {
   long loops_{-1};                   ///< SceneSnapshot::loops that the log belongs to
   std::vector<std::size_t> in_log_;  ///< entries of each robot's log that were there already
   std::vector<long> refused_;        ///< resets of each robot that the log tells of
+  std::vector<std::set<std::pair<int, LimitKind>>> broken_;  ///< limits of each robot's joints, likewise
 };
 
 }  // namespace abstand::ui

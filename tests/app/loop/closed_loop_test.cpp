@@ -190,5 +190,23 @@ TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
   }
 }
 
+TEST(ClosedLoop, TheSnapshotTellsOfBrokenLimits) {
+  testing::SlideScene inside("{}"), outside("{}", "", "    q: [5.5]\n");
+  SceneSnapshot snapshot;
+  ClosedLoop within(*inside.session, 0.0);
+  within.capture(snapshot);
+  ASSERT_EQ(snapshot.robots.size(), 1u);
+  EXPECT_EQ(snapshot.robots[0].breach_count, 0u);
+  ClosedLoop beyond(*outside.session, 0.0);
+  for (int i = 0; i < 10; ++i) beyond.step();
+  beyond.capture(snapshot);
+  ASSERT_GE(snapshot.robots[0].breach_count, 1u);
+  const LimitBreach& breach = snapshot.robots[0].breaches[0];
+  EXPECT_EQ(breach.kind, LimitKind::kPosition);
+  EXPECT_EQ(breach.limit, 5.0);
+  EXPECT_NEAR(breach.value, 5.5, 0.01);
+  EXPECT_GT(breach.count, 1);
+}
+
 }  // namespace
 }  // namespace abstand
