@@ -22,6 +22,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
@@ -40,7 +41,7 @@ constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 3;
+constexpr int kLayoutVersion = 4;
 
 using Id = ActionId;
 
@@ -103,6 +104,7 @@ void MainWindow::buildDocks() {
   margins_ = new MarginPanel(this);
   robots_ = new RobotPanel(this);
   groups_ = new GroupPanel(this);
+  notes_ = new NotePanel(this);
   plots_ = new PlotPanel(this);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, this);
@@ -117,7 +119,9 @@ void MainWindow::buildDocks() {
       addDock("robots", tr("Robots"), tr("Show or hide the robots that react"), QStringLiteral("Ctrl+6"),
               robots_),
       addDock("groups", tr("Pair groups"), tr("Show or hide the groups of pairs"), QStringLiteral("Ctrl+7"),
-              groups_)};
+              groups_),
+      addDock("notes", tr("Reservations"), tr("Show or hide what to know of the scene before believing it"),
+              QStringLiteral("Ctrl+8"), notes_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -130,8 +134,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots, groups] =
-      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6]);
+  auto [scene, pairs, timeline, plots, margins, robots, groups, notes] =
+      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -144,6 +148,7 @@ void MainWindow::arrangeDocks() {
   splitDockWidget(plots, margins, Qt::Vertical);
   tabifyDockWidget(margins, robots);
   tabifyDockWidget(robots, groups);
+  tabifyDockWidget(groups, notes);
   margins->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
@@ -178,6 +183,9 @@ void MainWindow::setSession(SessionPort* session) {
                     outline.end);
   plots_->setJoints(outline.joints);
   groups_->open(outline);
+  static const std::vector<SceneNote> kNoNotes;
+  notes_->open(session_ ? session_->notes() : kNoNotes);
+  docks_[7]->setWindowTitle(notes_->title());
   playback_->setPort(session_);
   status_->clear();
   for (const auto& entry : actions_->all())

@@ -16,6 +16,7 @@ namespace abstand::ui {
 class Actions;
 class GroupPanel;
 class MarginPanel;
+class NotePanel;
 class PairPanel;
 class Playback;
 class PlotPanel;
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   TimelinePanel& timelinePanel() const { return *timeline_; }
   RobotPanel& robotPanel() const { return *robots_; }
   GroupPanel& groupPanel() const { return *groups_; }
+  NotePanel& notePanel() const { return *notes_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers scenes.
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
   MarginPanel* margins_;
   RobotPanel* robots_;
   GroupPanel* groups_;
+  NotePanel* notes_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/scene/scene_note.hpp"
 #include "core/scene/snapshot.hpp"
 
 namespace abstand::ui {
@@ -16,6 +17,8 @@ class SessionPort {
 
   /// Constant as long as the session lives.
   virtual const SceneOutline& outline() const = 0;
+  /// What to know of the scene before believing it; constant likewise.
+  virtual const std::vector<SceneNote>& notes() const = 0;
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
   virtual bool takeSnapshot(SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.

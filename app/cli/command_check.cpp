@@ -113,7 +113,8 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
 }
 
 /// What an interrupt leaves out fails the check, and the rest is reported.
-Judged judgeAll(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene, double limit) {
+Judged judgeAll(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene,
+                double limit) {
   Judged judged;
   std::vector<std::string> recordings = args.recordings;
   if (recordings.empty()) recordings.emplace_back();

@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "app/session/session.hpp"
+#include "core/scene/scene_note.hpp"
 
 namespace abstand {
-
-/// When a reservation fails `check`.
-enum class Severity {
-  kNote,    ///< never: a person who reads the verdict should know it
-  kStrict,  ///< with --strict: the distances may be wrong, or are those of a guess
-  kAlways   ///< something was not known at all, and unknown is never safe
-};
 
 /// One reason to doubt a verdict.
 struct Reservation {

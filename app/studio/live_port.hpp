@@ -11,9 +11,11 @@ namespace abstand {
 /// Hands the window's wishes to the loop's thread as values.
 class LivePort final : public ui::SessionPort {
  public:
-  explicit LivePort(std::unique_ptr<LiveSession> live) : live_(std::move(live)) {}
+  LivePort(std::unique_ptr<LiveSession> live, std::vector<SceneNote> notes)
+      : live_(std::move(live)), notes_(std::move(notes)) {}
 
   const SceneOutline& outline() const override { return live_->outline(); }
+  const std::vector<SceneNote>& notes() const override { return notes_; }
   bool takeSnapshot(SceneSnapshot& out) override { return live_->takeSnapshot(out); }
   void drainPlot(std::vector<PlotSample>& out) override { live_->drainPlot(out); }
   void play(bool on) override { live_->send(command::Play{on}); }
@@ -31,6 +33,7 @@ class LivePort final : public ui::SessionPort {
 
  private:
   std::unique_ptr<LiveSession> live_;
+  std::vector<SceneNote> notes_;
 };
 
 }  // namespace abstand

@@ -38,6 +38,7 @@ int fail(int code, const QString& text) {
 
 struct Arguments {
   QString scene, recording, screenshot;
+  PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
   double at{0.0};
@@ -56,6 +57,10 @@ bool parse(const QApplication& app, Arguments& args) {
   parser.addPositionalArgument("scene", QCoreApplication::translate("main", "scene file"), "[SCENE]");
   parser.addOption(
       {"recording", QCoreApplication::translate("main", "recording that replaces the scene's"), "FILE"});
+  parser.addOption(
+      {"package-path",
+       QCoreApplication::translate("main", "folder that holds ROS packages; may be given several times"),
+       "FOLDER"});
   parser.addOption({"at", QCoreApplication::translate("main", "start at this time"), "SECONDS"});
   parser.addOption({"react",
                     QCoreApplication::translate("main", "off: robots follow their motion whoever is there"),
@@ -98,8 +103,14 @@ bool parse(const QApplication& app, Arguments& args) {
   args.scene = parser.positionalArguments().value(0);
   args.recording = parser.value("recording");
   args.screenshot = parser.value("screenshot");
+  for (const QString& folder : parser.values("package-path"))
+    args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
   if (parser.positionalArguments().size() > 1) {
     fail(kWrongUsage, "abstand-studio: error: expected one scene");
+    return false;
+  }
+  if (args.scene.isEmpty() && !args.recording.isEmpty()) {
+    fail(kWrongUsage, "abstand-studio: error: --recording: found no scene, expected one with a person");
     return false;
   }
   return true;
@@ -158,7 +169,7 @@ int main(int argc, char** argv) {
   window.resize(args.size);
   window.show();
   window.actions()[ui::ActionId::kReact]->setChecked(args.react);
-  Studio studio(window);
+  Studio studio(window, args.packages);
   if (!args.scene.isEmpty()) studio.openScene(args.scene, args.recording, args.at);
   if (!args.screenshot.isEmpty()) {
     QObject::connect(&studio, &Studio::ready, &window, [&] { takePicture(window, args); });

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QMetaObject>
 
+#include "app/run/scene_notes.hpp"
 #include "app/studio/opening_progress.hpp"
 #include "core/base/error.hpp"
 #include "ui/panels/status_panel.hpp"
@@ -13,10 +14,12 @@ struct Studio::Loaded {
   int request{0};
   QString scene;
   std::unique_ptr<LiveSession> live;
+  std::vector<SceneNote> notes;
   QString problem;
 };
 
-Studio::Studio(ui::MainWindow& window) : window_(window) {
+Studio::Studio(ui::MainWindow& window, PackagePaths packages)
+    : window_(window), packages_(std::move(packages)) {
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
@@ -58,8 +61,9 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
         progress.hear(fraction, name);
       };
       options.monitor.cancelled = [this] { return cancelled_.load(); };
-      loaded->live = std::make_unique<LiveSession>(
-          std::make_unique<Session>(loadScene(scene.toStdString()), options), t);
+      auto session = std::make_unique<Session>(loadScene(scene.toStdString(), packages_), options);
+      loaded->notes = notesOf(*session);
+      loaded->live = std::make_unique<LiveSession>(std::move(session), t);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
     }
@@ -86,7 +90,7 @@ void Studio::take(std::shared_ptr<Loaded> loaded) {
     return;
   }
   window_.setSession(nullptr);
-  port_ = std::make_unique<LivePort>(std::move(loaded->live));
+  port_ = std::make_unique<LivePort>(std::move(loaded->live), std::move(loaded->notes));
   scene_ = loaded->scene;
   window_.setSession(port_.get());
   Q_EMIT ready();

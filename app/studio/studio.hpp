@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/studio/live_port.hpp"
+#include "core/mechanism/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 
 namespace abstand {
@@ -20,7 +21,8 @@ class Studio : public QObject {
   Q_OBJECT
 
  public:
-  explicit Studio(ui::MainWindow& window);
+  /// `packages`: where the robots of all scenes have their meshes.
+  explicit Studio(ui::MainWindow& window, PackagePaths packages = {});
   ~Studio() override;
 
   /// Begins to load; ready() or failed() follows. An empty recording: as the scene says.
@@ -38,6 +40,7 @@ class Studio : public QObject {
   void take(std::shared_ptr<Loaded> loaded);
 
   ui::MainWindow& window_;
+  const PackagePaths packages_;
   std::unique_ptr<LivePort> port_;
   QString scene_;
   std::future<void> loading_;

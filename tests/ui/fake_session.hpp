@@ -15,6 +15,7 @@ class FakeSession : public SessionPort {
   FakeSession();
 
   const SceneOutline& outline() const override { return outline_; }
+  const std::vector<SceneNote>& notes() const override { return scene_notes; }
   bool takeSnapshot(SceneSnapshot& out) override;
   void drainPlot(std::vector<PlotSample>& out) override;
   void play(bool on) override;
@@ -46,6 +47,7 @@ class FakeSession : public SessionPort {
     fresh_ = true;
   }
 
+  std::vector<SceneNote> scene_notes;
   double speed{1.0};
   bool loop{false};
   std::vector<std::string> log;  ///< commands as they came: "seek 1.5", "margin 3 0.04" ...

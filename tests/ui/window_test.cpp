@@ -31,6 +31,7 @@
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
+#include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
@@ -263,6 +264,60 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
 
   window.setSession(nullptr);
   EXPECT_FALSE(panel->findChild<QLabel*>("state arm"));
+}
+
+TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
+  const auto* log = window.robotPanel().log();
+  const auto lines = [&](int count) {
+    window.pull();
+    return QTest::qWaitFor([&] { return log->toPlainText().count("beyond its") == count; }, kWaitMs);
+  };
+  const std::string joint = session.outline().joints.at(1).name;
+  const bool slides = session.outline().joints.at(1).prismatic;
+  session.setRobot([](SceneSnapshot&, RobotSnapshot& robot) {
+    robot.breach_count = 1;
+    robot.breaches[0] = {1, LimitKind::kVelocity, -2.1, -1.92, 6.574, 6.5, 3};
+  });
+  EXPECT_TRUE(lines(1));
+  EXPECT_EQ(log->toPlainText().toStdString(),
+            "6.574 s  arm: joint " + joint + " beyond its velocity limit: " +
+                (slides ? "-2.10 m/s, limit -1.92 m/s" : "-2.10 rad/s, limit -1.92 rad/s"));
+  // Worse is no news, another limit is.
+  session.setRobot([](SceneSnapshot&, RobotSnapshot& robot) {
+    robot.breach_count = 2;
+    robot.breaches[0].value = -2.5;
+    robot.breaches[1] = {1, LimitKind::kEffort, 31.0, 30.0, 7.0, 7.0, 1};
+  });
+  EXPECT_TRUE(lines(2));
+  session.setRobot([](SceneSnapshot& snapshot, RobotSnapshot& robot) {
+    robot = {};
+    ++snapshot.loops;
+  });
+  EXPECT_TRUE(lines(0));
+}
+
+TEST_F(WindowTest, ReservationsOfTheSceneAreListed) {
+  NotePanel& panel = window.notePanel();
+  const auto title = [&] { return window.findChild<QDockWidget*>("notes")->windowTitle(); };
+  EXPECT_EQ(panel.topLevelItemCount(), 0);
+  EXPECT_EQ(title(), "Reservations");
+  FakeSession doubtful;
+  doubtful.scene_notes = {{"missing_body", "1 of 2 links of arm have no body: tool", Severity::kAlways},
+                          {"units_guess", "a.bvh: the units are guessed (cm)", Severity::kStrict},
+                          {"remark", "a.bvh: read as cm, y up", Severity::kNote}};
+  window.setSession(&doubtful);
+  ASSERT_EQ(panel.topLevelItemCount(), 3);
+  EXPECT_EQ(title(), "⚠ Reservations (2)");
+  const auto row = [&](int i) {
+    const QTreeWidgetItem* item = panel.topLevelItem(i);
+    return item->text(0) + "|" + item->text(1) + "|" + item->text(2);
+  };
+  EXPECT_EQ(row(0), "⚠ fails check|missing_body|1 of 2 links of arm have no body: tool");
+  EXPECT_EQ(row(1), "⚠ fails check --strict|units_guess|a.bvh: the units are guessed (cm)");
+  EXPECT_EQ(row(2), "to know|remark|a.bvh: read as cm, y up");
+  window.setSession(nullptr);
+  EXPECT_EQ(panel.topLevelItemCount(), 0);
+  EXPECT_EQ(title(), "Reservations");
 }
 
 TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {

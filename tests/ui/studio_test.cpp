@@ -1,0 +1,91 @@
+// The desktop program as a script uses it: one picture, and an end with a code that says what was wrong.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <QImage>
+#include <QString>
+
+#include "core/base/text_file.hpp"
+#include "tests/support/paths.hpp"
+
+namespace abstand {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudioProgram : ::testing::Test {
+  struct Answer {
+    int code;
+    std::string err;
+  };
+  StudioProgram() {
+    folder.write("scene.yaml",
+                 "abstand: 1\ndefaults: {voxel: 0.1, point: 0.1}\nobjects:\n"
+                 "  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}, pose: {xyz: [-0.5, 0, 0]}}\n");
+  }
+  /// In the folder, with settings and structures of its own.
+  Answer run(const std::string& arguments) {
+    const auto err = in("stderr");
+    const int status =
+        std::system(("cd '" + folder.path().string() + "' && HOME='" + folder.path().string() +
+                     "' XDG_CONFIG_HOME='" + in("config").string() + "' timeout 100 '" ABSTAND_STUDIO "' " +
+                     arguments + " 2>'" + err.string() + "'")
+                        .c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(err, 1 << 20, true)};
+  }
+  fs::path in(const std::string& name) const { return folder.path() / name; }
+  testing::ScratchFolder folder;
+};
+
+TEST_F(StudioProgram, APictureIsAnOutputLikeOthers) {
+  fs::create_symlink("target.png", in("link.png"));
+  const Answer good = run("scene.yaml --size 400x300 --screenshot link.png");
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_TRUE(fs::is_symlink(in("link.png")));
+  EXPECT_FALSE(QImage(QString::fromStdString(in("target.png").string())).isNull());
+
+  const std::string scene = readFile(in("scene.yaml"));
+  fs::create_symlink("scene.yaml", in("scene.png"));
+  const Answer input = run("scene.yaml --screenshot scene.png");
+  EXPECT_EQ(input.code, 2);
+  EXPECT_NE(input.err.find("scene.png: found a file that is an input too"), std::string::npos) << input.err;
+  EXPECT_EQ(readFile(in("scene.yaml")), scene);
+
+  fs::create_symlink("/dev/full", in("full.png"));
+  EXPECT_EQ(run("scene.yaml --screenshot full.png").code, 4);
+  fs::create_directory(in("folder.png"));
+  const Answer folder_name = run("none.yaml --screenshot folder.png");
+  EXPECT_EQ(folder_name.code, 2) << "before the scene is opened: " << folder_name.err;
+}
+
+TEST_F(StudioProgram, FindsRobotsInPackages) {
+  fs::create_directories(in("ros/pkg/meshes"));
+  folder.write("ros/pkg/package.xml", "<package><name>pkg</name></package>");
+  folder.write("ros/pkg/meshes/a.obj",
+               "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder.write(
+      "r.urdf",
+      "<robot name='r'><link name='a'><collision><geometry><mesh filename='package://pkg/meshes/a.obj'/>"
+      "</geometry></collision></link></robot>");
+  folder.write(
+      "robot.yaml",
+      "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nmechanisms:\n  - {name: m, file: r.urdf}\n");
+  const Answer nowhere = run("robot.yaml --screenshot a.png");
+  EXPECT_EQ(nowhere.code, 3);
+  EXPECT_NE(nowhere.err.find("package://pkg/meshes/a.obj"), std::string::npos) << nowhere.err;
+  const Answer found = run("robot.yaml --package-path none --package-path ros --screenshot a.png");
+  EXPECT_EQ(found.code, 0) << found.err;
+  EXPECT_TRUE(fs::exists(in("a.png")));
+}
+
+TEST_F(StudioProgram, ARecordingNeedsAPersonInAScene) {
+  folder.write("p.csv", "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n0,0,0,1,0,0,1.5\n");
+  EXPECT_EQ(run("--recording p.csv --screenshot a.png").code, 2);
+  const Answer nobody = run("scene.yaml --recording p.csv --screenshot a.png");
+  EXPECT_EQ(nobody.code, 3);
+  EXPECT_NE(nobody.err.find("found no person"), std::string::npos) << nobody.err;
+  EXPECT_FALSE(fs::exists(in("a.png")));
+}
+
+}  // namespace
+}  // namespace abstand
