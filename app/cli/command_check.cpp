@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
+#include "app/cli/warm_start.hpp"
 #include "app/run/check_report.hpp"
 #include "app/run/distance_check.hpp"
 #include "app/run/run_scene.hpp"
@@ -18,6 +19,7 @@ struct CheckArguments {
   std::string scene, min_distance, margins, junit, report;
   std::vector<std::string> recordings;
   std::string poses, react{"on"};
+  WarmStartArguments warm_start;
   bool dry_run{false}, strict{false}, swept{false}, cut_things{false};
   PackagePaths packages;
 };
@@ -75,6 +77,7 @@ struct Judged {
   CheckResult all;
   nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
   nlohmann::ordered_json joint_limits = nlohmann::ordered_json::array();
+  nlohmann::ordered_json warm_start;
   std::string robots_text;
   bool interrupted{false};
 };
@@ -87,9 +90,9 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
   options.poses = args.poses;
   options.cache = line.cache;
   options.monitor = buildMonitor(line);
+  args.warm_start.apply(options);
   // The gate leaves nothing out, whatever the scene allows.
   options.rest = 0.0;
-  options.remember = false;
   options.horizon = options.budget = kInfinity;
   Session session(scene, options);
   if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
@@ -101,6 +104,7 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
   run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
   const RunSummary summary = runScene(session, run);
   check.finish(summary, judged.all);
+  judged.warm_start = warmStartJson(summary);
   if (summary.cycles > 0) {
     judged.reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
     judged.robots_text += (args.recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);
@@ -160,6 +164,7 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
     }
     document[list == &all.violations ? "violations" : "unproven"] = rows;
   }
+  document["warm_start"] = judged.warm_start;
   document["reservations"] = reservationsJson(all.reservations);
   document["stale"] = all.stale;
   if (args.swept) document["swept"] = {{"queries", all.swept_queries}};
@@ -205,6 +210,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
                     "reservation that touches safety (guessed units, open meshes, gaps, ...)");
   command->add_flag("--swept", args->swept,
                     "between frames too: certified for bodies that go straight from pose to pose");
+  addWarmStart(*command, args->warm_start);
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runCheck(line, *args); }; });

@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
+#include "app/cli/warm_start.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
 
@@ -14,6 +15,7 @@ struct RunArguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
   std::string gain, person_speed;
   SessionOptions session;
+  WarmStartArguments warm_start;
   RunOptions run;
   PackagePaths packages;
 };
@@ -64,6 +66,7 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
                        {"empty", timesJson(s.profile->empty())},
                        {"empty_processor", timesJson(s.profile->emptyWork())}};
   j["skipping"] = skippingJson(s);
+  j["warm_start"] = warmStartJson(s);
   if (s.cycles > 0) {
     j["cycles"] = s.cycles;
     j["robots"] = robotsJson(s.robots);
@@ -94,6 +97,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
     text += timesText("  processor time of it", s.profile->work()) +
             timesText("  an empty loop as long", s.profile->empty()) +
             timesText("  processor time of that", s.profile->emptyWork());
+  text += warmStartText(s);
   text += closestText(s.min_distance_by_class);
   if (s.min_distance)
     text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
@@ -139,6 +143,7 @@ int runRun(const CommandLine& line, RunArguments& args) {
   if (!args.rest.empty()) args.session.rest = number(args.rest, "--rest");
   if (!args.horizon.empty()) args.session.horizon = number(args.horizon, "--horizon");
   if (!args.budget.empty()) args.session.budget = number(args.budget, "--budget");
+  args.warm_start.apply(args.session);
   args.run.react = args.react == "on";
   args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
@@ -196,9 +201,7 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option(
       "--budget", args->budget,
       "s of a cycle after which no more is queried; what waits has a growing bound (lockstep)");
-  command->add_flag_callback(
-      "--remember", [args] { args->session.remember = true; },
-      "pairs start from their last answer: faster, beyond 0.1 m up to 1 % too far (lockstep)");
+  addWarmStart(*command, args->warm_start);
   line.output(command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair"));
   line.output(command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object"));
   line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame"));

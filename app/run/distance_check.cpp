@@ -61,10 +61,29 @@ void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
       proven = proven && between[i].lower >= widened_[i];
       if (between[i].upper < d) d = between[i].upper, when = between[i].t;
     }
+    // A warm start may leave a distance above the smallest, and its bound wide: the verdict is the cold
+    // one's.
+    if (scene_.skipping().remember && !broken &&
+        (!proven || d * (1.0 - scene_.skipping().far_tolerance) < limit)) {
+      const PairResult cold = queryCold(i);
+      if (cold.distance < d) d = cold.distance, when = t;
+      broken = broken || !(cold.distance >= limit);
+      const bool between_proven = between.empty() || between[i].lower >= widened_[i];
+      proven = proven || (cold.distance - cold.bound >= limit && between_proven);
+    }
     const double reach = between.empty() ? reaches_[i] : widened_[i] - limits_[i];
     watch(broken_[i], closed_broken_, i, when, d, reach, broken);
     watch(unproven_[i], closed_unproven_, i, when, d, reach, !broken && !proven);
   }
+}
+
+PairResult DistanceCheck::queryCold(std::size_t pair) {
+  const Pair& p = scene_.pairs()[pair];
+  const Object& a = scene_.object(p.a);
+  const Object& b = scene_.object(p.b);
+  PairResult result;
+  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, p.options, scratch_, result);
+  return result;
 }
 
 void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {

@@ -19,9 +19,21 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
-std::vector<double> timesOf(const Session& session, const RunOptions& options) {
-  return timesBetween(options.rate ? session.frameTimes(*options.rate) : session.frameTimes(), options.start,
-                      options.end);
+/// The frames of a pass, and where they stand among all.
+struct Frames {
+  std::vector<double> times;   ///< s
+  std::vector<double> before;  ///< s, of the frames just before them, from which velocities follow
+  std::size_t first{0};
+};
+
+Frames framesOf(const Session& session, const RunOptions& options) {
+  const std::vector<double> all = options.rate ? session.frameTimes(*options.rate) : session.frameTimes();
+  Frames frames;
+  frames.times = timesBetween(all, options.start, options.end);
+  const auto at = std::find(all.begin(), all.end(), frames.times.front());
+  frames.first = static_cast<std::size_t>(at - all.begin());
+  frames.before.assign(at - std::min<std::ptrdiff_t>(at - all.begin(), Scene::kMeanSamples), at);
+  return frames;
 }
 
 /// Collects what a frame says of the extremes.
@@ -234,7 +246,8 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
 
 RunSummary runScene(Session& session, const RunOptions& options) {
   const bool react = options.react && session.reacts();
-  const std::vector<double> times = timesOf(session, options);
+  const Frames frames = framesOf(session, options);
+  const std::vector<double>& times = frames.times;
   Scene& scene = session.scene();
   RunSummary summary;
   summary.objects = scene.objectCount();
@@ -251,14 +264,21 @@ RunSummary runScene(Session& session, const RunOptions& options) {
     }
   };
 
+  const bool passes = options.mode == RunMode::kLockstep && !react;
+  if (passes)
+    for (const double t : frames.before) session.applyMotion(t);
+  const long breaches_before = scene.speedWatch().count();
   // The first cycle sets sizes and first-time caches; it is run once more as a frame.
   session.step(times.front());
+  if (scene.skipping().remember && options.mode == RunMode::kLockstep)
+    summary.warm_start = {passes ? kColdStart : 0, scene.skipping().far_tolerance};
   for (const PairId id : all) results[id.index()] = scene.result(id);
   CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
   if (options.profile && options.mode == RunMode::kLockstep)
     summary.profile.emplace(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
+    scene.startCold();
     if (react && options.mode == RunMode::kLockstep) {
       ClosedLoop loop(session, times.front());
       summary.cycles = 0;
@@ -281,10 +301,12 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                 });
       summary.robots = reportOf(loop);
     } else if (options.mode == RunMode::kLockstep) {
+      std::size_t frame = frames.first;
       runFrames(session, nullptr, times, options, last, summary, statistics, results, all, scene.renewed(),
                 [&](double t, const auto& done) {
                   if (summary.profile) summary.profile->begin();
                   const auto begin = Clock::now();
+                  if (frame++ % kColdStart == 0) scene.startCold();
                   session.step(t);
                   for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
                   watch();
@@ -342,8 +364,9 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   summary.max_us = 1e6 * statistics.max();
   summary.overruns = statistics.overruns();
   for (const SpeedBreach& b : scene.speedWatch().listed())
-    summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
-  summary.breach_count = scene.speedWatch().count();
+    if (b.t >= times.front())
+      summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
+  summary.breach_count = scene.speedWatch().count() - breaches_before;
   for (std::size_t i = 0; i < stale.size(); ++i)
     if (stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
   return summary;

@@ -38,6 +38,10 @@ struct RunOptions {
   std::function<void(double t, const std::vector<PairResult>&)> on_cycle;
 };
 
+/// A pass over frames starts cold at frame 0 and every kColdStart frames from there on, so that a pass that
+/// begins at one of these gives the same bits as the whole.
+inline constexpr std::size_t kColdStart = 128;
+
 struct RunSummary {
   struct Extreme {
     std::string a, b;
@@ -59,6 +63,12 @@ struct RunSummary {
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
   std::vector<Reservation> reservations;  ///< what weakens all of this
+  /// Pairs started from their last answer (Skipping::remember).
+  struct WarmStart {
+    std::size_t block{0};  ///< frames from one cold start to the next; 0: cold at the beginning alone
+    double far_tolerance{0.0};
+  };
+  std::optional<WarmStart> warm_start;
   /// How pairs came to their results, over all frames of all repeats.
   struct Work {
     long checked{0}, rested{0}, beyond{0}, put_off{0};

@@ -48,6 +48,7 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   skipping.horizon = options.horizon.value_or(skipping.horizon);
   skipping.budget = options.budget.value_or(skipping.budget);
   skipping.remember = options.remember.value_or(skipping.remember);
+  skipping.far_tolerance = options.far_tolerance.value_or(skipping.far_tolerance);
   scene_.setSkipping(skipping);
   if (options.planned) options.planned(library_.size());
   library_.build(0, options.monitor);

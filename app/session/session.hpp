@@ -26,6 +26,7 @@ struct SessionOptions {
   std::function<void(std::size_t structures)> planned;
   std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in Skipping
   std::optional<bool> remember;                 ///< likewise
+  std::optional<double> far_tolerance;          ///< likewise
 };
 
 /// m/s. What a part of a person is taken to move at most where pairs may rest and the scene does not say: the

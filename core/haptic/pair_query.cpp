@@ -23,12 +23,13 @@ struct Followed {
 
 /// Most pairs: the nearest points are still where they were, and the hulls prove it.
 bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
-            double margin, const Followed& points, PairPast& past, PairResult& result) {
+            const PairOptions& options, const Followed& points, PairPast& past, PairResult& result) {
   if (!past.hulls || !(points.distance > kTouching)) return false;
   // Along a vector of any length: the separation times that.
   const double certified =
       separationAlong(points.way, a, X_WA, b, X_WB, false) / points.distance - kPlaneRounding;
-  if (points.distance - certified > allowed(points.distance) || certified <= margin) return false;
+  if (points.distance - certified > allowed(points.distance, options) || certified <= options.margin)
+    return false;
   past.distance = points.distance;
   result = {};
   result.distance = points.distance;
@@ -40,10 +41,11 @@ bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructu
 
 /// The same from either of what a pair remembers; what it then starts from is in memory.last.
 bool stayedOrJumpedBack(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                        const Transform& X_WB, double margin, PairMemory& memory, PairResult& result) {
+                        const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                        PairResult& result) {
   if (!memory.last.apart) return false;
   const Followed points(memory.last, X_WA, X_WB);
-  if (stayed(a, X_WA, b, X_WB, margin, points, memory.last, result)) return true;
+  if (stayed(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
   if (!(std::abs(points.distance - memory.last.distance) > kJump)) return false;
   const PairPast before = memory.before_jump;
   memory.before_jump = memory.last;
@@ -51,7 +53,7 @@ bool stayedOrJumpedBack(const HapticStructure& a, const Transform& X_WA, const H
   const Followed points_before(before, X_WA, X_WB);
   if (!(points_before.distance < points.distance)) return false;
   memory.last = before;
-  return stayed(a, X_WA, b, X_WB, margin, points_before, memory.last, result);
+  return stayed(a, X_WA, b, X_WB, options, points_before, memory.last, result);
 }
 
 void add(const PenaltyForce& penalty, PairResult& result) {
@@ -72,7 +74,7 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
                    const Transform& X_WB, const PairOptions& options, PairMemory& memory,
                    PairScratch& scratch, PairResult& result) noexcept {
   const double margin = options.margin;
-  if (stayedOrJumpedBack(a, X_WA, b, X_WB, margin, memory, result)) {
+  if (stayedOrJumpedBack(a, X_WA, b, X_WB, options, memory, result)) {
     memory.last.touching = false;
     return false;
   }

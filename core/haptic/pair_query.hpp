@@ -9,10 +9,17 @@ namespace abstand {
 /// volume whatever the sampling. kThesis: f_i = k_t V_i n_i [thesis eq. 2.2], unweighted, k_t in N/m.
 enum class ForceLaw { kVolume, kThesis };
 
+/// m; nearer, the distance is that of the nearest points within 1e-5 m, farther away within a share of it.
+inline constexpr double kFarFrom = 0.1;
+/// PairOptions::far_share unless something else is asked for: within a hundredth of the smallest.
+inline constexpr double kColdFarShare = 0.0099;
+
 struct PairOptions {
   double margin{0.0};       ///< m, sum of both objects' safety margins
   double stiffness{1.0e6};  ///< N/m^3 (kVolume) or N/m (kThesis)
   ForceLaw law{ForceLaw::kVolume};
+  /// Of an answer beyond kFarFrom: by so much it may exceed the smallest distance of the shell's points.
+  double far_share{kColdFarShare};
 };
 
 /// Result of one pair A, B in one cycle. World frame, SI. Distances are between the bare surfaces, without
@@ -95,8 +102,9 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
 /// surfaces (witness.hpp). Where the bodies may touch, the other body's points are searched as well. Inside,
 /// the depth is that of the deepest surface point that was found of either body in the other.
 ///
-/// With a memory, distances beyond 0.1 m may exceed the smallest of the shell's points by 1 %, as far as the
-/// field there tells them apart; `bound` says by how much in each case.
+/// With a memory, distances beyond kFarFrom may exceed the smallest of the shell's points by
+/// options.far_share of themselves, as far as the field there tells them apart; `bound` says by how much in
+/// each case.
 void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
                const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
                PairResult& result) noexcept;

@@ -28,6 +28,8 @@ constexpr double kDeeper = 0.1;
 constexpr double kCrossing = 0.5;
 // Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
 constexpr double kHome = 6.0;
+// Of what is allowed: a point that seems nearer by this is worth a walk.
+constexpr double kWorthPart = 0.25;
 // Queries of near bodies whose hulls overlap, between two that look whether they still do.
 constexpr std::uint32_t kIdle = 8;
 
@@ -158,10 +160,16 @@ double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
     found_ = lower_bound;
     return lower_bound;
   }
-  const Witness found = far ? footWitness(*F_.surface, start, witness_.hint_field,
-                                          (1.0 + kStayPart) * static_cast<double>(nearest.estimate))
-                            : refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start,
-                                            normalAt(nearest.point), spacing, hint_field_);
+  Witness found;
+  if (far)
+    found = footWitness(*F_.surface, start, witness_.hint_field,
+                        (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
+  // Where the point's foot is no nearer than the witness, a walk from it may be.
+  const bool worth =
+      static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
+  if (!far || (worth && !(found.distance < witness_.distance)))
+    found = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, normalAt(nearest.point),
+                          spacing, hint_field_);
   if (!apart || found.distance < witness_.distance) witness_ = found;
   return lower_bound;
 }

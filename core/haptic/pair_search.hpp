@@ -1,6 +1,7 @@
 // One query of a pair, in steps. Internal to core/haptic.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "core/haptic/parts_apart.hpp"
@@ -11,16 +12,15 @@ namespace abstand {
 
 /// m; points nearer to each other give no direction.
 inline constexpr double kTouching = 1e-6;
-/// Beyond this distance (m) the smallest may be less than the answer by kFarPart of the answer, which is then
-/// within a hundredth of the smallest; the bound says so.
-inline constexpr double kFarFrom = 0.1, kFarPart = 0.0099;
-/// Nearer, by this. m.
+/// m; by so much a distance up to kFarFrom may exceed the smallest.
 inline constexpr double kNearEnough = 1e-5;
 /// m; points that have left each other by so much between two queries are a bad start.
 inline constexpr double kJump = 0.01;
 
 /// By so much (m) a distance may exceed the smallest.
-inline double allowed(double distance) { return distance > kFarFrom ? kFarPart * distance : kNearEnough; }
+inline double allowed(double distance, const PairOptions& options) {
+  return distance > kFarFrom ? std::max(options.far_share * distance, kNearEnough) : kNearEnough;
+}
 
 /// P gives the points, F the field; everything is in F's axes. What is remembered is tried first, then P's
 /// points are searched in F's field, then, where the bodies may touch, the other way round. Lives within one

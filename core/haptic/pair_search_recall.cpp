@@ -123,7 +123,7 @@ double PairSearch::separation(const Vector3d& n) {
 }
 
 bool PairSearch::isKnown() const {
-  const double may_exceed = allowed(witness_.distance);
+  const double may_exceed = allowed(witness_.distance, options_);
   return witness_.distance - certified_ <= may_exceed ||
          witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
 }
@@ -160,7 +160,7 @@ bool PairSearch::provenByParts() {
 }
 
 bool PairSearch::partsApart(const Vector3d& n, FacingParts::Parts& between) {
-  const double by = witness_.distance - allowed(witness_.distance);
+  const double by = witness_.distance - allowed(witness_.distance, options_);
   if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_lines_).apart(n, between))
     return false;
   certify(by);

@@ -70,6 +70,7 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
+  options.far_share = skipping_.farShare();
   pairs_.push_back({a, b, PairOutcome::kChecked, false, false, false, 0, {}, {}, options});
   result_time_.push_back(kNaN);
   pairs_of_[a.index()].push_back(id);
@@ -152,6 +153,14 @@ void Scene::setSkipping(const Skipping& skipping) {
   skipping_ = skipping;
   if (skipping.limited()) agenda_.reserve(pairs_.capacity());
   memories_.assign(skipping.remember ? pairs_.size() : 0, {});
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    pairs_[i].options.far_share = skipping.farShare();
+    renew(PairId(i));
+  }
+}
+
+void Scene::startCold() noexcept {
+  std::fill(memories_.begin(), memories_.end(), PairMemory{});
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 

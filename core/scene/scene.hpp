@@ -115,6 +115,9 @@ class Scene {
   const SpeedWatch& speedWatch() const { return speed_watch_; }
   /// From the next step() on. Throws UsageError.
   void setSkipping(const Skipping& skipping);
+  /// The next step() queries every pair, and from nothing but its poses: its numbers, and those of the steps
+  /// after it, do not depend on what was before. No allocation.
+  void startCold() noexcept;
   const Skipping& skipping() const { return skipping_; }
   /// What the time budget is measured with: seconds from any beginning. Default: the steady clock.
   using Clock = double (*)();

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr YamlRange kStiffnessRange{0.0, 1e15, "N/m^3", true};
 constexpr YamlRange kShareRange{0.0, 1.0};
+constexpr YamlRange kToleranceRange{0.0, kMaxFarTolerance};
 constexpr YamlRange kHorizonRange{0.0, 1e4, "m"};
 constexpr YamlRange kBudgetRange{0.0, 1e3, "s"};
 
@@ -125,12 +126,13 @@ ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
 }
 
 Skipping skippingRules(const YamlNode& node, const std::string& file) {
-  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget", "remember"});
+  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget", "remember", "tolerance"});
   Skipping s;
   s.rest = fields.number("rest", kShareRange).value_or(s.rest);
   s.horizon = fields.number("horizon", kHorizonRange).value_or(s.horizon);
   s.budget = fields.number("budget", kBudgetRange).value_or(s.budget);
-  s.remember = fields.choice("remember", {"true", "false"}).value_or("false") == "true";
+  s.remember = fields.choice("remember", {"true", "false"}).value_or("true") == "true";
+  s.far_tolerance = fields.number("tolerance", kToleranceRange).value_or(s.far_tolerance);
   return s;
 }
 

@@ -148,7 +148,7 @@ struct SceneDescription {
   std::vector<ObjectDescription> objects;
   PairsDescription pairs;
   ThreadGroups threads;
-  Skipping skipping;
+  Skipping skipping{.remember = true};
   std::vector<std::string> remarks;  ///< what a user should know of the files that were read
 };
 

@@ -143,7 +143,8 @@ std::string skippingText(const Skipping& s) {
   std::string text = "skipping: {rest: " + formatDouble(s.rest);
   if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
   if (s.limited()) text += ", budget: " + formatDouble(s.budget);
-  if (s.remember) text += ", remember: true";
+  if (!s.remember) text += ", remember: false";
+  if (s.far_tolerance != Skipping{}.far_tolerance) text += ", tolerance: " + formatDouble(s.far_tolerance);
   return text + "}\n";
 }
 

@@ -1,9 +1,11 @@
 // What a scene may leave out in a step, and what that costs in certainty.
 #pragma once
 
-#include "core/math/transform.hpp"
+#include "core/haptic/pair_query.hpp"
 
 namespace abstand {
+
+inline constexpr double kMaxFarTolerance = 0.1;
 
 /// All off by default: every pair of something that moved is queried. Whatever is left out, the true distance
 /// of a pair is never below distance - bound; it is the bound that grows.
@@ -21,11 +23,14 @@ struct Skipping {
   /// proven yet are queried in any case.
   double budget{kInfinity};
 
-  /// Pairs start from what they remember of the step before (PairMemory). Several times as fast, and farther
-  /// away than 0.1 m up to 1 % more than the smallest distance of the points (which `bound` covers); and a
-  /// step's numbers depend, within these limits, on the steps before it. They never depend on the number of
-  /// threads.
+  /// Warm start: pairs start from what they remember of the step before (PairMemory). Several times as fast,
+  /// and farther away than 0.1 m up to far_tolerance above the smallest distance of the points (which `bound`
+  /// covers); and a step's numbers depend, within these limits, on the steps since the last one that was cold
+  /// (Scene::startCold). They never depend on the number of threads.
   bool remember{false};
+  double far_tolerance{0.002};
+  /// The same as a share of the answer, as PairOptions wants it.
+  double farShare() const { return remember ? far_tolerance / (1.0 + far_tolerance) : kColdFarShare; }
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }
   bool limited() const { return budget < kInfinity; }
