@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/base/interrupt.hpp"
 #include "tracking/depth/depth_sources.hpp"
 #include "tracking/part_joints.hpp"
 
@@ -118,7 +119,10 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
         "found depth images that do not say how their camera stands, expected a camera with T_WC, "
         "to cut the things of the scene out of them");
   tracker.known = known;
+  tracker.interrupted = interruptRequested;
   const ClipTrack track = trackClip(*stream, tracker);
+  // Half a recording would stand for a person who was lost.
+  if (track.interrupted) throw Interrupted();
   if (track.people.empty())
     throw ParseError({path.string()}, "found nobody in the depth recording, expected a person");
   Recording recording = recordingOf(track, stream->facts(), 0);

@@ -27,7 +27,7 @@ bool isDepthRecording(const std::filesystem::path& path);
 
 /// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it
 /// is measured. With `known`, which cuts out what is no person, the recording has to say how its camera
-/// stands. Throws ParseError and UsageError.
+/// stands. Throws ParseError, UsageError, and Interrupted when an interrupt comes while it tracks.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
                            std::optional<double> height, const KnownThings& known = {});
 

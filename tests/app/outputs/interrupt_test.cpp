@@ -159,5 +159,24 @@ TEST_F(Interrupts, TrackThatFollowsSomebodyWritesThem) {
   EXPECT_EQ(runJson("skeleton '" + in("person_found.csv").string() + "'")["frames"], frames);
 }
 
+TEST_F(Interrupts, ASceneThatStillTracksItsPersonHasRunNothing) {
+  makeClip();
+  write("clip/depth.txt", manyImages(20'000, 4.0));
+  write("person.yaml",
+        "abstand: 1\ndefaults: {voxel: 0.1, point: 0.1}\nhumans: [{name: p, height: 1.75}]\nobjects:\n"
+        "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [9, 0, 0]}}\n");
+  const Answer a =
+      interrupt("check person.yaml --min-distance 0.01 --json --recording clip --recording person.csv");
+  EXPECT_EQ(a.code, 130) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out;
+  EXPECT_EQ(j["interrupted"], true);
+  EXPECT_EQ(j["passed"], false);
+  EXPECT_EQ(j["frames"], 0);
+  ASSERT_EQ(j["reservations"].size(), 2u) << j["reservations"];
+  EXPECT_EQ(j["reservations"].at(0)["recording"], "clip");
+  EXPECT_EQ(j["reservations"].at(1)["recording"], "person.csv");
+}
+
 }  // namespace
 }  // namespace abstand::testing
