@@ -21,8 +21,10 @@ double seconds(Clock::duration d) { return std::chrono::duration<double>(d).coun
 
 /// The frames of a pass, and where they stand among all.
 struct Frames {
-  std::vector<double> times;   ///< s
-  std::vector<double> before;  ///< s, of the frames just before them, from which velocities follow
+  std::vector<double> times;  ///< s
+  /// s, of all frames before them: velocities follow from the last poses, and the poser's choices among equal
+  /// poses from all.
+  std::vector<double> before;
   std::size_t first{0};
 };
 
@@ -32,7 +34,7 @@ Frames framesOf(const Session& session, const RunOptions& options) {
   frames.times = timesBetween(all, options.start, options.end);
   const auto at = std::find(all.begin(), all.end(), frames.times.front());
   frames.first = static_cast<std::size_t>(at - all.begin());
-  frames.before.assign(at - std::min<std::ptrdiff_t>(at - all.begin(), Scene::kMeanSamples), at);
+  frames.before.assign(all.begin(), at);
   return frames;
 }
 
@@ -265,11 +267,12 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   };
 
   const bool passes = options.mode == RunMode::kLockstep && !react;
+  // The first cycle sets sizes and first-time caches; it is run once more as a frame, or before those of a
+  // pass that begins later.
+  session.step(passes && !frames.before.empty() ? frames.before.front() : times.front());
   if (passes)
     for (const double t : frames.before) session.applyMotion(t);
   const long breaches_before = scene.speedWatch().count();
-  // The first cycle sets sizes and first-time caches; it is run once more as a frame.
-  session.step(times.front());
   if (scene.skipping().remember && options.mode == RunMode::kLockstep)
     summary.warm_start = {passes ? kColdStart : 0, scene.skipping().far_tolerance};
   for (const PairId id : all) results[id.index()] = scene.result(id);

@@ -2,31 +2,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tests/app/ball_and_wall.hpp"
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
 namespace {
-
-const char* kBallAndWall = R"(abstand: 1
-defaults: {voxel: 0.005, point: 0.005}
-objects:
-  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}, pose: {xyz: [-0.1, 0, 0]}}
-  - {name: ball, shape: {sphere: {radius: 0.05}}}
-)";
-
-/// The ball flies at the wall at 1 m/s and stops `stop` before it; 101 frames.
-std::string ballPoses(double stop) {
-  std::string csv = "t";
-  for (const char* c : {"r00", "r01", "r02", "tx", "r10", "r11", "r12", "ty", "r20", "r21", "r22", "tz"})
-    csv += std::string(",ball.") + c;
-  csv += "\n";
-  for (int i = 0; i <= 100; ++i) {
-    const double t = i * 0.01;
-    csv +=
-        std::to_string(t) + ",1,0,0," + std::to_string(std::max(1.0 - t, stop) + 0.05) + ",0,1,0,0,0,0,1,0\n";
-  }
-  return csv;
-}
 
 TEST_F(Cli, WrongUsageIsTwo) {
   for (const char* bad :
@@ -237,10 +217,10 @@ TEST_F(Cli, WhatARunLeftOutIsSaid) {
   text.replace(text.find("voxel: 0.005, point: 0.005"), 26, "voxel: 0.02, point: 0.02");
   const std::string scene = write("s.yaml", text);
   const json plain = runJson("run " + scene + poses)["skipping"];
-  EXPECT_EQ(plain["checked"], 88);  // the warm-up had the first pose already, and the last 12 are one
+  EXPECT_EQ(plain["checked"], 89);  // the last 12 are one
   EXPECT_EQ(plain["rested"], 0);
   const json j = runJson("run " + scene + poses + " --rest 0.3");
-  EXPECT_EQ(j["skipping"]["checked"].get<int>() + j["skipping"]["rested"].get<int>(), 88);
+  EXPECT_EQ(j["skipping"]["checked"].get<int>() + j["skipping"]["rested"].get<int>(), 89);
   EXPECT_GT(j["skipping"]["rested"], 10);
   EXPECT_GE(j["min_distance"]["value"].get<double>(), 0.12 - 0.005);
   EXPECT_EQ(run("run " + scene + poses + " --rest 1.5").code, 2);

@@ -25,6 +25,7 @@ void add(StateHash& hash, const Vector3d& v) {
 }
 
 std::uint64_t runHash(Session& session) {
+  session.scene().startCold();
   StateHash hash;
   for (int i = 0; i < 40; ++i) {
     session.step(0.05 * i);
