@@ -10,7 +10,7 @@ namespace abstand {
 namespace {
 
 using enum Joint;
-constexpr std::size_t kMostFrames = 200;
+constexpr std::size_t kMaxFrames = 200;
 constexpr double kShortestBone = 1e-3;       // m; shorter ones are joints that a format repeats
 constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of a bone's spread
 constexpr double kGroundQuantile = 0.05;     // some frames may be broken or below a sloping floor
@@ -25,7 +25,7 @@ constexpr Leg kLegs[] = {{kHipLeft, kKneeLeft, kAnkleLeft}, {kHipRight, kKneeRig
 template <class Measure>
 std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double quantile, Measure measure) {
   std::vector<double> found;
-  const std::size_t samples = std::min(frames.size(), kMostFrames);
+  const std::size_t samples = std::min(frames.size(), kMaxFrames);
   found.reserve(samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const std::size_t at = samples == 1 ? 0 : i * (frames.size() - 1) / (samples - 1);

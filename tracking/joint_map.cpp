@@ -11,7 +11,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostMapBytes = 1 << 20;
+constexpr std::uintmax_t kMaxMapBytes = 1 << 20;
 
 /// The place of `value` among two words.
 int oneOf(std::string_view value, std::array<const char*, 2> words, const SourcePos& pos) {
@@ -74,7 +74,7 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
 }
 
 JointMap loadJointMap(const std::filesystem::path& file) {
-  return parseJointMap(readFile(file, kMostMapBytes), file);
+  return parseJointMap(readFile(file, kMaxMapBytes), file);
 }
 
 std::vector<JointMap> loadJointMaps(const std::filesystem::path& folder) {

@@ -14,8 +14,8 @@ Chessboard boardOf(const CalibrateArguments& args) {
   const std::size_t cross = std::min(text.find('x'), text.size());
   board.columns = parseInt(text.substr(0, cross)).value_or(0);
   board.rows = parseInt(text.substr(std::min(cross + 1, text.size()))).value_or(0);
-  if (std::min(board.columns, board.rows) < Chessboard::kLeastSquares ||
-      std::max(board.columns, board.rows) > Chessboard::kMostSquares)
+  if (std::min(board.columns, board.rows) < Chessboard::kMinSquares ||
+      std::max(board.columns, board.rows) > Chessboard::kMaxSquares)
     throw UsageError("--squares: found '" + args.squares +
                      "', expected the squares along both sides, 4 to 40 each, like 8x5");
   if (board.columns == board.rows)
@@ -37,7 +37,7 @@ Transform placeOf(const std::string& text) {
 std::string hintOf(const GreyImage& image, const Chessboard& board) {
   for (const int more : {1, -1}) {
     const Chessboard other{board.columns + more, board.rows + more, board.square};
-    if (std::min(other.columns, other.rows) >= Chessboard::kLeastSquares && findChessboard(image, other))
+    if (std::min(other.columns, other.rows) >= Chessboard::kMinSquares && findChessboard(image, other))
       return "it shows one of " + std::to_string(other.columns) + " x " + std::to_string(other.rows) +
              " squares; --squares counts squares, not inner corners";
   }

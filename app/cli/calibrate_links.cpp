@@ -9,12 +9,12 @@
 namespace abstand::cli {
 namespace {
 
-constexpr std::size_t kMostImages = 8;
+constexpr std::size_t kMaxImages = 8;
 
 /// Evenly spread over the recording.
 std::vector<DepthFrame> imagesOf(DepthStream& stream) {
   std::vector<DepthFrame> frames;
-  const std::size_t count = std::min(kMostImages, stream.size());
+  const std::size_t count = std::min(kMaxImages, stream.size());
   for (std::size_t i = 0; i < count; ++i) {
     stream.seek(count > 1 ? i * (stream.size() - 1) / (count - 1) : 0);
     DepthFrame frame;

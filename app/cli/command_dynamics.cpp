@@ -18,7 +18,7 @@
 namespace abstand::cli {
 namespace {
 
-constexpr std::size_t kMostRows = 10'000'000;  // of --out
+constexpr std::size_t kMaxRows = 10'000'000;  // of --out
 
 struct DynamicsArguments {
   std::string mechanism, q, qd, qdd, gravity, motion, out;
@@ -118,9 +118,9 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanis
   const SmoothMotion motion(loadMotion(args.motion, mechanism.dof));
   const auto n = static_cast<std::size_t>(mechanism.dof);
   const double rows = std::floor((motion.end() - motion.start()) * args.rate + 1e-9) + 1.0;
-  if (!(rows <= static_cast<double>(kMostRows)))
+  if (!(rows <= static_cast<double>(kMaxRows)))
     throw UsageError("--rate: found " + formatDouble(args.rate) + " Hz, which makes more than " +
-                     std::to_string(kMostRows) + " rows");
+                     std::to_string(kMaxRows) + " rows");
   std::unique_ptr<OutputFile> out;
   if (!args.out.empty()) {
     out = std::make_unique<OutputFile>(args.out);

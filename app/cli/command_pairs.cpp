@@ -46,7 +46,7 @@ std::string srdfFor(const std::filesystem::path& file, const Srdf& srdf) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(file, ec) || std::filesystem::file_size(file, ec) == 0)
     return srdfText(srdf);
-  return mergedSrdfText(readFile(file, kMostRobotBytes), file.string(), srdf);
+  return mergedSrdfText(readFile(file, kMaxRobotBytes), file.string(), srdf);
 }
 
 int runPairs(const CommandLine& line, PairsArguments& args) {

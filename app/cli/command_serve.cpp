@@ -29,8 +29,8 @@ struct ServeArguments {
 ReactionDescription reactionOf(const ServeArguments& args) {
   ReactionDescription reaction = usualReaction();
   if (!args.reaction.empty()) {
-    constexpr std::size_t kMostBytes = 1u << 20;
-    const YamlNode document = parseYaml(readFile(args.reaction, kMostBytes), args.reaction);
+    constexpr std::size_t kMaxBytes = 1u << 20;
+    const YamlNode document = parseYaml(readFile(args.reaction, kMaxBytes), args.reaction);
     reaction = readReaction(document, args.reaction);
   }
   if (args.reaction.empty() || !args.stale.empty()) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMm = 1e3;
 /// Longer lists are cut in the text; the JSON has all.
-constexpr std::size_t kMostLines = 10;
+constexpr std::size_t kMaxLines = 10;
 
 }  // namespace
 
@@ -58,10 +58,10 @@ std::string doctorText(const DoctorReport& r) {
     text += format("  %-16s %9.2f %8zu %8zu %15.0f\n", j.joint.c_str(), j.jitter * kMm, j.missing, j.inferred,
                    j.longest_gap * kMm);
   text += format("left and right change places: %zu times", r.swaps.size());
-  for (std::size_t i = 0; i < r.swaps.size() && i < kMostLines; ++i)
+  for (std::size_t i = 0; i < r.swaps.size() && i < kMaxLines; ++i)
     text += format("%s%.3f s", i == 0 ? ": " : ", ", r.swaps[i]);
   text += format("\njumps beyond %.0f m/s: %zu\n", kFastestJoint, r.jumps.size());
-  for (std::size_t i = 0; i < r.jumps.size() && i < kMostLines; ++i)
+  for (std::size_t i = 0; i < r.jumps.size() && i < kMaxLines; ++i)
     text += format("  %-16s at %.3f s: %.1f m/s\n", r.jumps[i].joint.c_str(), r.jumps[i].t, r.jumps[i].speed);
   text +=
       "filter                    delay ms (at rest)  jitter mm before  after  99 % moved by less than mm\n";

@@ -9,9 +9,9 @@ namespace abstand {
 namespace {
 
 constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
-constexpr int kMostPeriods = 50;          // of the step that the loop chooses
+constexpr int kMaxPeriods = 50;          // of the step that the loop chooses
 constexpr int kPublishEvery = 4;          // rounds; the window draws at 60 Hz
-constexpr double kMostRound = 0.02;       // s of wall time for cycles between two looks at the commands
+constexpr double kMaxRound = 0.02;       // s of wall time for cycles between two looks at the commands
 constexpr long kStatisticsWindow = 2000;  // cycles after which the shown times forget
 constexpr double kHeadroom = 1.3;         // of a cycle's median, for what else the loop does
 
@@ -232,7 +232,7 @@ void LiveSession::timed(Timing& timing, Work work) {
   timing.periods =
       closed_ ? 1
               : std::clamp(static_cast<int>(std::ceil(kHeadroom * timing.statistics.median() / kPeriod)), 1,
-                           kMostPeriods);
+                           kMaxPeriods);
   ++step_;
   dirty_ = false;
   fresh_ = true;
@@ -279,7 +279,7 @@ void LiveSession::play(Timing& timing) {
 
 /// To where wall time has come to, and no farther than the end: it is shown, and the next round begins again.
 void LiveSession::playRecorded(Timing&) {
-  pace_.forgive(speed_, speed_ * PlayPace::kMostLag);
+  pace_.forgive(speed_, speed_ * PlayPace::kMaxLag);
   if (t_ >= outline_.end) end();
   if (!playing_) return;
   const double dt = std::min(pace_.due(), outline_.end - t_);
@@ -290,7 +290,7 @@ void LiveSession::playRecorded(Timing&) {
 }
 
 void LiveSession::playClosed(Timing& timing) {
-  const double until = clock_->now() + kMostRound;
+  const double until = clock_->now() + kMaxRound;
   while (pace_.due() >= ClosedLoop::kStep && playing_ && !stop_) {
     // The last cycle is the one nearest to the end.
     if (closed_->time() > outline_.end + 0.5 * ClosedLoop::kStep) end();

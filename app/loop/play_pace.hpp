@@ -6,11 +6,11 @@
 namespace abstand {
 
 /// Scene time is due as wall time passes, times the speed; nothing is due twice and nothing is dropped, but
-/// for a lag of more than kMostLag of wall time, which is given up as a whole: then play is slower than asked
+/// for a lag of more than kMaxLag of wall time, which is given up as a whole: then play is slower than asked
 /// for, and factor() says so. One thread; wall times are in s and never fall.
 class PlayPace {
  public:
-  static constexpr double kMostLag = 0.25;      ///< s of wall time
+  static constexpr double kMaxLag = 0.25;      ///< s of wall time
   static constexpr double kFactorWindow = 0.5;  ///< s of wall time over which factor() is measured
 
   /// Playing begins: nothing is due at `wall`.
@@ -32,7 +32,7 @@ class PlayPace {
   }
   /// Gives up a lag that is too long but for `keep` s of scene time.
   void forgive(double speed, double keep) {
-    if (due_ > speed * kMostLag) due_ = keep;
+    if (due_ > speed * kMaxLag) due_ = keep;
   }
   double due() const { return due_; }  ///< s of scene time
   /// So much of it was played, s.

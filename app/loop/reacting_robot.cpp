@@ -8,7 +8,7 @@ namespace abstand {
 namespace {
 
 // Of more joints our own forward dynamics is cheaper than ODE's joints (docs/architecture.md).
-constexpr int kMostJointed = 30;
+constexpr int kMaxJointed = 30;
 // Effort of brakes where the file names no limit, N m or N: no robot of this size is moved against it.
 constexpr double kBrake = 1e5;
 // rad or m, of a position-controlled joint: nearer, it is where it should be.
@@ -17,7 +17,7 @@ constexpr double kThere = 1e-12;
 MechanismSolver solverOf(const RigidTree& tree) {
   const bool weightless = std::any_of(tree.bodies.begin(), tree.bodies.end(),
                                       [](const TreeBody& body) { return body.mass == 0.0; });
-  return tree.dof > kMostJointed || weightless ? MechanismSolver::kReduced : MechanismSolver::kJointed;
+  return tree.dof > kMaxJointed || weightless ? MechanismSolver::kReduced : MechanismSolver::kJointed;
 }
 
 void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {

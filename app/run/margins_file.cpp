@@ -10,7 +10,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 1 << 20;
+constexpr std::uintmax_t kMaxBytes = 1 << 20;
 
 std::string trimmed(const std::string& s) {
   const auto first = s.find_first_not_of(" \t\r\"'");
@@ -21,7 +21,7 @@ std::string trimmed(const std::string& s) {
 }  // namespace
 
 void applyMargins(Scene& scene, const std::filesystem::path& file) {
-  std::istringstream in(readFile(file, kMostBytes));
+  std::istringstream in(readFile(file, kMaxBytes));
   std::vector<std::string> names;
   for (const Object& o : scene.objects()) names.push_back(o.spec.name);
   int line = 0;

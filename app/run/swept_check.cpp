@@ -5,7 +5,7 @@ namespace {
 
 // As near as the check wants to know; a limit is a whole number of millimetres in practice.
 constexpr double kTolerance = 1e-4;
-constexpr int kMostSamples = 256;
+constexpr int kMaxSamples = 256;
 
 DistanceSample sampleOf(const PairResult& r) { return {r.distance - r.bound, r.distance}; }
 
@@ -44,7 +44,7 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t, const std::vect
       SweptOptions options;
       options.tolerance = kTolerance;
       options.enough = limits[i];
-      options.most_samples = kMostSamples;
+      options.most_samples = kMaxSamples;
       scratch_.memory = memories_[i];
       const HapticStructure &sa = *objects[pair.a.index()].spec.structure,
                             &sb = *objects[pair.b.index()].spec.structure;

@@ -18,12 +18,12 @@ inline constexpr std::uint32_t kPacketMagic = 0x54534241;  ///< the bytes "ABST"
 inline constexpr std::uint16_t kProtocol = 1;
 inline constexpr std::size_t kHeaderBytes = 32;
 /// Most that fits into a datagram over IPv4.
-inline constexpr std::size_t kMostPacketBytes = 65507;
+inline constexpr std::size_t kMaxPacketBytes = 65507;
 /// As the index of a packet of joints: those of all mechanisms, one after the other.
 inline constexpr std::uint32_t kAllMechanisms = 0xffffffff;
 /// rad or m. Joint values and coordinates farther from 0 are refused, as Scene refuses such poses.
-inline constexpr double kMostCoordinate = 1e6;
-inline bool isUsableCoordinate(double v) { return std::abs(v) <= kMostCoordinate; }
+inline constexpr double kMaxCoordinate = 1e6;
+inline bool isUsableCoordinate(double v) { return std::abs(v) <= kMaxCoordinate; }
 
 enum class PacketType : std::uint16_t { kJoints = 1, kSkeleton = 2, kState = 3, kControl = 4, kGroups = 5 };
 

@@ -174,8 +174,8 @@ PacketFault finishControl(const Fields& fields, const PacketFormat& format, Pack
 }  // namespace
 
 PacketFault parseJsonPacket(std::string_view text, const PacketFormat& format, Packet& out) noexcept {
-  constexpr double kMostSequence = 4294967295.0;
-  constexpr double kMostTime = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
+  constexpr double kMaxSequence = 4294967295.0;
+  constexpr double kMaxTime = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
   JsonScanner in(text);
   Fields fields;
   out.json = true;
@@ -186,7 +186,7 @@ PacketFault parseJsonPacket(std::string_view text, const PacketFormat& format, P
     if (!in.string(key) || !in.mark(':') || !readField(key, in, fields, out)) return PacketFault::kJson;
   } while (in.mark(','));
   if (!in.mark('}') || !in.atEnd()) return PacketFault::kJson;
-  if (!whole(fields.sequence, kMostSequence) || !whole(fields.time_us, kMostTime)) return PacketFault::kJson;
+  if (!whole(fields.sequence, kMaxSequence) || !whole(fields.time_us, kMaxTime)) return PacketFault::kJson;
   out.sequence = static_cast<std::uint32_t>(*fields.sequence);
   out.time_us = static_cast<std::uint64_t>(*fields.time_us);
   if (fields.type == "joints") return finishJoints(fields, format, out);

@@ -15,7 +15,7 @@ constexpr double kLongestWait = 0.05;
 // s beyond the moment at which an input becomes stale, so that it is stale by then.
 constexpr double kPast = 2e-5;
 // Datagrams between two looks at whether to go on, however many come.
-constexpr int kMostAtOnce = 256;
+constexpr int kMaxAtOnce = 256;
 
 double steady() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -36,15 +36,15 @@ ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& 
       owners_(scene.format().mechanisms.size(), options.stale),
       controls_(options.stale),
       packet_(makePacket(scene.format())),
-      in_(kMostPacketBytes),
-      out_(kMostPacketBytes),
+      in_(kMaxPacketBytes),
+      out_(kMaxPacketBytes),
       states_(scene.robots().size(), StopState::kProtectiveStop),
       start_(steady()) {
   const std::size_t bytes = stateBytes(scene.report());
-  if (bytes > kMostPacketBytes)
+  if (bytes > kMaxPacketBytes)
     throw UsageError("the answer of this scene has " + std::to_string(bytes) + " bytes, expected at most " +
-                     std::to_string(kMostPacketBytes) + ", what fits into a datagram");
-  if (options.lines_from >= 0) lines_.emplace(options.lines_from, kMostPacketBytes);
+                     std::to_string(kMaxPacketBytes) + ", what fits into a datagram");
+  if (options.lines_from >= 0) lines_.emplace(options.lines_from, kMaxPacketBytes);
   scene_.cycle(now());
 }
 
@@ -116,7 +116,7 @@ void ServeLoop::freeRun() {
 
 void ServeLoop::drain(bool answer) {
   Address from;
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     const auto bytes = socket_.receive(in_, from);
     if (!bytes) return;
     const double begin = steady();
@@ -137,7 +137,7 @@ void ServeLoop::drain(bool answer) {
 void ServeLoop::drainLines() {
   if (!lines_) return;
   const long too_long = lines_->tooLong();
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     const auto line = lines_->next();
     if (!line) break;
     if (line->find_first_not_of(" \t\r") == line->npos) continue;

@@ -10,7 +10,7 @@ namespace abstand::serve {
 namespace {
 
 // s between two time stamps of a sender. Outside, its clock was set, or stands, and ours has to do.
-constexpr double kLeastStep = 1e-5, kMostStep = 10.0;
+constexpr double kMinStep = 1e-5, kMaxStep = 10.0;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& de
 
 void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, Scene& scene) {
   const double by_stamp = stamp - last_stamp_;
-  const bool timed = by_stamp >= kLeastStep && by_stamp <= kMostStep;
-  const double dt = timed ? by_stamp : std::max(t - last_t_, kLeastStep);
+  const bool timed = by_stamp >= kMinStep && by_stamp <= kMaxStep;
+  const double dt = timed ? by_stamp : std::max(t - last_t_, kMinStep);
   for (std::size_t i = 0; i < qd_.size(); ++i) qd_[i] = started_ ? (q[i] - driver_.q()[i]) / dt : 0.0;
   // Times of arrival say little of how fast a robot is.
   limits_.look(t, q, timed && started_ && !stale_ ? std::span<const double>(qd_) : std::span<const double>(),

@@ -6,7 +6,7 @@ namespace abstand::serve {
 
 bool isLineName(std::string_view name) {
   const auto fits = [](char c) { return static_cast<unsigned char>(c) >= 0x20 && c != '"' && c != '\\'; };
-  return !name.empty() && name.size() <= kMostNameBytes && std::all_of(name.begin(), name.end(), fits);
+  return !name.empty() && name.size() <= kMaxNameBytes && std::all_of(name.begin(), name.end(), fits);
 }
 
 std::size_t writeSkeletonLine(const SkeletonFrame& frame, std::string_view person, std::uint32_t sequence,

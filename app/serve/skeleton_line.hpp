@@ -8,8 +8,8 @@
 
 namespace abstand::serve {
 
-/// Bytes that a line has room in: 22 joints of four numbers, and a name of up to kMostNameBytes.
-inline constexpr std::size_t kMostLineBytes = 4096, kMostNameBytes = 256;
+/// Bytes that a line has room in: 22 joints of four numbers, and a name of up to kMaxNameBytes.
+inline constexpr std::size_t kMaxLineBytes = 4096, kMaxNameBytes = 256;
 
 /// Whether a name can stand in such a line: printable, without quotes and backslashes, not too long.
 bool isLineName(std::string_view name);

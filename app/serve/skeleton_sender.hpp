@@ -44,7 +44,7 @@ class SkeletonSender {
   std::optional<Address> to_;  ///< none: standard output
   std::optional<UdpSocket> socket_;
   std::vector<Name> names_;
-  std::array<std::byte, kMostLineBytes> line_{};
+  std::array<std::byte, kMaxLineBytes> line_{};
   long sent_{0}, refused_{0}, nameless_{0};
   int output_error_{0};
 };

@@ -9,7 +9,7 @@ namespace abstand {
 namespace {
 
 // Where so many queries of a pair do not decide, its certified bound as it is does.
-constexpr int kMostSamples = 24;
+constexpr int kMaxSamples = 24;
 
 MotionBounds boundsOf(const Object& part, const BrakingLawOptions& o) {
   MotionBounds bounds;
@@ -55,7 +55,7 @@ BrakingWatch::BrakingWatch(const MechanismDriver& driver, const Scene& scene,
   speeds_.resize(links_.size());
   swept_.enough = options.distance;
   swept_.hit = options.distance;
-  swept_.most_samples = kMostSamples;
+  swept_.most_samples = kMaxSamples;
 }
 
 double BrakingWatch::least(Watched& w, const Scene& scene) noexcept {

@@ -23,7 +23,7 @@ HeldLink::HeldLink(MechanismDriver& driver, std::size_t link, const Scene& scene
   const auto number = static_cast<int>(link);
   for (const RobotPairs::Own& pair : own)
     if (pair.link_a == number || pair.link_b == number) near_.push_back({pair.id, pair.link_a == number, {}});
-  constraints_.reserve(near_.size() * (ContactManifold::kMost + 1));
+  constraints_.reserve(near_.size() * (ContactManifold::kMax + 1));
   driver.letGo(link, true);
   reaction.hold(scene.object(object_).spec.structure->bounding_sphere, hand());
 }

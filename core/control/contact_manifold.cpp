@@ -30,7 +30,7 @@ void ContactManifold::update(const PairResult& result, bool object_is_a, const T
     const double d = (points_[i].p_O - fresh.p_O).norm();
     if (d < least) least = d, nearest = i;
   }
-  if (least < kApart || count_ == kMost)
+  if (least < kApart || count_ == kMax)
     points_[nearest] = fresh;
   else
     points_[count_++] = fresh;

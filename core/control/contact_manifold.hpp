@@ -16,7 +16,7 @@ namespace abstand {
 /// allocation.
 class ContactManifold {
  public:
-  static constexpr std::size_t kMost = 6;
+  static constexpr std::size_t kMax = 6;
   static constexpr double kApart = 2e-3;  ///< m
   /// m; points that have come farther from each other than this, or slid by as much, are dropped.
   static constexpr double kBreak = 5e-3;
@@ -41,7 +41,7 @@ class ContactManifold {
   };
   static ContactConstraint constraint(const Point& point, const Transform& X_WO, const Transform& X_WB);
 
-  std::array<Point, kMost> points_;
+  std::array<Point, kMax> points_;
   std::size_t count_{0};
   std::optional<ContactConstraint> newest_;
 };

@@ -24,8 +24,8 @@ Vector3d cut(const Vector3d& v, double most) {
 
 /// Rows of the constraints, scaled so that the metric is the identity.
 struct Rows {
-  std::array<Vector6d, GodObject::kMostConstraints> row;
-  std::array<double, GodObject::kMostConstraints> least, weight, multiplier;
+  std::array<Vector6d, GodObject::kMaxConstraints> row;
+  std::array<double, GodObject::kMaxConstraints> least, weight, multiplier;
   std::size_t count{0};
 
   /// The nearest point to `x` that they allow.
@@ -89,7 +89,7 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
     if (!(k.gap <= 2.0 * o_.step + o_.gap) || !k.p_W.allFinite() || !(k.normal_W.squaredNorm() > 0.5))
       continue;
     std::size_t at = rows.count;
-    if (at == kMostConstraints) {
+    if (at == kMaxConstraints) {
       at = static_cast<std::size_t>(std::min_element(rows.least.begin(), rows.least.end()) -
                                     rows.least.begin());
       if (o_.gap - k.gap <= rows.least[at]) continue;

@@ -57,14 +57,14 @@ std::optional<ContactConstraint> constraintOf(const PairResult& result, bool obj
 /// allocation.
 class GodObject {
  public:
-  static constexpr std::size_t kMostConstraints = 32;
+  static constexpr std::size_t kMaxConstraints = 32;
 
   /// `sphere_O` holds the object; its centre is c. Throws UsageError.
   GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O);
 
   void reset(const Transform& X_WO) noexcept;  ///< both the object and the hand are there
   /// @param X_WH         where the hand would put the object; not finite: it stays, and there is no wrench
-  /// @param constraints  at pose(), at most kMostConstraints; the nearest ones when there are more
+  /// @param constraints  at pose(), at most kMaxConstraints; the nearest ones when there are more
   void update(const Transform& X_WH, std::span<const ContactConstraint> constraints) noexcept;
 
   const Transform& pose() const { return X_WO_; }

@@ -47,7 +47,7 @@ Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t 
   torque_.assign(static_cast<std::size_t>(dof), 0.0);
   approaches_.reserve(most_pairs);
   approach_pairs_.reserve(most_pairs);
-  causes_.reserve(kMostCauses + kOwnCauses);
+  causes_.reserve(kMaxCauses + kOwnCauses);
 }
 
 void Reaction::hold(const EnclosingSphere& sphere_O, const Transform& X_WO) {
@@ -166,7 +166,7 @@ void Reaction::yield(const ReactionInput& input) noexcept {
 ReactionOutput Reaction::update(const ReactionInput& input,
                                 const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
   ABSTAND_CHECK(input.qd.size() == torque_.size() && input.pairs.size() <= approaches_.capacity() &&
-                input.causes.size() <= kMostCauses);
+                input.causes.size() <= kMaxCauses);
   causes_.assign(input.causes.begin(), input.causes.end());
   watch(input);
 

@@ -42,7 +42,7 @@ struct ReactionInput {
   std::span<const ReactionPair> pairs;
   const HeldObject* held{nullptr};
   double input_age{0.0}, person_age{0.0};  ///< s; not finite: lost. A scene without people says 0
-  /// What is known outside: lost link, broken bounds on speed, the user. At most Reaction::kMostCauses.
+  /// What is known outside: lost link, broken bounds on speed, the user. At most Reaction::kMaxCauses.
   std::span<const StopCause> causes;
   bool reset{false};  ///< the user lets it go on, in this cycle
 };
@@ -68,7 +68,7 @@ struct ReactionOutput {
 /// in as efforts. One thread. update() allocates nothing, throws nothing.
 class Reaction {
  public:
-  static constexpr std::size_t kMostCauses = 32;
+  static constexpr std::size_t kMaxCauses = 32;
 
   /// Throws UsageError for options that do not fit `dof` joints. `limits`: of the robot, one a dof; empty:
   /// none are known.

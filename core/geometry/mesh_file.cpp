@@ -17,7 +17,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
 /// m. Beyond it, squares and volumes lose the digits that distances need.
 constexpr double kFarthest = 1e6;
@@ -122,7 +122,7 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale) {
   const std::string format = extensionOf(file);
   // A directory or a missing file is told before a wrong extension is.
-  const std::string content = readFile(file, kMostBytes);
+  const std::string content = readFile(file, kMaxBytes);
   return parseMesh(content, format, file.string(), scale);
 }
 

@@ -14,11 +14,11 @@ namespace abstand::mesh_file {
 namespace {
 
 // A scene graph of more nodes or vertices than this, after instancing, is no robot part.
-constexpr std::size_t kMostVertices = 60'000'000;
-constexpr int kMostDepth = 256;
+constexpr std::size_t kMaxVertices = 60'000'000;
+constexpr int kMaxDepth = 256;
 // What a file of 512 MiB may honestly take.
-constexpr unsigned kMostSeconds = 20;
-constexpr std::size_t kMostMemory = std::size_t{8} << 30;
+constexpr unsigned kMaxSeconds = 20;
+constexpr std::size_t kMaxMemory = std::size_t{8} << 30;
 
 Eigen::Matrix4d toEigen(const aiMatrix4x4& m) {
   Eigen::Matrix4d out;
@@ -32,7 +32,7 @@ class Collector {
   Collector(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
 
   void visit(const aiNode& node, const Eigen::Matrix4d& parent, int depth) {
-    if (depth > kMostDepth) throw ParseError({name_}, "found nodes nested too deep for a mesh");
+    if (depth > kMaxDepth) throw ParseError({name_}, "found nodes nested too deep for a mesh");
     const Eigen::Matrix4d X = parent * toEigen(node.mTransformation);
     for (unsigned m = 0; m < node.mNumMeshes; ++m) add(*scene_.mMeshes[node.mMeshes[m]], X);
     for (unsigned c = 0; c < node.mNumChildren; ++c) visit(*node.mChildren[c], X, depth + 1);
@@ -43,7 +43,7 @@ class Collector {
   void add(const aiMesh& mesh, const Eigen::Matrix4d& X) {
     const bool mirrored = X.topLeftCorner<3, 3>().determinant() < 0.0;
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    if (mesh_.vertices.size() + mesh.mNumVertices > kMostVertices)
+    if (mesh_.vertices.size() + mesh.mNumVertices > kMaxVertices)
       throw ParseError({name_}, "found more vertices than a mesh of a body can have");
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       const Eigen::Vector4d p(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z, 1.0);
@@ -132,7 +132,7 @@ TriangleMesh readWithAssimp(std::string_view content, std::string_view format, c
           return std::string("Ecannot be read as ") + std::string(format) + ": " + e.what();
         }
       },
-      kMostSeconds, kMostMemory);
+      kMaxSeconds, kMaxMemory);
   if (!answer.finished)
     throw ParseError({name},
                      "the mesh library gave up on it" +

@@ -7,7 +7,7 @@ namespace abstand::mesh_file {
 namespace {
 
 /// Each pass takes the flat triangles next to sound ones; a strip of n flat ones takes n at worst.
-constexpr int kMostPasses = 64;
+constexpr int kMaxPasses = 64;
 
 /// The side opposite to corner i runs from corner i + 1 to corner i + 2. Returns the corner over the
 /// longest side, when the triangle is lower than `tolerance` there; else -1.
@@ -39,7 +39,7 @@ class Flattener {
     if (flat_.empty()) return 0;
     const std::size_t found = flat_.size();
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
-    for (int pass = 0; pass < kMostPasses && pass_needed_; ++pass) runPass();
+    for (int pass = 0; pass < kMaxPasses && pass_needed_; ++pass) runPass();
     dropFlat();
     return found;
   }

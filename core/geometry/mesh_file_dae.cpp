@@ -11,14 +11,14 @@ namespace {
 /// Instances of instances grow by powers; these bound what a small file can unfold to. Work counts
 /// characters read, again for every instance, and elements passed, and may grow to a multiple of the file.
 constexpr int kDeepestNode = 256;
-constexpr std::size_t kLeastWork = std::size_t{64} << 20;
-constexpr std::size_t kMostInstances = 32;
+constexpr std::size_t kMinWork = std::size_t{64} << 20;
+constexpr std::size_t kMaxInstances = 32;
 constexpr std::size_t kWorkOfElement = 64;
 constexpr std::size_t kMaxDaeVertices = 20'000'000;
-constexpr std::size_t kMostTriangles = 20'000'000;
+constexpr std::size_t kMaxTriangles = 20'000'000;
 
 /// Columns of an index list; real files have at most a handful.
-constexpr std::size_t kMostColumns = 64;
+constexpr std::size_t kMaxColumns = 64;
 
 using Affine = Eigen::Affine3d;
 
@@ -30,7 +30,7 @@ struct Range {
 class Reader {
  public:
   Reader(const XmlElement& root, std::size_t file_size, const std::string& name)
-      : root_(root), name_(name), most_work_(kLeastWork + kMostInstances * file_size) {}
+      : root_(root), name_(name), most_work_(kMinWork + kMaxInstances * file_size) {}
 
   TriangleMesh run() {
     if (root_.name != "COLLADA")
@@ -201,8 +201,8 @@ class Reader {
       if (input.name != "input") continue;
       const auto word = input.attribute("offset");
       const auto offset = parseInt(word.empty() ? "0" : word);
-      if (!offset || *offset < 0 || static_cast<std::size_t>(*offset) >= kMostColumns)
-        fail(input, "found offset " + inQuotes(word) + ", expected 0 to " + std::to_string(kMostColumns - 1));
+      if (!offset || *offset < 0 || static_cast<std::size_t>(*offset) >= kMaxColumns)
+        fail(input, "found offset " + inQuotes(word) + ", expected 0 to " + std::to_string(kMaxColumns - 1));
       columns = std::max(columns, static_cast<std::size_t>(*offset) + 1);
       if (input.attribute("semantic") != "VERTEX") continue;
       vertices = &target(input, "source", "vertices");
@@ -268,8 +268,8 @@ class Reader {
     // A transform that mirrors turns triangles inside out.
     if (mirrored_) std::reverse(polygon_.begin(), polygon_.end());
     cutter_.add(polygon_, at(p));
-    if (mesh_.triangles.size() > kMostTriangles)
-      fail(p, "found more than " + std::to_string(kMostTriangles) + " triangles");
+    if (mesh_.triangles.size() > kMaxTriangles)
+      fail(p, "found more than " + std::to_string(kMaxTriangles) + " triangles");
   }
 
   const XmlElement& root_;

@@ -31,11 +31,11 @@ constexpr std::array<Spelling, std::variant_size_v<Shape>> kSpellings{{{"sphere"
                                                                        {"capsule", "r,l", 2}}};
 
 void checkDimension(const Shape& shape, std::string_view what, double value, bool may_be_zero = false) {
-  if (value >= kLeastDimension && value <= kMostDimension) return;
+  if (value >= kMinDimension && value <= kMaxDimension) return;
   if (may_be_zero && value == 0.0) return;
   throw UsageError(std::string(shapeName(shape)) + ": " + std::string(what) + " is " + formatDouble(value) +
                    " m, expected " + (may_be_zero ? "0 or " : "") + "between " +
-                   formatDouble(kLeastDimension) + " and " + formatDouble(kMostDimension) + " m");
+                   formatDouble(kMinDimension) + " and " + formatDouble(kMaxDimension) + " m");
 }
 
 /// Carlson's R_G, symmetric and homogeneous of degree 1/2, by R_F and R_D with duplication

@@ -33,8 +33,8 @@ using Shape = std::variant<Sphere, Ellipsoid, Cuboid, Cylinder, Capsule>;
 std::string_view shapeName(const Shape& shape);
 
 /// Limits of a shape's dimensions, m. They keep squares, areas and inertias far from overflow.
-inline constexpr double kLeastDimension = 1e-6;
-inline constexpr double kMostDimension = 1e6;
+inline constexpr double kMinDimension = 1e-6;
+inline constexpr double kMaxDimension = 1e6;
 
 /// Throws UsageError when a dimension is not finite or not between the limits (a capsule's length may
 /// be 0 too). The functions below take valid shapes only.
@@ -59,12 +59,12 @@ double surfaceArea(const Shape& shape);  ///< m^2, to rounding (ellipsoid: Carls
 MassProperties massProperties(const Shape& shape);
 
 /// Most triangles that tessellate() makes.
-inline constexpr std::size_t kMostTessellation = 4'000'000;
+inline constexpr std::size_t kMaxTessellation = 4'000'000;
 
 /// Closed mesh with vertices on the surface and outward triangles. No point of the shape's surface is
 /// farther than `sagitta` (m) from the mesh. At least 32 triangles round a curved circumference; a ball
 /// is covered evenly, without poles, and an ellipsoid is a stretched ball.
-/// Throws UsageError when `sagitta` is not positive, or so small that it takes kMostTessellation.
+/// Throws UsageError when `sagitta` is not positive, or so small that it takes kMaxTessellation.
 TriangleMesh tessellate(const Shape& shape, double sagitta);
 
 }  // namespace abstand

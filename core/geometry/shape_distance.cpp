@@ -80,10 +80,10 @@ struct Secular {
 /// `high`. Newton steps on 1 / sqrt(sum), which is nearly straight; a step that leaves the bracket, or is
 /// not half as long as the one before, gives way to the geometric middle of the bracket.
 double solve(Secular& sum, double low, double high) {
-  constexpr int kMostSteps = 400;  // halving the exponents' whole range to the last bit takes 64
+  constexpr int kMaxSteps = 400;  // halving the exponents' whole range to the last bit takes 64
   double u = low;
   double last_step = kInfinity;  // relative to u
-  for (int i = 0; i < kMostSteps && high > low; ++i) {
+  for (int i = 0; i < kMaxSteps && high > low; ++i) {
     const double value = sum(u);
     if (value >= 1.0) low = u;
     if (value <= 1.0) high = u;

@@ -17,7 +17,7 @@ constexpr int kRound = 32;
 
 [[noreturn]] void tooFine(double sagitta) {
   throw UsageError("a tessellation within " + formatDouble(sagitta) + " m takes more than " +
-                   std::to_string(kMostTessellation) + " triangles, expected a coarser sagitta");
+                   std::to_string(kMaxTessellation) + " triangles, expected a coarser sagitta");
 }
 
 std::uint32_t addVertex(TriangleMesh& mesh, const Vector3d& p) {
@@ -42,14 +42,14 @@ double unitSagitta(const TriangleMesh& mesh) {
 template <class Make>
 TriangleMesh refine(int n, double unit_sagitta, std::size_t per_square, const Make& make, double sagitta) {
   for (;;) {
-    if (per_square * static_cast<std::size_t>(n) * static_cast<std::size_t>(n) > kMostTessellation)
+    if (per_square * static_cast<std::size_t>(n) * static_cast<std::size_t>(n) > kMaxTessellation)
       tooFine(sagitta);
     TriangleMesh mesh = make(n);
     const double found = unitSagitta(mesh);
     if (found <= unit_sagitta) return mesh;
     // The sagitta falls with n^2.
     const double wanted =
-        std::min(n * std::sqrt(found / unit_sagitta), static_cast<double>(kMostTessellation));
+        std::min(n * std::sqrt(found / unit_sagitta), static_cast<double>(kMaxTessellation));
     n = std::max(n + 1, static_cast<int>(wanted));
   }
 }
@@ -116,8 +116,8 @@ TriangleMesh icosphere(int n) {
 
 TriangleMesh stretchedBall(const Vector3d& semi_axes, double sagitta) {
   // A ray's gap on the unit sphere is stretched by the longest semi-axis at most.
-  constexpr int kLeastDivision = 6;  // a great circle then meets more than kRound triangles
-  TriangleMesh mesh = refine(kLeastDivision, sagitta / semi_axes.maxCoeff(), 20, icosphere, sagitta);
+  constexpr int kMinDivision = 6;  // a great circle then meets more than kRound triangles
+  TriangleMesh mesh = refine(kMinDivision, sagitta / semi_axes.maxCoeff(), 20, icosphere, sagitta);
   for (auto& p : mesh.vertices) p = p.cwiseProduct(semi_axes);
   return mesh;
 }
@@ -171,7 +171,7 @@ void stitchDown(TriangleMesh& mesh, const Ring& lower, const Ring& upper) {
 int countRound(double radius, double sagitta) {
   const double cosine = 1.0 - std::min(1.0, sagitta / radius);
   const double count = std::ceil(kPi / std::acos(cosine));
-  if (!(count < static_cast<double>(kMostTessellation))) tooFine(sagitta);
+  if (!(count < static_cast<double>(kMaxTessellation))) tooFine(sagitta);
   return std::max(kRound, static_cast<int>(count));
 }
 
@@ -179,7 +179,7 @@ int countRound(double radius, double sagitta) {
 std::vector<Ring> addMiddle(TriangleMesh& mesh, int count, double radius, double half, double sagitta) {
   const double width = 2.0 * kPi * radius / count;
   const double wanted = std::ceil(2.0 * half / (4.0 * width));
-  if (!(wanted * count * 2.0 < static_cast<double>(kMostTessellation))) tooFine(sagitta);
+  if (!(wanted * count * 2.0 < static_cast<double>(kMaxTessellation))) tooFine(sagitta);
   const int rows = half > 0.0 ? std::max(1, static_cast<int>(wanted)) : 0;
   std::vector<Ring> rings;
   for (int row = 0; row <= rows; ++row) {

@@ -12,7 +12,7 @@
 namespace abstand {
 namespace {
 
-constexpr double kMostVertices = 5e7;
+constexpr double kMaxVertices = 5e7;
 constexpr double kMaxFarQuanta = 65535.0;
 constexpr float kEpsilon = 0x1p-23f;
 // Relative, for what rounding does to a distance before it is stored.
@@ -31,7 +31,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   const Bounds body = surface.bounds();
   const double margin = kMargin * first_spacing;
   const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
-  if (!((2.0 * half_cells.array() + 1.0).prod() <= kMostVertices)) {
+  if (!((2.0 * half_cells.array() + 1.0).prod() <= kMaxVertices)) {
     throw UsageError("the voxel size is far too small for the size of the body");
   }
   View& v = view_;
@@ -47,12 +47,12 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   const Vector3d stored_centre(v.centre[0], v.centre[1], v.centre[2]);
   const double least_half = half_cells.minCoeff() * first_spacing;
   v.levels = 1;
-  while (v.levels < kMostLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
+  while (v.levels < kMaxLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
     ++v.levels;
   v.outermost = kRatio[v.levels - 1];
   v.ball = static_cast<float>((0.5 * body.extent()).norm() + (stored_centre - centre).norm()) *
            (1.0f + 4.0f * kEpsilon);
-  for (int l = 0; l < kMostLevels; ++l) {
+  for (int l = 0; l < kMaxLevels; ++l) {
     const int of = std::min(l, v.levels - 1);
     v.width[l] = l + 1 < v.levels ? kRatio[l] : std::numeric_limits<float>::infinity();
     v.inv_h[l] = static_cast<float>(1.0 / (first_spacing * double(kRatio[of])));
@@ -122,7 +122,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
       values_[grid * static_cast<std::size_t>(l) + i] = static_cast<std::uint16_t>(double(from[i]) / quantum);
     v.q2[l] = static_cast<float>(quantum * quantum) * (1.0f - kEpsilon);
   }
-  for (int l = v.levels; l < kMostLevels; ++l) v.q2[l] = v.q2[v.levels - 1];
+  for (int l = v.levels; l < kMaxLevels; ++l) v.q2[l] = v.q2[v.levels - 1];
 }
 
 float FarField::lowerBound(float px, float py, float pz) const {

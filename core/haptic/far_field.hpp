@@ -19,9 +19,9 @@ namespace abstand {
 class FarField {
  public:
   static constexpr int kMargin = 6;
-  static constexpr int kMostLevels = 8;
+  static constexpr int kMaxLevels = 8;
   /// Width of each grid in widths of the first.
-  static constexpr float kRatio[kMostLevels] = {1.0f, 2.0f, 8.0f, 32.0f, 128.0f, 512.0f, 2048.0f, 8192.0f};
+  static constexpr float kRatio[kMaxLevels] = {1.0f, 2.0f, 8.0f, 32.0f, 128.0f, 512.0f, 2048.0f, 8192.0f};
 
   /// What a query reads, for one point or many at a time. Grid coordinates of p on level l are
   /// (p - centre) inv_h[l] + middle; values of vertex (i, j, k): ((l n_z + k) n_y + j) n_x + i, in quanta.
@@ -31,11 +31,11 @@ class FarField {
     float middle[3];    ///< (n - 1) / 2
     int n[3];           ///< vertices along each axis, odd
     int levels;
-    float width[kMostLevels];     ///< kRatio, infinity from the last level on
-    float inv_h[kMostLevels];     ///< 1 / spacing
-    float h2[kMostLevels];        ///< spacing squared
-    float q2[kMostLevels];        ///< squared quantum of the values
-    float rounding[kMostLevels];  ///< m; how far float moves points of this level, at most
+    float width[kMaxLevels];     ///< kRatio, infinity from the last level on
+    float inv_h[kMaxLevels];     ///< 1 / spacing
+    float h2[kMaxLevels];        ///< spacing squared
+    float q2[kMaxLevels];        ///< squared quantum of the values
+    float rounding[kMaxLevels];  ///< m; how far float moves points of this level, at most
     float outermost;              ///< kRatio of the last level
     float ball;                   ///< m, radius of a ball about the centre that holds the body
     const std::uint16_t* values;

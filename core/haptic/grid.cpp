@@ -13,12 +13,12 @@ VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
   constexpr double kRounding = 1e-9;
   const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
   const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;
-  if (!(counts.prod() <= kMostVoxels)) {
+  if (!(counts.prod() <= kMaxVoxels)) {
     std::ostringstream message;
     message << "a voxel size of " << voxel_size << " m makes " << counts.x() << " x " << counts.y() << " x "
             << counts.z() << " voxels of a body of " << box.extent().x() << " x " << box.extent().y() << " x "
-            << box.extent().z() << " m; at most " << kMostVoxels << " are made, so a voxel size of "
-            << voxel_size * std::cbrt(counts.prod() / kMostVoxels) * 1.05
+            << box.extent().z() << " m; at most " << kMaxVoxels << " are made, so a voxel size of "
+            << voxel_size * std::cbrt(counts.prod() / kMaxVoxels) * 1.05
             << " m or fewer outer layers would do";
     throw UsageError(message.str());
   }

@@ -34,11 +34,11 @@ inline constexpr double kCubeDiagonal = 1.7320508075688774;
 
 /// Of one grid: some 2,000 an axis. What is kept goes with the surface, but for a few bytes a block of 8^3
 /// voxels.
-inline constexpr double kMostVoxels = 8e9;
+inline constexpr double kMaxVoxels = 8e9;
 
 /// The thesis's grid: floor(extent / s) + 1 voxels about the centre of `box`, and `outer_layers` more on
 /// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3]. Throws UsageError for
-/// more than kMostVoxels voxels, saying which voxel size would do.
+/// more than kMaxVoxels voxels, saying which voxel size would do.
 VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers);
 
 }  // namespace abstand

@@ -10,14 +10,14 @@ namespace abstand {
 namespace {
 
 // m: a grain of dust, and a hall.
-constexpr double kLeastPitch = 1e-5;
-constexpr double kMostPitch = 10.0;
-constexpr int kMostOuterLayers = 10'000;
+constexpr double kMinPitch = 1e-5;
+constexpr double kMaxPitch = 10.0;
+constexpr int kMaxOuterLayers = 10'000;
 
 void requireLength(const char* name, double value) {
-  if (std::isfinite(value) && value >= kLeastPitch && value <= kMostPitch) return;
+  if (std::isfinite(value) && value >= kMinPitch && value <= kMaxPitch) return;
   throw UsageError(std::string(name) + " is " + std::to_string(value) + " m; it must lie between " +
-                   std::to_string(kLeastPitch) + " and " + std::to_string(kMostPitch) + " m");
+                   std::to_string(kMinPitch) + " and " + std::to_string(kMaxPitch) + " m");
 }
 
 }  // namespace
@@ -44,9 +44,9 @@ std::optional<FieldKind> parseFieldKind(std::string_view text) {
 void HapticOptions::validate() const {
   requireLength("the voxel size", voxel_size);
   requireLength("the point spacing", point_spacing);
-  if (outer_layers < 0 || outer_layers > kMostOuterLayers) {
+  if (outer_layers < 0 || outer_layers > kMaxOuterLayers) {
     throw UsageError("the number of outer layers is " + std::to_string(outer_layers) +
-                     "; it must lie between 0 and " + std::to_string(kMostOuterLayers));
+                     "; it must lie between 0 and " + std::to_string(kMaxOuterLayers));
   }
 }
 

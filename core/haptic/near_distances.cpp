@@ -13,7 +13,7 @@ constexpr double kPlane = 1e-4, kPlaneOfBody = 1e-6;
 /// Relative, for what rounding does to squared distances that are compared.
 constexpr float kCompared = 1e-5f;
 /// Half-spaces of an edge or a vertex; what is more would help little.
-constexpr std::size_t kMostHalfSpaces = 8;
+constexpr std::size_t kMaxHalfSpaces = 8;
 constexpr float kNoDistance = std::numeric_limits<float>::max();
 
 /// An edge of a triangle: the one from corner `side` to the next.
@@ -88,7 +88,7 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
       const auto first = static_cast<std::uint32_t>(half_spaces_.size());
       addHalfSpace(0, along, a);
       addHalfSpace(1, -along, b);
-      for (std::uint32_t k = i; k < end && k - i < kMostHalfSpaces; ++k) {
+      for (std::uint32_t k = i; k < end && k - i < kMaxHalfSpaces; ++k) {
         const Side& side = sides.list[k];
         const auto& t = mesh.triangles[tree.triangle(side.slot)];
         // Into the face, across the edge.
@@ -105,7 +105,7 @@ NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin,
     while (end < leaving.size() && leaving[end].vertex == leaving[i].vertex) ++end;
     const Vector3d& v = mesh.vertices[leaving[i].vertex];
     const auto first = static_cast<std::uint32_t>(half_spaces_.size());
-    for (std::size_t k = i; k < std::min(end, i + kMostHalfSpaces); ++k)
+    for (std::size_t k = i; k < std::min(end, i + kMaxHalfSpaces); ++k)
       addHalfSpace(k - i, -leaving[k].direction, v);
     addFeature(Kind::kVertex, leaving[i].slot, v, 0.0, first);
   }
@@ -200,11 +200,11 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
 }
 
 void NearDistances::distances(const Block& block, const List& list, Nearest& nearest) const {
-  constexpr int kGroups = (kMostSize + 3) / 4;
+  constexpr int kGroups = (kMaxSize + 3) / 4;
   struct Best {
     Four distance2, slot;
   };
-  Best best[kMostSize][kMostSize][kGroups];
+  Best best[kMaxSize][kMaxSize][kGroups];
   const int nx = (block.size.x() + 3) / 4, ny = block.size.y(), nz = block.size.z();
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {

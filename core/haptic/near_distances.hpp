@@ -23,7 +23,7 @@ class NearDistances {
   struct Block {
     Vector3i first, size;
   };
-  static constexpr int kMostSize = 5;  ///< of a block whose distances are asked, along an axis
+  static constexpr int kMaxSize = 5;  ///< of a block whose distances are asked, along an axis
 
   /// The surface must outlive this object.
   NearDistances(const MeshSurface& surface, const Vector3d& origin, double spacing);
@@ -35,8 +35,8 @@ class NearDistances {
   void near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const;
 
   struct Nearest {
-    float distance[kMostSize][kMostSize][kMostSize];      ///< m, unsigned; [k][j][i]
-    std::uint32_t slot[kMostSize][kMostSize][kMostSize];  ///< of the tree, as the hint of Surface::inside
+    float distance[kMaxSize][kMaxSize][kMaxSize];      ///< m, unsigned; [k][j][i]
+    std::uint32_t slot[kMaxSize][kMaxSize][kMaxSize];  ///< of the tree, as the hint of Surface::inside
   };
   /// Exact but for rounding in float. `list`: what near() gives for the block or one around it.
   void distances(const Block& block, const List& list, Nearest& nearest) const;

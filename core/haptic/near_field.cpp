@@ -19,7 +19,7 @@ namespace {
 constexpr int kCells = NearField::kCells;
 constexpr int kVertices = NearField::kVertices;
 constexpr double kFloatEpsilon = 0x1p-23;
-constexpr double kMostBytes = 2e9;
+constexpr double kMaxBytes = 2e9;
 constexpr float kSlopeRounding = 1.0f + 1e-5f;
 // Blocks that one thread measures after each other.
 constexpr int kTogether = 64;
@@ -131,7 +131,7 @@ void forRegions(const NearDistances& distances, const Region& region, int most, 
 void measureBlock(const NearDistances& distances, const Region& block, const Neighbours& neighbours,
                   std::uint32_t& hint, SurfacePoint (*nearest)[kVertices][kVertices]) {
   constexpr int kPart = kCells / 2;
-  static_assert(kPart + 1 <= NearDistances::kMostSize);
+  static_assert(kPart + 1 <= NearDistances::kMaxSize);
   Vector3i rim = Vector3i::Zero();
   for (int c = 1; c < 8; ++c) {
     if (neighbours.block[c >> 2][c >> 1 & 1][c & 1] != NearField::kNoBlock) continue;
@@ -207,7 +207,7 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   const auto near = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kNear));
   constexpr double kBlockBytes = kBlockValues * sizeof(std::int16_t);
   const bool keeps_inside = (near + inside) * kBlockBytes <= static_cast<double>(whole_inside);
-  if ((keeps_inside ? near + inside : near) * kBlockBytes > kMostBytes) {
+  if ((keeps_inside ? near + inside : near) * kBlockBytes > kMaxBytes) {
     throw UsageError(
         "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
   }

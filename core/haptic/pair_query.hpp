@@ -50,8 +50,8 @@ struct PairScratch {
 /// Lines along which parts of the two bodies were apart (unit vectors in the axes of the field's body); zero:
 /// none.
 struct PartLines {
-  static constexpr std::size_t kMost = 2;
-  Vector3d n[kMost]{Vector3d::Zero(), Vector3d::Zero()};
+  static constexpr std::size_t kMax = 2;
+  Vector3d n[kMax]{Vector3d::Zero(), Vector3d::Zero()};
   std::size_t next{0};  ///< to be replaced
 };
 

@@ -18,7 +18,7 @@ constexpr double kAxisRounding = 1e-12;
 constexpr double kBetweenPoints = 0.4;
 // Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
 constexpr int kAxisSteps = 10;
-constexpr std::uint32_t kSettledQueries = 16, kMostIdle = 64, kPartsIdle = 4, kMostPartsIdle = 16;
+constexpr std::uint32_t kSettledQueries = 16, kMaxIdle = 64, kPartsIdle = 4, kMaxPartsIdle = 16;
 // Cosine of the angle between lines that are kept as one.
 constexpr double kSameLine = 0.98;
 
@@ -144,7 +144,7 @@ bool PairSet::partsApart(std::size_t i, std::span<const Transform> X_WB, double 
     lines.parts = {};
     return true;
   }
-  lines.parts.failed(kPartsIdle, kMostPartsIdle);
+  lines.parts.failed(kPartsIdle, kMaxPartsIdle);
   return false;
 }
 
@@ -172,7 +172,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
     else
       v += t * way;
   }
-  lines.hulls.failed(kSettledQueries, kMostIdle);
+  lines.hulls.failed(kSettledQueries, kMaxIdle);
   return false;
 }
 

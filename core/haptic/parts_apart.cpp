@@ -13,11 +13,11 @@ namespace {
 // m; spheres are placed in float, for bodies within some metres.
 constexpr double kSphereRounding = 2e-6;
 constexpr int kSteps = 3;
-constexpr std::size_t kMost = SurfaceParts::kMost;
+constexpr std::size_t kMax = SurfaceParts::kMax;
 
 // The bits of SearchKernels::meeting.
-std::size_t partOfPoints(int bit) { return static_cast<std::size_t>(bit) % kMost; }
-std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMost; }
+std::size_t partOfPoints(int bit) { return static_cast<std::size_t>(bit) % kMax; }
+std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; }
 
 Vector3d centre(const SurfaceParts::Spheres& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
 
@@ -50,7 +50,7 @@ class Reaches {
   const HapticStructure& body_;
   const Vector3d g_;
   const bool closely_;
-  double reach_[kMost];
+  double reach_[kMax];
   unsigned known_{0};
 };
 
@@ -102,7 +102,7 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
                          partFarthest(F_, j, n, on_field);
     if (width >= by_) {
       lines_.n[lines_.next] = n;
-      lines_.next = (lines_.next + 1) % PartLines::kMost;
+      lines_.next = (lines_.next + 1) % PartLines::kMax;
       return true;
     }
     const Vector3d way = X_FP_ * on_points.point - on_field.point - v;

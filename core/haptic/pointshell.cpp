@@ -31,7 +31,7 @@ constexpr double kMaxEdge = 0.6;
 /// Cells of the grid in which samples are kept.
 constexpr double kCell = 1.0;
 /// A shell gets at most this many times as many points because of its tips and edges.
-constexpr double kMostExtra = 1.6;
+constexpr double kMaxExtra = 1.6;
 
 /// The surface that one point stands for.
 struct Cell {
@@ -179,7 +179,7 @@ void keepTotalArea(std::vector<BalancePoint>& points) {
   for (BalancePoint& p : points) p.area *= before / now;
 }
 
-/// Points per area at each piece, as a multiple of the usual density, within kMostExtra.
+/// Points per area at each piece, as a multiple of the usual density, within kMaxExtra.
 std::vector<float> pointDensity(const SurfacePool& pool) {
   std::vector<float> density(pool.size(), 1.0f);
   if (pool.plain()) return density;
@@ -189,8 +189,8 @@ std::vector<float> pointDensity(const SurfacePool& pool) {
     area += piece.area();
     extra += piece.area() * double(density[i] - 1.0f);
   });
-  if (extra > (kMostExtra - 1.0) * area) {
-    const float share = static_cast<float>((kMostExtra - 1.0) * area / extra);
+  if (extra > (kMaxExtra - 1.0) * area) {
+    const float share = static_cast<float>((kMaxExtra - 1.0) * area / extra);
     for (float& d : density) d = 1.0f + share * (d - 1.0f);
   }
   return density;

@@ -29,10 +29,10 @@ constexpr double kSameDirection = 0.05;
 /// more than any other place of the surface.
 constexpr double kLongCrease = 3.0;
 /// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
-/// all the same, up to kMostCoarse points, so that nothing drifts.
-constexpr std::size_t kMostPoints = 400, kMostCoarse = 1500, kCoarse = 16;
+/// all the same, up to kMaxCoarse points, so that nothing drifts.
+constexpr std::size_t kMaxPoints = 400, kMaxCoarse = 1500, kCoarse = 16;
 /// Points in all half-spaces; beyond, some are left out, so that a large body takes no longer.
-constexpr std::size_t kMostVisits = 600'000;
+constexpr std::size_t kMaxVisits = 600'000;
 constexpr int kSweeps = 5, kAreaSweeps = 3;
 /// Relative error of a force that is left as it is.
 constexpr float kEnough = 0.001f;
@@ -144,8 +144,8 @@ void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depth
     Columns now(a.now, b.now, c.now, d.now);
     const Columns still(a.still, b.still, c.still, d.still);
     const Four g = still.w * (still.x * pull.x() + still.z * pull.z() + still.y * pull.y());
-    const Four area = min(max(now.w + still.w * depth * g, ShellBalance::kLeastArea * still.w),
-                          ShellBalance::kMostArea * still.w);
+    const Four area = min(max(now.w + still.w * depth * g, ShellBalance::kMinArea * still.w),
+                          ShellBalance::kMaxArea * still.w);
     now.w = in ? area : now.w;
     if (move2 > 0.0f) {
       const Columns home(a.home, b.home, c.home, d.home);
@@ -188,7 +188,7 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
     Presses& presses = found[k];
     const double lowest = body.lowest(u);
     const double shift = std::fmod(kGolden * static_cast<double>(k), 1.0);
-    const std::size_t most = k % kCoarse == 0 ? kMostCoarse : kMostPoints;
+    const std::size_t most = k % kCoarse == 0 ? kMaxCoarse : kMaxPoints;
     int depths = 0;
     for (; depths < kDepths; ++depths) {
       const double depth = kShallowest * std::pow(kDeepest / kShallowest, (depths + shift) / kDepths);
@@ -212,7 +212,7 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
   for (std::uint32_t k = 0; k < order_.size(); ++k) place[order_[k]] = k;
   // Neighbouring directions far apart in time, so that one place is not mended twice in a row.
   const std::size_t n = directions.size() * kDepths, step = stride(n);
-  for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMostVisits; ++i, r = (r + step) % n) {
+  for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMaxVisits; ++i, r = (r + step) % n) {
     const Presses& presses = found[r / kDepths];
     const std::size_t d = r % kDepths;
     const std::vector<std::uint32_t>& inside = presses.points[d];

@@ -35,7 +35,7 @@ class ShellBalance {
   enum class Freedom { kPlaceAndArea, kArea };
   /// Row-action least squares (Kaczmarz 1937): one half-space after the other, each with the smallest change
   /// that mends it, less and less far, so that what they disagree on is averaged. Positions move within the
-  /// tangent plane, within their reach; areas stay within kLeastArea to kMostArea of theirs.
+  /// tangent plane, within their reach; areas stay within kMinArea to kMaxArea of theirs.
   /// `points`: those given to the constructor, no farther from home than their reach.
   void adjust(std::vector<BalancePoint>& points, Freedom freedom) const;
 
@@ -43,8 +43,8 @@ class ShellBalance {
   bool presses(std::size_t i) const { return pressed_[i]; }
 
   static constexpr double kReach = 0.25;  ///< spacings
-  static constexpr float kLeastArea = 0.4f;
-  static constexpr float kMostArea = 2.0f;
+  static constexpr float kMinArea = 0.4f;
+  static constexpr float kMaxArea = 2.0f;
 
  private:
   struct Press {

@@ -19,7 +19,7 @@ constexpr float kCoarser = 4.0f;
 constexpr float kCoarseReach = 1.5f;
 constexpr int kBrickBits = 2, kBrick = 1 << kBrickBits;
 /// Cells along an axis; what lies beyond goes to the last one.
-constexpr float kMostCells = 1 << 20;
+constexpr float kMaxCells = 1 << 20;
 
 std::size_t hash(const Vector3i& at) {
   const auto u = [&](int k) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(at[k])); };
@@ -59,7 +59,7 @@ void SampleCover::start(const std::vector<Sample>& samples, double cell, std::ui
 
 Vector3i SampleCover::cellOf(const Vector3f& p) const {
   const Four from = Four{p.x() - lower_.x(), p.y() - lower_.y(), p.z() - lower_.z(), 0.0f} * per_cell_;
-  const Four at = min(max(from, Four{}), splat(kMostCells - 1.0f));
+  const Four at = min(max(from, Four{}), splat(kMaxCells - 1.0f));
   const auto cell = __builtin_convertvector(at, FourInts);
   return {cell[0], cell[1], cell[2]};
 }

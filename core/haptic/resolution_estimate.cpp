@@ -25,7 +25,7 @@ constexpr double kAreaPerPoint = 2.0 / std::numbers::sqrt3;  // spacings^2 a poi
 constexpr std::size_t kAskedBlocks = 4096;
 // A field's float coordinates, as a part of how far they reach; it does not shrink with the voxel.
 constexpr double kFieldRounding = 1e-5;
-constexpr double kMostFieldBytes = 2e9;  // NearField refuses more
+constexpr double kMaxFieldBytes = 2e9;  // NearField refuses more
 // Growth of the time for voxels with their number along an edge: between surface and volume. Of the time for
 // a near field with its blocks: each of a mesh's holds fewer features. Of that for a far field with its
 // vertices. Found with links of a robot, parts of a person, the bunny and a table from 32 to 256 voxels along
@@ -40,7 +40,7 @@ constexpr double kBallPoints = 2000.0;
 constexpr double kDistanceGrowth = 0.5, kContactGrowth = 0.75;
 constexpr double kApart = 0.1, kPressed = 0.02;  // of the body's size
 constexpr double kTimed = 2e-3;                  // s, for each kind of query
-constexpr std::size_t kLeastTimed = 11;
+constexpr std::size_t kMinTimed = 11;
 
 double milliseconds(Clock::duration d) { return std::chrono::duration<double, std::milli>(d).count(); }
 
@@ -96,7 +96,7 @@ Blocks countNearBlocks(const Surface& surface, const VoxelGrid& grid, double ban
 }
 
 double layeredBytes(const Surface& surface, const VoxelGrid& grid) {
-  const bool exact = grid.cells() <= Voxelmap::kMostExactVoxels;
+  const bool exact = grid.cells() <= Voxelmap::kMaxExactVoxels;
   const double steps = (Voxelmap::kExactSteps + 1) * grid.voxel_size;
   const Blocks blocks = countBlocks(surface, grid, {steps, steps}, exact);
   const double packed = LayerView::kPackedBytes + sizeof(std::int16_t);
@@ -120,7 +120,7 @@ double timeQueries(const HapticStructure& s, double gap) {
     X.translation() += (result.distance - gap) * way;
     // One by one: who else uses the machine spoils a few of them, and not the median.
     std::vector<double> one;
-    for (double all = 0.0; all < kTimed || one.size() < kLeastTimed; all += one.back()) {
+    for (double all = 0.0; all < kTimed || one.size() < kMinTimed; all += one.back()) {
       const auto begin = Clock::now();
       queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
       one.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
@@ -251,7 +251,7 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
     field_bytes = (c.field_bytes - index * c.blocks.all) * more + index * blocks.all;
     if (blocks.deep > 0.0) field_bytes += sizeof(std::int16_t) * blocks.all;
     field_ms *= std::pow(more, surface_->shape() != nullptr ? 1.0 : kMeshFieldGrowth);
-    if (field_bytes > kMostFieldBytes) {
+    if (field_bytes > kMaxFieldBytes) {
       e.refused = "the distance field would take more than 2 GB";
       return e;
     }

@@ -33,10 +33,10 @@ std::filesystem::path userCacheFolder();
 class StructureCache {
  public:
   /// Of all files; the ones that were not used for longest go first.
-  static constexpr std::uintmax_t kMostBytes = 2'000'000'000;
+  static constexpr std::uintmax_t kMaxBytes = 2'000'000'000;
 
   /// An empty folder keeps nothing.
-  explicit StructureCache(std::filesystem::path folder, std::uintmax_t most_bytes = kMostBytes)
+  explicit StructureCache(std::filesystem::path folder, std::uintmax_t most_bytes = kMaxBytes)
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
   bool on() const { return !folder_.empty(); }

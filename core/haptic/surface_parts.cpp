@@ -85,7 +85,7 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
   parts.push_back(makePart(mesh, std::move(all)));
   const EnclosingSphere whole = minimalSphere(parts.front().corners);
   const double convex = kConvex * whole.radius;
-  while (parts.size() < kMost) {
+  while (parts.size() < kMax) {
     Part& worst = worstOf(parts);
     if (worst.gap <= convex || worst.triangles.size() < 2) break;
     auto [first, second] = halves(mesh, worst);
@@ -103,7 +103,7 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
 }
 
 SurfaceParts::SurfaceParts(const EnclosingSphere& sphere) {
-  std::fill_n(spheres_.radius, kMost, -static_cast<float>(kInfinity));
+  std::fill_n(spheres_.radius, kMax, -static_cast<float>(kInfinity));
   setSphere(0, sphere);
 }
 

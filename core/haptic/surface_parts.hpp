@@ -15,14 +15,14 @@ namespace abstand {
 /// construction; any number of threads.
 class SurfaceParts {
  public:
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMax = 8;
   /// Side by side; unused ones have the radius -infinity.
   struct Spheres {
-    float x[kMost], y[kMost], z[kMost], radius[kMost];
+    float x[kMax], y[kMax], z[kMax], radius[kMax];
   };
 
   SurfaceParts() = default;
-  /// The part that is least convex is halved, until all are or there are kMost.
+  /// The part that is least convex is halved, until all are or there are kMax.
   SurfaceParts(const TriangleMesh& mesh, const Surface& surface);
   /// A convex body is one part, whose hull is the body's own.
   explicit SurfaceParts(const EnclosingSphere& sphere);

@@ -8,13 +8,13 @@ namespace abstand {
 void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps) {
   const int nx = size.x(), ny = size.y(), nz = size.z();
   const auto next = [step](std::int16_t s) {
-    return static_cast<std::int16_t>(std::min<int>(s + step, kMostSteps));
+    return static_cast<std::int16_t>(std::min<int>(s + step, kMaxSteps));
   };
   const auto rowOf = [&](int j, int k) { return &steps[(std::size_t(k) * ny + j) * nx]; };
   // The least of three rows' neighbours, with one more at each end that does not count.
-  std::vector<std::int16_t> least(nx + 2, kMostSteps);
+  std::vector<std::int16_t> least(nx + 2, kMaxSteps);
   const auto sweepRow = [&](int j, int k, int direction) {
-    std::fill(least.begin(), least.end(), kMostSteps);
+    std::fill(least.begin(), least.end(), kMaxSteps);
     const auto lower = [&](int jj, int kk) {
       if (jj < 0 || jj >= ny || kk < 0 || kk >= nz) return;
       const std::int16_t* row = rowOf(jj, kk);

@@ -33,7 +33,7 @@ void Voxelmap::makeWhole(const Surface& surface, int outer_layers, int threads) 
                                       : kVoxelOutside;
   };
 
-  std::vector<std::int16_t> steps(grid.cells(), kMostSteps);
+  std::vector<std::int16_t> steps(grid.cells(), kMaxSteps);
   const Vector3i n = sides.grid.size;
   for (int k = 0; k < n.z(); ++k) {
     for (int j = 0; j < n.y(); ++j) {

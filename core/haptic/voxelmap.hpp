@@ -18,7 +18,7 @@ class Voxelmap {
  public:
   /// Voxels of maps that keep every layer exactly. Of larger ones the blocks within kExactSteps of a surface
   /// voxel do.
-  static constexpr std::size_t kMostExactVoxels = 32'000'000;
+  static constexpr std::size_t kMaxExactVoxels = 32'000'000;
   static constexpr int kExactSteps = 16;
 
   VoxelGrid grid;
@@ -31,7 +31,7 @@ class Voxelmap {
   /// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
   /// voxelmap_sides.hpp.
   Voxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads = 0,
-           std::size_t most_exact = kMostExactVoxels);
+           std::size_t most_exact = kMaxExactVoxels);
 
   /// Of a voxel of the grid.
   int at(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).layer; }

@@ -27,9 +27,9 @@ bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) 
   }
   if (!any_outside || any_inside) return any_outside;
   // All corners and the centre are outside; the solid may still poke through a face or an edge.
-  constexpr int kMostSteps = 64;
+  constexpr int kMaxSteps = 64;
   Vector3d p = c;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const ShapeDistance at = distanceTo(shape, p);
     if (at.distance <= touch) return true;
     // The solid lies behind the plane through `nearest` across the way to p. When all of the cube lies before

@@ -41,9 +41,9 @@ struct VoxelCounts {
 /// Counts without keeping them: grids above `most_at_once` voxels are counted in cubes, of which only those
 /// that the surface comes near to are looked at in detail. In these each piece of a cube is asked as an
 /// enclosed piece is.
-inline constexpr std::size_t kMostVoxelsAtOnce = 64'000'000;
+inline constexpr std::size_t kMaxVoxelsAtOnce = 64'000'000;
 VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads,
-                        std::size_t most_at_once = kMostVoxelsAtOnce);
+                        std::size_t most_at_once = kMaxVoxelsAtOnce);
 
 /// Sets side to kVoxelSurface where a triangle passes through the voxel.
 void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,

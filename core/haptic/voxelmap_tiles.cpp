@@ -49,7 +49,7 @@ struct VoxelBox {
 
 void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads) {
   const Vector3i n = corners();
-  corner_steps_.assign(std::size_t(n.x()) * n.y() * n.z(), kMostSteps);
+  corner_steps_.assign(std::size_t(n.x()) * n.y() * n.z(), kMaxSteps);
   const VoxelBox solid{Vector3i::Constant(outer_layers), grid.size.array() - 2 * outer_layers};
   // Tiles hold all corners of blocks, those at the far end of the grid included.
   const Vector3i tiles = (n.array() + kTileBlocks - 1) / kTileBlocks;
@@ -90,7 +90,7 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
 
     std::vector<std::int8_t> side;
     findSidesOfPart(surface, part, side);
-    std::vector<std::int16_t> steps(seen.voxels(), kMostSteps);
+    std::vector<std::int16_t> steps(seen.voxels(), kMaxSteps);
     bool any = false;
     seen_solid.forEach([&](const Vector3i& v) {
       if (side[seen_solid.index(v)] == kVoxelSurface) steps[seen.index(v)] = 0, any = true;
@@ -111,7 +111,7 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
     forBlocks([&](const Vector3i& b) {
       const Vector3i first = kEdge * b;
       const VoxelBox block{first, Vector3i::Constant(kEdge)};
-      std::int16_t least = kMostSteps;
+      std::int16_t least = kMaxSteps;
       block.forEach([&](const Vector3i& v) { least = std::min(least, steps[seen.index(v)]); });
       std::int32_t& index = block_index_[blockIndex(b)];
       if (least > kExactSteps) {

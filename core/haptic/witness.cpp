@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
-constexpr double kLeastStep = 0.2;    // of the first
+constexpr double kMinStep = 0.2;    // of the first
 constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
 constexpr double kSteep = 0.2;        // likewise, when the field saw none
 constexpr double kConverged = 1e-6;   // m: gains below this are not worth a query
@@ -105,7 +105,7 @@ Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, const Vecto
   if (!at(p)) return p;
   float deepest = s;
   Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
-  const double least = kLeastStep * step;
+  const double least = kMinStep * step;
   while (step > least) {
     // Along the surface: what points through it leads nowhere.
     const Vector3d along = down - normal * normal.dot(down);

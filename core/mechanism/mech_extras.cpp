@@ -204,7 +204,7 @@ void MechExtras::addShape(const Item& item, const MechUnits& units, LinkGeometry
   const auto size = [&](std::size_t i) {
     const MechNumber n = reader_.number(line, 2 + i, "a size");
     const double value = si(n, units.length);
-    if (value < kLeastDimension && !(kind == "capsule" && i == 2 && value == 0.0))
+    if (value < kMinDimension && !(kind == "capsule" && i == 2 && value == 0.0))
       reader_.fail(n, "found the size " + wordInQuotes(line.words[2 + i].text) + ", expected a positive one");
     return value;
   };

@@ -316,7 +316,7 @@ Mechanism parseMechanism(const std::string& text, const std::string& name) {
 }
 
 Mechanism loadMechanism(const std::filesystem::path& file) {
-  return parseMechanism(readFile(file, kMostRobotBytes), file.string());
+  return parseMechanism(readFile(file, kMaxRobotBytes), file.string());
 }
 
 }  // namespace abstand

@@ -28,10 +28,10 @@ std::vector<MechLine> splitMechWords(std::string_view text) {
 }
 
 std::string wordInQuotes(std::string_view word) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   std::string text = "'";
-  for (const char c : word.substr(0, kMost)) text += (c >= 0x20 && c != 0x7f) ? c : '?';
-  if (word.size() > kMost) text += "...";
+  for (const char c : word.substr(0, kMax)) text += (c >= 0x20 && c != 0x7f) ? c : '?';
+  if (word.size() > kMax) text += "...";
   return text + "'";
 }
 

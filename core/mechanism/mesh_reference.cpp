@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 // A workspace has its packages at most that far below src, and this many folders are looked at.
 constexpr int kDeepestPackage = 4;
-constexpr int kMostFolders = 20000;
+constexpr int kMaxFolders = 20000;
 constexpr std::size_t kLongestPath = 4096;
 
 bool isFile(const fs::path& path) {
@@ -42,7 +42,7 @@ void collectBelow(const fs::path& root, const std::string& package, std::vector<
   std::error_code ec;
   int looked_at = 0;
   for (fs::recursive_directory_iterator at(root, fs::directory_options::skip_permission_denied, ec), end;
-       !ec && at != end && looked_at < kMostFolders; at.increment(ec)) {
+       !ec && at != end && looked_at < kMaxFolders; at.increment(ec)) {
     std::error_code type_error;
     if (!at->is_directory(type_error)) continue;
     ++looked_at;

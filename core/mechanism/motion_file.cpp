@@ -11,7 +11,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{512} << 20;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
 std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t");
@@ -117,7 +117,7 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
 }
 
 MotionTable loadMotion(const std::filesystem::path& file, int dof) {
-  return parseMotion(readFile(file, kMostBytes), file.string(), dof);
+  return parseMotion(readFile(file, kMaxBytes), file.string(), dof);
 }
 
 }  // namespace abstand

@@ -7,7 +7,7 @@
 namespace abstand {
 
 Robot loadRobot(const std::filesystem::path& file) {
-  const std::string text = readFile(file, kMostRobotBytes);
+  const std::string text = readFile(file, kMaxRobotBytes);
   const std::size_t bom = text.starts_with("\xef\xbb\xbf") ? 3 : 0;
   const auto first = text.find_first_not_of(" \t\r\n", bom);
   Robot robot = first != std::string::npos && text[first] == '<' ? parseUrdf(text, file.string())

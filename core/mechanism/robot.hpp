@@ -41,7 +41,7 @@ struct Robot {
   std::vector<UnreadGeometry> unread;  ///< left out of `geometry`, with a warning
 };
 
-inline constexpr std::uintmax_t kMostRobotBytes = 16u << 20;
+inline constexpr std::uintmax_t kMaxRobotBytes = 16u << 20;
 
 /// Reads a `.mech` file (mech_file.hpp) or a URDF (urdf_file.hpp), told apart by content: XML begins with
 /// '<'. Meshes are not opened and need not be there. Throws ParseError.

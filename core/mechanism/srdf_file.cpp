@@ -34,7 +34,7 @@ Srdf parseSrdf(const std::string& text, const std::string& file) {
 }
 
 Srdf loadSrdf(const std::filesystem::path& file) {
-  return parseSrdf(readFile(file, kMostRobotBytes), file.string());
+  return parseSrdf(readFile(file, kMaxRobotBytes), file.string());
 }
 
 namespace {

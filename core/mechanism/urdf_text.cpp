@@ -84,8 +84,8 @@ class UrdfChecker {
   }
 
   void link(const XmlElement& e) {
-    if (out_.links.size() == kMostUrdfLinks)
-      values_.fail(e, "found more than " + std::to_string(kMostUrdfLinks) + " links, expected fewer");
+    if (out_.links.size() == kMaxUrdfLinks)
+      values_.fail(e, "found more than " + std::to_string(kMaxUrdfLinks) + " links, expected fewer");
     UrdfLinkText link;
     link.name = newName(e, link_names_);
     link.place = place(e);
@@ -157,7 +157,7 @@ class UrdfChecker {
     const XmlElement& shape = geometry->children.front();
     const auto positive = [&](const char* key) {
       const double value = values_.needNumber(shape, key);
-      return value >= kLeastDimension ? ""
+      return value >= kMinDimension ? ""
                                       : std::string("found the ") + key + " " + formatDouble(value) + " in " +
                                             what + ", expected a positive one";
     };
@@ -174,7 +174,7 @@ class UrdfChecker {
              ", expected mesh, box, sphere or cylinder";
     values_.needText(shape, "size");
     const Vector3d size = *values_.vector(shape, "size");
-    return size.minCoeff() >= kLeastDimension
+    return size.minCoeff() >= kMinDimension
                ? ""
                : "found the size " + xmlNumbers(size) + " in " + what + ", expected positive edges";
   }

@@ -34,7 +34,7 @@ struct UrdfText {
 };
 
 /// More links than any robot has; urdfdom takes down a chain of links by recursion.
-inline constexpr std::size_t kMostUrdfLinks = 2000;
+inline constexpr std::size_t kMaxUrdfLinks = 2000;
 
 /// Checks what urdfdom would report without a line, or not at all: XML, names, numbers (finite, at most 1e6
 /// in size), types, limits, sizes, and that links and joints form one tree and mimic joints no ring. Elements

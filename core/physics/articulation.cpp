@@ -11,7 +11,7 @@ namespace abstand {
 namespace {
 
 // Rounds of drive(), and the change of a rate, as a share of the largest, after which they end.
-constexpr int kMostRounds = 10;
+constexpr int kMaxRounds = 10;
 constexpr double kConverged = 1e-13;
 
 void judge(const Mechanism& mechanism, const MechanismOptions& options) {
@@ -133,7 +133,7 @@ void Articulation::drive(double h) {
   // Each round's error is the one before times a step's turn, so a few are enough.
   middle_ = qd_;
   if (!factorMass()) return;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
     for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] = h * (command_[k] - work_[k]);
     solveMass(mass_, next_rates_);
@@ -141,7 +141,7 @@ void Articulation::drive(double h) {
     if (limiter_) limiter_->limit(mass_, {h, q_, qd_, work_, command_, next_rates_, drive_}, motored_);
     double change = 0.0, size = 0.0;
     for (std::size_t k = 0; k < work_.size(); ++k) {
-      const double next = std::clamp(0.5 * (qd_[k] + next_rates_[k]), -kMostRate, kMostRate);
+      const double next = std::clamp(0.5 * (qd_[k] + next_rates_[k]), -kMaxRate, kMaxRate);
       change = std::max(change, std::abs(next - middle_[k]));
       size = std::max(size, std::abs(next));
       middle_[k] = next;
@@ -152,7 +152,7 @@ void Articulation::drive(double h) {
 
 void Articulation::advance(double h) {
   for (std::size_t k = 0; k < q_.size(); ++k) {
-    qd_[k] = std::clamp(qd_[k], -kMostRate, kMostRate);
+    qd_[k] = std::clamp(qd_[k], -kMaxRate, kMaxRate);
     q_[k] += h * qd_[k];
   }
   std::fill(external_.begin(), external_.end(), Wrench{});

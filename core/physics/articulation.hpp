@@ -130,7 +130,7 @@ inline constexpr double kStopReturn = 0.2;
 inline constexpr double kStopSpeed = 0.5;
 
 /// rad/s, m/s: no joint moves faster, whatever pushes it, so that numbers stay numbers.
-inline constexpr double kMostRate = 1e4;
+inline constexpr double kMaxRate = 1e4;
 
 std::unique_ptr<Articulation> makeJointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_WB,
                                           const MechanismOptions& options, const Vector3d& gravity_W);

@@ -6,11 +6,11 @@ namespace abstand {
 namespace {
 
 // Of the velocity, within a step.
-constexpr double kMostTaken = 0.5;
+constexpr double kMaxTaken = 0.5;
 
 /// Coefficient of a damper (N s/m, N m s) that is stable in a step of h.
 double stable(double coefficient, double mobility, double h) {
-  return mobility > 0.0 ? std::min(coefficient, kMostTaken / (mobility * h)) : coefficient;
+  return mobility > 0.0 ? std::min(coefficient, kMaxTaken / (mobility * h)) : coefficient;
 }
 
 }  // namespace

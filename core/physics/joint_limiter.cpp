@@ -28,7 +28,7 @@ double JointLimiter::braking(const MassMatrix& mass, std::span<const double> bia
                              std::size_t k) const noexcept {
   const auto i = static_cast<Eigen::Index>(k);
   const double most = limits_[k].effort;
-  const double reserve = std::max(most - std::abs(bias[k]), kLeastReserve * most);
+  const double reserve = std::max(most - std::abs(bias[k]), kMinReserve * most);
   return std::min(kBrakingShare * reserve / mass.M(i, i), limits_[k].acceleration);
 }
 

@@ -40,7 +40,7 @@ class JointLimiter {
  public:
   static constexpr double kBrakingShare = 0.5;
   /// At least this share of an effort limit counts as left for braking.
-  static constexpr double kLeastReserve = 0.1;
+  static constexpr double kMinReserve = 0.1;
   static constexpr int kHalvings = 6;
 
   explicit JointLimiter(std::vector<DofLimits> limits);

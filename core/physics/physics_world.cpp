@@ -13,10 +13,10 @@ namespace abstand {
 namespace {
 
 // N, N m, m/s, rad/s: more is no physics, and would overflow.
-constexpr double kMost = 1e9;
+constexpr double kMax = 1e9;
 
-bool sound(double value) { return std::abs(value) <= kMost; }
-bool sound(const Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kMost && v.allFinite(); }
+bool sound(double value) { return std::abs(value) <= kMax; }
+bool sound(const Vector3d& v) { return v.cwiseAbs().maxCoeff() <= kMax && v.allFinite(); }
 
 Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }
 
@@ -91,7 +91,7 @@ int PhysicsWorld::addFreeBody(const LinkInertia& body, const Transform& X_WF, co
   dBodySetMass(id, &mass);
   dBodySetAutoDisableFlag(id, 0);
   dBodySetFiniteRotationMode(id, 1);
-  dBodySetMaxAngularSpeed(id, kMostRate);
+  dBodySetMaxAngularSpeed(id, kMaxRate);
   const Vector3d center = X_WF * body.com_F;
   dBodySetPosition(id, center.x(), center.y(), center.z());
   dMatrix3 R{};

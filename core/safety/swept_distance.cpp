@@ -4,7 +4,7 @@ namespace abstand {
 
 void SweptOptions::validate() const {
   requireNumbers(*this);
-  requireNumber(kName, "most_samples", most_samples, {2, kMostSweptSamples});
+  requireNumber(kName, "most_samples", most_samples, {2, kMaxSweptSamples});
 }
 
 }  // namespace abstand

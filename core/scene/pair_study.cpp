@@ -17,12 +17,12 @@ constexpr std::size_t kBlock = 32;  // samples that one thread takes at once
 constexpr std::size_t kFirstRound =
     256;  // samples; every round is this many times larger than the one before:
 constexpr std::size_t kRoundGrowth = 4;
-constexpr long kMostSamples = 100000000;
+constexpr long kMaxSamples = 100000000;
 
 // The search. Steps are in rad or m of the largest joint.
-constexpr double kFirstStep = 0.2, kLeastStep = 1e-4;
-constexpr double kFirstProbe = 0.1, kLeastProbe = 1e-3;
-constexpr int kMostQueries = 400;
+constexpr double kFirstStep = 0.2, kMinStep = 1e-4;
+constexpr double kFirstProbe = 0.1, kMinProbe = 1e-3;
+constexpr int kMaxQueries = 400;
 constexpr double kGain = 1e-9;  // m, what counts as nearer
 
 /// A posture and how near the pair was in it.
@@ -219,7 +219,7 @@ class PairStudy {
     Near best = start;
     int queries = 0;
     double probe = kFirstProbe;
-    while (queries < kMostQueries && !isHit(best) && probe >= kLeastProbe) {
+    while (queries < kMaxQueries && !isHit(best) && probe >= kMinProbe) {
       queries += followGradient(pair, posture, best);
       if (isHit(best)) break;
       bool nearer = false;
@@ -246,7 +246,7 @@ class PairStudy {
     std::vector<double> gradient(model_.dof());
     double step = kFirstStep;
     int queries = 0;
-    while (step >= kLeastStep && queries < kMostQueries && !isHit(best)) {
+    while (step >= kMinStep && queries < kMaxQueries && !isHit(best)) {
       std::fill(gradient.begin(), gradient.end(), 0.0);
       posture.set(best.q);
       posture.query(pair.a, pair.b);
@@ -262,7 +262,7 @@ class PairStudy {
       }
       if (steepest < 1e-9) return queries;
       bool nearer = false;
-      for (; step >= kLeastStep && !nearer; step *= 0.5) {
+      for (; step >= kMinStep && !nearer; step *= 0.5) {
         auto q = best.q;
         for (const int dof : pair.dofs) {
           const auto i = static_cast<std::size_t>(dof);
@@ -285,9 +285,9 @@ class PairStudy {
 }  // namespace
 
 void StudyOptions::validate() const {
-  if (samples < 1 || samples > kMostSamples)
+  if (samples < 1 || samples > kMaxSamples)
     throw UsageError("samples " + std::to_string(samples) + ": expected 1 to " +
-                     std::to_string(kMostSamples));
+                     std::to_string(kMaxSamples));
   if (searches < 0 || searches > 1000)
     throw UsageError("searches " + std::to_string(searches) + ": expected 0 to 1000");
   if (!std::isfinite(clearance) || clearance < 0.0 || clearance > 10.0)

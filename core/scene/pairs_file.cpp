@@ -10,7 +10,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 256u << 20;
+constexpr std::uintmax_t kMaxBytes = 256u << 20;
 /// As PairVerdict; a file has all but the last.
 constexpr std::array<const char*, 6> kNames{"adjacent", "never", "always", "user", "sometimes", "undecided"};
 constexpr std::span kVerdicts(kNames.data(), kNames.size() - 1);
@@ -73,7 +73,7 @@ std::vector<PairRow> parsePairs(const std::string& text, const std::string& file
 }
 
 std::vector<PairRow> loadPairs(const std::filesystem::path& file) {
-  return parsePairs(readFile(file, kMostBytes), file.string());
+  return parsePairs(readFile(file, kMaxBytes), file.string());
 }
 
 }  // namespace abstand

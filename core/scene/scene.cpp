@@ -83,11 +83,11 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
 }
 
 void Scene::setThreads(int threads) {
-  if (threads < 0 || threads > kMostThreads)
+  if (threads < 0 || threads > kMaxThreads)
     throw UsageError("threads " + std::to_string(threads) + ": expected 0 (all cores) to " +
-                     std::to_string(kMostThreads));
+                     std::to_string(kMaxThreads));
   if (threads == 0)
-    threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
+    threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
   if (threads == threads_) return;
   workers_.reset();
   threads_ = 1;
@@ -176,11 +176,11 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   const bool moved = object.X_WB.matrix() != X_WB.matrix();
   const double step = moved ? reaches_[id.index()].moveTo(X_WB) : 0.0;
   if (moved) touch(id);
-  if (!history.started() || dt <= -kLeastTimeStep) {
+  if (!history.started() || dt <= -kMinTimeStep) {
     ++object.interruptions;
     history.start();
     object.velocity = object.mean_velocity = Twist{};
-  } else if (dt >= kLeastTimeStep) {
+  } else if (dt >= kMinTimeStep) {
     const Vector3d way = X_WB * object.spec.structure->com - object.p_WCom();
     const Vector3d rotation = rotationBetween(object.X_WB.linear(), X_WB.linear());
     history.add(dt, way, rotation);

@@ -89,10 +89,10 @@ class Scene {
   /// Poses in the mean velocity.
   static constexpr int kMeanSamples = 10;
   /// Poses closer in time than this (s) count as one.
-  static constexpr double kLeastTimeStep = 1e-9;
+  static constexpr double kMinTimeStep = 1e-9;
   /// A pose farther from the origin than this (m) is refused.
   static constexpr double kFarthest = 1e6;
-  static constexpr int kMostThreads = 256;
+  static constexpr int kMaxThreads = 256;
 
   Scene();
   ~Scene();
@@ -103,7 +103,7 @@ class Scene {
   ObjectId addObject(ObjectSpec spec);
   PairId addPair(ObjectId a, ObjectId b);  ///< throws UsageError for a == b or a pair that is there
   /// Lock-step threads, the calling one included; 1: the calling thread alone; 0: all cores. Not during
-  /// step(). Throws UsageError for a number below 0 or above kMostThreads.
+  /// step(). Throws UsageError for a number below 0 or above kMaxThreads.
   void setThreads(int threads);
   int threads() const { return threads_; }
   void setMargin(ObjectId object, double margin);  ///< throws UsageError, as addObject

@@ -68,7 +68,7 @@ BodySettings settings(const YamlFields& fields) {
   s.voxel = fields.number("voxel", kVoxelRange);
   s.point = fields.number("point", kVoxelRange);
   s.margin = fields.number("margin", kMarginRange);
-  s.outer_layers = fields.integer("outer_layers", 0, kMostOuterLayers);
+  s.outer_layers = fields.integer("outer_layers", 0, kMaxOuterLayers);
   s.max_speed = fields.number("max_speed", kSpeedRange);
   return s;
 }
@@ -137,8 +137,8 @@ std::string SceneBodyReader::newName(const YamlFields& fields, std::set<std::str
 }
 
 void SceneBodyReader::addBody(std::string name, const SourcePos& pos) {
-  if (bodies_.size() >= kMostBodies)
-    throw ParseError(pos, "found more than " + std::to_string(kMostBodies) + " bodies, expected fewer");
+  if (bodies_.size() >= kMaxBodies)
+    throw ParseError(pos, "found more than " + std::to_string(kMaxBodies) + " bodies, expected fewer");
   bodies_.push_back(std::move(name));
 }
 

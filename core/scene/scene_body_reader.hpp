@@ -14,9 +14,9 @@ namespace abstand {
 /// Voxels, points and layers: as HapticOptions::validate, but with the place in the file.
 inline constexpr YamlRange kVoxelRange{1e-5, 10.0, "m"};
 inline constexpr YamlRange kMarginRange{0.0, 10.0, "m"};
-inline constexpr int kMostOuterLayers = 10000;
+inline constexpr int kMaxOuterLayers = 10000;
 /// All pairs of more bodies would not fit into memory.
-inline constexpr std::size_t kMostBodies = 1000;
+inline constexpr std::size_t kMaxBodies = 1000;
 
 /// Reads bodies one after the other and keeps their names apart.
 class SceneBodyReader {

@@ -27,7 +27,7 @@ SceneDefaults defaults(const YamlNode& node, const std::string& file) {
   SceneDefaults d;
   d.haptic.voxel_size = fields.number("voxel", kVoxelRange).value_or(d.haptic.voxel_size);
   d.haptic.point_spacing = fields.number("point", kVoxelRange).value_or(d.haptic.point_spacing);
-  d.haptic.outer_layers = fields.integer("outer_layers", 0, kMostOuterLayers).value_or(d.haptic.outer_layers);
+  d.haptic.outer_layers = fields.integer("outer_layers", 0, kMaxOuterLayers).value_or(d.haptic.outer_layers);
   if (const auto field = fields.choice("field", {"layered", "float", "mixed"}))
     d.haptic.field = *parseFieldKind(*field);
   d.margin = fields.number("margin", kMarginRange).value_or(d.margin);
@@ -177,7 +177,7 @@ SceneDescription parseScene(const std::string& text, const fs::path& path, const
 }
 
 SceneDescription loadScene(const fs::path& file, const PackagePaths& packages) {
-  return parseScene(readFile(file, kMostYamlBytes), file, packages);
+  return parseScene(readFile(file, kMaxYamlBytes), file, packages);
 }
 
 }  // namespace abstand

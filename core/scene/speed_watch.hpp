@@ -20,16 +20,16 @@ struct SpeedBreach {
 /// Lists the first stretches and counts all. Allocates when it is made only. One thread.
 class SpeedWatch {
  public:
-  static constexpr std::size_t kMostListed = 100;
+  static constexpr std::size_t kMaxListed = 100;
   /// Speeds up to this factor above the bound are within it, for rounding; who relies on a bound adds it.
   static constexpr double kTolerance = 1.0 + 1e-9;
 
-  SpeedWatch() { listed_.reserve(kMostListed); }
+  SpeedWatch() { listed_.reserve(kMaxListed); }
 
   /// What is known of one object.
   struct State {
     bool broken{false};  ///< at its last pose
-    std::size_t entry{kMostListed};
+    std::size_t entry{kMaxListed};
   };
 
   /// True when the bound is broken. A step of `way` m (a bound, of the farthest point) in `dt` > 0 s.
@@ -38,9 +38,9 @@ class SpeedWatch {
     if (broken && !state.broken) {
       ++count_;
       state.entry = listed_.size();
-      if (state.entry < kMostListed) listed_.push_back({object, t, 0.0, bound});
+      if (state.entry < kMaxListed) listed_.push_back({object, t, 0.0, bound});
     }
-    if (broken && state.entry < kMostListed)
+    if (broken && state.entry < kMaxListed)
       listed_[state.entry].speed = std::max(listed_[state.entry].speed, way / dt);
     state.broken = broken;
     return broken;

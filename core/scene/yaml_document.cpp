@@ -47,7 +47,7 @@ class TreeBuilder final : public YAML::EventHandler {
     if (it == anchored_.end())
       throw ParseError(posOf(file_, mark),
                        "found an alias inside what it stands for, expected one of an earlier value");
-    if (open_.size() + it->second.depth > kMostYamlDepth) throw tooDeep(mark);
+    if (open_.size() + it->second.depth > kMaxYamlDepth) throw tooDeep(mark);
     count(posOf(file_, mark), it->second.nodes);
     add(it->second.node, 0);
   }
@@ -88,13 +88,13 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void count(const SourcePos& pos, int nodes) {
     nodes_ += nodes;
-    if (nodes_ > kMostYamlNodes)
-      throw ParseError(pos, "found more than " + std::to_string(kMostYamlNodes) +
+    if (nodes_ > kMaxYamlNodes)
+      throw ParseError(pos, "found more than " + std::to_string(kMaxYamlNodes) +
                                 " values (aliases written out), expected fewer");
   }
 
   ParseError tooDeep(const YAML::Mark& mark) const {
-    return {posOf(file_, mark), "found more than " + std::to_string(kMostYamlDepth) +
+    return {posOf(file_, mark), "found more than " + std::to_string(kMaxYamlDepth) +
                                     " levels of lists and maps, expected fewer"};
   }
 
@@ -105,7 +105,7 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void open(YamlNode node, const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (open_.size() >= static_cast<std::size_t>(kMostYamlDepth)) throw tooDeep(mark);
+    if (open_.size() >= static_cast<std::size_t>(kMaxYamlDepth)) throw tooDeep(mark);
     open_.push_back({std::move(node), anchor, {}});
   }
 
@@ -182,9 +182,9 @@ void refuseControlCharacters(const std::string& text, const std::string& file) {
 }  // namespace
 
 YamlNode parseYaml(const std::string& text, const std::string& file) {
-  if (text.size() > kMostYamlBytes)
+  if (text.size() > kMaxYamlBytes)
     throw ParseError({file}, "found " + std::to_string(text.size()) + " bytes, expected at most " +
-                                 std::to_string(kMostYamlBytes));
+                                 std::to_string(kMaxYamlBytes));
   refuseControlCharacters(text, file);
   TreeBuilder builder(file);
   try {

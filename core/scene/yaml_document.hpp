@@ -27,11 +27,11 @@ struct YamlNode {
 
 /// Reads one YAML document of a stranger. Aliases are written out. Throws ParseError for broken YAML, more
 /// than one document, control characters, tags, keys that are no scalars or are there twice, and for what is
-/// no sane scene: more than kMostYamlBytes of text, kMostYamlDepth levels or kMostYamlNodes nodes (aliases
+/// no sane scene: more than kMaxYamlBytes of text, kMaxYamlDepth levels or kMaxYamlNodes nodes (aliases
 /// written out).
-inline constexpr std::size_t kMostYamlBytes = 4u << 20;
-inline constexpr int kMostYamlDepth = 32;
-inline constexpr int kMostYamlNodes = 200000;
+inline constexpr std::size_t kMaxYamlBytes = 4u << 20;
+inline constexpr int kMaxYamlDepth = 32;
+inline constexpr int kMaxYamlNodes = 200000;
 YamlNode parseYaml(const std::string& text, const std::string& file);
 
 }  // namespace abstand

@@ -70,9 +70,9 @@ double yamlNumber(const YamlNode& node, const std::string& file, const std::stri
 }
 
 std::string yamlText(const YamlNode& node, const std::string& file, const std::string& label) {
-  if (node.kind != YamlNode::Kind::kScalar || node.text.empty() || node.text.size() > kMostYamlText)
+  if (node.kind != YamlNode::Kind::kScalar || node.text.empty() || node.text.size() > kMaxYamlText)
     throw ParseError({file, node.line, node.column}, "found " + yamlFound(node) + " for " + label +
-                                                         ", expected 1 to " + std::to_string(kMostYamlText) +
+                                                         ", expected 1 to " + std::to_string(kMaxYamlText) +
                                                          " characters");
   // Escapes in quotes can bring in what the text itself may not hold.
   if (std::any_of(node.text.begin(), node.text.end(),

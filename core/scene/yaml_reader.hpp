@@ -56,8 +56,8 @@ std::string yamlFound(const YamlNode& node);
 /// Single values; `label` names what they stand for ("`scale`").
 double yamlNumber(const YamlNode& node, const std::string& file, const std::string& label,
                   const YamlRange& range);
-/// Not empty, at most kMostYamlText characters.
-inline constexpr std::size_t kMostYamlText = 4096;
+/// Not empty, at most kMaxYamlText characters.
+inline constexpr std::size_t kMaxYamlText = 4096;
 std::string yamlText(const YamlNode& node, const std::string& file, const std::string& label);
 std::string yamlChoice(const YamlNode& node, const std::string& file, const std::string& label,
                        const std::vector<std::string>& choices);

@@ -17,7 +17,7 @@ constexpr std::array kSteps{0.01, 0.00707, 0.005, 0.00354, 0.0025};  // m
 constexpr double kStiffness = 1e6;                                   // N/m^3
 constexpr double kRadius = 0.05, kOtherRadius = 0.08;                // m, radii
 // m; the depth varies, so that neither grid nor points are always cut the same way
-constexpr double kLeastDepth = 0.012, kMostDepth = 0.02;
+constexpr double kMinDepth = 0.012, kMaxDepth = 0.02;
 const Vector3d kWallSize{0.18, 0.18, 0.08};
 // Layers: walls of several thicknesses, so that their faces lie anywhere in their voxels, alike at every
 // step.
@@ -42,7 +42,7 @@ struct Press {
 
 Press randomPress(Against against, int walls, double h, std::uint64_t seed, std::uint64_t index) {
   Random random(seed, index);
-  const double depth = random.between(kLeastDepth, kMostDepth);
+  const double depth = random.between(kMinDepth, kMaxDepth);
   Press press;
   press.X_WA.linear() = random.rotation();
   if (against == Against::kBall) {

@@ -8,7 +8,7 @@
 namespace abstand::verify {
 namespace {
 
-constexpr int kMostSamples = 400;
+constexpr int kMaxSamples = 400;
 
 bool anyInside(const std::vector<Vector3d>& probes, const NastyBody& body) {
   return body.closed && std::ranges::any_of(probes, [&](const Vector3d& p) { return body.soup.inside(p); });
@@ -31,7 +31,7 @@ ExactDistance exactDistance(const NastyBody& P, const NastyBody& F, const Transf
     swallowed = anyInside(probes, P);
     if (!swallowed && !anyInside(moved.probes(), F)) return {apart, apart, false, false};
   }
-  const auto samples = [](const TriangleSoup& soup) { return kMostSamples + static_cast<int>(soup.size()); };
+  const auto samples = [](const TriangleSoup& soup) { return kMaxSamples + static_cast<int>(soup.size()); };
   const Penetration of_points = penetration(moved, F.soup, tolerance, samples(moved));
   const Penetration of_field = penetration(F.soup.moved(X_PF), P.soup, tolerance, samples(F.soup));
   return {-std::max({0.0, of_points.most, of_field.most}), -std::max({0.0, of_points.least, of_field.least}),

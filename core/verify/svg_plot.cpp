@@ -13,7 +13,7 @@ constexpr double kWidth = 720, kHeight = 320;
 constexpr double kLeft = 64, kRight = 190, kTop = 26,
                  kBottom = 44;  // margins; the legend stands on the right
 constexpr int kColours = 9;
-constexpr std::size_t kMostPoints = 400;
+constexpr std::size_t kMaxPoints = 400;
 
 std::string pixels(double v) {
   char text[32];
@@ -80,7 +80,7 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 
 std::string polyline(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
   std::string points;
-  const std::size_t stride = series.x.size() / kMostPoints + 1;
+  const std::size_t stride = series.x.size() / kMaxPoints + 1;
   for (std::size_t i = 0; i < series.x.size(); i += stride) {
     if (!x.shows(series.x[i]) || !y.shows(series.y[i])) continue;
     points += pixels(x.pixel(series.x[i])) + "," + pixels(y.pixel(series.y[i])) + " ";

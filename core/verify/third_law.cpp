@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLimit = 1e-12;      // of the moments: rounding in double
 constexpr double kPoseReach = 10.0;   // m, of the points about which moments are taken
-constexpr double kMostMargin = 0.05;  // m
+constexpr double kMaxMargin = 0.05;  // m
 // Of options.poses: the brute force has the most.
 constexpr std::size_t kHullPart = 5;
 
@@ -24,7 +24,7 @@ Sums sums(const NastyBody& a, const NastyBody& b, const NastyPose& pose, Random&
   Sums s;
   const std::size_t field = random.below(kFields.size());
   const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
-  const PairOptions options{.margin = random.chance(0.5) ? 0.0 : random.between(0.0, kMostMargin),
+  const PairOptions options{.margin = random.chance(0.5) ? 0.0 : random.between(0.0, kMaxMargin),
                             .stiffness = 1e6,
                             .law = random.chance(0.5) ? ForceLaw::kVolume : ForceLaw::kThesis};
   const PairResult r = query(A, pose.X_WA, B, pose.X_WB, options);

@@ -14,7 +14,7 @@ namespace abstand::bench {
 namespace {
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
-constexpr std::size_t kMostContacts = 100000;  // of a pair: all of them
+constexpr std::size_t kMaxContacts = 100000;  // of a pair: all of them
 constexpr std::uint32_t kNoPair = 0xffffffffu;
 
 std::shared_ptr<Model> modelOf(const TriangleMesh& mesh) {
@@ -75,7 +75,7 @@ class Fcl final : public Engine {
       return fcl::distance(a, b, request, result);
     }
     const bool contacts = work_ == Work::kContact;
-    const fcl::CollisionRequestd request(contacts ? kMostContacts : 1, contacts);
+    const fcl::CollisionRequestd request(contacts ? kMaxContacts : 1, contacts);
     fcl::CollisionResultd result;
     fcl::collide(a, b, request, result);
     if (!contacts) return static_cast<double>(result.isCollision());

@@ -16,14 +16,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (packet.type == serve::PacketType::kJoints) {
     ABSTAND_CHECK(format.hasMechanism(packet.index) && packet.values == format.dof(packet.index));
     for (std::size_t i = 0; i < packet.values; ++i)
-      ABSTAND_CHECK(std::abs(packet.q[i]) <= serve::kMostCoordinate);
+      ABSTAND_CHECK(std::abs(packet.q[i]) <= serve::kMaxCoordinate);
   } else if (packet.type == serve::PacketType::kControl) {
     ABSTAND_CHECK(serve::checkControl(format, packet.control) == serve::PacketFault::kNone);
   } else {
     ABSTAND_CHECK(packet.type == serve::PacketType::kSkeleton && packet.index < format.people.size());
     for (std::size_t j = 0; j < kJointCount; ++j)
       if (packet.skeleton.has(static_cast<Joint>(j)))
-        ABSTAND_CHECK(packet.skeleton.p[j].cwiseAbs().maxCoeff() <= serve::kMostCoordinate);
+        ABSTAND_CHECK(packet.skeleton.p[j].cwiseAbs().maxCoeff() <= serve::kMaxCoordinate);
   }
   return 0;
 }

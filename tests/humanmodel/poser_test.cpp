@@ -210,7 +210,7 @@ TEST(Poser, OneMillimetreOfJitterMovesLittle) {
   constexpr double kJitter = 1e-3;
   // A bone's end moves by the jitters of the chain below it; the shortest bone, the head's, is 0.2 m long,
   // and a bend of 20 degrees gives the hinge a lever of a third of the forearm.
-  constexpr double kMostTurn = 0.06, kMostShift = 0.025;
+  constexpr double kMaxTurn = 0.06, kMaxShift = 0.025;
   const HumanModel m = person(1.75);
   std::uint64_t stream = 0;
   const auto shaken = [&](SkeletonFrame frame, std::uint64_t seed) {
@@ -227,8 +227,8 @@ TEST(Poser, OneMillimetreOfJitterMovesLittle) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       Poser fresh(m);
       fresh.pose(shaken(frame, seed), pose);
-      EXPECT_LT(largestTurn(reference, pose), kMostTurn);
-      EXPECT_LT(largestShift(reference, pose), kMostShift);
+      EXPECT_LT(largestTurn(reference, pose), kMaxTurn);
+      EXPECT_LT(largestShift(reference, pose), kMaxShift);
     }
   }
 }

@@ -14,7 +14,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::size_t kMostBones = 10000;
+constexpr std::size_t kMaxBones = 10000;
 
 using Words = std::vector<std::string_view>;
 
@@ -113,7 +113,7 @@ class AsfParser {
   void takeBone(const std::string& key, const Words& words) {
     if (key == "begin") {
       if (in_bone_) fail("found begin inside of a bone, expected end first");
-      if (bones_.size() == kMostBones) fail("found more than 10000 bones, expected the skeleton of a person");
+      if (bones_.size() == kMaxBones) fail("found more than 10000 bones, expected the skeleton of a person");
       in_bone_ = true;
       bones_.push_back({});
       length_ = 1.0;

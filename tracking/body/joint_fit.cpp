@@ -10,7 +10,7 @@ constexpr double kInferredWeight = 0.25;
 constexpr double kLimitWeight = 1.0;  // 1/rad^2; a radian beyond costs as much as a metre off
 // Freedoms that no joint shows, as the twist of a straight arm, stay where they are.
 constexpr double kDamping = 1e-5;
-constexpr double kMostTurn = 0.6;  // rad, m, a step
+constexpr double kMaxTurn = 0.6;  // rad, m, a step
 constexpr double kAtRest = 1e-7;   // rad, m
 
 }  // namespace
@@ -37,7 +37,7 @@ JointFit fitJoints(const BodyRig& rig, const SkeletonFrame& frame, const RigPose
                       frame.state[j] == JointState::kTracked ? 1.0 : kInferredWeight);
     }
     solver.addLimits(kLimitWeight);
-    const double moved = solver.step(kDamping, kMostTurn);
+    const double moved = solver.step(kDamping, kMaxTurn);
     fit.pose = solver.pose();
     if (moved < kAtRest) break;
   }

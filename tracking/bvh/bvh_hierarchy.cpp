@@ -12,7 +12,7 @@
 namespace abstand {
 namespace {
 
-constexpr int kMostChannels = 6;
+constexpr int kMaxChannels = 6;
 /// A frame time outside of these is no sampling of a moving person, but a slip.
 constexpr double kShortestFrameTime = 1e-6;
 constexpr double kLongestFrameTime = 3600.0;
@@ -45,7 +45,7 @@ void readChannels(TextCursor& in, BvhJoint& joint, std::size_t& channel_count) {
     throw ParseError(in.pos(), "found a second CHANNELS in joint " + inQuotes(joint.name) + ", expected one");
   const auto word = in.word();
   const auto count = parseInt(word);
-  if (!count || *count < 0 || *count > kMostChannels)
+  if (!count || *count < 0 || *count > kMaxChannels)
     throw ParseError(in.pos(), found(word) + ", expected the number of channels, 0 to 6");
   joint.first_channel = channel_count;
   for (int i = 0; i < *count; ++i) {
@@ -80,7 +80,7 @@ class TreeReader {
 
   void open(int parent, bool is_end) {
     const auto name = in_.restOfName();
-    if (out_.joints.size() >= kMostBvhJoints)
+    if (out_.joints.size() >= kMaxBvhJoints)
       throw ParseError(in_.pos(), "found more than 10000 joints, expected the skeleton of a person");
     if (open_.size() >= kDeepestBvhJoint)
       throw ParseError(in_.pos(),

@@ -41,7 +41,7 @@ struct BvhHierarchy {
 inline constexpr double kLargestBvhValue = 1e9;
 /// Nesting and number of joints beyond these are refused.
 inline constexpr std::size_t kDeepestBvhJoint = 512;
-inline constexpr std::size_t kMostBvhJoints = 10000;
+inline constexpr std::size_t kMaxBvhJoints = 10000;
 /// The time between frames, in seconds, where the file states none that is usable.
 inline constexpr double kAssumedFrameTime = 1.0 / 30.0;
 

@@ -14,7 +14,7 @@ constexpr std::size_t kBlock = 512;
 constexpr std::uint8_t kKey = 0x50;
 constexpr double kHighestRate = 1e6;  // Hz
 /// Labels stand in POINT:LABELS, LABELS2, ... of 255 each.
-constexpr int kMostLabelLists = 256;
+constexpr int kMaxLabelLists = 256;
 
 std::optional<UnitChoice> unitOf(const std::string& name) {
   const std::string low = lowerCase(name);
@@ -110,7 +110,7 @@ std::size_t C3dReader::claimedFrames() const {
 }
 
 void C3dReader::nameMarkers() {
-  for (int list = 1; list <= kMostLabelLists && names_.size() < points_; ++list) {
+  for (int list = 1; list <= kMaxLabelLists && names_.size() < points_; ++list) {
     const auto it = parameters_.find("POINT:LABELS" + (list > 1 ? std::to_string(list) : ""));
     if (it == parameters_.end()) break;
     for (const auto& label : it->second.texts)

@@ -17,10 +17,10 @@ namespace {
 constexpr std::string_view kMagic = "ABSTREC1";
 constexpr std::uint8_t kFrameWithSpread = 2, kFrame = 1, kEnd = 0;
 /// m; a spread beyond is written as this: nobody needs to know more.
-constexpr double kMostSpread = 1e3;
+constexpr double kMaxSpread = 1e3;
 /// Beyond this (m) nothing is written, and differences beyond twice of it are refused.
 constexpr double kFarthest = 1e6;
-constexpr auto kMostSteps = static_cast<std::int64_t>(kFarthest / kCompactStep);
+constexpr auto kMaxSteps = static_cast<std::int64_t>(kFarthest / kCompactStep);
 
 void writeU64(std::ostream& out, std::uint64_t v) {
   for (int i = 0; i < 8; ++i, v >>= 8) out.put(static_cast<char>(v & 0xff));
@@ -66,7 +66,7 @@ void writeCompact(std::ostream& out, const Recording& recording) {
         writeDifference(out, steps - last[j][static_cast<std::size_t>(k)]);
         last[j][static_cast<std::size_t>(k)] = steps;
       }
-      if (spread) writeDifference(out, std::llround(std::min(f.spread[j], kMostSpread) / kCompactStep));
+      if (spread) writeDifference(out, std::llround(std::min(f.spread[j], kMaxSpread) / kCompactStep));
     }
   }
   out.put(static_cast<char>(kEnd));
@@ -145,8 +145,8 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::int64_t difference = 0;
       if (!readDifference(difference)) return false;
-      if (difference > 2 * kMostSteps || difference < -2 * kMostSteps ||
-          std::abs(last_[j][k] + difference) > kMostSteps)
+      if (difference > 2 * kMaxSteps || difference < -2 * kMaxSteps ||
+          std::abs(last_[j][k] + difference) > kMaxSteps)
         fail("found a place beyond 1e6 m, expected a person nearer by");
       last_[j][k] += difference;
       p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
@@ -155,7 +155,7 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
     std::int64_t steps = 0;
     if (!spread) continue;
     if (!readDifference(steps)) return false;
-    if (steps < 0 || static_cast<double>(steps) * kCompactStep > kMostSpread)
+    if (steps < 0 || static_cast<double>(steps) * kCompactStep > kMaxSpread)
       fail("found the spread " + std::to_string(steps) + " um, expected 0 to 1e9");
     frame.spread[j] = static_cast<double>(steps) * kCompactStep;
   }

@@ -13,10 +13,10 @@
 namespace abstand {
 namespace {
 
-constexpr double kMostOff = 1.5;    // pixels
+constexpr double kMaxOff = 1.5;    // pixels
 constexpr double kClearer = 1.25;   // a pose that explains the corners so much better is the one
 constexpr double kSamePose = 1e-3;  // rad
-constexpr int kMostSteps = 50;
+constexpr int kMaxSteps = 50;
 constexpr double kSmallStep = 1e-11;
 constexpr double kDelta = 1e-6;  // m and rad, of differences
 
@@ -89,7 +89,7 @@ std::optional<Solution> refined(const DepthCamera& camera, const std::vector<Cor
                                 const Transform& start) {
   const Vector3d pivot = middleOf(corners);
   Solution s{start, {}};
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const auto normal = normalOf(camera, corners, s.X_WC, pivot);
     if (!normal) return std::nullopt;
     s.normal = *normal;
@@ -164,12 +164,12 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   BoardFit fit;
   fit.X_WC = best.X_WC;
   fit.rms = rms(best);
-  if (!(fit.rms <= kMostOff)) {
+  if (!(fit.rms <= kMaxOff)) {
     char text[200];
     std::snprintf(text, sizeof text,
                   "--chessboard: found corners %.1f pixels off, expected at most %.1f: the intrinsics or the "
                   "places of the boards are others",
-                  fit.rms, kMostOff);
+                  fit.rms, kMaxOff);
     throw UsageError(text);
   }
   const Transform X_CW = best.X_WC.inverse();

@@ -11,8 +11,8 @@
 namespace abstand {
 namespace {
 
-constexpr double kMostFocalSpread = 0.02;
-constexpr double kLeastLean = 15.0;  // degrees, between the boards of two views at least
+constexpr double kMaxFocalSpread = 0.02;
+constexpr double kMinLean = 15.0;  // degrees, between the boards of two views at least
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -72,7 +72,7 @@ Eigen::Vector2d middleOf(const Chessboard& board, const BoardCorners& corners, i
 }
 
 Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCorners& corners) {
-  constexpr double kLeastRight = 0.95;  // of the squares; a shine may cover some
+  constexpr double kMinRight = 0.95;  // of the squares; a shine may cover some
   std::vector<double> level[2];         // of squares of the origin's colour, and of the others
   for (int r = 0; r < board.rows; ++r)
     for (int c = 0; c < board.columns; ++c) {
@@ -93,7 +93,7 @@ Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCo
   for (const double x : level[0]) right += (x > between) == (own > other);
   for (const double x : level[1]) right += (x > between) == (other > own);
   const auto all = static_cast<double>(level[0].size() + level[1].size());
-  return {static_cast<double>(right) >= kLeastRight * all, own > other};
+  return {static_cast<double>(right) >= kMinRight * all, own > other};
 }
 
 /// Half the side of a window that holds one corner alone, wherever the board leans, pixels.
@@ -169,9 +169,9 @@ std::vector<Transform> posesOfBoard(const DepthCamera& camera, const Chessboard&
 
 IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorners> views, int width,
                             int height) {
-  if (views.size() < kLeastViews)
+  if (views.size() < kMinViews)
     throw UsageError("--intrinsics: found " + std::to_string(views.size()) + " images, expected " +
-                     std::to_string(kLeastViews) + " or more, of the board in different poses");
+                     std::to_string(kMinViews) + " or more, of the board in different poses");
   const std::vector<std::vector<cv::Point3f>> points(views.size(), cornersOf(board));
   std::vector<Corners> pixels;
   for (const BoardCorners& view : views) pixels.push_back(toCv(view));
@@ -197,8 +197,8 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
     fit.focal_spread = std::max(spread.at<double>(0) / c.fx, spread.at<double>(1) / c.fy);
   }
   // Boards that are parallel hide the focal length in their distance. Written so that NaN fails.
-  if (!(std::isfinite(fit.rms) && fit.focal_spread <= kMostFocalSpread &&
-        mostLean(turns) >= unit::deg(kLeastLean)))
+  if (!(std::isfinite(fit.rms) && fit.focal_spread <= kMaxFocalSpread &&
+        mostLean(turns) >= unit::deg(kMinLean)))
     throw UsageError(
         "--intrinsics: found boards that leave the focal length open, expected some that lean to different "
         "sides by 20 degrees and more");

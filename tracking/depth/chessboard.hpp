@@ -13,7 +13,7 @@ namespace abstand {
 /// A printed board. Its frame O: the origin is the inner corner next to the dark corner square, x along the
 /// columns, y along the rows, z towards who looks at it.
 struct Chessboard {
-  static constexpr int kLeastSquares = 4, kMostSquares = 40;
+  static constexpr int kMinSquares = 4, kMaxSquares = 40;
 
   int columns{0}, rows{0};  ///< squares along x and along y
   double square{0.0};       ///< m, its side
@@ -47,10 +47,10 @@ struct IntrinsicsFit {
 };
 
 /// Focal lengths, centre and distortion k1, k2, p1, p2 by views of one board in different poses (Zhang, PAMI
-/// 2000). Throws UsageError for fewer than kLeastViews, and for views that leave the focal length open, as
+/// 2000). Throws UsageError for fewer than kMinViews, and for views that leave the focal length open, as
 /// those of boards do that all face the camera.
 IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorners> views, int width,
                             int height);
-inline constexpr std::size_t kLeastViews = 5;
+inline constexpr std::size_t kMinViews = 5;
 
 }  // namespace abstand

@@ -26,7 +26,7 @@ double need(const YamlFields& fields, const char* key, const YamlRange& range) {
 
 int needPixels(const YamlFields& fields, const char* key) {
   fields.need(key);
-  return *fields.integer(key, 1, DepthCamera::kMostPixels);
+  return *fields.integer(key, 1, DepthCamera::kMaxPixels);
 }
 
 std::string listed(const Vector3d& v) {
@@ -76,7 +76,7 @@ DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
 }
 
 DepthCamera loadDepthCamera(const std::filesystem::path& file) {
-  return parseDepthCamera(readFile(file, kMostYamlBytes), file.string());
+  return parseDepthCamera(readFile(file, kMaxYamlBytes), file.string());
 }
 
 std::string describeDepthCamera(const DepthCamera& c) {

@@ -10,7 +10,7 @@ namespace abstand {
 
 /// Optical axes: x right, y down, z forward. The centre of the pixel in column u and row v is at (u, v).
 struct DepthCamera {
-  static constexpr int kMostPixels = 4096;  ///< along a side
+  static constexpr int kMaxPixels = 4096;  ///< along a side
 
   int width{640}, height{480};
   double fx{580.0}, fy{580.0}, cx{319.5}, cy{239.5};  ///< pixels

@@ -18,7 +18,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{256} << 20;
 constexpr double kMillimetres = 1000.0;  // units a metre where no camera file says it
 
 /// True where `a` stands before `b` as people count: image2 before image10.
@@ -125,10 +125,10 @@ NpyArray parseDepthNpy(const std::string& bytes, const std::string& file) {
     throw ParseError({file}, "found an array of " + std::to_string(axes) +
                                  " axes, expected rows and columns, or frames before them");
   for (std::size_t i = axes - 2; i < axes; ++i)
-    if (array.size[i] > DepthCamera::kMostPixels)
+    if (array.size[i] > DepthCamera::kMaxPixels)
       throw ParseError({file}, "found " + std::to_string(array.size[i]) +
                                    " pixels along a side, expected at most " +
-                                   std::to_string(DepthCamera::kMostPixels));
+                                   std::to_string(DepthCamera::kMaxPixels));
   return array;
 }
 
@@ -148,11 +148,11 @@ DepthImage loadOne(const Path& file, DepthFileKind kind, double scale) {
     case DepthFileKind::kPng:
       return loadDepthPng(file, scale);
     case DepthFileKind::kTiff:
-      return decodeDepthTiff(readFile(file, kMostBytes), scale, file.string());
+      return decodeDepthTiff(readFile(file, kMaxBytes), scale, file.string());
     case DepthFileKind::kPcd:
-      return imageOf(parsePcd(readFile(file, kMostBytes), file.string()));
+      return imageOf(parsePcd(readFile(file, kMaxBytes), file.string()));
     default: {
-      const std::string bytes = readFile(file, kMostBytes);
+      const std::string bytes = readFile(file, kMaxBytes);
       const NpyArray array = parseDepthNpy(bytes, file.string());
       if (array.size.size() == 3 && array.size[0] != 1)
         throw ParseError({file.string()},
@@ -164,7 +164,7 @@ DepthImage loadOne(const Path& file, DepthFileKind kind, double scale) {
 
 /// An array of several frames, kept in memory.
 DepthSource openNpyStack(const Path& file, const DepthStreamOptions& options) {
-  const auto bytes = std::make_shared<const std::string>(readFile(file, kMostBytes));
+  const auto bytes = std::make_shared<const std::string>(readFile(file, kMaxBytes));
   const NpyArray array = parseDepthNpy(*bytes, file.string());
   DepthSource source;
   source.facts.format = "npy";
@@ -187,7 +187,7 @@ DepthSource openDepthFiles(const Path& path, const DepthStreamOptions& options) 
   source.facts.format = nameOf(found.kind);
   const auto given = givenCamera(options, first.parent_path());
   if (found.kind == DepthFileKind::kPcd) {
-    const PcdCloud cloud = parsePcd(readFile(first, kMostBytes), first.string());
+    const PcdCloud cloud = parsePcd(readFile(first, kMaxBytes), first.string());
     std::optional<GivenCamera> fitted;
     if (!given) {
       const FittedCamera fit = fitCamera(cloud, first.string());
@@ -214,10 +214,10 @@ DepthSource openDepthFiles(const Path& path, const DepthStreamOptions& options) 
 
 DepthSource openDepthMat(const Path& file, const DepthStreamOptions& options) {
   const auto depth = std::make_shared<const MatVariable>(
-      readMatVariable(readFile(file, kMostBytes), "d_depth", file.string()));
+      readMatVariable(readFile(file, kMaxBytes), "d_depth", file.string()));
   const auto& size = depth->size;
-  if ((size.size() != 2 && size.size() != 3) || depth->values.empty() || size[0] > DepthCamera::kMostPixels ||
-      size[1] > DepthCamera::kMostPixels)
+  if ((size.size() != 2 && size.size() != 3) || depth->values.empty() || size[0] > DepthCamera::kMaxPixels ||
+      size[1] > DepthCamera::kMaxPixels)
     throw ParseError({file.string()}, "found d_depth of " + std::to_string(depth->values.size()) +
                                           " numbers in another form, expected rows x columns x frames");
   DepthSource source;

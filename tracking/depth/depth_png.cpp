@@ -14,7 +14,7 @@
 namespace abstand {
 namespace {
 
-constexpr double kMost = 65535.0;
+constexpr double kMax = 65535.0;
 constexpr std::uintmax_t kMaxDepthPngBytes = std::uintmax_t{256} << 20;
 /// Before the decoder reserves memory for what a stranger says.
 void checkHeader(const std::string& bytes, const std::string& file) {
@@ -33,7 +33,7 @@ void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::
       const double units = std::round(image.at(u, v) * scale);
       // Written so that NaN is not measured.
       grey.at<std::uint16_t>(v, u) =
-          units >= 1.0 && units <= kMost ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
+          units >= 1.0 && units <= kMax ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
     }
   }
   std::vector<unsigned char> bytes;

@@ -12,7 +12,7 @@ namespace abstand {
 void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::path& file);
 
 /// Throws ParseError for what is no PNG of one channel of 16 bits, and for sides above
-/// DepthCamera::kMostPixels.
+/// DepthCamera::kMaxPixels.
 DepthImage loadDepthPng(const std::filesystem::path& file, double scale);
 
 }  // namespace abstand

@@ -66,9 +66,9 @@ TiffSize checkDepthTiff(const std::string& bytes, const std::string& file) {
     directory.fail("found a TIFF of " + std::to_string(channels) + " channels of " + std::to_string(bits) +
                    " bits, sample format " + std::to_string(form) +
                    ", expected one of 16 bits of whole numbers (1)");
-  if (width == 0 || height == 0 || width > DepthCamera::kMostPixels || height > DepthCamera::kMostPixels)
+  if (width == 0 || height == 0 || width > DepthCamera::kMaxPixels || height > DepthCamera::kMaxPixels)
     directory.fail("found " + std::to_string(width) + " x " + std::to_string(height) +
-                   " pixels, expected 1 to " + std::to_string(DepthCamera::kMostPixels) + " along a side");
+                   " pixels, expected 1 to " + std::to_string(DepthCamera::kMaxPixels) + " along a side");
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 

@@ -8,7 +8,7 @@
 namespace abstand {
 
 /// Width and height that the first image of a TIFF claims. Throws ParseError for what is no image of one
-/// channel of 16 bits whole numbers, or has sides above DepthCamera::kMostPixels, so that no decoder reserves
+/// channel of 16 bits whole numbers, or has sides above DepthCamera::kMaxPixels, so that no decoder reserves
 /// memory for what a stranger says.
 struct TiffSize {
   int width{0}, height{0};

@@ -14,10 +14,10 @@ constexpr int kTries = 1500;               // most of them are not level, and co
 constexpr double kCertainty = 1.0 - 1e-9;  // less, and the seeds find floors of an image 4 cm apart
 constexpr std::size_t kPoints = 2000;
 constexpr double kTilt = 35.0;         // degrees
-constexpr double kLeastHeight = 0.3;   // m, of a camera over the floor
-constexpr double kLeastShare = 0.03;   // of all points on the floor
-constexpr double kMostBelow = 0.02;    // of all points
-constexpr double kLeastSpread = 0.15;  // m, standard deviation across: half a metre evenly covered
+constexpr double kMinHeight = 0.3;   // m, of a camera over the floor
+constexpr double kMinShare = 0.03;   // of all points on the floor
+constexpr double kMaxBelow = 0.02;    // of all points
+constexpr double kMinSpread = 0.15;  // m, standard deviation across: half a metre evenly covered
 constexpr double kFarthest = 8.0;      // m
 
 /// m; what a Kinect's depth wavers by, and more than its steps (2.9 mm z^2, see kinect_noise.hpp).
@@ -63,11 +63,11 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
     }
   if (points_.size() < 50) return std::nullopt;
   const auto total = static_cast<double>(points_.size());
-  const auto least = static_cast<std::size_t>(kLeastShare * total);
+  const auto least = static_cast<std::size_t>(kMinShare * total);
   const auto count_floor = [&](const FloorPlane& plane) -> std::size_t {
-    if (plane.height < kLeastHeight) return 0;
+    if (plane.height < kMinHeight) return 0;
     const Count count = countOn(points_, plane);
-    return count.on <= least || static_cast<double>(count.below) > kMostBelow * total ? 0 : count.on;
+    return count.on <= least || static_cast<double>(count.below) > kMaxBelow * total ? 0 : count.on;
   };
   std::optional<FloorPlane> best =
       consensusPlane(grid_, {unit::deg(kTilt), kCertainty, kTries, seed}, count_floor);
@@ -85,14 +85,14 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
     if (n < 3.0) return std::nullopt;
     mean /= n;
     const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(squares / n - mean * mean.transpose());
-    if (std::sqrt(std::max(0.0, axes.eigenvalues()[1])) < kLeastSpread) return std::nullopt;
+    if (std::sqrt(std::max(0.0, axes.eigenvalues()[1])) < kMinSpread) return std::nullopt;
     Vector3d up = axes.eigenvectors().col(0);
     if (up.y() > 0.0) up = -up;
     *best = {up, -up.dot(mean)};
   }
   const Count count = countOn(points_, *best);
-  if (!isLevel(best->up) || static_cast<double>(count.below) > kMostBelow * total ||
-      static_cast<double>(count.on) < kLeastShare * total)
+  if (!isLevel(best->up) || static_cast<double>(count.below) > kMaxBelow * total ||
+      static_cast<double>(count.on) < kMinShare * total)
     return std::nullopt;
   return best;
 }

@@ -53,8 +53,8 @@ FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& fi
     return n.value_or(0);
   };
   FreenectHeader header;
-  header.width = number("a width", DepthCamera::kMostPixels);
-  header.height = number("a height", DepthCamera::kMostPixels);
+  header.width = number("a width", DepthCamera::kMaxPixels);
+  header.height = number("a height", DepthCamera::kMaxPixels);
   const int maximum = number("a largest value", 65535);
   if (maximum < 256) fail("found one byte a pixel, expected two");
   if (at >= bytes.size() || !isBlank(bytes[at])) fail("found no blank behind the header, expected one");

@@ -13,8 +13,8 @@
 namespace abstand {
 namespace {
 
-constexpr std::uintmax_t kMostListBytes = std::uintmax_t{64} << 20;
-constexpr std::uintmax_t kMostImageBytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t kMaxListBytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{64} << 20;
 
 struct Dumped {
   double t{0.0};
@@ -24,7 +24,7 @@ struct Dumped {
 /// The depth frames of the index: `d-TIME-TIMESTAMP.pgm`.
 std::vector<Dumped> readIndex(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "INDEX.txt";
-  const std::string text = readFile(file, kMostListBytes);
+  const std::string text = readFile(file, kMaxListBytes);
   Lines lines(text);
   std::vector<Dumped> frames;
   std::string_view line;
@@ -59,7 +59,7 @@ bool isFreenectRecord(const std::filesystem::path& folder) {
 DepthSource openFreenectRecord(const std::filesystem::path& folder, const DepthStreamOptions& options) {
   const std::vector<Dumped> frames = readIndex(folder);
   const auto load = [](const std::filesystem::path& file, const std::optional<FreenectUnits>& units) {
-    return parseFreenectDepth(readFile(file, kMostImageBytes), file.string(), units);
+    return parseFreenectDepth(readFile(file, kMaxImageBytes), file.string(), units);
   };
   DepthSource source;
   source.facts.format = "freenect";

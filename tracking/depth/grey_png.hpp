@@ -21,7 +21,7 @@ struct GreyImage {
 
 /// A PNG of grey or colour. Images of 16 bits, of which infrared cameras use some, are stretched until the
 /// brightest pixel is 255. Throws ParseError for what is no such image, and for sides above
-/// DepthCamera::kMostPixels.
+/// DepthCamera::kMaxPixels.
 GreyImage loadGreyPng(const std::filesystem::path& file);
 
 }  // namespace abstand

@@ -98,7 +98,7 @@ DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, cons
   }
   const double per_disparity = camera.fx * noise.baseline;
   for (int v = 0; v < ideal.height; ++v) {
-    Random random(seed, frame * DepthCamera::kMostPixels + static_cast<std::uint64_t>(v));
+    Random random(seed, frame * DepthCamera::kMaxPixels + static_cast<std::uint64_t>(v));
     for (int u = 0; u < ideal.width; ++u) {
       const int from_u = u + static_cast<int>(std::lround(noise.across * gauss(random)));
       const int from_v = v + static_cast<int>(std::lround(noise.across * gauss(random)));

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view kPrefix = "live:";
 constexpr double kSilence = 5.0;  // s; a Kinect sends 30 images a second, the first within two seconds
-constexpr int kMostMillimetres = 10000;
+constexpr int kMaxMillimetres = 10000;
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
@@ -42,7 +42,7 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
                                 ? "disparities of 11 bits, made into depths by the line of README.md"
                                 : "millimetres by the camera's own calibration");
   for (int i = 0; i < static_cast<int>(depth_of_.size()); ++i) {
-    const float mm = i <= kMostMillimetres ? static_cast<float>(i) * 0.001f : 0.0f;
+    const float mm = i <= kMaxMillimetres ? static_cast<float>(i) * 0.001f : 0.0f;
     depth_of_[static_cast<std::size_t>(i)] = driver_->isRaw() ? freenectDepth(i) : mm;
   }
   last_ = Clock::now();

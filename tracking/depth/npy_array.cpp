@@ -12,8 +12,8 @@
 namespace abstand {
 namespace {
 
-constexpr std::size_t kMostHeader = 1 << 16;
-constexpr std::size_t kMostNumbers = std::size_t{1} << 31;
+constexpr std::size_t kMaxHeader = 1 << 16;
+constexpr std::size_t kMaxNumbers = std::size_t{1} << 31;
 
 /// The value behind a key of the header's dictionary, up to the next comma outside of brackets.
 std::string_view valueOf(std::string_view header, std::string_view key, const std::string& file) {
@@ -65,7 +65,7 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
   const std::size_t start = version == 1 ? 10 : 12;
   std::size_t length = 0;
   for (std::size_t i = start; i-- > 8;) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-  if (length > kMostHeader || bytes.size() - start < length)
+  if (length > kMaxHeader || bytes.size() - start < length)
     fail("found a header of " + std::to_string(length) + " bytes, expected what fits");
   const std::string_view header = bytes.substr(start, length);
 
@@ -96,7 +96,7 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
       fail("found the size " + inQuotes(word) + " in the shape, expected up to four above 0");
     array.size.push_back(static_cast<std::size_t>(n.value_or(1)));
     count *= array.size.back();
-    if (count > kMostNumbers) fail("found a shape of more than 2147483648 numbers, expected fewer");
+    if (count > kMaxNumbers) fail("found a shape of more than 2147483648 numbers, expected fewer");
     shape.remove_prefix(end == std::string_view::npos ? shape.size() : end + (shape[end] == ',' ? 1 : 0));
     while (shape.starts_with(' ')) shape.remove_prefix(1);
   }

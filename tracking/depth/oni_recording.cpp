@@ -14,7 +14,7 @@ namespace abstand {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x0052494e;  // "NIR" and a zero
-constexpr std::uint32_t kMaxOniFields = 1u << 20, kMostData = 64u << 20;
+constexpr std::uint32_t kMaxOniFields = 1u << 20, kMaxData = 64u << 20;
 constexpr std::uint32_t kDepthStream = 2;
 constexpr std::uint64_t kOniMillimetres = 100, kTenthsOfThem = 101;  // ONI_PIXEL_FORMAT_DEPTH_...
 
@@ -88,7 +88,7 @@ class Reader {
     };
     if (word(0) != kMagic) fail("found no record, expected NIR");
     const std::uint32_t type = word(1), stream = word(2), fields = word(3), data = word(4);
-    if (fields < header_ || fields - header_ > kMaxOniFields || data > kMostData)
+    if (fields < header_ || fields - header_ > kMaxOniFields || data > kMaxData)
       fail("found a record of " + std::to_string(fields) + " and " + std::to_string(data) +
            " bytes, expected smaller ones");
     if (!take(fields - header_)) return false;
@@ -181,8 +181,8 @@ class Reader {
   }
 
   void setSize(std::uint64_t width, std::uint64_t height) {
-    constexpr auto kMost = static_cast<std::uint64_t>(DepthCamera::kMostPixels);
-    if (width < 1 || height < 1 || width > kMost || height > kMost)
+    constexpr auto kMax = static_cast<std::uint64_t>(DepthCamera::kMaxPixels);
+    if (width < 1 || height < 1 || width > kMax || height > kMax)
       fail("found images of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
     const bool is_other =
         depth_.width != static_cast<int>(width) || depth_.height != static_cast<int>(height);

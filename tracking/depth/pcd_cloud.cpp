@@ -17,7 +17,7 @@ namespace abstand {
 namespace {
 
 constexpr std::size_t kMaxPcdFields = 64;
-constexpr std::size_t kMostPointBytes = 1024;
+constexpr std::size_t kMaxPointBytes = 1024;
 constexpr std::size_t kMaxPcdBytes = std::size_t{1} << 30;
 
 struct Field {
@@ -101,9 +101,9 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
   if (header.width < 2 || header.height < 2)
     fail("found a cloud of " + std::to_string(header.width) + " x " + std::to_string(header.height) +
          " points, expected an organised one, a point for each pixel");
-  if (header.width > DepthCamera::kMostPixels || header.height > DepthCamera::kMostPixels)
+  if (header.width > DepthCamera::kMaxPixels || header.height > DepthCamera::kMaxPixels)
     fail("found " + std::to_string(header.width) + " x " + std::to_string(header.height) +
-         " points, expected at most " + std::to_string(DepthCamera::kMostPixels) + " along a side");
+         " points, expected at most " + std::to_string(DepthCamera::kMaxPixels) + " along a side");
   if (has_points && points != header.width * header.height)
     fail("found POINTS " + std::to_string(points) + ", expected width times height, " +
          std::to_string(header.width * header.height));
@@ -112,7 +112,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
     field.offset = offset;
     offset += field.size * field.count;
   }
-  if (offset > kMostPointBytes)
+  if (offset > kMaxPointBytes)
     fail("found points of " + std::to_string(offset) + " bytes, expected at most 1024");
   // Where the line of DATA ends.
   header.data = static_cast<std::size_t>(line.data() + line.size() - bytes.data());
@@ -229,7 +229,7 @@ PcdCloud parsePcd(std::string_view bytes, const std::string& file) {
 
 FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file) {
   constexpr std::size_t kFewest = 100;
-  constexpr double kMostResidual = 0.5;  // pixels
+  constexpr double kMaxResidual = 0.5;  // pixels
   // Rows u = fx x / z + cx, and the same for v.
   struct Sums {
     double n{0}, a{0}, aa{0}, p{0}, ap{0};
@@ -272,7 +272,7 @@ FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file) {
   std::nth_element(off.begin(), middle, off.end());
   fit.residual = *middle;
   // Written so that NaN fails.
-  if (!(fit.residual <= kMostResidual && fit.camera.fx > 0.0 && fit.camera.fy > 0.0))
+  if (!(fit.residual <= kMaxResidual && fit.camera.fx > 0.0 && fit.camera.fy > 0.0))
     throw ParseError({file}, "found points that no pinhole camera saw in this order (" +
                                  rounded(fit.residual, 1) + " pixels off), expected those of a depth camera");
   return fit;

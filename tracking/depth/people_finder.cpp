@@ -14,23 +14,23 @@ constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
 constexpr double kHeadRadius = 0.16;  // what is as high as the head lies so near ...
 constexpr double kBesideHead = 0.32;  // ... and hardly anything between there and here
 constexpr double kHeadDrop = 0.22;    // as high: not lower than this
-constexpr double kMostBeside = 0.5;   // cells beside a head, of those of the head
-constexpr int kLeastHeadCells = 3;
+constexpr double kMaxBeside = 0.5;   // cells beside a head, of those of the head
+constexpr int kMinHeadCells = 3;
 constexpr double kHeadsApart = 0.28;
 constexpr double kBodyRadius = 0.35;              // of a trunk around its head
-constexpr double kLeastBody = 0.05;               // m^2 of it seen
+constexpr double kMinBody = 0.05;               // m^2 of it seen
 constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
 constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
 // Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
 // metre), like arms and head of who bows towards the camera, or is small (m^2), like a foot.
-constexpr double kMostStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
-constexpr double kGate = 0.35, kGateGrowth = 1.5, kMostGate = 1.0;  // m, m/s, m: from where a person was
+constexpr double kMaxStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
+constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: from where a person was
 constexpr double kJump = 0.3;   // m: nobody moves so far between two images
 constexpr double kYoung = 1.0;  // s
 constexpr double kSplit = 0.4;  // m: nobody appears nearer to somebody
-constexpr std::size_t kLeastPixels = 30;
+constexpr std::size_t kMinPixels = 30;
 
-constexpr float kMostWaver = 0.3f;  // m; what wavers more is not still
+constexpr float kMaxWaver = 0.3f;  // m; what wavers more is not still
 
 /// m; how much a Kinect's depth of something that stands still changes at most (steps of 2.9 mm z^2, twice).
 float waver(float z) { return 0.03f + 0.006f * z * z; }
@@ -48,9 +48,9 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   people_.label.assign(pixels, 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
-  heads_.reserve(kMostPeople);
-  tracks_.reserve(kMostPeople);
-  people_.persons.reserve(kMostPeople);
+  heads_.reserve(kMaxPeople);
+  tracks_.reserve(kMaxPeople);
+  people_.persons.reserve(kMaxPeople);
 }
 
 void PeopleFinder::findFloor(double t, const DepthImage& image) {
@@ -63,7 +63,7 @@ void PeopleFinder::findFloor(double t, const DepthImage& image) {
 /// Within four mean deviations, which are three and a bit of standard ones, or the camera's own waver.
 bool PeopleFinder::keeps(const Still& still, float z) {
   return still.z > 0.0f &&
-         std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMostWaver));
+         std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMaxWaver));
 }
 
 void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
@@ -149,7 +149,7 @@ bool PeopleFinder::isHead(int cell) const {
     ++head;
     if (other > top || (other == top && i < cell)) is_highest = false;
   });
-  return is_highest && head >= kLeastHeadCells && beside <= kMostBeside * head;
+  return is_highest && head >= kMinHeadCells && beside <= kMaxBeside * head;
 }
 
 double PeopleFinder::bodyArea(const Place& place, double radius) const {
@@ -179,7 +179,7 @@ void PeopleFinder::findHeads() {
     if (top < static_cast<float>(kLowestHead) || top > static_cast<float>(kHighestHead) ||
         !plan_.occupied(i) || !isHead(i))
       continue;
-    if (heads_.size() == static_cast<std::size_t>(kMostPeople)) break;
+    if (heads_.size() == static_cast<std::size_t>(kMaxPeople)) break;
     heads_.push_back({i, PlanView::placeOf(i)});
   }
   // The higher of two that are too near.
@@ -210,7 +210,7 @@ void PeopleFinder::dropHeadsWithoutBody() {
     }
     const auto least = std::min_element(heads_.begin(), heads_.end(),
                                         [](const Head& a, const Head& b) { return a.body < b.body; });
-    if (least->body >= kLeastBody) return;
+    if (least->body >= kMinBody) return;
     heads_.erase(least);
   }
 }
@@ -238,7 +238,7 @@ void PeopleFinder::follow(double t) {
     double best = kInfinity;
     for (Track& track : tracks_) {
       if (track.matched) continue;
-      const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMostGate);
+      const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
       for (std::size_t h = 0; h < heads_.size(); ++h) {
         const double distance = (heads_[h].place - predicted(track)).norm();
         if (distance < std::min(best, gate)) best = distance, best_track = &track, best_head = h;
@@ -255,14 +255,14 @@ void PeopleFinder::follow(double t) {
     bool is_free = true;
     for (const Track& other : tracks_)
       is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);
-    if (is_free && (place - track.place).norm() < kMostGate && bodyArea(place, kBodyRadius) >= kLeastBody)
+    if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(place, kBodyRadius) >= kMinBody)
       meet(track, place, false);
   }
   std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
   const int first_new = next_id_;
   for (const Head& head : heads_) {
     const Place place = middleOfBody(head.place);
-    bool is_new = tracks_.size() < static_cast<std::size_t>(kMostPeople);
+    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
     for (const Track& track : tracks_)
       is_new = is_new && !(track.here && track.id < first_new && (track.place - place).norm() < kSplit);
     if (!is_new) continue;
@@ -286,17 +286,17 @@ void PeopleFinder::own() {
       whole += static_cast<double>(c.whole);
       standing += static_cast<double>(c.area[0] + c.area[1]);
     }
-    const double piece = standing < kMostStanding * whole ? kArmReach
+    const double piece = standing < kMaxStanding * whole ? kArmReach
                          : whole < kSmallPiece            ? kPieceReach
                                                           : 0.0;
-    std::array<bool, kMostPeople> has_trunk{};
+    std::array<bool, kMaxPeople> has_trunk{};
     for (std::size_t p = 0; p < tracks_.size(); ++p) {
       if (!tracks_[p].here) continue;
       double trunk = 0.0;
       for (const int i : cells)
         if ((PlanView::placeOf(i) - tracks_[p].place).norm() < kBodyRadius)
           trunk += static_cast<double>(plan_.cell(i).whole);
-      has_trunk[p] = trunk >= 0.5 * kLeastBody;
+      has_trunk[p] = trunk >= 0.5 * kMinBody;
     }
     for (const int i : cells) {
       double nearest = kInfinity;
@@ -329,7 +329,7 @@ void PeopleFinder::label(const DepthImage& image) {
 
 /// Most of the background beside it is at its own depth.
 bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const {
-  constexpr int kLeastBorder = 20;  // pixels
+  constexpr int kMinBorder = 20;  // pixels
   const auto label = static_cast<std::uint8_t>(track + 1);
   const auto width = static_cast<std::size_t>(image.width);
   int even = 0, steps = 0;
@@ -344,7 +344,7 @@ bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const
     compare(i, i + width);
     compare(i + width, i);
   }
-  return even + steps >= kLeastBorder && even > steps;
+  return even + steps >= kMinBorder && even > steps;
 }
 
 void PeopleFinder::dropUncovered(const DepthImage& image) {
@@ -367,7 +367,7 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
     Vector3d p{Vector3d::Zero()};
     FoundPerson person;
   };
-  std::array<Sum, kMostPeople> sums;
+  std::array<Sum, kMaxPeople> sums;
   for (std::size_t p = 0; p < tracks_.size(); ++p) {
     sums[p].person.left = image.width;
     sums[p].person.above = image.height;
@@ -394,11 +394,11 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
       person.below = std::max(person.below, v);
       person.top = std::max(person.top, plane_.above(p_C));
     }
-  std::array<std::uint8_t, kMostPeople + 1> number{};
+  std::array<std::uint8_t, kMaxPeople + 1> number{};
   bool is_same = true;
   for (std::size_t p = 0; p < tracks_.size(); ++p) {
     FoundPerson& person = sums[p].person;
-    if (person.pixels >= kLeastPixels) {
+    if (person.pixels >= kMinPixels) {
       person.id = tracks_[p].id;
       person.centroid = sums[p].p / static_cast<double>(person.pixels);
       people_.persons.push_back(person);

@@ -45,7 +45,7 @@ struct PeopleImage {
 /// in the first image. Cost: see README.md.
 class PeopleFinder {
  public:
-  static constexpr int kMostPeople = 64;
+  static constexpr int kMaxPeople = 64;
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 

@@ -58,8 +58,8 @@ class PlanView {
   const Cell& cell(int i) const { return cells_[static_cast<std::size_t>(i)]; }
   Cell& cell(int i) { return cells_[static_cast<std::size_t>(i)]; }
   /// Less surface than this over a cell is noise, m^2.
-  static constexpr float kLeastArea = 4e-4f;
-  bool occupied(int i) const { return cell(i).whole >= kLeastArea; }
+  static constexpr float kMinArea = 4e-4f;
+  bool occupied(int i) const { return cell(i).whole >= kMinArea; }
 
   /// Cells of a component, or of all that were used (noise too), in a fixed order.
   const std::vector<int>& used() const { return used_; }

@@ -26,9 +26,9 @@ PngHeader readPngHeader(const std::string& bytes, const std::string& file, const
       bytes.compare(12, 4, "IHDR") != 0)
     throw ParseError(place, "found no PNG, expected " + expected);
   const std::uint32_t width = bigEndian(bytes, 16), height = bigEndian(bytes, 20);
-  if (width == 0 || height == 0 || width > DepthCamera::kMostPixels || height > DepthCamera::kMostPixels)
+  if (width == 0 || height == 0 || width > DepthCamera::kMaxPixels || height > DepthCamera::kMaxPixels)
     throw ParseError(place, "found " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels, expected 1 to " + std::to_string(DepthCamera::kMostPixels) +
+                                " pixels, expected 1 to " + std::to_string(DepthCamera::kMaxPixels) +
                                 " along a side");
   return {static_cast<int>(width), static_cast<int>(height), static_cast<unsigned char>(bytes[24]),
           static_cast<unsigned char>(bytes[25])};

@@ -11,7 +11,7 @@ struct PngHeader {
   unsigned colour{0};       ///< 0 grey, 2 RGB, 3 palette, 4 grey with alpha, 6 RGB with alpha
 };
 
-/// Throws ParseError for what is no PNG, and for sides above DepthCamera::kMostPixels. `expected` ends the
+/// Throws ParseError for what is no PNG, and for sides above DepthCamera::kMaxPixels. `expected` ends the
 /// sentence, like "a depth image".
 PngHeader readPngHeader(const std::string& bytes, const std::string& file, const std::string& expected);
 

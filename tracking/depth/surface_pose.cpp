@@ -13,10 +13,10 @@
 namespace abstand {
 namespace {
 
-constexpr double kLeastPoints = 150.0;
-constexpr double kLeastExplained = 0.5;
-constexpr double kLeastHeld = 1e-3;          // of a freedom, as a share of all rows
-constexpr std::size_t kMostPixels = 100000;  // that are looked at, of all views
+constexpr double kMinPoints = 150.0;
+constexpr double kMinExplained = 0.5;
+constexpr double kMinHeld = 1e-3;          // of a freedom, as a share of all rows
+constexpr std::size_t kMaxPixels = 100000;  // that are looked at, of all views
 constexpr std::size_t kEvery = 5;            // of the points, until the best start is known
 constexpr double kAgree = 0.6;               // cosine between the normals of image and surface
 constexpr double kFlat = 0.25;               // cosine to the ray; flatter surfaces are not measured well
@@ -37,7 +37,7 @@ struct Measured {
 std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const SurfaceView> views) {
   std::vector<Measured> points;
   const std::size_t pixels = static_cast<std::size_t>(camera.width * camera.height) * views.size();
-  const int step = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixels) / kMostPixels)));
+  const int step = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixels) / kMaxPixels)));
   const int beside = std::max(1, camera.width / 320);
   for (std::size_t k = 0; k < views.size(); ++k) {
     const DepthImage& image = views[k].image;
@@ -210,19 +210,19 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface*
   best.X_WC = fit.from(best.X_WC, false);
   const Fit::Sum sum = fit.at(best.X_WC, kLastGate, 1);
   best.points = static_cast<std::size_t>(sum.weights);
-  if (!(sum.weights >= kLeastPoints))
+  if (!(sum.weights >= kMinPoints))
     refuse(
         "--links: found %zu points on the robot, expected %.0f or more: it is not in sight, or the camera's "
         "start "
         "is more than 0.1 m or 10 degrees off",
-        best.points, kLeastPoints);
+        best.points, kMinPoints);
   best.explained = search.explained(best.X_WC);
-  if (!(best.explained >= kLeastExplained))
+  if (!(best.explained >= kMinExplained))
     refuse(
         "--links: found %.0f %% of what would be seen of the robot, expected half or more: its joints are "
         "elsewhere, or the camera's start is more than 0.1 m or 10 degrees off",
         100.0 * best.explained);
-  if (!(leastHeld(sum) >= kLeastHeld))
+  if (!(leastHeld(sum) >= kMinHeld))
     throw UsageError(
         "--links: found surfaces that leave a freedom of the camera open, as a ball does, expected links "
         "that "

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kMillisecond = 1e-3;
 /// Columns of a line beyond this are refused.
-constexpr std::size_t kMostCells = 1000;
+constexpr std::size_t kMaxCells = 1000;
 
 std::vector<std::string_view> cellsOf(std::string_view line, const std::string& file, int number) {
   Cells cells(line, file, number);
   std::vector<std::string_view> out;
   for (std::string_view cell; cells.next(cell);) {
-    if (out.size() == kMostCells)
+    if (out.size() == kMaxCells)
       throw ParseError(cells.pos(), "found more than 1000 cells, expected a line of a skeleton");
     out.push_back(cell);
   }

@@ -11,7 +11,7 @@
 namespace abstand {
 namespace {
 
-constexpr std::size_t kHead = 128, kVersion = 124, kMostUnpacked = std::size_t{256} << 20;
+constexpr std::size_t kHead = 128, kVersion = 124, kMaxUnpacked = std::size_t{256} << 20;
 enum : std::uint32_t { kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15 };
 constexpr std::uint32_t kComplex = 0x800, kDoubleClass = 6, kSingleClass = 7;
 
@@ -69,7 +69,7 @@ std::string unpack(std::string_view packed, const std::string& file) {
   std::string out;
   std::array<char, 1 << 16> chunk;
   int state = Z_OK;
-  while (state == Z_OK && out.size() <= kMostUnpacked) {
+  while (state == Z_OK && out.size() <= kMaxUnpacked) {
     stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
     stream.avail_out = static_cast<uInt>(chunk.size());
     state = inflate(&stream, Z_NO_FLUSH);

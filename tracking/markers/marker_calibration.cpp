@@ -10,20 +10,20 @@ namespace {
 using enum RigSegment;
 
 constexpr double kStatureSpread = 0.10, kBoneSpread = 0.05, kBreadthSpread = 0.08;
-constexpr double kLeastSize = 0.4, kMostSize = 2.0;  // of the base, each size
+constexpr double kMinSize = 0.4, kMaxSize = 2.0;  // of the base, each size
 constexpr double kIndependentMoments = 10.0;
 constexpr std::size_t kFirstMoments = 6;
 constexpr double kCalibrationAtRest = 1e-5;  // m, of a marker; shares, of a size
-constexpr double kMostLost = 0.2;      // share of misplaced markers at which a pose is searched for anew
-constexpr double kLeastStiff = 0.05;   // 1/rad^2, as in the solver's damping
+constexpr double kMaxLost = 0.2;      // share of misplaced markers at which a pose is searched for anew
+constexpr double kMinStiff = 0.05;   // 1/rad^2, as in the solver's damping
 constexpr int kCalibrationSteps = 12;  // of a pose, between two changes of the body
 // From a wide reach to that of every frame, then on until all is at rest.
 constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kLastReach = 0.05;  // m
 constexpr double kNarrower = 0.7;                                             // a round
-constexpr int kMostRounds = 40;
+constexpr int kMaxRounds = 40;
 // Far from the truth the equations promise too much: a round changes a size and a marker's place by so much
 // at most.
-constexpr double kMostSizeStep = 0.08, kMostShiftStep = 0.04;  // shares, m
+constexpr double kMaxSizeStep = 0.08, kMaxShiftStep = 0.04;  // shares, m
 
 using Dense = Eigen::MatrixXd;
 constexpr int kSizes = static_cast<int>(kBodySizes);
@@ -52,7 +52,7 @@ class Calibration {
       found.misplaced = 1;
       if (f > 0)
         found = solver.solve(body_.markers, *moments_[f], poses_[f - 1], hold, reach, 3 * kCalibrationSteps);
-      if (found.misplaced > kMostLost * found.seen) found = solver.search(body_.markers, *moments_[f], hold);
+      if (found.misplaced > kMaxLost * found.seen) found = solver.search(body_.markers, *moments_[f], hold);
       poses_[f] = found.pose;
     }
   }
@@ -95,7 +95,7 @@ class Calibration {
       }
       // The pose follows every change of the body: what it takes up is no misfit.
       BodySolver::Matrix inner = share * solver.information();
-      inner.diagonal().array() += share * kLeastStiff;
+      inner.diagonal().array() += share * kMinStiff;
       const Eigen::LLT<BodySolver::Matrix> llt(inner);
       if (llt.info() != Eigen::Success) continue;
       const Dense follow = llt.solve(across.transpose());
@@ -107,7 +107,7 @@ class Calibration {
     if (!d.allFinite()) return 0.0;
     const double size_step = d.head<kSizes>().cwiseAbs().maxCoeff();
     const double shift_step = d.tail(all - kSizes).cwiseAbs().maxCoeff();
-    d *= std::min({1.0, kMostSizeStep / size_step, kMostShiftStep / shift_step});
+    d *= std::min({1.0, kMaxSizeStep / size_step, kMaxShiftStep / shift_step});
     apply(d);
     return d.cwiseAbs().maxCoeff();
   }
@@ -143,9 +143,9 @@ class Calibration {
 
   void apply(const Eigen::VectorXd& d) {
     body_.sizes += d.head<kSizes>();
-    body_.sizes[0] = std::clamp(body_.sizes[0], kLeastSize, kMostSize);
+    body_.sizes[0] = std::clamp(body_.sizes[0], kMinSize, kMaxSize);
     for (int i = 1; i < kSizes; ++i)
-      body_.sizes[i] = std::clamp(body_.sizes[i], kLeastSize - body_.sizes[0], kMostSize - body_.sizes[0]);
+      body_.sizes[i] = std::clamp(body_.sizes[i], kMinSize - body_.sizes[0], kMaxSize - body_.sizes[0]);
     for (std::size_t k = 0; k < found_.size(); ++k)
       shift_[k] += d.segment<3>(kSizes + 3 * static_cast<int>(k));
     remake();
@@ -197,7 +197,7 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
     return picked;
   };
   const auto converge = [&](double reach) {
-    for (int i = 0; i < kMostRounds; ++i) {
+    for (int i = 0; i < kMaxRounds; ++i) {
       const double changed = calibration.improve(reach);
       if (changed < kCalibrationAtRest && reach == kLastReach) return;
       reach = std::max(kLastReach, kNarrower * reach);

@@ -16,11 +16,11 @@ namespace {
 
 using enum RigSegment;
 
-constexpr std::uintmax_t kMostSetBytes = 1 << 20;
-constexpr std::size_t kMostMarkers = 500;
+constexpr std::uintmax_t kMaxSetBytes = 1 << 20;
+constexpr std::size_t kMaxMarkers = 500;
 constexpr std::size_t kFewestMarkers = 6, kFewestSegments = 3;
 constexpr double kFarthestPlace = 5.0;                     // shares
-constexpr double kLeastSpread = 0.001, kMostSpread = 0.5;  // m
+constexpr double kMinSpread = 0.001, kMaxSpread = 0.5;  // m
 
 struct Word {
   std::string_view text;
@@ -77,7 +77,7 @@ SetMarker parseMarker(std::string_view line, std::size_t colon, SourcePos pos) {
   marker.segment = *segment;
   for (int k = 0; k < 3; ++k)
     marker.place[k] = numberIn(words[static_cast<std::size_t>(k) + 1], -kFarthestPlace, kFarthestPlace, pos);
-  if (words.size() == 5) marker.spread = numberIn(words[4], kLeastSpread, kMostSpread, pos);
+  if (words.size() == 5) marker.spread = numberIn(words[4], kMinSpread, kMaxSpread, pos);
   return marker;
 }
 
@@ -156,9 +156,9 @@ MarkerSet parseMarkerSet(std::string_view text, const std::filesystem::path& fil
         if (!seen.insert(plainName(name)).second)
           throw ParseError({pos.file, pos.line, 1},
                            "found " + inQuotes(name) + " a second time, expected it once");
-      if (set.markers.size() > kMostMarkers)
+      if (set.markers.size() > kMaxMarkers)
         throw ParseError({pos.file, pos.line, 1},
-                         "found more than " + std::to_string(kMostMarkers) + " markers, expected fewer");
+                         "found more than " + std::to_string(kMaxMarkers) + " markers, expected fewer");
     }
   }
   if (set.name.empty()) throw ParseError({file.string()}, "found no 'name:' line, expected the set's name");
@@ -167,7 +167,7 @@ MarkerSet parseMarkerSet(std::string_view text, const std::filesystem::path& fil
 }
 
 MarkerSet loadMarkerSet(const std::filesystem::path& file) {
-  return parseMarkerSet(readFile(file, kMostSetBytes), file);
+  return parseMarkerSet(readFile(file, kMaxSetBytes), file);
 }
 
 std::vector<MarkerSet> loadMarkerSets(const std::filesystem::path& folder) {

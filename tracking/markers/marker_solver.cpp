@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLimitWeight = 400.0;  // 1/rad^2: 3 degrees beyond cost as much as skin that moves
 constexpr double kDamping = 0.05;       // 1/rad^2, 1/m^2; a marker 0.1 m from an axis gives 100
-constexpr double kMostTurn = 0.6;       // rad, m, a step
+constexpr double kMaxTurn = 0.6;       // rad, m, a step
 constexpr double kAtRest = 2e-5;        // rad, m
 constexpr double kStillness = 0.01;     // of limb directions, nothing to align
 // The search first draws the whole body near, then sorts out what does not belong.
@@ -81,7 +81,7 @@ MarkerPose MarkerSolver::solve(std::span<const RigMarker> markers, std::span<con
     standing.X_WP = out.pose.X_WP;
     solver_.addPrior(standing, hold.to_rest);
     solver_.addLimits(kLimitWeight);
-    const double moved = solver_.step(kDamping, kMostTurn);
+    const double moved = solver_.step(kDamping, kMaxTurn);
     out.pose = solver_.pose();
     if (moved < kAtRest) break;
   }

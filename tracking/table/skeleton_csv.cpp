@@ -128,7 +128,7 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
   for (std::size_t j = 0; j < frame.p.size(); ++j) {
     if (frame.p[j].allFinite() && confidence_[j] > 0.0)
       frame.state[j] =
-          confidence_[j] >= kLeastTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+          confidence_[j] >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
     else
       frame.p[j].setConstant(kNaN);
   }

@@ -15,7 +15,7 @@ namespace abstand {
 
 /// Confidences that are written for the states of a joint, and the least that is read as tracked. 0 is
 /// missing.
-inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kLeastTrackedConfidence = 0.75;
+inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kMinTrackedConfidence = 0.75;
 
 /// Header `t,JOINT.x,JOINT.y,JOINT.z,JOINT.confidence,...` for every joint that some frame has; then one line
 /// a frame, s and metres, z up, each number with the digits that read back the same double. A joint that is

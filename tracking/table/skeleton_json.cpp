@@ -54,7 +54,7 @@ JointState stateOf(const Json& json, const SourcePos& pos) {
   if (json.is_number()) {
     const double confidence = numberOf(json, pos, "a confidence");
     if (confidence <= 0.0) return JointState::kMissing;
-    return confidence >= kLeastTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+    return confidence >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
   }
   if (json == "tracked") return JointState::kTracked;
   if (json == "inferred") return JointState::kInferred;

@@ -17,7 +17,7 @@ constexpr int kTurnSteps = 15;                     // and to one that faces the 
 constexpr std::array kChanges{0.06, 0.03, 0.015};  // of a size, by sweep
 // Of the cost, for each size that is 10 % off the usual one; keeps sizes that no image shows where they are.
 constexpr double kUnusual = 0.01;
-constexpr double kMostFactor = 1.25;  // and its inverse; what people are
+constexpr double kMaxFactor = 1.25;  // and its inverse; what people are
 
 enum class Size { kLength, kGirth };
 
@@ -137,7 +137,7 @@ HumanOptions BodyCalibration::fit(const HumanOptions& start) const {
       for (;;) {
         Sizes sizes = best;
         sizes[k] *= factor;
-        if (!(sizes[k] < kMostFactor && sizes[k] > 1.0 / kMostFactor) || !attempt(sizes)) break;
+        if (!(sizes[k] < kMaxFactor && sizes[k] > 1.0 / kMaxFactor) || !attempt(sizes)) break;
         better = true;
       }
       if (better) return;

@@ -11,11 +11,11 @@ namespace abstand {
 /// that explains them best. May allocate.
 class BodyCalibration {
  public:
-  static constexpr std::size_t kMostImages = 8;
+  static constexpr std::size_t kMaxImages = 8;
 
-  /// Keeps images that are explained well, at least 0.2 s apart, until there are kMostImages.
+  /// Keeps images that are explained well, at least 0.2 s apart, until there are kMaxImages.
   void add(double t, const BodyTracker& tracker);
-  bool complete() const { return images_.size() == kMostImages; }
+  bool complete() const { return images_.size() == kMaxImages; }
 
   /// How much worse the images are explained when the person faces the other way: ratio of the costs, each
   /// image fitted anew. NaN without images.

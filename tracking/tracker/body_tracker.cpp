@@ -13,7 +13,7 @@ namespace {
 constexpr double kHalfBody = 0.10;    // m, from the skin that is seen to the middle of the body
 constexpr double kDamp = 0.7;         // of the motion that is expected to go on
 constexpr double kHandRelaxes = 0.8;  // an image; a hand goes on straight where nothing shows how it is bent
-constexpr double kMostGap = 0.25;     // s; over longer ones nothing is expected to go on
+constexpr double kMaxGap = 0.25;     // s; over longer ones nothing is expected to go on
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;
@@ -92,7 +92,7 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
 void BodyTracker::follow(double dt) {
   const RigPose last = body_.pose;
   RigPose expected = last;
-  const bool continues = dt > 0.0 && dt < kMostGap;
+  const bool continues = dt > 0.0 && dt < kMaxGap;
   if (continues) advance(*rig_, kDamp * dt * velocity_, expected);
   for (const RigSegment hand : {RigSegment::kHandLeft, RigSegment::kHandRight})
     for (double& angle : expected.angle[index(hand)]) angle *= kHandRelaxes;

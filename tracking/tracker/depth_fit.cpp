@@ -14,10 +14,10 @@ constexpr double kExplainedFit = 0.05;  // m
 constexpr double kRows = 1000.0;        // all points together weigh as so many
 constexpr double kSampleWeight = 0.6;   // a sample in free space counts as so many points
 constexpr double kBefore = 0.04;        // m, that a sample may lie before what was measured
-constexpr double kMostViolation = 0.3;  // m
+constexpr double kMaxViolation = 0.3;  // m
 constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
 constexpr double kDamping = 1e-3;
-constexpr double kMostTurn = 0.35;    // rad, m, a step
+constexpr double kMaxTurn = 0.35;    // rad, m, a step
 constexpr double kSeenWithin = 0.08;  // m
 // A sample on the axis of a limb stays out of the trunk by this share of its own radius; the rest is flesh.
 constexpr double kKeepOut = 0.5;
@@ -74,12 +74,12 @@ DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& samp
     const double out = look.to_person.norm();
     if (out <= 0.0) return v;
     v.n = -(seen.X_CW().linear().transpose() * look.to_person) / out;
-    v.depth = std::min(out, kMostViolation);
+    v.depth = std::min(out, kMaxViolation);
   } else if (look.state == CellState::kPerson && look.z > 0.0) {
     const double before = look.z - p_C.z() - kBefore + 0.5 * sample.radius;
     if (before <= 0.0) return v;
     v.n = -(p_W - seen.eye()).normalized();
-    v.depth = std::min(before, kMostViolation);
+    v.depth = std::min(before, kMaxViolation);
   }
   return v;
 }
@@ -95,7 +95,7 @@ DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W,
   const double out = (level - 1.0) / slope - kKeepOut * sample.radius;
   if (out >= 0.0) return v;
   v.n = -(X_WS.linear() * g) / slope;
-  v.depth = std::min(-out, kMostViolation);
+  v.depth = std::min(-out, kMaxViolation);
   return v;
 }
 
@@ -200,7 +200,7 @@ void DepthFit::refine(const SeenBody& seen, const RigPose& expected, const Weigh
     }
     solver_.addPrior(expected, weights.prior);
     solver_.addLimits(kLimitWeight);
-    solver_.step(kDamping, kMostTurn);
+    solver_.step(kDamping, kMaxTurn);
     pose = solver_.pose();
   }
 }

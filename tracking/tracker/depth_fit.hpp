@@ -73,8 +73,8 @@ class DepthFit {
   FitSurfaces surfaces_;
   std::vector<Sample> samples_;
   BodySolver solver_;
-  std::array<std::uint8_t, SeenPoints::kMost> segment_{};
-  mutable std::array<float, SeenPoints::kMost> best_{}, score_{};
+  std::array<std::uint8_t, SeenPoints::kMax> segment_{};
+  mutable std::array<float, SeenPoints::kMax> best_{}, score_{};
 };
 
 }  // namespace abstand

@@ -48,8 +48,8 @@ void HiddenSpread::see(double t, SeenSegments seen) {
       spread_[j] = 0.0;
       continue;
     }
-    const double moved = kLeast + (t - last_seen_[s]) * kPersonSpeed / kReachQuantile;
-    spread_[j] = std::max(kLeast, std::min(moved, 2.0 * ways[j] / kReachQuantile));
+    const double moved = kMin + (t - last_seen_[s]) * kPersonSpeed / kReachQuantile;
+    spread_[j] = std::max(kMin, std::min(moved, 2.0 * ways[j] / kReachQuantile));
   }
 }
 

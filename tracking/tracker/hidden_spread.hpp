@@ -21,7 +21,7 @@ class HiddenSpread {
   explicit HiddenSpread(const BodyRig& rig) : rig_{&rig} { last_seen_.fill(-kInfinity); }
 
   /// m, standard deviation of a hidden joint that was seen a moment ago; the least that is ever said of one.
-  static constexpr double kLeast = 0.15;
+  static constexpr double kMin = 0.15;
 
   /// The image at `t` (s) shows these segments.
   void see(double t, SeenSegments seen);

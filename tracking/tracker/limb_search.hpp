@@ -39,7 +39,7 @@ class LimbSearch {
 
   DepthFit* fit_;
   SeenPoints points_;  ///< a part of the image's
-  std::array<float, SeenPoints::kMost> others_{}, scores_{};
+  std::array<float, SeenPoints::kMax> others_{}, scores_{};
   RigPlacement X_WS_;
 };
 

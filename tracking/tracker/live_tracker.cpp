@@ -13,7 +13,7 @@ constexpr double kForgotten = 10.0;
 LiveTracker::LiveTracker(const DepthCamera& camera, bool pose_known, const LiveTrackerOptions& options)
     : options_(options) {
   track_.camera = camera;
-  seen_.reserve(PeopleFinder::kMostPeople);
+  seen_.reserve(PeopleFinder::kMaxPeople);
   if (pose_known) {
     track_.world = "the camera's pose is that of its file";
     finder_.emplace(camera);

@@ -122,7 +122,7 @@ void SeenBody::collectPoints() {
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const std::size_t c = cell(u, v);
-      if (state_[c] != CellState::kPerson || points_.count == SeenPoints::kMost) continue;
+      if (state_[c] != CellState::kPerson || points_.count == SeenPoints::kMax) continue;
       const Vector3d p = point(u, v);
       const auto slope = [&](int du, int dv) -> Vector3d {
         const bool next = smooth(u + du, v + dv, z_[c]), last = smooth(u - du, v - dv, z_[c]);

@@ -17,10 +17,10 @@ enum class CellState : std::uint8_t { kUnknown, kPerson, kEmpty };
 
 /// Points of a person in structure of arrays, world, m.
 struct SeenPoints {
-  static constexpr std::size_t kMost = 2048;
+  static constexpr std::size_t kMax = 2048;
   std::size_t count{0};
-  alignas(64) std::array<float, kMost> x, y, z;     ///< on the surface
-  alignas(64) std::array<float, kMost> nx, ny, nz;  ///< unit, towards the camera's side of the surface
+  alignas(64) std::array<float, kMax> x, y, z;     ///< on the surface
+  alignas(64) std::array<float, kMax> nx, ny, nz;  ///< unit, towards the camera's side of the surface
 
   Vector3d point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }

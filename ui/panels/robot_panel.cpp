@@ -37,7 +37,7 @@ RobotPanel::RobotPanel(QWidget* parent)
   reset_->setToolTip(tr("Let every robot that waits for it go on"));
   reset_->setObjectName(QStringLiteral("reset_stops"));
   log_->setReadOnly(true);
-  log_->setMaximumBlockCount(kMostLines);
+  log_->setMaximumBlockCount(kMaxLines);
   log_->document()->setDocumentMargin(8);
   log_->setFrameShape(QFrame::NoFrame);
   log_->setPlaceholderText(tr("No change of state yet"));

@@ -22,7 +22,7 @@ class RobotPanel : public QWidget {
 
  public:
   /// Lines that the log keeps.
-  static constexpr int kMostLines = 2000;
+  static constexpr int kMaxLines = 2000;
 
   explicit RobotPanel(QWidget* parent = nullptr);
 

@@ -22,8 +22,8 @@ namespace {
 constexpr double kCell = 0.5;    // m between lines
 constexpr double kPiece = 0.25;  // m, pieces of a line between which it fades
 constexpr int kSpokes = 64;
-constexpr double kLeastRadius = 3.0;  // m
-constexpr double kMostRadius = 30.0;  // m
+constexpr double kMinRadius = 3.0;  // m
+constexpr double kMaxRadius = 30.0;  // m
 
 /// Coloured points and cells under construction.
 struct Sheet {
@@ -122,7 +122,7 @@ void Room::fitTo(const Bounds& box) {
   if (!(box.upper.x() >= box.lower.x())) return;
   height_ = std::min(0.0, box.lower.z());
   const Vector3d reach = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs());
-  radius_ = std::clamp(2.2 * std::max(reach.x(), reach.y()), kLeastRadius, kMostRadius);
+  radius_ = std::clamp(2.2 * std::max(reach.x(), reach.y()), kMinRadius, kMaxRadius);
   build();
 }
 

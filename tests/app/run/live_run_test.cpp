@@ -21,9 +21,9 @@ using testing::SlideScene;
 
 // Live groups start each query from the pair's last answer, so that nearest points may be others, within what
 // queryPair() allows: 1 % beyond 0.1 m, and less than 1 mm below.
-constexpr double kShareOfDistance = 0.01, kLeastDistance = 1e-3;
+constexpr double kShareOfDistance = 0.01, kMinDistance = 1e-3;
 // Of forces and torques, N and N m: sums of the same contacts.
-constexpr double kShareOfForce = 1e-9, kLeastForce = 1e-9;
+constexpr double kShareOfForce = 1e-9, kMinForce = 1e-9;
 constexpr int kFrames = 12;
 
 using Row = std::map<std::string, std::string>;
@@ -74,7 +74,7 @@ Tables runTables(Session& session, RunMode mode, const ScratchFolder& folder) {
 
 void expectNear(const Row& live, const Row& step, const std::string& key) {
   const double a = number(live, key), b = number(step, key);
-  EXPECT_NEAR(a, b, std::max(kLeastForce, kShareOfForce * std::abs(b))) << key << " at " << step.at("t");
+  EXPECT_NEAR(a, b, std::max(kMinForce, kShareOfForce * std::abs(b))) << key << " at " << step.at("t");
 }
 
 class ShippedScene : public ::testing::TestWithParam<const char*> {};
@@ -96,7 +96,7 @@ TEST_P(ShippedScene, LiveModeWritesWhatLockStepWrites) {
     const Row &a = live.pairs[i], &b = step.pairs[i];
     const double distance = number(b, "distance");
     EXPECT_NEAR(number(a, "distance"), distance,
-                std::max(kLeastDistance, kShareOfDistance * std::abs(distance)));
+                std::max(kMinDistance, kShareOfDistance * std::abs(distance)));
     EXPECT_EQ(a.at("contacts"), b.at("contacts"));
     for (const char* key : {"fx", "fy", "fz", "tx", "ty", "tz"}) expectNear(a, b, key);
     EXPECT_EQ(a.at("age"), "0");

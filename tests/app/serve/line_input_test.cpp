@@ -114,7 +114,7 @@ TEST(SkeletonLine, IsReadBackBitByBit) {
   const PacketFormat format{{}, {"operator", "visitor"}};
   Packet packet = makePacket(format);
   const SkeletonFrame frame = someone();
-  std::array<std::byte, kMostLineBytes> room{};
+  std::array<std::byte, kMaxLineBytes> room{};
   const std::size_t bytes = writeSkeletonLine(frame, "visitor", 4294967295u, 1234567, room);
   ASSERT_GT(bytes, 0u);
   ASSERT_EQ(parsePacket(std::span(room).first(bytes), format, packet), PacketFault::kNone);
@@ -134,7 +134,7 @@ TEST(SkeletonLine, IsReadBackBitByBit) {
   EXPECT_FALSE(packet.skeleton.has(Joint::kPelvis));
   EXPECT_EQ(writeSkeletonLine(frame, "operator", 0, 0, std::span(room).first(100)), 0u);
   for (const char* bad : {"", "a\"b", "a\\b", "a\nb"}) EXPECT_FALSE(isLineName(bad)) << bad;
-  EXPECT_FALSE(isLineName(std::string(kMostNameBytes + 1, 'n')));
+  EXPECT_FALSE(isLineName(std::string(kMaxNameBytes + 1, 'n')));
 }
 
 TEST(SkeletonLine, TheLongestFits) {
@@ -142,8 +142,8 @@ TEST(SkeletonLine, TheLongestFits) {
   for (std::size_t j = 0; j < kJointCount; ++j)
     frame.set(static_cast<Joint>(j), Vector3d::Constant(-1.2345678901234567e-300), JointState::kInferred);
   frame.spread.fill(1.2345678901234567e-300);
-  std::array<std::byte, kMostLineBytes> room{};
-  EXPECT_GT(writeSkeletonLine(frame, std::string(kMostNameBytes, 'n'), 4294967295u, ~std::uint64_t{0}, room),
+  std::array<std::byte, kMaxLineBytes> room{};
+  EXPECT_GT(writeSkeletonLine(frame, std::string(kMaxNameBytes, 'n'), 4294967295u, ~std::uint64_t{0}, room),
             0u);
 }
 
@@ -154,7 +154,7 @@ TEST(SkeletonSender, NamesGoToPeopleAsTheyCome) {
   const SkeletonFrame frame = someone();
   const auto received = [&] {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> got;  // person, sequence number
-    std::array<std::byte, kMostLineBytes> room{};
+    std::array<std::byte, kMaxLineBytes> room{};
     Packet packet = makePacket(format);
     Address from;
     while (server.wait(0.0)) {

@@ -221,7 +221,7 @@ TEST(ServePacket, BrokenPacketsNeitherCrashNorAllocate) {
     for (unsigned k = random() % 4; k > 0 && !bytes.empty(); --k)
       bytes[random() % bytes.size()] = static_cast<std::byte>(random());
     if (parsePacket(bytes, kFormat, p) != PacketFault::kNone || p.type != PacketType::kJoints) continue;
-    for (std::size_t j = 0; j < p.values; ++j) ASSERT_LE(std::abs(p.q[j]), kMostCoordinate);
+    for (std::size_t j = 0; j < p.values; ++j) ASSERT_LE(std::abs(p.q[j]), kMaxCoordinate);
   }
   EXPECT_EQ(guard.count(), 0);
 }

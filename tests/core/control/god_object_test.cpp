@@ -172,7 +172,7 @@ TEST(GodObject, ConstraintsComeFromEitherSide) {
 TEST(GodObject, TakesTheNearestOfTooManyAndAllocatesNothing) {
   GodObject object({.gap = 0.0, .step = 0.02}, kBall);
   object.reset(at({0, 0, 0.051}));
-  std::vector<ContactConstraint> many(GodObject::kMostConstraints,
+  std::vector<ContactConstraint> many(GodObject::kMaxConstraints,
                                       {Vector3d(0, 0, -1), Vector3d(1, 0, 0), 0.03});
   many.push_back({Vector3d(0, 0, 0.001), Vector3d::UnitZ(), 0.001});
   const testing::NoAlloc guard;

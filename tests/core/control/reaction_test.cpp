@@ -254,7 +254,7 @@ TEST(Reaction, AllocatesNothing) {
   reaction.hold({Vector3d::Zero(), 0.05}, Transform::Identity());
   Cycle c;
   for (int i = 0; i < 300; ++i) c.add(0.01 * i, i % 2);
-  c.causes.assign(Reaction::kMostCauses, {StopReason::kSpeedBound});
+  c.causes.assign(Reaction::kMaxCauses, {StopReason::kSpeedBound});
   c.qd = {-5.0, 9.0};
   c.in.input_age = c.in.person_age = 9.0;
   const HeldObject held;

@@ -11,8 +11,8 @@
 namespace abstand::testing {
 namespace {
 
-constexpr std::size_t kMostBytes = 200'000'000;
-constexpr double kMostBytesBuilding = 400e6;
+constexpr std::size_t kMaxBytes = 200'000'000;
+constexpr double kMaxBytesBuilding = 400e6;
 
 /// Bytes of this process in memory: now, or the most since the last reset.
 double residentBytes(const char* which) {
@@ -78,8 +78,8 @@ void expectSmall(const std::shared_ptr<const Surface>& surface, int cells,
   const auto s = buildHapticStructure("body", surface, options, 2);
   const double peak = residentBytes("VmHWM") - before;
   EXPECT_EQ(s->grid.size.maxCoeff(), cells);
-  EXPECT_LT(s->memoryBytes(), kMostBytes);
-  EXPECT_LT(peak, kMostBytesBuilding);
+  EXPECT_LT(s->memoryBytes(), kMaxBytes);
+  EXPECT_LT(peak, kMaxBytesBuilding);
   ::testing::Test::RecordProperty("memory_mb", std::to_string(1e-6 * double(s->memoryBytes())));
   ::testing::Test::RecordProperty("peak_mb", std::to_string(1e-6 * peak));
   std::printf("%zu MB, %.0f MB more while building, %.1f s\n", s->memoryBytes() / 1'000'000, 1e-6 * peak,

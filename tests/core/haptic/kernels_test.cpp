@@ -121,7 +121,7 @@ TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
     for (float& value : X_FP) value = any(special);
     for (auto* spheres : {&P, &F})
       for (auto* v : {spheres->x, spheres->y, spheres->z, spheres->radius})
-        for (std::size_t i = 0; i < SurfaceParts::kMost; ++i) v[i] = any(special);
+        for (std::size_t i = 0; i < SurfaceParts::kMax; ++i) v[i] = any(special);
     const float by = any(special);
     ASSERT_EQ(fast.meeting(X_FP, P, F, 8, by), plain.meeting(X_FP, P, F, 8, by)) << round;
   }

@@ -213,7 +213,7 @@ TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
 
 TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
   SurfaceParts::Spheres P{}, F{};
-  for (std::size_t k = 0; k < SurfaceParts::kMost; ++k) {
+  for (std::size_t k = 0; k < SurfaceParts::kMax; ++k) {
     const Vector3f p = randomPose(k, 0.5).translation().cast<float>(),
                    f = randomPose(k + 50, 0.5).translation().cast<float>();
     P.x[k] = p.x(), P.y[k] = p.y(), P.z[k] = p.z(), P.radius[k] = 0.05f + 0.01f * static_cast<float>(k);
@@ -228,8 +228,8 @@ TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
     for (int i = 0; i < 12; ++i) m[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
     for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
       const std::uint64_t found = kernels->meeting(m, P, F, kCount, kBy);
-      for (std::size_t j = 0; j < SurfaceParts::kMost; ++j) {
-        for (std::size_t i = 0; i < SurfaceParts::kMost; ++i) {
+      for (std::size_t j = 0; j < SurfaceParts::kMax; ++j) {
+        for (std::size_t i = 0; i < SurfaceParts::kMax; ++i) {
           const double gap =
               (X_FP * Vector3d(P.x[i], P.y[i], P.z[i]) - Vector3d(F.x[j], F.y[j], F.z[j])).norm() -
               double(P.radius[i]) - double(F.radius[j]) - double(kBy);

@@ -183,7 +183,7 @@ TEST(Voxelmap, LayersBoundDistances) {
 
 TEST(Voxelmap, DoesNotDependOnThreads) {
   const auto surface = makeSurface(tessellate(Capsule{0.05, 0.1}, 1e-4));
-  for (const std::size_t most_exact : {Voxelmap::kMostExactVoxels, std::size_t{0}}) {
+  for (const std::size_t most_exact : {Voxelmap::kMaxExactVoxels, std::size_t{0}}) {
     const Voxelmap one(*surface, 0.004, 6, 1, most_exact);
     for (const int threads : {2, 3, 0}) {
       const Voxelmap more(*surface, 0.004, 6, threads, most_exact);

@@ -70,7 +70,7 @@ TEST(ForwardDynamics, UndoesInverseDynamics) {
 }
 
 // Halving the step divides the error of a fourth-order method by 16, where rounding does not show yet.
-constexpr double kLeastFall = 12.0;
+constexpr double kMinFall = 12.0;
 
 TEST(ForwardDynamics, KeepsEnergyToTheOrderOfTheStep) {
   struct Case {
@@ -87,7 +87,7 @@ TEST(ForwardDynamics, KeepsEnergyToTheOrderOfTheStep) {
     const double coarse = drift(c.mechanism, 7, c.step), fine = drift(c.mechanism, 7, 0.5 * c.step);
     RecordProperty("coarse", std::to_string(coarse));
     EXPECT_LT(coarse, c.most);
-    EXPECT_GT(coarse / fine, kLeastFall) << coarse << " " << fine;
+    EXPECT_GT(coarse / fine, kMinFall) << coarse << " " << fine;
   }
 }
 

@@ -166,7 +166,7 @@ TEST(SpeedWatch, CountsStretchesAndListsTheFirst) {
     scene.setPose(id, X, 0.01 * i);
   }
   EXPECT_EQ(scene.speedWatch().count(), 300);
-  EXPECT_EQ(scene.speedWatch().listed().size(), SpeedWatch::kMostListed);
+  EXPECT_EQ(scene.speedWatch().listed().size(), SpeedWatch::kMaxListed);
   // Chords of 0.05 rad are shorter than their arcs by a part of 1e-4.
   EXPECT_NEAR(scene.speedWatch().listed()[7].speed, 5.1 * 0.2, 2e-4);
 }

@@ -16,10 +16,10 @@ namespace abstand {
 namespace {
 
 /// Bounds a wait, so that a mistake fails instead of hanging; far more than any machine needs.
-constexpr int kMostWaits = 60000;
+constexpr int kMaxWaits = 60000;
 
 bool waitFor(const std::function<bool()>& condition) {
-  for (int i = 0; i < kMostWaits; ++i) {
+  for (int i = 0; i < kMaxWaits; ++i) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -59,7 +59,7 @@ TEST(Scene, ThreadsMayChangeBetweenSteps) {
   }
   EXPECT_GE(scene.threads(), 1);
   EXPECT_THROW(scene.setThreads(-1), UsageError);
-  EXPECT_THROW(scene.setThreads(Scene::kMostThreads + 1), UsageError);
+  EXPECT_THROW(scene.setThreads(Scene::kMaxThreads + 1), UsageError);
   const Scene moved = std::move(scene);
   EXPECT_EQ(moved.pairs().size(), 45u);
 }

@@ -24,7 +24,7 @@ constexpr double kStature = 1.7;  // m, of the people
 constexpr double kStep = 0.1;     // s between images
 
 /// Shares of pixels: edges fray, the soles lie within the floor's noise, and a hand may be cut off.
-constexpr double kLeastFound = 0.85, kLeastRight = 0.95;
+constexpr double kMinFound = 0.85, kMinRight = 0.95;
 
 TriangleMesh box(const Vector3d& size, const Vector3d& centre) {
   TriangleMesh mesh = tessellate(Cuboid{size}, 0.01);
@@ -151,9 +151,9 @@ TEST(PeopleFinder, KeepsTwoWhoCrossApart) {
       EXPECT_NEAR(p.top, kStature, 0.12) << i;  // walking() bends and leans
       const Overlap o = overlap(room, image, is_near ? 0 : 1, people, k);
       if (o.truth > 1500) {
-        EXPECT_GT(o.right(), is_near ? kLeastRight : 0.85)
+        EXPECT_GT(o.right(), is_near ? kMinRight : 0.85)
             << i;  // the far one is framed by the frayed near one
-        EXPECT_GT(o.found(), kLeastFound) << i;
+        EXPECT_GT(o.found(), kMinFound) << i;
       }
     }
     together += people.persons.size() == 2;
@@ -175,7 +175,7 @@ TEST(PeopleFinder, TellsTouchingShouldersApart) {
     for (std::size_t k = 0; k < 2; ++k) {
       // World y is to the camera's left.
       const std::size_t who = people.persons[k].centroid.x() > 0.0 ? 0 : 1;
-      EXPECT_GT(overlap(room, image, who, people, k).found(), kLeastFound) << i;
+      EXPECT_GT(overlap(room, image, who, people, k).found(), kMinFound) << i;
     }
   }
 }
@@ -197,7 +197,7 @@ TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
     const PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_EQ(people.persons.size(), 1u) << i;
     EXPECT_EQ(people.persons[0].id, 1) << i;
-    EXPECT_GT(overlap(room, image, 0, people, 0).found(), kLeastFound) << i;
+    EXPECT_GT(overlap(room, image, 0, people, 0).found(), kMinFound) << i;
   }
 }
 
@@ -212,7 +212,7 @@ TEST(PeopleFinder, LearnsFurnitureSoThatWhoTouchesItIsCutOut) {
     const PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_EQ(people.persons.size(), 1u) << i;
     const Overlap o = overlap(room, image, 0, people, 0);
-    EXPECT_GT(o.found(), kLeastFound) << i;
+    EXPECT_GT(o.found(), kMinFound) << i;
     EXPECT_GT(o.right(), 0.92) << i;  // the table's edges waver
   }
 }
@@ -239,7 +239,7 @@ TEST(PeopleFinder, LeavesKnownThingsOut) {
     const DepthImage image = room.see({robot, personAt(2.8, -0.6, 0.1 * i)}, static_cast<std::uint64_t>(i));
     const PeopleImage& people = finder.find(i * kStep, image, &known.image());
     ASSERT_EQ(people.persons.size(), 1u) << i;
-    EXPECT_GT(overlap(room, image, 1, people, 0).found(), kLeastFound);
+    EXPECT_GT(overlap(room, image, 1, people, 0).found(), kMinFound);
   }
 }
 

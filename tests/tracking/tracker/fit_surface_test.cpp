@@ -75,7 +75,7 @@ TEST_P(SurfaceKinds, ManyAtOnceAreAsOneByOne) {
     points.y[i] = static_cast<float>(p.y()), points.ny[i] = static_cast<float>(n.y());
     points.z[i] = static_cast<float>(p.z()), points.nz[i] = static_cast<float>(n.z());
   }
-  static std::array<float, SeenPoints::kMost> score;
+  static std::array<float, SeenPoints::kMax> score;
   scoreOf(s, X_WS, points, kNormalWeight, score.data());
   for (std::size_t i = 0; i < points.count; ++i) {
     Vector3d g;

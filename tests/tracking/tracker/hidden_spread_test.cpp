@@ -100,8 +100,8 @@ TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
     const double t = i / 30.0;
     hidden.see(t, seen);
     const double reach = partReach(0.0, hidden.spread()[wrist]);
-    EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kLeast);
-    EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kLeast);
+    EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kMin);
+    EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kMin);
     EXPECT_GE(reach, last);
     EXPECT_GE(reach + kRounding, std::min(space, kPersonSpeed * t)) << "somebody is faster than that";
     EXPECT_LE(reach, space + kRounding) << "an arm is not longer";

@@ -13,7 +13,7 @@ namespace {
 // usual one.
 constexpr double kOfLiveBody = 0.08;
 
-constexpr int kMostImages = 20000;  // some minutes; a body is fitted in seconds, also under a sanitizer
+constexpr int kMaxImages = 20000;  // some minutes; a body is fitted in seconds, also under a sanitizer
 
 constexpr double kFloorNoise = 0.05;  // m, at 3 m from a Kinect (tracking/depth/README.md)
 
@@ -68,7 +68,7 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
     LiveTracker tracker(clip.stream->camera(), true, options);
     DepthFrame frame;
     int lost = 0, images = 0;
-    for (; images < kMostImages; ++images) {
+    for (; images < kMaxImages; ++images) {
       // The last image stays until the body is there.
       const double t = frame.t;
       if (!clip.stream->next(frame)) frame.t = t + 1.0 / 30.0;
@@ -76,7 +76,7 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
       const bool over = static_cast<std::size_t>(images) >= clip.stream->size();
       if (over && !tracker.track().people.at(0).body.overrides.empty()) break;
     }
-    EXPECT_LT(images, kMostImages);
+    EXPECT_LT(images, kMaxImages);
     EXPECT_EQ(lost, 0);
     return tracker.track().people.at(0).body;
   };

@@ -19,7 +19,7 @@ constexpr double kHiddenMean = 0.060;                // m; from behind, fists be
 constexpr double kLongestSwap = 0.2;                 // s
 constexpr double kWithinReach = 0.99;                // of the raw errors of tracked joints
 constexpr double kHiddenWithin = 0.97;               // of those of inferred ones
-constexpr double kMostLost = 0.01;                   // of the images
+constexpr double kMaxLost = 0.01;                   // of the images
 
 constexpr std::size_t kLate = 6;  // images until a head is found, as beside a waving hand
 
@@ -94,7 +94,7 @@ TEST_P(SimulatedPeople, AreFollowed) {
   EXPECT_GE(errors.tracked.within(), GetParam().within_reach);
   EXPECT_GE(errors.inferred.within(), kHiddenWithin);
   EXPECT_LE(errors.longest_swap, kLongestSwap);
-  EXPECT_LE(static_cast<double>(errors.lost), kMostLost * static_cast<double>(clip.truth.size()));
+  EXPECT_LE(static_cast<double>(errors.lost), kMaxLost * static_cast<double>(clip.truth.size()));
   EXPECT_GE(track.people[0].frames.size() + kLate, clip.truth.size());
   std::printf(
       "%s: raw errors %.0f mm on the mean, %.0f mm of 95 in 100, with the mean offsets taken off %.0f and "

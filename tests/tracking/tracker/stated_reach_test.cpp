@@ -14,8 +14,8 @@ using testing::JointErrors;
 // Shares of the raw errors within reach. Measured over the clips below: 0.991 and 1.000; the aim is 0.99.
 constexpr double kTracked = 0.985, kInferred = 0.985;
 // A reach that is much larger than the errors stops robots needlessly: median of reach / error.
-constexpr double kMostRatio = 8.0;
-constexpr double kLeastInferred = 0.15;    // m, of the spread
+constexpr double kMaxRatio = 8.0;
+constexpr double kMinInferred = 0.15;    // m, of the spread
 constexpr std::size_t kEnoughHidden = 50;  // joints
 
 std::vector<ClipPlan> hardClips() {
@@ -52,14 +52,14 @@ TEST(StatedReach, HoldsRawErrorsOfTrackedAndOfInferredJoints) {
     for (const SkeletonFrame& frame : track.people[0].frames)
       for (std::size_t j = 0; j < kJointCount; ++j)
         if (frame.state[j] == JointState::kInferred) {
-          EXPECT_GE(frame.spread[j], kLeastInferred);
+          EXPECT_GE(frame.spread[j], kMinInferred);
         }
   }
   for (const auto& [name, stated] : {std::pair{"tracked", &tracked}, {"inferred", &inferred}})
     std::printf("%s: %zu joints, %.4f of the raw errors within reach, median of reach / error %.1f\n", name,
                 stated->error.size(), stated->within(), stated->medianRatio());
   EXPECT_GE(tracked.within(), kTracked);
-  EXPECT_LE(tracked.medianRatio(), kMostRatio);
+  EXPECT_LE(tracked.medianRatio(), kMaxRatio);
   ASSERT_GE(inferred.error.size(), kEnoughHidden);
   EXPECT_GE(inferred.within(), kInferred);
 }
