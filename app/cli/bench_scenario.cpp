@@ -55,7 +55,7 @@ HapticOptions variantOptions(const std::string& variant) {
   return o;
 }
 
-/// Cuts "-restS" off the name: the share (0 to 1) of Skipping::rest; 0 when it is not there.
+/// Cuts "-restS" off the name: the share (0 to 1) of QueryCulling::rest; 0 when it is not there.
 double takeRest(std::string& variant) {
   const auto at = variant.find("-rest");
   if (at == std::string::npos) return 0.0;
@@ -158,7 +158,7 @@ Scene makeScene(const Scenario& scenario, const Structures& structures, double r
   for (const auto& [a, b] : scenario.pairs)
     scene.addPair(ids[static_cast<std::size_t>(a)], ids[static_cast<std::size_t>(b)]);
   scene.setThreads(1);
-  scene.setSkipping({.rest = rest, .remember = true});
+  scene.setCulling({.rest = rest, .remember = true});
   return scene;
 }
 

@@ -9,9 +9,9 @@ namespace abstand {
 namespace {
 
 constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
-constexpr int kMaxPeriods = 50;          // of the step that the loop chooses
+constexpr int kMaxPeriods = 50;           // of the step that the loop chooses
 constexpr int kPublishEvery = 4;          // rounds; the window draws at 60 Hz
-constexpr double kMaxRound = 0.02;       // s of wall time for cycles between two looks at the commands
+constexpr double kMaxRound = 0.02;        // s of wall time for cycles between two looks at the commands
 constexpr long kStatisticsWindow = 2000;  // cycles after which the shown times forget
 constexpr double kHeadroom = 1.3;         // of a cycle's median, for what else the loop does
 

@@ -10,7 +10,7 @@ namespace abstand {
 /// for, and factor() says so. One thread; wall times are in s and never fall.
 class PlayPace {
  public:
-  static constexpr double kMaxLag = 0.25;      ///< s of wall time
+  static constexpr double kMaxLag = 0.25;       ///< s of wall time
   static constexpr double kFactorWindow = 0.5;  ///< s of wall time over which factor() is measured
 
   /// Playing begins: nothing is due at `wall`.

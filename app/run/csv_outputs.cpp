@@ -88,7 +88,7 @@ void CsvOutputs::writePairs(double t, double shown, const Session& session,
     addVector(line_, r.witness_a);
     addVector(line_, r.witness_b);
     const PairId id(static_cast<std::uint32_t>(i));
-    addNumber(line_, scene.reachOf(id));
+    addNumber(line_, scene.pairUncertainty(id));
     if (live_) addNumber(line_, scene.ageOf(id, shown));
     line_ += '\n';
     pairs_->stream() << line_;

@@ -44,7 +44,7 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_
 
 void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const double reach = scene_.reachOf(PairId(static_cast<std::uint32_t>(i)));
+    const double reach = scene_.pairUncertainty(PairId(static_cast<std::uint32_t>(i)));
     widened_[i] = limits_[i] + std::max(reach, reaches_[i]);
     reaches_[i] = reach;
   }
@@ -63,8 +63,8 @@ void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
     }
     // A warm start may leave a distance above the smallest, and its bound wide: the verdict is the cold
     // one's.
-    if (scene_.skipping().remember && !broken &&
-        (!proven || d * (1.0 - scene_.skipping().far_tolerance) < limit)) {
+    if (scene_.culling().remember && !broken &&
+        (!proven || d * (1.0 - scene_.culling().far_tolerance) < limit)) {
       const PairResult cold = queryCold(i);
       if (cold.distance < d) d = cold.distance, when = t;
       broken = broken || !(cold.distance >= limit);

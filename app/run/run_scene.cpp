@@ -110,7 +110,7 @@ class Extremes {
     return extreme(least.pair, least.t, least.value);
   }
   void lookAtClearance(PairId id, double t, double distance) {
-    clearance_.offer(distance - session_.scene().reachOf(id), t, id.index());
+    clearance_.offer(distance - session_.scene().pairUncertainty(id), t, id.index());
   }
 
   const Session& session_;
@@ -273,8 +273,8 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   if (passes)
     for (const double t : frames.before) session.applyMotion(t);
   const long breaches_before = scene.speedWatch().count();
-  if (scene.skipping().remember && options.mode == RunMode::kLockstep)
-    summary.warm_start = {passes ? kColdStart : 0, scene.skipping().far_tolerance};
+  if (scene.culling().remember && options.mode == RunMode::kLockstep)
+    summary.warm_start = {passes ? kColdStart : 0, scene.culling().far_tolerance};
   for (const PairId id : all) results[id.index()] = scene.result(id);
   CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
   if (options.profile && options.mode == RunMode::kLockstep)

@@ -63,7 +63,7 @@ struct RunSummary {
   std::optional<Extreme> slowest_pair;  ///< value: mean microseconds of one query
   std::vector<std::string> stale;       ///< objects that were stale or refused at some time
   std::vector<Reservation> reservations;  ///< what weakens all of this
-  /// Pairs started from their last answer (Skipping::remember).
+  /// Pairs started from their last answer (QueryCulling::remember).
   struct WarmStart {
     std::size_t block{0};  ///< frames from one cold start to the next; 0: cold at the beginning alone
     double far_tolerance{0.0};

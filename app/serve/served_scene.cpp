@@ -220,7 +220,7 @@ PairReport ServedScene::reportOf(PairId id) const {
   out.witness_b = pair.result.witness_b;
   if (out.trust == Trust::kNone || std::isnan(pair.result.distance)) return out;
   out.distance = pair.result.distance;
-  out.bound = pair.result.bound + session_->scene().reachOf(id);
+  out.bound = pair.result.bound + session_->scene().pairUncertainty(id);
   return out;
 }
 
@@ -249,7 +249,7 @@ void ServedScene::reportPairs() {
     const bool known = trustOf(scene.pairs()[i]) != Trust::kNone;
     Separation& least = separations_[static_cast<std::size_t>(s)];
     const double found = known ? rank : -kInfinity;
-    const double doubt = scene.pairs()[i].result.bound + scene.reachOf(PairId(i));
+    const double doubt = scene.pairs()[i].result.bound + scene.pairUncertainty(PairId(i));
     least.proven = std::min(least.proven, known ? rank - doubt : -kInfinity);
     if (!(found < least.found)) continue;
     least.found = found;

@@ -24,11 +24,11 @@ HeldLink::HeldLink(MechanismDriver& driver, std::size_t link, const Scene& scene
   for (const RobotPairs::Own& pair : own)
     if (pair.link_a == number || pair.link_b == number) near_.push_back({pair.id, pair.link_a == number, {}});
   constraints_.reserve(near_.size() * (ContactManifold::kMax + 1));
-  driver.letGo(link, true);
+  driver.setProxyControlled(link, true);
   reaction.hold(scene.object(object_).spec.structure->bounding_sphere, hand());
 }
 
-HeldLink::~HeldLink() { driver_.letGo(link_, false); }
+HeldLink::~HeldLink() { driver_.setProxyControlled(link_, false); }
 
 Transform HeldLink::hand() const {
   const Transform X_BF =

@@ -148,7 +148,7 @@ void HumanDriver::widen(double t, Scene& scene) const {
     const double bound = scene.object(*objects_[i]).max_speed;
     // A bound of 0 says of one who stands in the scene that nothing moves them, not of one who is followed.
     const double speed = std::isfinite(bound) && bound > 0.0 ? bound : kPersonSpeed;
-    scene.setReach(*objects_[i], partReach(pose_.age[i] + since, pose_.spread[i], speed));
+    scene.setPoseUncertainty(*objects_[i], partReach(pose_.age[i] + since, pose_.spread[i], speed));
   }
 }
 

@@ -20,7 +20,7 @@ class MechanismDriver {
   /// Says which object is the description's link number `link`.
   void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
   /// `loose`: somebody else says where this link is, and what acts on it does not act on the joints.
-  void letGo(std::size_t link, bool loose) { links_[link].loose = loose; }
+  void setProxyControlled(std::size_t link, bool loose) { links_[link].loose = loose; }
   /// Pairs of links (numbers) that share a joint: no other link stands between them in the tree of frames;
   /// and those that no joint moves against each other.
   std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
@@ -39,7 +39,7 @@ class MechanismDriver {
     int frame;  ///< index into the mechanism's frames, -1: the base
     Transform X_FL;
     std::optional<ObjectId> object;
-    bool loose{false};  ///< letGo()
+    bool loose{false};  ///< setProxyControlled()
   };
   const std::vector<Link>& links() const { return links_; }
   const Transform& X_WB() const { return X_WB_; }  ///< base in world

@@ -43,13 +43,13 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   planHumans(plan, options);
   planObjects(plan);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
-  Skipping& skipping = description_.skipping;
-  skipping.rest = options.rest.value_or(skipping.rest);
-  skipping.horizon = options.horizon.value_or(skipping.horizon);
-  skipping.budget = options.budget.value_or(skipping.budget);
-  skipping.remember = options.remember.value_or(skipping.remember);
-  skipping.far_tolerance = options.far_tolerance.value_or(skipping.far_tolerance);
-  scene_.setSkipping(skipping);
+  QueryCulling& culling = description_.culling;
+  culling.rest = options.rest.value_or(culling.rest);
+  culling.horizon = options.horizon.value_or(culling.horizon);
+  culling.budget = options.budget.value_or(culling.budget);
+  culling.remember = options.remember.value_or(culling.remember);
+  culling.far_tolerance = options.far_tolerance.value_or(culling.far_tolerance);
+  scene_.setCulling(culling);
   if (options.planned) options.planned(library_.size());
   library_.build(0, options.monitor);
 
@@ -190,7 +190,7 @@ void Session::setSpeeds(const std::vector<Planned>& plan) {
     const ObjectId id(static_cast<std::uint32_t>(i));
     if (plan[i].max_speed) {
       scene_.setMaxSpeed(id, *plan[i].max_speed);
-    } else if (description_.skipping.rest > 0.0 && !posed(id)) {
+    } else if (description_.culling.rest > 0.0 && !posed(id)) {
       scene_.setMaxSpeed(id, plan[i].usual_speed);
     }
   }
@@ -207,7 +207,7 @@ void Session::applyPoses(double t) {
   const std::size_t row = poses_->rowAt(t);
   for (std::size_t i = 0; i < poses_objects_.size(); ++i) {
     scene_.setPose(poses_objects_[i], poses_->pose(row, i), t);
-    scene_.setReach(poses_objects_[i], 0.0);
+    scene_.setPoseUncertainty(poses_objects_[i], 0.0);
   }
 }
 

@@ -24,7 +24,7 @@ struct SessionOptions {
   BuildMonitor monitor;             ///< of the structures; its word is the name of one
   /// Hears how many structures there will be, before the first is looked for or built.
   std::function<void(std::size_t structures)> planned;
-  std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in Skipping
+  std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in QueryCulling
   std::optional<bool> remember;                 ///< likewise
   std::optional<double> far_tolerance;          ///< likewise
 };

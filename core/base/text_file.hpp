@@ -1,4 +1,4 @@
-// Reading files that come from strangers.
+// Reading untrusted files.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where two bodies touched of late: a face that lies on a face has more contacts than one query tells.
+// Persistent contact manifold: a face that lies on a face has more contacts than one query tells.
 #pragma once
 
 #include <array>

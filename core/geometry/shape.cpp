@@ -34,8 +34,8 @@ void checkDimension(const Shape& shape, std::string_view what, double value, boo
   if (value >= kMinDimension && value <= kMaxDimension) return;
   if (may_be_zero && value == 0.0) return;
   throw UsageError(std::string(shapeName(shape)) + ": " + std::string(what) + " is " + formatDouble(value) +
-                   " m, expected " + (may_be_zero ? "0 or " : "") + "between " +
-                   formatDouble(kMinDimension) + " and " + formatDouble(kMaxDimension) + " m");
+                   " m, expected " + (may_be_zero ? "0 or " : "") + "between " + formatDouble(kMinDimension) +
+                   " and " + formatDouble(kMaxDimension) + " m");
 }
 
 /// Carlson's R_G, symmetric and homogeneous of degree 1/2, by R_F and R_D with duplication

@@ -36,8 +36,8 @@ class FarField {
     float h2[kMaxLevels];        ///< spacing squared
     float q2[kMaxLevels];        ///< squared quantum of the values
     float rounding[kMaxLevels];  ///< m; how far float moves points of this level, at most
-    float outermost;              ///< kRatio of the last level
-    float ball;                   ///< m, radius of a ball about the centre that holds the body
+    float outermost;             ///< kRatio of the last level
+    float ball;                  ///< m, radius of a ball about the centre that holds the body
     const std::uint16_t* values;
     template <class Archive>
     void archive(Archive& ar) {

@@ -1,4 +1,4 @@
-// Builds everything the collision engine knows of one body.
+// Builds the collision data of one body.
 #include "core/haptic/haptic_structure.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Everything the collision engine knows of one body.
+// Collision data of one body: voxelmap, pointshell, distance fields.
 #pragma once
 
 #include <memory>

@@ -11,8 +11,8 @@ namespace abstand {
 namespace {
 
 /// Where the nearest points of a query are when the bodies have moved on with them. World frame.
-struct Followed {
-  Followed(const PairPast& past, const Transform& X_WA, const Transform& X_WB)
+struct TransportedWitnesses {
+  TransportedWitnesses(const PairCache& past, const Transform& X_WA, const Transform& X_WB)
       : on_a(X_WA.linear() * past.on_a + X_WA.translation()),
         on_b(X_WB.linear() * past.on_b + X_WB.translation()),
         way(on_a - on_b),
@@ -22,8 +22,9 @@ struct Followed {
 };
 
 /// Most pairs: the nearest points are still where they were, and the hulls prove it.
-bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b, const Transform& X_WB,
-            const PairOptions& options, const Followed& points, PairPast& past, PairResult& result) {
+bool reuseWitnesses(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                    const Transform& X_WB, const PairOptions& options, const TransportedWitnesses& points,
+                    PairCache& past, PairResult& result) {
   if (!past.hulls || !(points.distance > kTouching)) return false;
   // Along a vector of any length: the separation times that.
   const double certified =
@@ -40,20 +41,20 @@ bool stayed(const HapticStructure& a, const Transform& X_WA, const HapticStructu
 }
 
 /// The same from either of what a pair remembers; what it then starts from is in memory.last.
-bool stayedOrJumpedBack(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                        const Transform& X_WB, const PairOptions& options, PairMemory& memory,
-                        PairResult& result) {
+bool reuseEitherCache(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                      const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                      PairResult& result) {
   if (!memory.last.apart) return false;
-  const Followed points(memory.last, X_WA, X_WB);
-  if (stayed(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
+  const TransportedWitnesses points(memory.last, X_WA, X_WB);
+  if (reuseWitnesses(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
   if (!(std::abs(points.distance - memory.last.distance) > kJump)) return false;
-  const PairPast before = memory.before_jump;
+  const PairCache before = memory.before_jump;
   memory.before_jump = memory.last;
   if (!before.apart) return false;
-  const Followed points_before(before, X_WA, X_WB);
+  const TransportedWitnesses points_before(before, X_WA, X_WB);
   if (!(points_before.distance < points.distance)) return false;
   memory.last = before;
-  return stayed(a, X_WA, b, X_WB, options, points_before, memory.last, result);
+  return reuseWitnesses(a, X_WA, b, X_WB, options, points_before, memory.last, result);
 }
 
 void add(const PenaltyForce& penalty, PairResult& result) {
@@ -74,20 +75,20 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
                    const Transform& X_WB, const PairOptions& options, PairMemory& memory,
                    PairScratch& scratch, PairResult& result) noexcept {
   const double margin = options.margin;
-  if (stayedOrJumpedBack(a, X_WA, b, X_WB, options, memory, result)) {
+  if (reuseEitherCache(a, X_WA, b, X_WB, options, memory, result)) {
     memory.last.touching = false;
     return false;
   }
-  PairPast& past = memory.last;
+  PairCache& past = memory.last;
   const bool from_a = pointsFromA(a, b);
   const HapticStructure& P = from_a ? a : b;
   const HapticStructure& F = from_a ? b : a;
   const Transform& X_WF = from_a ? X_WB : X_WA;
-  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_lines);
+  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_axes);
 
   if (!search.remember(past, from_a)) {
     search.search(past, scratch);
-    if (search.mayTouch()) search.searchOtherWay(scratch);
+    if (search.mayTouch()) search.searchReversed(scratch);
   }
   search.keep(past, from_a);
   const Witness& witness = search.witness();

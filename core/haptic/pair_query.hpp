@@ -49,40 +49,40 @@ struct PairScratch {
 
 /// Lines along which parts of the two bodies were apart (unit vectors in the axes of the field's body); zero:
 /// none.
-struct PartLines {
+struct PartAxes {
   static constexpr std::size_t kMax = 2;
   Vector3d n[kMax]{Vector3d::Zero(), Vector3d::Zero()};
   std::size_t next{0};  ///< to be replaced
 };
 
 /// What a pair knew after a query: where its nearest points were, and how near the bodies could be at most.
-struct PairPast {
+struct PairCache {
   bool apart{false};                ///< in the last query; else nothing below holds
   Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
   Vector3d on_b{Vector3d::Zero()};
   double distance{0.0};                            ///< m
   std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
-  bool hulls{false};                               ///< their distance was about that of the convex hulls
+  bool hulls{false};                               ///< the convex-hull test proved the last distance
   bool by_parts{false};                            ///< it was proven by the hulls of the bodies' parts
   bool touching{false};                            ///< forces were wanted
-  std::uint32_t idle{0};                           ///< queries until hulls are worth to be asked again
+  std::uint32_t idle{0};                           ///< queries to skip before the hull test is retried
   Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
   Vector3d n_b{Vector3d::Zero()};
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
   double searched{-kInfinity};  ///< ... the least distance (m) of any shell point that it proved ...
   double found{-kInfinity};     ///< ... the distance (m) that it found ...
   double rivals{-kInfinity};    ///< ... and the least (m) of the shell points that are not about `home`
-  PartLines part_lines;
+  PartAxes part_axes;
   Vector3d home{Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
 };
 
 /// What a pair remembers from one cycle to the next. It speeds up the next query of the same two structures
 /// and never weakens its bound. A fresh one remembers nothing.
 struct PairMemory {
-  PairPast last;
+  PairCache last;
   /// As it was when a body jumped last. A tracker that wavers between two explanations of what it sees (an
   /// elbow that turns over, left taken for right) jumps back soon.
-  PairPast before_jump;
+  PairCache before_jump;
 };
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,

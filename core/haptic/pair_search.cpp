@@ -26,7 +26,7 @@ constexpr double kSlow = 0.001, kRivalry = 0.004;
 constexpr double kDeeper = 0.1;
 // The same where the bodies hardly touch: where edges cross, both may lie between points.
 constexpr double kCrossing = 0.5;
-// Spacings; nearer to the witness points are no rivals, as the way to them leads downhill.
+// Spacings; points this close to the witness converge to the same minimum.
 constexpr double kHome = 6.0;
 // Of what is allowed: a point that seems nearer by this is worth a walk.
 constexpr double kWorthPart = 0.25;
@@ -35,7 +35,7 @@ constexpr std::uint32_t kIdle = 8;
 
 }  // namespace
 
-void PairSearch::search(PairPast& memory, PairScratch& scratch) {
+void PairSearch::search(PairCache& memory, PairScratch& scratch) {
   summing_ = memory.touching;
   found_ = kInfinity;
   const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
@@ -46,7 +46,7 @@ void PairSearch::search(PairPast& memory, PairScratch& scratch) {
   searched(lower_bound);
   isProven();
   memory.rivals = -kInfinity;
-  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kFarFrom) seekRivals(memory, scratch);
+  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kFarFrom) findRunnerUp(memory, scratch);
 }
 
 bool PairSearch::mayTouch() const {
@@ -59,8 +59,8 @@ bool PairSearch::mayTouch() const {
   });
 }
 
-void PairSearch::searchOtherWay(PairScratch& scratch) {
-  PartLines none;
+void PairSearch::searchReversed(PairScratch& scratch) {
+  PartAxes none;
   PairSearch other(F_, X_WF_, P_, X_WP_, options_, none);
   // The forces are those of P's points, if there are any.
   other.summing_ = sum_ && sum_->contacts == 0;
@@ -86,7 +86,7 @@ std::optional<PenaltyForce> PairSearch::penalty(bool from_a) const {
   return penaltyOf(*other_sum_, F_, P_, X_WP_.inverse() * X_WF_, X_WP_, options_.stiffness, !from_a);
 }
 
-void PairSearch::keep(PairPast& memory, bool from_a) const {
+void PairSearch::keep(PairCache& memory, bool from_a) const {
   memory.apart = witness_.distance > kTouching;
   memory.distance = witness_.distance;
   memory.hulls = hulls_;
@@ -176,12 +176,12 @@ double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
 
 /// The nearest points that moved with the bodies are still the nearest, when all others were farther away
 /// by more than what the bodies have moved.
-bool PairSearch::isAlone(const PairPast& memory) const {
+bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
   return certified_ > 0.0 && witness_.distance <= memory.rivals - motion_ &&
          (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
 }
 
-void PairSearch::seekRivals(PairPast& memory, PairScratch& scratch) const {
+void PairSearch::findRunnerUp(PairCache& memory, PairScratch& scratch) const {
   const Vector3f home = witness_.on_points.cast<float>();
   const Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
   const auto most = static_cast<float>(witness_.distance + kRivalry);

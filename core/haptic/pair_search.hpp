@@ -10,14 +10,14 @@
 
 namespace abstand {
 
-/// m; points nearer to each other give no direction.
+/// m; below this distance the contact normal is undefined.
 inline constexpr double kTouching = 1e-6;
 /// m; by so much a distance up to kFarFrom may exceed the smallest.
 inline constexpr double kNearEnough = 1e-5;
 /// m; points that have left each other by so much between two queries are a bad start.
 inline constexpr double kJump = 0.01;
 
-/// By so much (m) a distance may exceed the smallest.
+/// Tolerance (m) on the reported distance.
 inline double allowed(double distance, const PairOptions& options) {
   return distance > kFarFrom ? std::max(options.far_share * distance, kNearEnough) : kNearEnough;
 }
@@ -29,25 +29,25 @@ class PairSearch {
  public:
   /// All must outlive this object.
   PairSearch(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F, const Transform& X_WF,
-             const PairOptions& options, PartLines& part_lines)
+             const PairOptions& options, PartAxes& part_axes)
       : P_(P),
         F_(F),
         X_WP_(X_WP),
         X_WF_(X_WF),
         X_FP_(X_WF.inverse() * X_WP),
         options_(options),
-        part_lines_(part_lines) {}
+        part_axes_(part_axes) {}
 
   /// Where the nearest points were may be where they are: proven when no points can be much nearer.
-  bool remember(const PairPast& memory, bool from_a);
+  bool remember(const PairCache& memory, bool from_a);
   /// The nearest shell point, then the nearest points on the exact surfaces about it.
-  void search(PairPast& memory, PairScratch& scratch);
+  void search(PairCache& memory, PairScratch& scratch);
   /// True when the bodies may touch, as far as is proven, or P may have swallowed a piece of F.
   bool mayTouch() const;
   /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
   /// of it inside of P.
-  void searchOtherWay(PairScratch& scratch);
-  void keep(PairPast& memory, bool from_a) const;
+  void searchReversed(PairScratch& scratch);
+  void keep(PairCache& memory, bool from_a) const;
 
   /// The penalty force, when the searches have summed it on their way. `from_a`: P is A.
   std::optional<PenaltyForce> penalty(bool from_a) const;
@@ -57,15 +57,15 @@ class PairSearch {
 
  private:
   Vector3d normalAt(std::uint32_t point) const { return X_FP_.linear() * P_.tree.normalAt(point); }
-  bool walked();
-  bool turned(const Vector3d& n_P, const Vector3d& n_F);
-  bool partsTurned();
+  bool refineLocally();
+  bool trySupportPoints(const Vector3d& n_P, const Vector3d& n_F);
+  bool tryPartSupportPoints();
   void take(const ExtremePoint& of_points, const ExtremePoint& of_field);
   NearestPoint nearestPoint(const NearestLimits& limits, PairScratch& scratch);
   double searchDeeper(PairScratch& scratch);
   double searchPoints(bool apart, PairScratch& scratch);
-  bool isAlone(const PairPast& memory) const;
-  void seekRivals(PairPast& memory, PairScratch& scratch) const;
+  bool isUniqueMinimum(const PairCache& memory) const;
+  void findRunnerUp(PairCache& memory, PairScratch& scratch) const;
 
   void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
   /// No shell point is nearer than this; so no surface point by more than the covering radius.
@@ -87,14 +87,14 @@ class PairSearch {
   const Transform& X_WF_;
   const Transform X_FP_;
   const PairOptions& options_;
-  PartLines& part_lines_;
+  PartAxes& part_axes_;
   Witness witness_;
   double certified_{-kInfinity};
   double motion_{kInfinity};                                  ///< m, since the last search
   double of_points_{-kInfinity};                              ///< m, at least, of each of P's shell points
   std::uint32_t hint_points_{kNoHint}, hint_field_{kNoHint};  ///< of the last query
   double found_{-kInfinity};             ///< the best of all points, as far as the last search could tell
-  std::uint32_t idle_{0};                ///< as in PairPast
+  std::uint32_t idle_{0};                ///< as in PairCache
   bool asked_{false};                    ///< what the hulls prove
   bool by_parts_{false};                 ///< the hulls of their parts told last
   bool separated_{false};                ///< a plane parts the hulls

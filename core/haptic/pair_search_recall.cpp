@@ -18,7 +18,7 @@ constexpr int kRounds = 3;
 
 }  // namespace
 
-bool PairSearch::remember(const PairPast& memory, bool from_a) {
+bool PairSearch::remember(const PairCache& memory, bool from_a) {
   hint_points_ = from_a ? memory.hint_a : memory.hint_b;
   hint_field_ = from_a ? memory.hint_b : memory.hint_a;
   if (!memory.apart) return false;
@@ -37,24 +37,24 @@ bool PairSearch::remember(const PairPast& memory, bool from_a) {
   if (by_parts_ && witness_.distance > kFarFrom && provenByParts()) return remembered_ = true;
   const Vector3d n_P = from_a ? memory.n_a : -memory.n_b, n_F = from_a ? memory.n_b : -memory.n_a;
   const bool jumped = std::abs(witness_.distance - memory.distance) > kJump;
-  if (jumped && turned(n_P, n_F)) return true;
+  if (jumped && trySupportPoints(n_P, n_F)) return true;
   idle_ = jumped || witness_.distance > kFarFrom ? 0 : memory.idle;
-  if (idle_ == 0 && walked()) return true;
+  if (idle_ == 0 && refineLocally()) return true;
   // Farther away a search is the shorter way.
   if (witness_.distance > kFarFrom) {
-    if (!jumped && memory.hulls && turned(n_P, n_F)) return true;
-    if (partsTurned()) return true;
+    if (!jumped && memory.hulls && trySupportPoints(n_P, n_F)) return true;
+    if (tryPartSupportPoints()) return true;
     if (witness_.distance > kFarFrom) return false;
   }
   slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
   if (isProven()) return true;
   approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
   settled_ = true;
-  return isProven() || isAlone(memory);
+  return isProven() || isUniqueMinimum(memory);
 }
 
 /// From where they were, as long as there is much to gain.
-bool PairSearch::walked() {
+bool PairSearch::refineLocally() {
   for (int round = 1;; ++round) {
     const bool more = walkWitness(*P_.surface, *F_.surface, X_FP_, witness_) && round < kRounds;
     // What parts prove is looked at once, at the end.
@@ -66,7 +66,7 @@ bool PairSearch::walked() {
 /// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
 /// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
 /// the axes of each.
-bool PairSearch::turned(const Vector3d& n_P, const Vector3d& n_F) {
+bool PairSearch::trySupportPoints(const Vector3d& n_P, const Vector3d& n_F) {
   Vector3d n = X_FP_.linear() * n_P;
   if (separation(n) < separation(n_F)) n = n_F;
   for (int round = 0; round < kRounds; ++round) {
@@ -82,7 +82,7 @@ bool PairSearch::turned(const Vector3d& n_P, const Vector3d& n_F) {
 }
 
 /// The same with the parts of the bodies.
-bool PairSearch::partsTurned() {
+bool PairSearch::tryPartSupportPoints() {
   if (!haveParts()) return false;
   for (int round = 0; round < kRounds; ++round) {
     const double before = witness_.distance;
@@ -161,7 +161,7 @@ bool PairSearch::provenByParts() {
 
 bool PairSearch::partsApart(const Vector3d& n, FacingParts::Parts& between) {
   const double by = witness_.distance - allowed(witness_.distance, options_);
-  if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_lines_).apart(n, between))
+  if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_axes_).apart(n, between))
     return false;
   certify(by);
   return true;

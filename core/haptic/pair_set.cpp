@@ -95,7 +95,7 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   return nearest_;
 }
 
-void PairSet::Patience::failed(std::uint32_t least, std::uint32_t most) {
+void PairSet::Backoff::failed(std::uint32_t least, std::uint32_t most) {
   left = next = std::clamp(2 * next, least, most);
 }
 

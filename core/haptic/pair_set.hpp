@@ -9,7 +9,7 @@
 
 namespace abstand {
 
-/// For who needs less of each pair than queryPair() gives: the forces of those that touch, or the one that is
+/// Batch queries: contacts only, or the minimum only: the forces of those that touch, or the one that is
 /// nearest. Pairs that are far apart end at their bounding spheres, others at the line across which they were
 /// apart before. Forces, and the distance of the nearest pair, are those of queryPair() with a memory. One
 /// thread; no allocation after construction, no throw.
@@ -49,15 +49,15 @@ class PairSet {
     Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
   };
   /// Calls until it is worth to look for another line: the longer, the more often there was none.
-  struct Patience {
+  struct Backoff {
     std::uint32_t left{0}, next{0};
     bool waits() { return left > 0 && left-- > 0; }
     void failed(std::uint32_t least, std::uint32_t most);
   };
   struct Lines {
     Line last, before;  ///< `before`: another one than the last, for bodies that jump to and fro
-    PartLines of_parts;
-    Patience hulls, parts;
+    PartAxes of_parts;
+    Backoff hulls, parts;
   };
   struct Ball {
     Vector3d centre;  ///< world

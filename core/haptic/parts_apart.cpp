@@ -69,11 +69,11 @@ ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Ve
 }
 
 FacingParts::FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
-                         bool closely, PartLines& lines) noexcept
+                         bool closely, PartAxes& lines) noexcept
     : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), lines_(lines) {
   const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
-  swallowed_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
-  if (swallowed_) return;
+  may_contain_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
+  if (may_contain_) return;
   facing_ = searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
                                     F.parts.size(), static_cast<float>(by + kSphereRounding));
 }
@@ -102,7 +102,7 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
                          partFarthest(F_, j, n, on_field);
     if (width >= by_) {
       lines_.n[lines_.next] = n;
-      lines_.next = (lines_.next + 1) % PartLines::kMax;
+      lines_.next = (lines_.next + 1) % PartAxes::kMax;
       return true;
     }
     const Vector3d way = X_FP_ * on_points.point - on_field.point - v;
@@ -115,7 +115,7 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
 
 bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
   between = {};
-  if (swallowed_) return false;
+  if (may_contain_) return false;
   Reaches of_points(P_, X_FP_.linear().transpose() * -n, closely_), of_field(F_, n, closely_);
   const double along = n.dot(X_FP_.translation());
   double least = kInfinity;

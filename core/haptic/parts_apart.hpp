@@ -22,7 +22,7 @@ class FacingParts {
   /// P and F as in a query; all must outlive this object. `closely`: reaches of bodies that are one part are
   /// looked up without the loss of their tables. `lines`: what is remembered of earlier poses of the two.
   FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
-              bool closely, PartLines& lines) noexcept;
+              bool closely, PartAxes& lines) noexcept;
 
   /// True when neither body lies inside the other, and no points of theirs are nearer than `by`: all facing
   /// parts lie on both sides of a slab of this width, across n or another one for two of them. n: unit, from
@@ -38,8 +38,8 @@ class FacingParts {
   const Transform& X_FP_;
   double by_;
   bool closely_;
-  PartLines& lines_;
-  bool swallowed_;  ///< one of the bodies, or a piece of it, may lie inside the other
+  PartAxes& lines_;
+  bool may_contain_;  ///< one of the bodies, or a piece of it, may lie inside the other
   std::uint64_t facing_{0};
 };
 

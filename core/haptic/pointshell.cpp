@@ -5,11 +5,11 @@
 
 #include "core/base/error.hpp"
 #include "core/geometry/mass_properties.hpp"
-#include "core/haptic/pointshell_balance.hpp"
-#include "core/haptic/pointshell_cover.hpp"
-#include "core/haptic/pointshell_pool.hpp"
-#include "core/haptic/pointshell_spread.hpp"
+#include "core/haptic/farthest_point_sampler.hpp"
 #include "core/haptic/pointshell_tips.hpp"
+#include "core/haptic/quadrature_correction.hpp"
+#include "core/haptic/shell_sampler.hpp"
+#include "core/haptic/sub_triangles.hpp"
 
 namespace abstand {
 namespace {
@@ -44,10 +44,10 @@ struct Cell {
   Vector3d spread_moment{Vector3d::Zero()};  ///< integral of u x
 };
 
-std::vector<Cell> gatherCells(const SurfacePool& pool, const std::vector<float>& density,
+std::vector<Cell> gatherCells(const SubTriangles& pool, const std::vector<float>& density,
                               const std::vector<std::uint32_t>& nearest, std::size_t count) {
   std::vector<Cell> cells(count);
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     Cell& cell = cells[nearest[i]];
     const double area = piece.area();
     const Vector3d& normal = pool.normal(piece.triangle());
@@ -102,7 +102,7 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
 }
 
 /// Nearest point to each target on the surface of its own cell; a target that is NaN is none.
-std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
+std::vector<Vector3d> onSurface(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
                                 const std::vector<Vector3d>& target) {
   std::vector<Vector3d> out(target.size());
   struct Best {
@@ -110,7 +110,7 @@ std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::
     double far2{kInfinity};  ///< from which on a piece's centroid tells that all of the piece is farther
   };
   std::vector<Best> bests(target.size());
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     const Vector3d& to = target[nearest[i]];
     Best& best = bests[nearest[i]];
     if (!((piece.centroid() - to).squaredNorm() < best.far2)) return;
@@ -126,10 +126,10 @@ std::vector<Vector3d> onSurface(const SurfacePool& pool, const std::vector<std::
 
 /// How far the points that are `asked` for are from the sharp edges of their own cells; infinite where there
 /// are none.
-std::vector<double> rimDistances(const SurfacePool& pool, const std::vector<std::uint32_t>& nearest,
+std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
                                  const std::vector<Vector3d>& points, const std::vector<bool>& asked) {
   std::vector<double> out(points.size(), kInfinity);
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     if (piece.sharp() == 0 || !asked[nearest[i]]) return;
     const Vector3d& p = points[nearest[i]];
     double& least = out[nearest[i]];
@@ -180,11 +180,11 @@ void keepTotalArea(std::vector<BalancePoint>& points) {
 }
 
 /// Points per area at each piece, as a multiple of the usual density, within kMaxExtra.
-std::vector<float> pointDensity(const SurfacePool& pool) {
+std::vector<float> pointDensity(const SubTriangles& pool) {
   std::vector<float> density(pool.size(), 1.0f);
   if (pool.plain()) return density;
   double area = 0.0, extra = 0.0;
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     density[i] = 1.0f / (pool.pitch(i) * pool.pitch(i));
     area += piece.area();
     extra += piece.area() * double(density[i] - 1.0f);
@@ -209,10 +209,10 @@ struct Shares {
   std::vector<std::uint32_t> order;  ///< of the cells, as the shell's
 };
 
-Shares share(const SurfacePool& pool, double spacing) {
+Shares share(const SubTriangles& pool, double spacing) {
   const double normal_length = kNormalLength * spacing;
   const std::vector<float> density = pointDensity(pool);
-  SurfaceSpread spread(pool, density, normal_length, kCell * spacing);
+  ShellSampler spread(pool, density, normal_length, kCell * spacing);
   spread.spread(kStop * spacing);
   std::vector<Cell> cells = gatherCells(pool, density, spread.nearest(), spread.count());
   std::vector<Vector3f> centred;
@@ -232,7 +232,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   const Shape* shape = surface.shape();
   const TriangleMesh mesh = surface.mesh(kShellSagitta * spacing);
   const PitchField field(mesh, spacing);
-  const SurfacePool pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
+  const SubTriangles pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
   if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
   Shares shares = share(pool, spacing);
   std::vector<std::uint32_t>& nearest = shares.nearest;
@@ -251,20 +251,20 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
     cell_of.push_back(k);
     // Bumps within a cell press against each other; what is left of them is the area times the mean normal.
     const double area = shape != nullptr ? area_scale * cells[k].area : cells[k].normal.norm();
-    balanced.push_back(
-        {points[k], -cells[k].normal.normalized(), area, points[k], area, ShellBalance::kReach * spacing});
+    balanced.push_back({points[k], -cells[k].normal.normalized(), area, points[k], area,
+                        QuadratureCorrection::kReach * spacing});
     if (shape != nullptr) settle(surface, balanced.back());
   }
   cells = {};
   if (!field.plain()) {
-    const ShellBalance balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(), balanced,
-                               spacing, threads);
+    const QuadratureCorrection balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(),
+                                       balanced, spacing, threads);
     std::vector<bool> pressed(points.size(), false);
     for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
     const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);
     for (std::size_t i = 0; i < balanced.size(); ++i)
       balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
-    balance.adjust(balanced, ShellBalance::Freedom::kPlaceAndArea);
+    balance.adjust(balanced, QuadratureCorrection::Freedom::kPlaceAndArea);
     // Back onto the surface.
     std::vector<Vector3d> moved(points.size(), Vector3d::Constant(kNaN));
     for (std::size_t i = 0; i < balanced.size(); ++i) {
@@ -276,7 +276,7 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
       balanced[i].position = moved[cell_of[i]];
       if (shape != nullptr) settle(surface, balanced[i]);
     }
-    balance.adjust(balanced, ShellBalance::Freedom::kArea);
+    balance.adjust(balanced, QuadratureCorrection::Freedom::kArea);
     keepTotalArea(balanced);
   }
 

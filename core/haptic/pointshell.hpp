@@ -15,9 +15,9 @@ namespace abstand {
 /// a normal belongs to one face; elsewhere the normal is the exact one of a shape, or the mean over a mesh's
 /// surface that the point stands for. Points and areas are such that sum_i a_i depth_i n_i over a half-space
 /// is the overlapping volume times its normal: without bias in any orientation, and at edges and corners
-/// within about 2 % from a depth of one spacing on (ShellBalance). The order is such that the first m points,
-/// for any m, are a uniform coarser shell (farthest-point order; the last few fill holes). Constant after
-/// construction.
+/// within about 2 % from a depth of one spacing on (QuadratureCorrection). The order is such that the first m
+/// points, for any m, are a uniform coarser shell (farthest-point order; the last few fill holes). Constant
+/// after construction.
 struct Pointshell {
   std::vector<float> x, y, z;
   std::vector<float> nx, ny, nz;

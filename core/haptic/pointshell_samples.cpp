@@ -49,7 +49,8 @@ std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i
 
 }  // namespace
 
-void SampleCover::start(const std::vector<Sample>& samples, double cell, std::uint32_t first_centre) {
+void FarthestPointSampler::start(const std::vector<Sample>& samples, double cell,
+                                 std::uint32_t first_centre) {
   cell_ = static_cast<float>(cell);
   per_cell_ = 1.0f / cell_;
   centres_.clear();
@@ -57,14 +58,14 @@ void SampleCover::start(const std::vector<Sample>& samples, double cell, std::ui
   arrange(samples);
 }
 
-Vector3i SampleCover::cellOf(const Vector3f& p) const {
+Vector3i FarthestPointSampler::cellOf(const Vector3f& p) const {
   const Four from = Four{p.x() - lower_.x(), p.y() - lower_.y(), p.z() - lower_.z(), 0.0f} * per_cell_;
   const Four at = min(max(from, Four{}), splat(kMaxCells - 1.0f));
   const auto cell = __builtin_convertvector(at, FourInts);
   return {cell[0], cell[1], cell[2]};
 }
 
-const SampleCover::Brick* SampleCover::brickAt(const Vector3i& at) const {
+const FarthestPointSampler::SparseBlock* FarthestPointSampler::brickAt(const Vector3i& at) const {
   for (std::size_t i = hash(at);; ++i) {
     const std::uint32_t brick = brick_table_[i & (brick_table_.size() - 1)];
     if (brick == kNone) return nullptr;
@@ -72,7 +73,7 @@ const SampleCover::Brick* SampleCover::brickAt(const Vector3i& at) const {
   }
 }
 
-std::uint32_t SampleCover::addBrick(const Vector3i& at) {
+std::uint32_t FarthestPointSampler::addBrick(const Vector3i& at) {
   const auto enter = [&](std::uint32_t brick) {
     std::size_t i = hash(bricks_[brick].at);
     while (brick_table_[i & (brick_table_.size() - 1)] != kNone) ++i;
@@ -89,7 +90,7 @@ std::uint32_t SampleCover::addBrick(const Vector3i& at) {
   return brick;
 }
 
-inline void SampleCover::put(std::uint32_t at, const Sample& sample, float distance2) {
+inline void FarthestPointSampler::put(std::uint32_t at, const Sample& sample, float distance2) {
   Group& g = groups_[at / kLanes];
   const auto lane = at % kLanes;
   g.x[lane] = sample.position.x(), g.y[lane] = sample.position.y(), g.z[lane] = sample.position.z();
@@ -99,7 +100,7 @@ inline void SampleCover::put(std::uint32_t at, const Sample& sample, float dista
   g.nearest[lane] = 0.0f;
 }
 
-void SampleCover::arrange(const std::vector<Sample>& samples) {
+void FarthestPointSampler::arrange(const std::vector<Sample>& samples) {
   const std::size_t n = samples.size();
   bricks_.clear();
   lower_ = samples.front().position;
@@ -114,7 +115,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
     const Vector3i cell = cellOf(samples[i].position),
                    at(cell.x() >> kBrickBits, cell.y() >> kBrickBits, cell.z() >> kBrickBits);
     if (brick == kNone || bricks_[brick].at != at) {
-      const Brick* known = brickAt(at);
+      const SparseBlock* known = brickAt(at);
       brick = known != nullptr ? static_cast<std::uint32_t>(known - bricks_.data()) : addBrick(at);
     }
     const int bit = bitOf(cell);
@@ -122,7 +123,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
     cell_of_[i] = brick * kCells + static_cast<std::uint32_t>(bit);
   }
   std::uint32_t cells = 0;
-  for (Brick& b : bricks_) {
+  for (SparseBlock& b : bricks_) {
     b.first = cells;
     std::uint8_t place = 0;
     for (std::uint32_t bit = 0; bit < kCells; ++bit) {
@@ -135,7 +136,7 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   // Count, then place, each cell padded to whole groups.
   std::vector<std::uint32_t> next(cells, 0);
   for (std::uint32_t& c : cell_of_) {
-    const Brick& b = bricks_[c / kCells];
+    const SparseBlock& b = bricks_[c / kCells];
     c = b.first + b.place[c % kCells];
     ++next[c];
   }
@@ -165,13 +166,13 @@ void SampleCover::arrange(const std::vector<Sample>& samples) {
   }
 }
 
-Sample SampleCover::sample(std::uint32_t at) const {
+Sample FarthestPointSampler::sample(std::uint32_t at) const {
   const Group& g = groups_[at / kLanes];
   const auto lane = at % kLanes;
   return {{g.x[lane], g.y[lane], g.z[lane]}, {g.nx[lane], g.ny[lane], g.nz[lane]}, g.weight[lane]};
 }
 
-void SampleCover::visit(Cell& cell, const Centre& centre) {
+void FarthestPointSampler::visit(Cell& cell, const Centre& centre) {
   const Four gap = max(max(cell.lower - centre.p, centre.p - cell.upper), Four{});
   if (sumOf(gap * gap) * cell.least_weight >= cell.farthest) return;
   const auto square = [](Four a) { return a * a; };
@@ -188,7 +189,7 @@ void SampleCover::visit(Cell& cell, const Centre& centre) {
   cell.farthest = largestOf(farthest);
 }
 
-void SampleCover::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, float radius) {
+void FarthestPointSampler::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, float radius) {
   const Centre centre{std::bit_cast<float>(id), Four{p.x(), p.y(), p.z(), 0.0f}, n};
   const Vector3i low = cellOf(p.array() - radius), high = cellOf(p.array() + radius);
   const Vector3i first = low / kBrick, last = high / kBrick;
@@ -200,7 +201,7 @@ void SampleCover::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, fl
   for (at.z() = first.z(); at.z() <= last.z(); ++at.z()) {
     for (at.y() = first.y(); at.y() <= last.y(); ++at.y()) {
       for (at.x() = first.x(); at.x() <= last.x(); ++at.x()) {
-        const Brick* brick = brickAt(at);
+        const SparseBlock* brick = brickAt(at);
         if (brick == nullptr) continue;
         for (std::uint64_t rest = brick->kept & bitsWithin(at, low, high); rest != 0; rest &= rest - 1)
           visit(cells_[brick->first + brick->place[std::countr_zero(rest)]], centre);
@@ -209,18 +210,19 @@ void SampleCover::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, fl
   }
 }
 
-void SampleCover::addSample(std::uint32_t at, float radius, float distance2) {
+void FarthestPointSampler::addSample(std::uint32_t at, float radius, float distance2) {
   const Sample centre = sample(at);
   const auto id = first_centre_ + static_cast<std::uint32_t>(centres_.size());
   centres_.push_back({at, distance2});
   add(id, centre.position, centre.normal, radius);
 }
 
-void SampleCover::offer(std::uint32_t centre, const Vector3f& point, const Vector3f& normal, double reach) {
+void FarthestPointSampler::offer(std::uint32_t centre, const Vector3f& point, const Vector3f& normal,
+                                 double reach) {
   add(centre, point, normal, static_cast<float>(reach));
 }
 
-std::uint32_t SampleCover::farthestOf(const Cell& cell) const {
+std::uint32_t FarthestPointSampler::farthestOf(const Cell& cell) const {
   float farthest = -1.0f;
   std::uint32_t at = 0;
   for (std::uint32_t i = cell.begin * kLanes; i < cell.end * kLanes; ++i) {
@@ -230,7 +232,7 @@ std::uint32_t SampleCover::farthestOf(const Cell& cell) const {
   return at;
 }
 
-void SampleCover::descend(float from, float reach) {
+void FarthestPointSampler::descend(float from, float reach) {
   for (float round = std::max(from, reach), before = round;;
        before = round, round = std::max(kRound * round, reach)) {
     const float round2 = round * round;
@@ -241,7 +243,7 @@ void SampleCover::descend(float from, float reach) {
   }
 }
 
-void SampleCover::spread(double reach) {
+void FarthestPointSampler::spread(double reach) {
   if (cells_.size() <= kFewCells) {
     for (Cell& cell : cells_) {
       while (cell.farthest == kFarSample) addSample(farthestOf(cell), kFarSample, kFarSample);
@@ -253,7 +255,7 @@ void SampleCover::spread(double reach) {
   few.reserve(cells_.size());
   for (const Cell& cell : cells_) few.push_back(sample(cell.begin * kLanes));
   const float far = kCoarser * cell_, reach2 = static_cast<float>(reach * reach);
-  SampleCover coarse;
+  FarthestPointSampler coarse;
   coarse.start(few, double(far));
   coarse.spread(double(far));
   // Its samples are our cells' first ones. Some may be near centres that were offered.
@@ -265,16 +267,17 @@ void SampleCover::spread(double reach) {
   descend(far, static_cast<float>(reach));
 }
 
-float SampleCover::farthest2() const {
+float FarthestPointSampler::farthest2() const {
   float farthest = 0.0f;
   for (const Cell& cell : cells_) farthest = std::max(farthest, cell.farthest);
   return farthest;
 }
 
-void SampleCover::fill(double reach) { descend(std::sqrt(farthest2()), static_cast<float>(reach)); }
+void FarthestPointSampler::fill(double reach) { descend(std::sqrt(farthest2()), static_cast<float>(reach)); }
 
-void SampleCover::restart(std::span<const std::uint32_t> nearest, const std::vector<Vector3f>& points,
-                          const std::vector<Vector3f>& normals, std::uint32_t first_centre) {
+void FarthestPointSampler::restart(std::span<const std::uint32_t> nearest,
+                                   const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
+                                   std::uint32_t first_centre) {
   centres_.clear();
   first_centre_ = first_centre;
   for (Cell& cell : cells_) {
@@ -292,14 +295,14 @@ void SampleCover::restart(std::span<const std::uint32_t> nearest, const std::vec
   }
 }
 
-std::vector<SampleCover::Found> SampleCover::found() const {
+std::vector<FarthestPointSampler::Found> FarthestPointSampler::found() const {
   std::vector<Found> out;
   out.reserve(centres_.size());
   for (const Taken& taken : centres_) out.push_back({sample(taken.at), taken.distance2});
   return out;
 }
 
-void SampleCover::nearest(std::span<std::uint32_t> out) const {
+void FarthestPointSampler::nearest(std::span<std::uint32_t> out) const {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     if (order_[i] == kNone) continue;
     const float id = groups_[i / kLanes].nearest[i % kLanes];

@@ -23,7 +23,7 @@ struct Sample {
 /// of position and scaled normal, so that faces that meet at an angle and the two sides of a plate do not
 /// cover each other, and strongly curved places get more centres. Samples lie in the cells of a grid, of
 /// which only those that hold some are kept; a new centre looks at the cells about it.
-class SampleCover {
+class FarthestPointSampler {
  public:
   /// Starts with other samples, at least one, and no centres. `cell`: edge of the grid's cells, about the
   /// last reach (m). The centres that it finds are numbered from `first_centre` on.
@@ -73,7 +73,7 @@ class SampleCover {
     std::uint32_t begin, end;
   };
   /// 4 x 4 x 4 cells, bit (z 4 + y) 4 + x of `kept`: this one is there, as cell first + place of its bit.
-  struct Brick {
+  struct SparseBlock {
     Vector3i at;
     std::uint32_t first;
     std::uint64_t kept;
@@ -81,7 +81,7 @@ class SampleCover {
   };
 
   Vector3i cellOf(const Vector3f& p) const;
-  const Brick* brickAt(const Vector3i& at) const;
+  const SparseBlock* brickAt(const Vector3i& at) const;
   std::uint32_t addBrick(const Vector3i& at);
   /// Sorts the samples by cells.
   void arrange(const std::vector<Sample>& samples);
@@ -100,7 +100,7 @@ class SampleCover {
   std::vector<Group> groups_;         ///< by cells
   std::vector<std::uint32_t> order_;  ///< place in the groups -> index of the sample, or none
   std::vector<Cell> cells_;
-  std::vector<Brick> bricks_;
+  std::vector<SparseBlock> bricks_;
   std::vector<std::uint32_t> brick_table_;  ///< open addressing; a power of two
   std::vector<std::uint32_t> cell_of_;      ///< of the samples, while they are sorted
   struct Taken {

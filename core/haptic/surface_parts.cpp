@@ -14,7 +14,7 @@ constexpr double kAboutEqual = 0.99;
 // cut.
 constexpr std::size_t kLooks = 512;
 // Of the size; spheres are kept in float.
-constexpr double kSphereRounding = 1e-6;
+constexpr double kHullSphereRounding = 1e-6;
 
 struct Part {
   std::vector<std::uint32_t> triangles;
@@ -112,7 +112,7 @@ void SurfaceParts::setSphere(std::size_t part, const EnclosingSphere& sphere) {
   spheres_.y[part] = static_cast<float>(sphere.centre.y());
   spheres_.z[part] = static_cast<float>(sphere.centre.z());
   spheres_.radius[part] =
-      static_cast<float>(sphere.radius + kSphereRounding * (sphere.radius + sphere.centre.norm()));
+      static_cast<float>(sphere.radius + kHullSphereRounding * (sphere.radius + sphere.centre.norm()));
 }
 
 std::size_t SurfaceParts::memoryBytes() const {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kProjections = 8;       // alternating projections gain little after that
 constexpr int kDepthSteps = 6;        // halvings of the step inside
-constexpr double kMinStep = 0.2;    // of the first
+constexpr double kMinStep = 0.2;      // of the first
 constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
 constexpr double kSteep = 0.2;        // likewise, when the field saw none
 constexpr double kConverged = 1e-6;   // m: gains below this are not worth a query

@@ -19,7 +19,7 @@ struct Witness {
 /// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
 /// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
 /// inside, by projected steps of at most `step` (m) against the gradient of `near`, F's near field, or of the
-/// exact distance where that is null, which is dearer by far. A local search: it ends at a nearest pair of
+/// exact distance where that is null, which is much slower. A local search: it ends at a nearest pair of
 /// the neighbourhood, whose distance is exact whatever led to it. `normal`: of P's surface at `start`, unit,
 /// in F's axes, either way. `hint`: where on F an answer nearby was found. No allocation, no throw.
 Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,

@@ -6,7 +6,7 @@
 namespace abstand {
 
 /// The rotation of the smallest angle that turns `from` onto `to` (any lengths but zero). Of the many half
-/// turns between opposite directions one is taken, always the same. Compiled once, as Eigen's decides that
+/// turns between opposite directions one is taken, always the same. Out of line: Eigen's decides that
 /// case by a singular value decomposition, which takes the compiler longer than the files that need the turn.
 Quaterniond turnBetween(const Vector3d& from, const Vector3d& to);
 

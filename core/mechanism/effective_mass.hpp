@@ -1,4 +1,4 @@
-// How heavy a mechanism is to who pushes it.
+// Effective (reflected) mass at a frame.
 #pragma once
 
 #include "core/mechanism/mass_matrix.hpp"

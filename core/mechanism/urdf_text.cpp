@@ -158,8 +158,8 @@ class UrdfChecker {
     const auto positive = [&](const char* key) {
       const double value = values_.needNumber(shape, key);
       return value >= kMinDimension ? ""
-                                      : std::string("found the ") + key + " " + formatDouble(value) + " in " +
-                                            what + ", expected a positive one";
+                                    : std::string("found the ") + key + " " + formatDouble(value) + " in " +
+                                          what + ", expected a positive one";
     };
     if (shape.name == "mesh") {
       values_.needText(shape, "filename");

@@ -286,8 +286,7 @@ class PairStudy {
 
 void StudyOptions::validate() const {
   if (samples < 1 || samples > kMaxSamples)
-    throw UsageError("samples " + std::to_string(samples) + ": expected 1 to " +
-                     std::to_string(kMaxSamples));
+    throw UsageError("samples " + std::to_string(samples) + ": expected 1 to " + std::to_string(kMaxSamples));
   if (searches < 0 || searches > 1000)
     throw UsageError("searches " + std::to_string(searches) + ": expected 0 to 1000");
   if (!std::isfinite(clearance) || clearance < 0.0 || clearance > 10.0)

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/triple_buffer.hpp"
-#include "core/scene/live_rest.hpp"
+#include "core/scene/live_culling.hpp"
 
 namespace abstand {
 namespace {
@@ -44,7 +44,7 @@ struct PairBodies {
 struct World {
   std::vector<std::shared_ptr<const HapticStructure>> structures;
   std::vector<PairBodies> pairs;
-  double rest{0.0};  ///< Skipping::rest
+  double rest{0.0};  ///< QueryCulling::rest
 
   void query(std::uint32_t pair, const PoseSet& poses, PairMemory& memory, PairScratch& scratch,
              PairResult& result) const {
@@ -54,7 +54,7 @@ struct World {
   }
 
   /// The same, or what is left of the last query when that will do. True when it was queried.
-  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveRest& last, PairMemory& memory,
+  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, PairMemory& memory,
                PairScratch& scratch, PairResult& result) const {
     const auto [a, b] = pairs[pair];
     const PairOptions& options = poses.options[pair];
@@ -194,7 +194,7 @@ class Group {
   TripleBuffer<PoseSet> poses_;       ///< owner to group
   TripleBuffer<PairList> wanted_;     ///< owner to group
   TripleBuffer<ResultSet> results_;   ///< group to owner
-  std::vector<LiveRest> rests_;       ///< the group's, one a pair of the scene; empty when none may rest
+  std::vector<LiveCulling> rests_;    ///< the group's, one a pair of the scene; empty when none may rest
   std::vector<PairMemory> memories_;  ///< likewise
   PairList pairs_;                    ///< the owner's copy of what it wants
   PairScratch scratch_;
@@ -266,7 +266,7 @@ PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
   for (const Object& object : objects) {
     m.world.structures.push_back(object.spec.structure);
   }
-  m.world.rest = scene.skipping().rest;
+  m.world.rest = scene.culling().rest;
   for (const Pair& pair : scene.pairs()) {
     m.world.pairs.push_back({pair.a.index(), pair.b.index()});
     m.pair_names.push_back("`" + objects[pair.a.index()].spec.name + "`, `" +

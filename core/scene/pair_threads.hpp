@@ -14,9 +14,9 @@ namespace abstand {
 ///
 /// One owner thread calls all functions; poses are handed in and results taken out through triple buffers, so
 /// that neither side waits for the other (but stop(), which waits for the group's cycle under way). A pair is
-/// in one group at most. With Skipping::rest, pairs of bodies with a bound on their speed rest
-/// (live_rest.hpp). Groups can be started, paused and stopped, and pairs added and removed, while the others
-/// run.
+/// in one group at most. With QueryCulling::rest, pairs of bodies with a bound on their speed rest
+/// (live_culling.hpp). Groups can be started, paused and stopped, and pairs added and removed, while the
+/// others run.
 class PairThreads {
  public:
   /// Objects and pairs are those of the scene at this moment, at their present poses; how long pairs rest,

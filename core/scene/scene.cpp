@@ -53,7 +53,7 @@ ObjectId Scene::addObject(ObjectSpec spec) {
   pairs_of_.emplace_back();
   histories_.emplace_back();
   has_moved_.push_back(false);
-  renewed_at_.push_back(0);
+  last_update_step_.push_back(0);
   moved_.reserve(objects_.capacity());
   return id;
 }
@@ -70,14 +70,14 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
-  options.far_share = skipping_.farShare();
+  options.far_share = culling_.farShare();
   pairs_.push_back({a, b, PairOutcome::kChecked, false, false, false, 0, {}, {}, options});
   result_time_.push_back(kNaN);
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   for (auto* list : {&pending_, &renewed_, &touching_}) list->reserve(pairs_.capacity());
-  if (skipping_.limited()) agenda_.reserve(pairs_.capacity());
-  if (skipping_.remember) memories_.resize(pairs_.size());
+  if (culling_.limited()) agenda_.reserve(pairs_.capacity());
+  if (culling_.remember) memories_.resize(pairs_.size());
   renew(id);
   return id;
 }
@@ -148,13 +148,13 @@ void Scene::setMaxSpeed(ObjectId object, double speed) {
   ++objects_[object.index()].interruptions;
 }
 
-void Scene::setSkipping(const Skipping& skipping) {
-  skipping.validate();
-  skipping_ = skipping;
-  if (skipping.limited()) agenda_.reserve(pairs_.capacity());
-  memories_.assign(skipping.remember ? pairs_.size() : 0, {});
+void Scene::setCulling(const QueryCulling& culling) {
+  culling.validate();
+  culling_ = culling;
+  if (culling.limited()) agenda_.reserve(pairs_.capacity());
+  memories_.assign(culling.remember ? pairs_.size() : 0, {});
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    pairs_[i].options.far_share = skipping.farShare();
+    pairs_[i].options.far_share = culling.farShare();
     renew(PairId(i));
   }
 }
@@ -196,7 +196,7 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   return true;
 }
 
-void Scene::setReach(ObjectId object, double reach) noexcept {
+void Scene::setPoseUncertainty(ObjectId object, double reach) noexcept {
   objects_[object.index()].reach = reach >= 0.0 ? reach : kInfinity;
 }
 
@@ -222,7 +222,7 @@ void Scene::renew(PairId id) {
 /// What the last steps left and the pairs of everything that has moved, each once, become the work of this
 /// step.
 void Scene::enqueueMoved() {
-  for (const PairId id : pending_) renewed_at_[pairs_[id.index()].a.index()] = steps_;
+  for (const PairId id : pending_) last_update_step_[pairs_[id.index()].a.index()] = steps_;
   for (const ObjectId object : moved_) {
     const auto& pairs = pairs_of_[object.index()];
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -230,7 +230,7 @@ void Scene::enqueueMoved() {
       enqueue(pairs[i]);
     }
     has_moved_[object.index()] = false;
-    renewed_at_[object.index()] = steps_;
+    last_update_step_[object.index()] = steps_;
   }
   moved_.clear();
   std::swap(renewed_, pending_);
@@ -270,22 +270,22 @@ void Scene::check(Pair& pair, PairScratch& scratch) {
   const Object& b = objects_[pair.b.index()];
   PairMemory nothing;
   PairMemory& memory =
-      skipping_.remember ? memories_[static_cast<std::size_t>(&pair - pairs_.data())] : nothing;
+      culling_.remember ? memories_[static_cast<std::size_t>(&pair - pairs_.data())] : nothing;
   queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, memory, scratch, pair.result);
   pair.outcome = PairOutcome::kChecked;
-  if (!skipping_.any()) return;
+  if (!culling_.any()) return;
   pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
-                 touchFrom(*a.spec.structure, *b.spec.structure, pair.options), skipping_);
+                 touchFrom(*a.spec.structure, *b.spec.structure, pair.options), culling_);
 }
 
 void Scene::visit(Pair& pair, PairScratch& scratch) {
   if (pair.paused) return;
-  const ObjectReach& a = reaches_[pair.a.index()];
-  const ObjectReach& b = reaches_[pair.b.index()];
-  pair.outcome = skipping_.any() ? pair.rest.outcome(a, b, skipping_) : PairOutcome::kChecked;
+  const MotionBound& a = reaches_[pair.a.index()];
+  const MotionBound& b = reaches_[pair.b.index()];
+  pair.outcome = culling_.any() ? pair.rest.outcome(a, b, culling_) : PairOutcome::kChecked;
   if (pair.outcome == PairOutcome::kChecked) {
     // Under a budget what is proven has to do until its turn comes.
-    if (!skipping_.limited() || !pair.rest.proven()) return check(pair, scratch);
+    if (!culling_.limited() || !pair.rest.proven()) return check(pair, scratch);
     pair.outcome = PairOutcome::kPutOff;
   }
   pair.rest.proof().carry(objects_[pair.a.index()].X_WB, objects_[pair.b.index()].X_WB,
@@ -294,7 +294,7 @@ void Scene::visit(Pair& pair, PairScratch& scratch) {
 
 /// Queries what was put off, the most urgent first, until the clock shows `deadline`; one batch at least, so
 /// that everything gets its turn.
-void Scene::checkWithin(double deadline) {
+void Scene::queryUntil(double deadline) {
   agenda_.clear();
   for (const PairId id : renewed_) {
     const Pair& pair = pairs_[id.index()];
@@ -311,7 +311,7 @@ void Scene::checkWithin(double deadline) {
 }
 
 void Scene::step() {
-  const double deadline = skipping_.limited() ? clock_() + skipping_.budget : kInfinity;
+  const double deadline = culling_.limited() ? clock_() + culling_.budget : kInfinity;
   ++steps_;
   // What take() left may be older than the present poses although nothing has moved since.
   if (taken_)
@@ -319,10 +319,10 @@ void Scene::step() {
   taken_ = false;
   enqueueMoved();
   spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
-  if (skipping_.limited()) checkWithin(deadline);
+  if (culling_.limited()) queryUntil(deadline);
   dateResults();
-  takeStock();
-  addUp();
+  updateContactList();
+  sumWrenches();
 }
 
 /// What this step has renewed belongs to the present poses.
@@ -346,8 +346,8 @@ void Scene::take(const std::vector<PairResult>& results, std::span<const double>
     pairs_[i].outcome = PairOutcome::kChecked;
     pairs_[i].rest.forget();
   }
-  takeStock();
-  addUp();
+  updateContactList();
+  sumWrenches();
 }
 
 void Scene::count(Pair& pair) {
@@ -370,7 +370,7 @@ void Scene::count(Pair& pair) {
 }
 
 /// What the renewed pairs change in what is known of all pairs.
-void Scene::takeStock() {
+void Scene::updateContactList() {
   if (distances_.size() != pairs_.size()) {
     distances_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -406,7 +406,7 @@ void Scene::takeStock() {
 }
 
 /// In pair order. Pairs without contacts would add zeros.
-void Scene::addUp() {
+void Scene::sumWrenches() {
   for (const PairId id : touching_) {
     const Pair& pair = pairs_[id.index()];
     const PairResult& r = pair.result;

@@ -15,9 +15,9 @@
 #include "core/base/id.hpp"
 #include "core/haptic/pair_query.hpp"
 #include "core/scene/minimum_tree.hpp"
-#include "core/scene/pair_agenda.hpp"
-#include "core/scene/pair_rest.hpp"
+#include "core/scene/query_queue.hpp"
 #include "core/scene/speed_watch.hpp"
+#include "core/scene/temporal_culling.hpp"
 
 namespace abstand {
 
@@ -55,8 +55,7 @@ struct Object {
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
 };
 
-/// On cache lines of its own, because neighbours are worked on by different threads; what a resting pair
-/// needs comes first.
+/// Cache-line aligned to avoid false sharing; hot fields first.
 struct alignas(64) Pair {
   ObjectId a, b;
   PairOutcome outcome{PairOutcome::kChecked};
@@ -64,7 +63,7 @@ struct alignas(64) Pair {
   bool touching{false};  ///< is among Scene::touching()
   bool paused{false};    ///< see Scene::setPaused
   int waited{0};         ///< steps that it has been put off
-  PairRest rest;
+  TemporalCulling rest;
   PairResult result;
   PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
 };
@@ -82,7 +81,7 @@ class PairWorkers;
 /// One thread builds and steps a scene; step() spreads the pairs over worker threads and sums in pair order,
 /// so the bits are the same for any number of threads. Pairs of two bodies that have not moved keep their
 /// results, which are those that a query would give again, so a step costs what has moved. What else may be
-/// left out is in Skipping. After the first step(), step() allocates nothing and locks nothing but the
+/// left out is in QueryCulling. After the first step(), step() allocates nothing and locks nothing but the
 /// workers' barrier. Other threads read snapshots, never the scene.
 class Scene {
  public:
@@ -114,11 +113,11 @@ class Scene {
   void setMaxSpeed(ObjectId object, double speed);
   const SpeedWatch& speedWatch() const { return speed_watch_; }
   /// From the next step() on. Throws UsageError.
-  void setSkipping(const Skipping& skipping);
+  void setCulling(const QueryCulling& culling);
   /// The next step() queries every pair, and from nothing but its poses: its numbers, and those of the steps
   /// after it, do not depend on what was before. No allocation.
   void startCold() noexcept;
-  const Skipping& skipping() const { return skipping_; }
+  const QueryCulling& culling() const { return culling_; }
   /// What the time budget is measured with: seconds from any beginning. Default: the steady clock.
   using Clock = double (*)();
   void setClock(Clock clock) { clock_ = clock; }
@@ -131,10 +130,10 @@ class Scene {
 
   /// Of the pose that was set last, m; less than 0 and NaN count as infinite. Distances, contacts and forces
   /// stay those of the bodies where they were seen. No allocation, no throw.
-  void setReach(ObjectId object, double reach) noexcept;
+  void setPoseUncertainty(ObjectId object, double reach) noexcept;
   /// m: by how much the bodies of a pair may be nearer to each other than its distance says; infinite for a
   /// paused pair.
-  double reachOf(PairId id) const {
+  double pairUncertainty(PairId id) const {
     const Pair& pair = pairs_[id.index()];
     if (pair.paused) return kInfinity;
     return objects_[pair.a.index()].reach + objects_[pair.b.index()].reach;
@@ -142,8 +141,8 @@ class Scene {
 
   /// Whether step() leaves the pair out; at first it does not. From the next step() on, a paused pair has no
   /// part in touching(), nearest() and the totals of objects, and its result stays that of time `t` (s): it
-  /// is stale, so reachOf() is infinite. A pair that goes on is queried in the next step(). Nothing where
-  /// nothing changes. No allocation.
+  /// is stale, so pairUncertainty() is infinite. A pair that goes on is queried in the next step(). Nothing
+  /// where nothing changes. No allocation.
   void setPaused(PairId id, bool paused, double t);
   std::size_t pausedCount() const { return paused_count_; }
   /// s at time `t`: how old the poses are that the pair's result belongs to. 0 for what the last step()
@@ -172,7 +171,7 @@ class Scene {
   std::optional<PairId> nearest() const;
   /// The last step() (of steps()) that renewed a pair which is named with this object; every renewed pair
   /// is named with one of its two.
-  long renewedAt(ObjectId id) const { return renewed_at_[id.index()]; }
+  long lastUpdateStep(ObjectId id) const { return last_update_step_[id.index()]; }
   /// The object with this name, or null. The pointer holds until the next addObject.
   const Object* find(const std::string& name, ObjectId* id = nullptr) const;
   /// The thesis's relation table: the pairs of one object (row and column).
@@ -191,12 +190,12 @@ class Scene {
   void touch(ObjectId id);
   void check(Pair& pair, PairScratch& scratch);
   void visit(Pair& pair, PairScratch& scratch);
-  void checkWithin(double deadline);
+  void queryUntil(double deadline);
   void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
   void count(Pair& pair);
   void dateResults();
-  void takeStock();
-  void addUp();
+  void updateContactList();
+  void sumWrenches();
 
   std::vector<Object> objects_;
   PairTable pairs_;
@@ -204,22 +203,22 @@ class Scene {
   std::unordered_map<std::string, std::uint32_t> index_of_;
   std::unordered_set<std::uint64_t> pair_keys_;
   std::vector<History> histories_;
-  std::vector<ObjectReach> reaches_;
+  std::vector<MotionBound> reaches_;
   SpeedWatch speed_watch_;
   std::vector<ObjectId> moved_;  ///< since the last step()
   std::vector<bool> has_moved_;
   std::vector<PairId> pending_;  ///< to be looked at whatever has moved
   std::vector<PairId> renewed_, touching_;
-  std::vector<long> renewed_at_;  ///< of each object
+  std::vector<long> last_update_step_;  ///< of each object
   MinimumTree distances_;
-  std::vector<PairMemory> memories_;  ///< of the pairs, where skipping_.remember
+  std::vector<PairMemory> memories_;  ///< of the pairs, where culling_.remember
   std::vector<Scratch> scratch_;      ///< of each thread
   std::unique_ptr<PairWorkers> workers_;
   ForceLaw law_{ForceLaw::kVolume};
   double stiffness_{PairOptions{}.stiffness};
-  Skipping skipping_;
+  QueryCulling culling_;
   Clock clock_;
-  PairAgenda agenda_;
+  QueryQueue agenda_;
   std::vector<PairId> batch_;
   StepCounts counts_;
   /// Of each pair, s: the time of the poses of its result; NaN: the present ones.

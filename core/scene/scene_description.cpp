@@ -125,9 +125,9 @@ ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
   return groups;
 }
 
-Skipping skippingRules(const YamlNode& node, const std::string& file) {
+QueryCulling skippingRules(const YamlNode& node, const std::string& file) {
   const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget", "remember", "tolerance"});
-  Skipping s;
+  QueryCulling s;
   s.rest = fields.number("rest", kShareRange).value_or(s.rest);
   s.horizon = fields.number("horizon", kHorizonRange).value_or(s.horizon);
   s.budget = fields.number("budget", kBudgetRange).value_or(s.budget);
@@ -172,7 +172,7 @@ SceneDescription parseScene(const std::string& text, const fs::path& path, const
   scene.pairs.dropped.insert(scene.pairs.dropped.begin(), bodies.dropped().begin(), bodies.dropped().end());
   scene.remarks = bodies.remarks();
   if (const auto* node = fields.find("threads")) scene.threads = threadGroups(*node, file, bodies.bodies());
-  if (const auto* node = fields.find("skipping")) scene.skipping = skippingRules(*node, file);
+  if (const auto* node = fields.find("skipping")) scene.culling = skippingRules(*node, file);
   return scene;
 }
 

@@ -14,7 +14,7 @@
 #include "core/geometry/shape.hpp"
 #include "core/haptic/haptic_options.hpp"
 #include "core/mechanism/mesh_reference.hpp"
-#include "core/scene/skipping.hpp"
+#include "core/scene/query_culling.hpp"
 
 namespace abstand {
 
@@ -148,7 +148,7 @@ struct SceneDescription {
   std::vector<ObjectDescription> objects;
   PairsDescription pairs;
   ThreadGroups threads;
-  Skipping skipping{.remember = true};
+  QueryCulling culling{.remember = true};
   std::vector<std::string> remarks;  ///< what a user should know of the files that were read
 };
 

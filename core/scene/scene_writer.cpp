@@ -139,12 +139,13 @@ std::string humanText(const HumanDescription& h) {
 }
 
 /// What is not limited has no key.
-std::string skippingText(const Skipping& s) {
+std::string skippingText(const QueryCulling& s) {
   std::string text = "skipping: {rest: " + formatDouble(s.rest);
   if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
   if (s.limited()) text += ", budget: " + formatDouble(s.budget);
   if (!s.remember) text += ", remember: false";
-  if (s.far_tolerance != Skipping{}.far_tolerance) text += ", tolerance: " + formatDouble(s.far_tolerance);
+  if (s.far_tolerance != QueryCulling{}.far_tolerance)
+    text += ", tolerance: " + formatDouble(s.far_tolerance);
   return text + "}\n";
 }
 
@@ -182,7 +183,7 @@ std::string describeScene(const SceneDescription& scene) {
        "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
        (p.within_people ? "\n  within_people: include" : "") + "\n  exclude: " + pairList(p.exclude) +
        "\n  include: " + pairList(p.include) + "\n";
-  s += skippingText(scene.skipping);
+  s += skippingText(scene.culling);
   if (scene.threads.empty()) return s + "threads: auto\n";
   s += "threads:\n";
   for (const auto& group : scene.threads) s += "  - " + pairList(group) + "\n";

@@ -16,7 +16,7 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
     snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(),  o.velocity,
                            o.contact, o.spec.margin, o.colliding, o.reach};
     const ObjectId id(static_cast<std::uint32_t>(i));
-    if (!first && scene.renewedAt(id) > snapshot.captured)
+    if (!first && scene.lastUpdateStep(id) > snapshot.captured)
       for (const PairId pair : scene.pairsOf(id)) copy(pair.index());
   }
   if (first)

@@ -1,4 +1,4 @@
-// Who was faster than was said.
+// Detects objects that exceed their declared speed bound.
 #pragma once
 
 #include <algorithm>

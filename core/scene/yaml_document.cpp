@@ -94,8 +94,8 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   ParseError tooDeep(const YAML::Mark& mark) const {
-    return {posOf(file_, mark), "found more than " + std::to_string(kMaxYamlDepth) +
-                                    " levels of lists and maps, expected fewer"};
+    return {posOf(file_, mark),
+            "found more than " + std::to_string(kMaxYamlDepth) + " levels of lists and maps, expected fewer"};
   }
 
   void refuseTag(const YAML::Mark& mark, const std::string& tag) const {

@@ -14,9 +14,10 @@ constexpr double kDepthTolerance = 0.05;
 
 }  // namespace
 
-BoundJudge::BoundJudge(const NastyBody& a, const Transform& X_WA, const NastyBody& b, const Transform& X_WB) {
+BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const AdversarialBody& b,
+                       const Transform& X_WB) {
   const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
-  const NastyBody &P = from_a ? a : b, &F = from_a ? b : a;
+  const AdversarialBody &P = from_a ? a : b, &F = from_a ? b : a;
   const Transform X_FP = from_a ? Transform(X_WB.inverse() * X_WA) : Transform(X_WA.inverse() * X_WB);
   const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
   voxel_ = voxel;

@@ -16,7 +16,8 @@ struct BoundAnswer {
 /// Knows the true distance of two bodies as they lie.
 class BoundJudge {
  public:
-  BoundJudge(const NastyBody& a, const Transform& X_WA, const NastyBody& b, const Transform& X_WB);
+  BoundJudge(const AdversarialBody& a, const Transform& X_WA, const AdversarialBody& b,
+             const Transform& X_WB);
 
   const ExactDistance& exact() const { return exact_; }
   BoundAnswer operator()(const PairResult& result) const;

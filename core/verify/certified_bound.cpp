@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "core/base/parallel.hpp"
+#include "core/verify/adversarial_poses.hpp"
 #include "core/verify/bound_judge.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/nasty_poses.hpp"
 #include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
@@ -28,8 +28,8 @@ struct Outcome {
   std::array<BoundAnswer, kFields.size()> answers;
 };
 
-Outcome askAll(const std::vector<NastyBody>& bodies, const NastyPose& pose) {
-  const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
+Outcome askAll(const std::vector<AdversarialBody>& bodies, const AdversarialPose& pose) {
+  const AdversarialBody &a = bodies[pose.a], &b = bodies[pose.b];
   const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
   Outcome o{pose.family, true, judge.exact().overlapping, judge.exact().swallowed, {}};
   for (std::size_t f = 0; f < kFields.size(); ++f)
@@ -136,7 +136,7 @@ CheckResult attainedOf(const std::vector<Outcome>& outcomes, std::size_t field) 
 }  // namespace
 
 std::vector<CheckResult> checkCertifiedBound(const VerifyOptions& options) {
-  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(options.threads);
   std::vector<Outcome> outcomes(options.poses);
   std::atomic<std::size_t> done{0};
   const auto caller = std::this_thread::get_id();
@@ -144,7 +144,7 @@ std::vector<CheckResult> checkCertifiedBound(const VerifyOptions& options) {
     if (options.stop()) return;
     const std::size_t end = std::min(options.poses, (chunk + 1) * kChunk);
     for (std::size_t i = chunk * kChunk; i < end; ++i)
-      outcomes[i] = askAll(bodies, nastyPose(bodies, options.seed, i));
+      outcomes[i] = askAll(bodies, adversarialPose(bodies, options.seed, i));
     done += end - chunk * kChunk;
     if (options.progress && std::this_thread::get_id() == caller) options.progress(done, options.poses);
   });

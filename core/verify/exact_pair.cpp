@@ -10,13 +10,14 @@ namespace {
 
 constexpr int kMaxSamples = 400;
 
-bool anyInside(const std::vector<Vector3d>& probes, const NastyBody& body) {
+bool anyInside(const std::vector<Vector3d>& probes, const AdversarialBody& body) {
   return body.closed && std::ranges::any_of(probes, [&](const Vector3d& p) { return body.soup.inside(p); });
 }
 
 }  // namespace
 
-ExactDistance exactDistance(const NastyBody& P, const NastyBody& F, const Transform& X_FP, double tolerance) {
+ExactDistance exactDistance(const AdversarialBody& P, const AdversarialBody& F, const Transform& X_FP,
+                            double tolerance) {
   const TriangleSoup moved = P.soup.moved(X_FP);
   const double apart = moved.distanceTo(F.soup);
   // An open body has no certain inside: wherever the engine sees one, it may say so.

@@ -1,7 +1,7 @@
 // The true signed distance of two bodies, by brute force.
 #pragma once
 
-#include "core/verify/nasty_bodies.hpp"
+#include "core/verify/adversarial_bodies.hpp"
 
 namespace abstand::verify {
 
@@ -18,6 +18,7 @@ struct ExactDistance {
 
 /// P gives the points and F the field (pointsFromA in core/haptic/pair_query.hpp). Depths are enclosed to
 /// `tolerance` (m) where some hundred samples reach that.
-ExactDistance exactDistance(const NastyBody& P, const NastyBody& F, const Transform& X_FP, double tolerance);
+ExactDistance exactDistance(const AdversarialBody& P, const AdversarialBody& F, const Transform& X_FP,
+                            double tolerance);
 
 }  // namespace abstand::verify

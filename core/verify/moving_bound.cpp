@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "core/base/parallel.hpp"
+#include "core/verify/adversarial_poses.hpp"
 #include "core/verify/bound_judge.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/nasty_poses.hpp"
 #include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
@@ -30,12 +30,12 @@ struct BodyPath {
 };
 
 /// Bodies go on in about the same direction, as limbs and links do, and turn about a point of their own.
-BodyPath walk(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::size_t index) {
-  NastyPose pose = nastyPose(bodies, seed + kOtherPoses, index);
+BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, std::size_t index) {
+  AdversarialPose pose = adversarialPose(bodies, seed + kOtherPoses, index);
   // Kilometres apart nothing is remembered that a step would change.
   for (std::uint64_t other = 1; pose.family == PoseFamily::kFar; ++other)
-    pose = nastyPose(bodies, seed + kOtherPoses + other, index);
-  const NastyBody &a = bodies[pose.a], &b = bodies[pose.b];
+    pose = adversarialPose(bodies, seed + kOtherPoses + other, index);
+  const AdversarialBody &a = bodies[pose.a], &b = bodies[pose.b];
   const std::size_t field = index % kFields.size();
   const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
   Random random(seed + kOtherPoses, index);
@@ -92,7 +92,7 @@ Table tableOf(const std::vector<BodyPath>& paths) {
 }  // namespace
 
 std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
-  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(options.threads);
   std::vector<BodyPath> paths(std::max<std::size_t>(1, options.poses / (kPosesAStep * kMotionSteps)));
   std::atomic<std::size_t> done{0};
   const auto caller = std::this_thread::get_id();

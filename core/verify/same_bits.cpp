@@ -5,8 +5,8 @@
 
 #include "core/base/state_hash.hpp"
 #include "core/scene/scene.hpp"
+#include "core/verify/adversarial_bodies.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/nasty_bodies.hpp"
 #include "core/verify/random.hpp"
 
 namespace abstand::verify {
@@ -17,7 +17,7 @@ constexpr int kFrames = 20;
 constexpr double kMargin = 0.02;    // m
 constexpr double kPoseRange = 0.2;  // m
 
-Scene makeScene(const std::vector<NastyBody>& bodies) {
+Scene makeScene(const std::vector<AdversarialBody>& bodies) {
   Scene scene;
   std::vector<ObjectId> ids;
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -48,7 +48,7 @@ std::uint64_t fingerprint(const Scene& scene) {
 }  // namespace
 
 std::vector<CheckResult> checkSameBits(const VerifyOptions& options) {
-  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(options.threads);
   Scene scene = makeScene(bodies);
   std::vector<std::uint64_t> expected;
   std::vector<double> differs;

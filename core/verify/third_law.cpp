@@ -2,14 +2,14 @@
 #include "core/verify/third_law.hpp"
 
 #include "core/base/parallel.hpp"
+#include "core/verify/adversarial_poses.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/nasty_poses.hpp"
 
 namespace abstand::verify {
 namespace {
 
-constexpr double kLimit = 1e-12;      // of the moments: rounding in double
-constexpr double kPoseReach = 10.0;   // m, of the points about which moments are taken
+constexpr double kLimit = 1e-12;     // of the moments: rounding in double
+constexpr double kPoseReach = 10.0;  // m, of the points about which moments are taken
 constexpr double kMaxMargin = 0.05;  // m
 // Of options.poses: the brute force has the most.
 constexpr std::size_t kHullPart = 5;
@@ -20,7 +20,7 @@ struct Sums {
   double exchange{kNaN};
 };
 
-Sums sums(const NastyBody& a, const NastyBody& b, const NastyPose& pose, Random& random) {
+Sums sums(const AdversarialBody& a, const AdversarialBody& b, const AdversarialPose& pose, Random& random) {
   Sums s;
   const std::size_t field = random.below(kFields.size());
   const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
@@ -48,12 +48,12 @@ Sums sums(const NastyBody& a, const NastyBody& b, const NastyPose& pose, Random&
 }  // namespace
 
 std::vector<CheckResult> checkThirdLaw(const VerifyOptions& options) {
-  const std::vector<NastyBody> bodies = nastyBodies(options.threads);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(options.threads);
   const std::size_t poses = std::max<std::size_t>(options.poses / kHullPart, 1);
   std::vector<Sums> all(poses);
   parallelFor(options.threads, poses, [&](std::size_t i) {
     if (options.stop()) return;
-    const NastyPose pose = nastyPose(bodies, options.seed, i);
+    const AdversarialPose pose = adversarialPose(bodies, options.seed, i);
     Random random(options.seed + 1, i);
     all[i] = sums(bodies[pose.a], bodies[pose.b], pose, random);
   });

@@ -59,7 +59,7 @@ Session& session() {
   return *opened;
 }
 
-double reachOf(const std::string& name) {
+double pairUncertainty(const std::string& name) {
   const Object* object = session().scene().find(name);
   return object ? object->reach : kNaN;
 }
@@ -68,13 +68,13 @@ TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
   for (const double t : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     session().step(t);
     const double age = std::max(0.0, t - kSeen);
-    EXPECT_NEAR(reachOf("p/forearm_left"), 2.0 * age, kRounding) << t;
-    EXPECT_NEAR(reachOf("p/biceps_left"), 2.0 * age, kRounding) << t;
-    EXPECT_EQ(reachOf("p/torso"), 0.0);
-    EXPECT_NEAR(reachOf("p/forearm_right"), kReachQuantile * kSpread, kRounding);
-    EXPECT_NEAR(reachOf("p/hand_right"), kReachQuantile * kSpread, kRounding);
-    EXPECT_EQ(reachOf("p/calf_right"), kInfinity);
-    EXPECT_EQ(reachOf("ball"), 0.0);
+    EXPECT_NEAR(pairUncertainty("p/forearm_left"), 2.0 * age, kRounding) << t;
+    EXPECT_NEAR(pairUncertainty("p/biceps_left"), 2.0 * age, kRounding) << t;
+    EXPECT_EQ(pairUncertainty("p/torso"), 0.0);
+    EXPECT_NEAR(pairUncertainty("p/forearm_right"), kReachQuantile * kSpread, kRounding);
+    EXPECT_NEAR(pairUncertainty("p/hand_right"), kReachQuantile * kSpread, kRounding);
+    EXPECT_EQ(pairUncertainty("p/calf_right"), kInfinity);
+    EXPECT_EQ(pairUncertainty("ball"), 0.0);
   }
 }
 

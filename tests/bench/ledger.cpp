@@ -31,8 +31,7 @@ std::string digits(double v) {
   constexpr int kMaxDecimals = 5;
   if (!std::isfinite(v)) return "";
   if (std::abs(v) < std::pow(10.0, -kMaxDecimals)) return "0";
-  const int decimals =
-      std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(v)))), 0, kMaxDecimals);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(v)))), 0, kMaxDecimals);
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, v);
   return text;

@@ -32,10 +32,10 @@ Scene hall() {
 }
 
 /// `moving` objects, spread over the scene, go on circles at 1 m/s; a step a millisecond.
-void stepOfAThousand(benchmark::State& state, const Skipping& skipping, int moving, int threads) {
+void stepOfAThousand(benchmark::State& state, const QueryCulling& culling, int moving, int threads) {
   static Scene scene = hall();
   scene.setThreads(threads);
-  scene.setSkipping(skipping);
+  scene.setCulling(culling);
   scene.step();
   long n = 0;
   StepCounts sum;
@@ -61,17 +61,17 @@ void stepOfAThousand(benchmark::State& state, const Skipping& skipping, int movi
   state.counters["put_off"] = perStep(sum.put_off);
 }
 
-#define ABSTAND_STEP(name, skipping, moving, threads) \
-  BENCHMARK_CAPTURE(stepOfAThousand, name, skipping, moving, threads)->Unit(benchmark::kMicrosecond)
+#define ABSTAND_STEP(name, culling, moving, threads) \
+  BENCHMARK_CAPTURE(stepOfAThousand, name, culling, moving, threads)->Unit(benchmark::kMicrosecond)
 
-ABSTAND_STEP(nothing_moves, Skipping{}, 0, 1);
-ABSTAND_STEP(ten_move_all_queried, Skipping{}, 10, 1);
-ABSTAND_STEP(ten_move_rest, Skipping{.rest = 0.01}, 10, 1);
-ABSTAND_STEP(ten_move_horizon, (Skipping{.horizon = 2.0}), 10, 1);
-ABSTAND_STEP(ten_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 1);
-ABSTAND_STEP(ten_move_half_a_millisecond, Skipping{.budget = 0.0005}, 10, 1);
-ABSTAND_STEP(ten_move_both_two_threads, (Skipping{.rest = 0.01, .horizon = 2.0}), 10, 2);
-ABSTAND_STEP(hundred_move_both, (Skipping{.rest = 0.01, .horizon = 2.0}), 100, 1);
+ABSTAND_STEP(nothing_moves, QueryCulling{}, 0, 1);
+ABSTAND_STEP(ten_move_all_queried, QueryCulling{}, 10, 1);
+ABSTAND_STEP(ten_move_rest, QueryCulling{.rest = 0.01}, 10, 1);
+ABSTAND_STEP(ten_move_horizon, (QueryCulling{.horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_both, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_half_a_millisecond, QueryCulling{.budget = 0.0005}, 10, 1);
+ABSTAND_STEP(ten_move_both_two_threads, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 2);
+ABSTAND_STEP(hundred_move_both, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 100, 1);
 
 /// Structures of the arms, the person and the things, built once.
 Scene armsPersonTable() {
@@ -94,7 +94,7 @@ Scene armsPersonTable() {
 }
 
 /// A step a frame of the capture, which lasts 10 ms.
-void stepOfArmsPersonTable(benchmark::State& state, const Skipping& skipping) {
+void stepOfArmsPersonTable(benchmark::State& state, const QueryCulling& culling) {
   constexpr double kFrame = 0.01;  // s
   const bench::BenchScene* from = nullptr;
   try {
@@ -104,7 +104,7 @@ void stepOfArmsPersonTable(benchmark::State& state, const Skipping& skipping) {
     return;
   }
   Scene scene = armsPersonTable();
-  scene.setSkipping(skipping);
+  scene.setCulling(culling);
   CycleStatistics times(kInfinity);
   StepCounts sum;
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(from->frames()))) {
@@ -127,14 +127,14 @@ void stepOfArmsPersonTable(benchmark::State& state, const Skipping& skipping) {
   state.counters["beyond"] = static_cast<double>(sum.beyond) / steps;
 }
 
-#define ABSTAND_ARMS(name, skipping) \
-  BENCHMARK_CAPTURE(stepOfArmsPersonTable, name, skipping)->Iterations(1)->Unit(benchmark::kMicrosecond)
+#define ABSTAND_ARMS(name, culling) \
+  BENCHMARK_CAPTURE(stepOfArmsPersonTable, name, culling)->Iterations(1)->Unit(benchmark::kMicrosecond)
 
-ABSTAND_ARMS(all_queried, Skipping{});
-ABSTAND_ARMS(remember, Skipping{.remember = true});
-ABSTAND_ARMS(remember_rest, (Skipping{.rest = 0.01, .remember = true}));
-ABSTAND_ARMS(remember_rest_longest, (Skipping{.rest = 1.0, .remember = true}));
-ABSTAND_ARMS(contacts_only, (Skipping{.horizon = 0.0}));
+ABSTAND_ARMS(all_queried, QueryCulling{});
+ABSTAND_ARMS(remember, QueryCulling{.remember = true});
+ABSTAND_ARMS(remember_rest, (QueryCulling{.rest = 0.01, .remember = true}));
+ABSTAND_ARMS(remember_rest_longest, (QueryCulling{.rest = 1.0, .remember = true}));
+ABSTAND_ARMS(contacts_only, (QueryCulling{.horizon = 0.0}));
 
 }  // namespace
 }  // namespace abstand::testing

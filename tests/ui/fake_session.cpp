@@ -305,7 +305,7 @@ void FakeSession::setMargin(int object, double metres) {
   compute(snapshot_.t);
 }
 
-void FakeSession::setReach(int object, double metres) {
+void FakeSession::setPoseUncertainty(int object, double metres) {
   snapshot_.objects[static_cast<std::size_t>(object)].reach = metres;
   fresh_ = true;
 }

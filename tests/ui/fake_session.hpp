@@ -37,7 +37,7 @@ class FakeSession : public SessionPort {
   bool playing() const { return snapshot_.playing; }
   int indexOf(const std::string& name) const;
   void setPoseState(int object, PoseState state);
-  void setReach(int object, double metres);
+  void setPoseUncertainty(int object, double metres);
   void setWork(const StepCounts& work);
   /// Lets the arm react; `update` may change what is said of it.
   template <class Update>

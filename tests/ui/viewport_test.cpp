@@ -122,7 +122,7 @@ TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
 TEST_F(ViewportTest, WhatIsNotKnownWellHasAMistAsFarAsItsReach) {
   const QImage sharp = pictureAt(5.5);
   const auto differing = [&](double reach) {
-    session.setReach(session.indexOf("operator/torso"), reach);
+    session.setPoseUncertainty(session.indexOf("operator/torso"), reach);
     window.pull();
     const QImage now = window.viewport().picture();
     int count = 0;

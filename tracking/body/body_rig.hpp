@@ -59,7 +59,7 @@ struct RigPart {
   Vector3d p_shape{Vector3d::Zero()};     ///< its centre, in S; its axes are those of S
 };
 
-inline constexpr int kRigFreedoms = 6 + 3 + 3 + 2 * (3 + 1 + 2) + 2 * (3 + 1 + 2);
+inline constexpr int kRigDof = 6 + 3 + 3 + 2 * (3 + 1 + 2) + 2 * (3 + 1 + 2);
 
 /// A model cut into segments. Constant after construction.
 struct BodyRig {

@@ -87,7 +87,7 @@ void BodySolver::addFreedom(int column, double wish, double w) {
 
 void BodySolver::addPrior(const RigPose& other, const Vector& w) {
   const Vector d = difference(*rig_, pose_, other);
-  for (int c = 0; c < kRigFreedoms; ++c) addFreedom(c, d(c), w(c));
+  for (int c = 0; c < kRigDof; ++c) addFreedom(c, d(c), w(c));
 }
 
 void BodySolver::addLimits(double w) {
@@ -129,7 +129,7 @@ void BodySolver::assemble() {
     A_[parent] += A_[i];
     b_[parent] += b_[i];
   }
-  for (int c = 0; c < kRigFreedoms; ++c) {
+  for (int c = 0; c < kRigDof; ++c) {
     // Column c moves its segment and all that hang on it; the freedoms of an ancestor move them too.
     std::size_t i = segment_of_[static_cast<std::size_t>(c)];
     const Vector6 F = A_[i] * S_.col(c);
@@ -163,8 +163,8 @@ double BodySolver::step(double damping, double most) {
   return std::min(largest, most);
 }
 
-Eigen::Matrix<double, 3, kRigFreedoms> BodySolver::jacobian(RigSegment s, const Vector3d& p_W) const {
-  Eigen::Matrix<double, 3, kRigFreedoms> J = Eigen::Matrix<double, 3, kRigFreedoms>::Zero();
+Eigen::Matrix<double, 3, kRigDof> BodySolver::jacobian(RigSegment s, const Vector3d& p_W) const {
+  Eigen::Matrix<double, 3, kRigDof> J = Eigen::Matrix<double, 3, kRigDof>::Zero();
   const Vector3d arm = p_W - origin_;
   for (std::size_t i = index(s);; i = index(rig_->parts[i].parent)) {
     const RigPart& part = rig_->parts[i];

@@ -15,8 +15,8 @@ namespace abstand {
 /// Not shared between threads. No allocation, no throw.
 class BodySolver {
  public:
-  using Vector = Eigen::Matrix<double, kRigFreedoms, 1>;
-  using Matrix = Eigen::Matrix<double, kRigFreedoms, kRigFreedoms>;
+  using Vector = Eigen::Matrix<double, kRigDof, 1>;
+  using Matrix = Eigen::Matrix<double, kRigDof, kRigDof>;
 
   explicit BodySolver(const BodyRig& rig) : rig_{&rig} {}
 
@@ -45,7 +45,7 @@ class BodySolver {
   /// H of the last problem, complete after step().
   const Matrix& information() const { return H_; }
   /// How p_W, fixed to `s`, moves with each freedom: 3 x freedoms, of the pose of begin().
-  Eigen::Matrix<double, 3, kRigFreedoms> jacobian(RigSegment s, const Vector3d& p_W) const;
+  Eigen::Matrix<double, 3, kRigDof> jacobian(RigSegment s, const Vector3d& p_W) const;
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -57,9 +57,9 @@ class BodySolver {
   const BodyRig* rig_;
   RigPose pose_;
   RigPlacement X_WS_;
-  Vector3d origin_{Vector3d::Zero()};         ///< of the root at begin(), world
-  Eigen::Matrix<double, 6, kRigFreedoms> S_;  ///< twists (v at the root's origin, omega), world axes
-  std::array<std::size_t, kRigFreedoms> segment_of_{};
+  Vector3d origin_{Vector3d::Zero()};    ///< of the root at begin(), world
+  Eigen::Matrix<double, 6, kRigDof> S_;  ///< twists (v at the root's origin, omega), world axes
+  std::array<std::size_t, kRigDof> segment_of_{};
   std::array<Matrix6, kRigSegments> A_;
   std::array<Vector6, kRigSegments> b_;
   Matrix H_;

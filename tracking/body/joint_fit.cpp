@@ -11,7 +11,7 @@ constexpr double kLimitWeight = 1.0;  // 1/rad^2; a radian beyond costs as much 
 // Freedoms that no joint shows, as the twist of a straight arm, stay where they are.
 constexpr double kDamping = 1e-5;
 constexpr double kMaxTurn = 0.6;  // rad, m, a step
-constexpr double kAtRest = 1e-7;   // rad, m
+constexpr double kAtRest = 1e-7;  // rad, m
 
 }  // namespace
 

@@ -17,7 +17,7 @@ std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const BodySolve
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const RigSegment s = rig.carrier[j];
     const auto J = problem.jacobian(s, problem.placement()[index(s)] * rig.p_joint[j]);
-    const Eigen::Matrix<double, kRigFreedoms, 3> half = llt.matrixL().solve(J.transpose());
+    const Eigen::Matrix<double, kRigDof, 3> half = llt.matrixL().solve(J.transpose());
     const Matrix3d covariance = half.transpose() * half;
     const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance, Eigen::EigenvaluesOnly);
     spread[j] = std::sqrt(std::max(0.0, axes.eigenvalues()[2]));

@@ -13,7 +13,7 @@
 namespace abstand {
 namespace {
 
-constexpr double kMaxOff = 1.5;    // pixels
+constexpr double kMaxOff = 1.5;     // pixels
 constexpr double kClearer = 1.25;   // a pose that explains the corners so much better is the one
 constexpr double kSamePose = 1e-3;  // rad
 constexpr int kMaxSteps = 50;

@@ -73,7 +73,7 @@ Eigen::Vector2d middleOf(const Chessboard& board, const BoardCorners& corners, i
 
 Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCorners& corners) {
   constexpr double kMinRight = 0.95;  // of the squares; a shine may cover some
-  std::vector<double> level[2];         // of squares of the origin's colour, and of the others
+  std::vector<double> level[2];       // of squares of the origin's colour, and of the others
   for (int r = 0; r < board.rows; ++r)
     for (int c = 0; c < board.columns; ++c) {
       const Eigen::Vector2d p = middleOf(board, corners, c, r);

@@ -14,11 +14,11 @@ constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
 constexpr double kHeadRadius = 0.16;  // what is as high as the head lies so near ...
 constexpr double kBesideHead = 0.32;  // ... and hardly anything between there and here
 constexpr double kHeadDrop = 0.22;    // as high: not lower than this
-constexpr double kMaxBeside = 0.5;   // cells beside a head, of those of the head
+constexpr double kMaxBeside = 0.5;    // cells beside a head, of those of the head
 constexpr int kMinHeadCells = 3;
 constexpr double kHeadsApart = 0.28;
 constexpr double kBodyRadius = 0.35;              // of a trunk around its head
-constexpr double kMinBody = 0.05;               // m^2 of it seen
+constexpr double kMinBody = 0.05;                 // m^2 of it seen
 constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
 constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
 // Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
@@ -80,7 +80,7 @@ void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
 }
 
 /// Without a floor: level, through the lowest hundredth of what is there.
-void PeopleFinder::standIn(const DepthImage& image) {
+void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
   constexpr int kBins = 1000;
   constexpr double kLowest = -5.0, kBin = 0.01;  // m
   std::array<std::uint32_t, kBins> count{};
@@ -287,8 +287,8 @@ void PeopleFinder::own() {
       standing += static_cast<double>(c.area[0] + c.area[1]);
     }
     const double piece = standing < kMaxStanding * whole ? kArmReach
-                         : whole < kSmallPiece            ? kPieceReach
-                                                          : 0.0;
+                         : whole < kSmallPiece           ? kPieceReach
+                                                         : 0.0;
     std::array<bool, kMaxPeople> has_trunk{};
     for (std::size_t p = 0; p < tracks_.size(); ++p) {
       if (!tracks_[p].here) continue;
@@ -415,7 +415,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   ABSTAND_CHECK(!known || known->z.size() == image.z.size());
   people_.persons.clear();
   findFloor(t, image);
-  if (!people_.floor) standIn(image);
+  if (!people_.floor) estimateFloorFromScene(image);
   lookFromAbove(image, known);
   findHeads();
   follow(t);

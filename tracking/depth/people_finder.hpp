@@ -79,7 +79,7 @@ class PeopleFinder {
   };
 
   void findFloor(double t, const DepthImage& image);
-  void standIn(const DepthImage& image);
+  void estimateFloorFromScene(const DepthImage& image);
   void lookFromAbove(const DepthImage& image, const DepthImage* known);
   void findHeads();
   bool isHead(int cell) const;

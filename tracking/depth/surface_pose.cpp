@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kMinPoints = 150.0;
 constexpr double kMinExplained = 0.5;
-constexpr double kMinHeld = 1e-3;          // of a freedom, as a share of all rows
+constexpr double kMinHeld = 1e-3;           // of a freedom, as a share of all rows
 constexpr std::size_t kMaxPixels = 100000;  // that are looked at, of all views
-constexpr std::size_t kEvery = 5;            // of the points, until the best start is known
-constexpr double kAgree = 0.6;               // cosine between the normals of image and surface
-constexpr double kFlat = 0.25;               // cosine to the ray; flatter surfaces are not measured well
+constexpr std::size_t kEvery = 5;           // of the points, until the best start is known
+constexpr double kAgree = 0.6;              // cosine between the normals of image and surface
+constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfaces are not measured well
 constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
 constexpr int kSteps = 25;
 constexpr double kSmallSurfaceStep = 1e-6;

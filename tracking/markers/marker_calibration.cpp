@@ -14,8 +14,8 @@ constexpr double kMinSize = 0.4, kMaxSize = 2.0;  // of the base, each size
 constexpr double kIndependentMoments = 10.0;
 constexpr std::size_t kFirstMoments = 6;
 constexpr double kCalibrationAtRest = 1e-5;  // m, of a marker; shares, of a size
-constexpr double kMaxLost = 0.2;      // share of misplaced markers at which a pose is searched for anew
-constexpr double kMinStiff = 0.05;   // 1/rad^2, as in the solver's damping
+constexpr double kMaxLost = 0.2;       // share of misplaced markers at which a pose is searched for anew
+constexpr double kMinStiff = 0.05;     // 1/rad^2, as in the solver's damping
 constexpr int kCalibrationSteps = 12;  // of a pose, between two changes of the body
 // From a wide reach to that of every frame, then on until all is at rest.
 constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kLastReach = 0.05;  // m
@@ -65,7 +65,7 @@ class Calibration {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(all);
     MarkerSolver solver(body_.rig);
     const double share = std::min(1.0, kIndependentMoments / static_cast<double>(moments_.size()));
-    Dense across(all, kRigFreedoms);
+    Dense across(all, kRigDof);
     for (std::size_t f = 0; f < moments_.size(); ++f) {
       const MarkerPlaces& seen = *moments_[f];
       poses_[f] = solver.solve(body_.markers, seen, poses_[f], hold, reach, kCalibrationSteps).pose;

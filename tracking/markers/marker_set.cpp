@@ -19,7 +19,7 @@ using enum RigSegment;
 constexpr std::uintmax_t kMaxSetBytes = 1 << 20;
 constexpr std::size_t kMaxMarkers = 500;
 constexpr std::size_t kFewestMarkers = 6, kFewestSegments = 3;
-constexpr double kFarthestPlace = 5.0;                     // shares
+constexpr double kFarthestPlace = 5.0;                  // shares
 constexpr double kMinSpread = 0.001, kMaxSpread = 0.5;  // m
 
 struct Word {

@@ -19,7 +19,7 @@ constexpr double kFastestTurn = 30.0;                 // rad/s
 constexpr double kShortStep = 1e-3, kLongStep = 0.2;  // s
 constexpr int kSteps = 10;
 constexpr int kFewestSeen = 4;
-constexpr double kMaxMisplaced = 0.4;    // share of the seen
+constexpr double kMaxMisplaced = 0.4;     // share of the seen
 constexpr double kLost = 0.5;             // share of its frames at which a marker is ignored
 constexpr std::size_t kLongestWait = 64;  // moments between two searches
 constexpr double kAlone = 0.050;          // m, of joints of a chest that only goes on from the pelvis

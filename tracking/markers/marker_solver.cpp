@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLimitWeight = 400.0;  // 1/rad^2: 3 degrees beyond cost as much as skin that moves
 constexpr double kDamping = 0.05;       // 1/rad^2, 1/m^2; a marker 0.1 m from an axis gives 100
-constexpr double kMaxTurn = 0.6;       // rad, m, a step
+constexpr double kMaxTurn = 0.6;        // rad, m, a step
 constexpr double kAtRest = 2e-5;        // rad, m
 constexpr double kStillness = 0.01;     // of limb directions, nothing to align
 // The search first draws the whole body near, then sorts out what does not belong.

@@ -127,8 +127,7 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
   if (cells.next(cell)) throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected " + cell_count);
   for (std::size_t j = 0; j < frame.p.size(); ++j) {
     if (frame.p[j].allFinite() && confidence_[j] > 0.0)
-      frame.state[j] =
-          confidence_[j] >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+      frame.state[j] = confidence_[j] >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
     else
       frame.p[j].setConstant(kNaN);
   }

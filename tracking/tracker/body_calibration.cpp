@@ -78,7 +78,7 @@ std::vector<RigPose> BodyCalibration::poses() const {
 std::vector<RigPose> BodyCalibration::turnedPoses(const HumanOptions& body) const {
   const BodyRig rig = makeRig(makeHuman(body));
   std::vector<RigPose> turned = poses();
-  for (RigPose& pose : turned) pose = turnedRound(rig, pose);
+  for (RigPose& pose : turned) pose = flippedFacing(rig, pose);
   return turned;
 }
 

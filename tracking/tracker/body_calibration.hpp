@@ -31,7 +31,7 @@ class BodyCalibration {
  private:
   struct Image {
     double t;
-    SeenBody seen;
+    BodyObservation seen;
     RigPose pose;
   };
   std::vector<RigPose> poses() const;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kHalfBody = 0.10;    // m, from the skin that is seen to the middle of the body
 constexpr double kDamp = 0.7;         // of the motion that is expected to go on
 constexpr double kHandRelaxes = 0.8;  // an image; a hand goes on straight where nothing shows how it is bent
-constexpr double kMaxGap = 0.25;     // s; over longer ones nothing is expected to go on
+constexpr double kMaxGap = 0.25;      // s; over longer ones nothing is expected to go on
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
 constexpr int kBadImages = 5;

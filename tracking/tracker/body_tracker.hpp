@@ -42,7 +42,7 @@ class BodyTracker {
   /// Goes on from a pose, as if it had been found in the last image.
   void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }
-  const SeenBody& seen() const { return seen_; }
+  const BodyObservation& seen() const { return seen_; }
 
  private:
   void find();
@@ -53,7 +53,7 @@ class BodyTracker {
   const BodyRig* rig_;
   DepthFit fit_;
   LimbSearch limbs_;
-  SeenBody seen_;
+  BodyObservation seen_;
   HiddenSpread hidden_;
   std::mt19937_64 random_;
   TrackedBody body_;

@@ -14,10 +14,10 @@ constexpr double kExplainedFit = 0.05;  // m
 constexpr double kRows = 1000.0;        // all points together weigh as so many
 constexpr double kSampleWeight = 0.6;   // a sample in free space counts as so many points
 constexpr double kBefore = 0.04;        // m, that a sample may lie before what was measured
-constexpr double kMaxViolation = 0.3;  // m
+constexpr double kMaxViolation = 0.3;   // m
 constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
 constexpr double kDamping = 1e-3;
-constexpr double kMaxTurn = 0.35;    // rad, m, a step
+constexpr double kMaxTurn = 0.35;     // rad, m, a step
 constexpr double kSeenWithin = 0.08;  // m
 // A sample on the axis of a limb stays out of the trunk by this share of its own radius; the rest is flesh.
 constexpr double kKeepOut = 0.5;
@@ -64,11 +64,11 @@ DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}
   }
 }
 
-DepthFit::Violation DepthFit::violation(const SeenBody& seen, const Sample& sample,
+DepthFit::Violation DepthFit::violation(const BodyObservation& seen, const Sample& sample,
                                         const Vector3d& p_W) const {
   Violation v{Vector3d::Zero(), 0.0};
   const Vector3d p_C = seen.X_CW() * p_W;
-  const SeenBody::Look look = seen.at(p_C);
+  const BodyObservation::Look look = seen.at(p_C);
   if (look.state == CellState::kEmpty) {
     if (look.z > 0.0 && look.z < p_C.z()) return v;  // behind what is there: hidden, not refuted
     const double out = look.to_person.norm();
@@ -131,7 +131,8 @@ double DepthFit::robustMean(const float* score, std::size_t count) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-double DepthFit::placeCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const {
+double DepthFit::placeCost(const BodyObservation& seen, const RigPlacement& X_WS,
+                           std::uint32_t segments) const {
   constexpr double c2 = kCostReach * kCostReach;
   const auto robust = [](double v) { return c2 * v * v / (c2 + v * v); };
   double sum = 0.0;
@@ -148,7 +149,7 @@ double DepthFit::placeCost(const SeenBody& seen, const RigPlacement& X_WS, std::
   return sum * kSampleWeight / kRows;
 }
 
-DepthMisfit DepthFit::misfit(const SeenBody& seen, const RigPlacement& X_WS) {
+DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_WS) {
   const SeenPoints& points = seen.points();
   DepthMisfit m;
   if (points.count == 0) return m;
@@ -168,7 +169,7 @@ DepthMisfit DepthFit::misfit(const SeenBody& seen, const RigPlacement& X_WS) {
   return m;
 }
 
-void DepthFit::refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
+void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, const Weights& weights, int steps,
                       RigPose& pose) {
   const SeenPoints& points = seen.points();
   if (points.count == 0) return;
@@ -205,13 +206,13 @@ void DepthFit::refine(const SeenBody& seen, const RigPose& expected, const Weigh
   }
 }
 
-void DepthFit::visibility(const SeenBody& seen, const RigPlacement& X_WS,
+void DepthFit::visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                           std::array<double, kRigSegments>& share) const {
   std::array<int, kRigSegments> all{}, visible{};
   for (const Sample& sample : samples_) {
     const std::size_t s = index(sample.segment);
     const Vector3d p_C = seen.X_CW() * (X_WS[s] * sample.p_S);
-    const SeenBody::Look look = seen.at(p_C);
+    const BodyObservation::Look look = seen.at(p_C);
     ++all[s];
     visible[s] +=
         look.state == CellState::kPerson && std::abs(look.z - (p_C.z() - sample.radius)) < kSeenWithin;

@@ -32,22 +32,22 @@ class DepthFit {
   };
   /// `steps` of Gauss-Newton from `pose`, which is made better. `expected` may be `pose` itself: every step
   /// is then held to where it begins.
-  void refine(const SeenBody& seen, const RigPose& expected, const Weights& weights, int steps,
+  void refine(const BodyObservation& seen, const RigPose& expected, const Weights& weights, int steps,
               RigPose& pose);
 
   /// The last step of refine(), its points weighing 1 each at most and 1,000 all together.
   const BodySolver& problem() const { return solver_; }
 
-  DepthMisfit misfit(const SeenBody& seen, const RigPlacement& X_WS);
+  DepthMisfit misfit(const BodyObservation& seen, const RigPlacement& X_WS);
 
   /// Of every point, how ill the best segment fits among those of the mask; after refine() or misfit().
   void scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments, float* best) const;
   /// Robust mean square of scores.
   static double robustMean(const float* score, std::size_t count);
   /// Cost of the samples of these segments in free space and in other segments, m^2.
-  double placeCost(const SeenBody& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
+  double placeCost(const BodyObservation& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
   /// Share of the samples of each segment that the camera sees where the pose has them.
-  void visibility(const SeenBody& seen, const RigPlacement& X_WS,
+  void visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                   std::array<double, kRigSegments>& share) const;
 
   static constexpr std::uint32_t kAll = (1u << kRigSegments) - 1u;
@@ -63,7 +63,7 @@ class DepthFit {
     Vector3d n;  ///< world; against the way out
     double depth{0.0};
   };
-  Violation violation(const SeenBody& seen, const Sample& sample, const Vector3d& p_W) const;
+  Violation violation(const BodyObservation& seen, const Sample& sample, const Vector3d& p_W) const;
   /// Of a sample in a segment that it must not be in.
   Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                     const Transform& X_WS) const;

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "tracking/body/body_rig.hpp"
-#include "tracking/tracker/seen_body.hpp"
+#include "tracking/tracker/body_observation.hpp"
 
 namespace abstand {
 

@@ -63,7 +63,8 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
                                     rig.parts[lower].most[0]);
 }
 
-double LimbSearch::costOf(const SeenBody& seen, const Limb& limb, const RigPose& pose, const RigPose& start) {
+double LimbSearch::costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose,
+                          const RigPose& start) {
   const BodyRig& rig = fit_->rig();
   place(rig, pose, X_WS_);
   const std::uint32_t segments =
@@ -79,7 +80,7 @@ double LimbSearch::costOf(const SeenBody& seen, const Limb& limb, const RigPose&
          kTurnCost * (turned * turned + bent * bent) + kLimitCost * beyond * beyond;
 }
 
-bool LimbSearch::search(const SeenBody& seen, const Limb& limb, int tries, double spread,
+bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries, double spread,
                         std::mt19937_64& random, RigPose& pose) {
   const SeenPoints& all = seen.points();
   const std::size_t stride = std::max<std::size_t>(1, all.count / kPoints);

@@ -31,11 +31,11 @@ class LimbSearch {
 
   /// `tries` random places about the wrist's own with standard deviation `spread` (m), and places of points
   /// that no segment explains. `pose` changes only when a place is better. Whether it did.
-  bool search(const SeenBody& seen, const Limb& limb, int tries, double spread, std::mt19937_64& random,
-              RigPose& pose);
+  bool search(const BodyObservation& seen, const Limb& limb, int tries, double spread,
+              std::mt19937_64& random, RigPose& pose);
 
  private:
-  double costOf(const SeenBody& seen, const Limb& limb, const RigPose& pose, const RigPose& start);
+  double costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose, const RigPose& start);
 
   DepthFit* fit_;
   SeenPoints points_;  ///< a part of the image's

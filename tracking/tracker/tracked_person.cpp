@@ -87,7 +87,7 @@ void TrackedPerson::take(const Fit& fit) {
   facing_ = fit.facing;
   const TrackedBody last = tracker_->body();
   use(fit.body);
-  if (last.found) tracker_->resume(turn ? turnedRound(*rig_, last.pose) : last.pose);
+  if (last.found) tracker_->resume(turn ? flippedFacing(*rig_, last.pose) : last.pose);
   fitted_ = true;
 }
 

@@ -24,7 +24,7 @@ double yawOf(const RigPose& pose) {
   return std::atan2(front.y(), front.x());
 }
 
-RigPose turnedRound(const BodyRig& rig, const RigPose& pose) {
+RigPose flippedFacing(const BodyRig& rig, const RigPose& pose) {
   RigPlacement X_WS;
   place(rig, pose, X_WS);
   SkeletonFrame frame;

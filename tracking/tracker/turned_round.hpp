@@ -11,6 +11,6 @@ double yawOf(const RigPose& pose);
 /// The pose of a person who faces the other way and whose limbs are where those of `pose` are: what was left
 /// is right, and the feet point the other way. Joints whose limits forbid it come as near as they may. No
 /// allocation, no throw.
-RigPose turnedRound(const BodyRig& rig, const RigPose& pose);
+RigPose flippedFacing(const BodyRig& rig, const RigPose& pose);
 
 }  // namespace abstand

@@ -48,10 +48,11 @@ PairTableModel::Level PairTableModel::level(std::size_t row) const {
       lost_[static_cast<std::size_t>(pairs_[row].second)])
     return Level::kLost;
   if (std::isnan(pair.result.distance)) return Level::kUnknown;
-  return pair.result.distance - reachOf(row) < kNearFactor * pair.margin ? Level::kNear : Level::kFine;
+  return pair.result.distance - pairUncertainty(row) < kNearFactor * pair.margin ? Level::kNear
+                                                                                 : Level::kFine;
 }
 
-double PairTableModel::reachOf(std::size_t row) const {
+double PairTableModel::pairUncertainty(std::size_t row) const {
   return reach_[static_cast<std::size_t>(pairs_[row].first)] +
          reach_[static_cast<std::size_t>(pairs_[row].second)];
 }
@@ -84,7 +85,7 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
     case kBound:
       return pair.paused ? tr("–") : millimetres(pair.result.bound);
     case kMargin: {
-      const double reach = reachOf(row);
+      const double reach = pairUncertainty(row);
       if (!(reach > 0.0)) return millimetres(pair.margin, 0);
       return millimetres(pair.margin, 0) + (std::isinf(reach) ? tr(" + ∞") : " + " + millimetres(reach, 0));
     }
@@ -109,7 +110,7 @@ double PairTableModel::number(std::size_t row, int column) const {
     case kBound:
       return finite(pair.result.bound);
     case kMargin:
-      return pair.margin + reachOf(row);
+      return pair.margin + pairUncertainty(row);
     case kForce:
       return pair.result.force_a.norm();
     default:

@@ -35,7 +35,7 @@ class PairTableModel : public QAbstractTableModel {
  private:
   enum class Level { kUnknown, kFine, kNear, kLost, kPaused, kContact };
   Level level(std::size_t row) const;
-  double reachOf(std::size_t row) const;
+  double pairUncertainty(std::size_t row) const;
   QVariant text(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
 

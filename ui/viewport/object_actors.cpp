@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
 constexpr double kShadowLift = 0.002;           // m above the floor
 constexpr double kShadowThickness = 1e-3;       // of the object's height; a flat matrix could not be inverted
-constexpr double kMinMist = 2e-3;             // m; less is not seen
+constexpr double kMinMist = 2e-3;               // m; less is not seen
 constexpr double kMistOpacity = 0.16;
 // Where the key light comes from, per metre of height.
 constexpr double kLightX = -0.12, kLightY = -0.40;

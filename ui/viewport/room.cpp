@@ -22,7 +22,7 @@ namespace {
 constexpr double kCell = 0.5;    // m between lines
 constexpr double kPiece = 0.25;  // m, pieces of a line between which it fades
 constexpr int kSpokes = 64;
-constexpr double kMinRadius = 3.0;  // m
+constexpr double kMinRadius = 3.0;   // m
 constexpr double kMaxRadius = 30.0;  // m
 
 /// Coloured points and cells under construction.

@@ -61,7 +61,7 @@ inline std::vector<Shape> someShapes() {
 }
 
 /// Half the diagonal of the bounds: the size that tolerances are relative to.
-inline double reachOf(const Shape& shape) { return 0.5 * bounds(shape).extent().norm(); }
+inline double pairUncertainty(const Shape& shape) { return 0.5 * bounds(shape).extent().norm(); }
 
 /// A function that is negative inside, zero on the surface and positive outside, of the order of 1.
 inline double implicitValue(const Shape& shape, const Vector3d& p) {

@@ -13,9 +13,9 @@ namespace abstand {
 namespace {
 
 using testing::implicitValue;
+using testing::pairUncertainty;
 using testing::randomPoint;
 using testing::randomUnit;
-using testing::reachOf;
 using testing::someShapes;
 
 /// What shape.hpp promises, relative to the shape's size plus the point's distance from its centre.
@@ -35,7 +35,7 @@ class ShapeDistanceTable : public ::testing::TestWithParam<DistanceCase> {};
 TEST_P(ShapeDistanceTable, IsTheClosedForm) {
   const auto& c = GetParam();
   const auto found = distanceTo(c.shape, c.p);
-  const double tolerance = kExact * (reachOf(c.shape) + c.p.norm());
+  const double tolerance = kExact * (pairUncertainty(c.shape) + c.p.norm());
   EXPECT_NEAR(found.distance, c.distance, tolerance);
   EXPECT_NEAR(implicitValue(c.shape, found.nearest), 0.0, kExact);
   if (c.nearest.allFinite()) {
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Points at all scales: far, around, inside, and near or on the planes of symmetry.
 Vector3d hardPoint(const Shape& shape, std::uint64_t seed) {
-  const double size = reachOf(shape);
+  const double size = pairUncertainty(shape);
   const double scales[] = {0.3, 1.0, 1.0, 3.0, 1e4};
   Vector3d p = randomPoint(seed, size * scales[seed % 5]);
   for (int i = 0; i < 3; ++i) {
@@ -117,7 +117,7 @@ TEST(ShapeDistanceProperties, NearestLiesOnTheSurfaceAndSignsAreRight) {
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
       const Vector3d p = hardPoint(shape, seed);
       const auto found = distanceTo(shape, p);
-      const double tolerance = kExact * (reachOf(shape) + p.norm());
+      const double tolerance = kExact * (pairUncertainty(shape) + p.norm());
       ASSERT_TRUE(std::isfinite(found.distance)) << shapeName(shape) << " " << seed;
       ASSERT_NEAR(std::abs(found.distance), (p - found.nearest).norm(), tolerance)
           << shapeName(shape) << " " << seed;
@@ -131,12 +131,12 @@ TEST(ShapeDistanceProperties, NearestLiesOnTheSurfaceAndSignsAreRight) {
 
 TEST(ShapeDistanceProperties, NoPointOfTheSurfaceIsNearer) {
   for (const auto& shape : someShapes()) {
-    const double sagitta = reachOf(shape) / 500.0;
+    const double sagitta = pairUncertainty(shape) / 500.0;
     const auto mesh = tessellate(shape, sagitta);
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       const Vector3d p = hardPoint(shape, seed);
       const double exact = std::abs(distanceTo(shape, p).distance);
-      const double tolerance = kExact * (reachOf(shape) + p.norm());
+      const double tolerance = kExact * (pairUncertainty(shape) + p.norm());
       for (const auto& v : mesh.vertices)
         ASSERT_LE(exact, (v - p).norm() + tolerance) << shapeName(shape) << " " << seed;
       ASSERT_NEAR(exact, testing::unsignedDistance(mesh, p), sagitta + tolerance)
@@ -149,10 +149,10 @@ TEST(ShapeDistanceProperties, ChangesNoFasterThanThePointMoves) {
   for (const auto& shape : someShapes()) {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
       const Vector3d p = hardPoint(shape, 5 * (seed / 5) + 1);
-      const double step = reachOf(shape) * std::pow(10.0, -9.0 * randomUnit(seed, 1));
+      const double step = pairUncertainty(shape) * std::pow(10.0, -9.0 * randomUnit(seed, 1));
       const Vector3d q = p + randomPoint(seed + 1'000'000, step);
       const double difference = std::abs(distanceTo(shape, p).distance - distanceTo(shape, q).distance);
-      ASSERT_LE(difference, (p - q).norm() + kExact * (reachOf(shape) + p.norm()))
+      ASSERT_LE(difference, (p - q).norm() + kExact * (pairUncertainty(shape) + p.norm()))
           << shapeName(shape) << " " << seed;
     }
   }

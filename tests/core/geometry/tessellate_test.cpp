@@ -11,8 +11,8 @@
 namespace abstand {
 namespace {
 
+using testing::pairUncertainty;
 using testing::randomPoint;
-using testing::reachOf;
 using testing::someShapes;
 
 /// Every directed edge once, and its opposite once.
@@ -45,11 +45,12 @@ TEST(Tessellate, IsClosedWithVerticesOnTheSurface) {
   for (const auto& shape : someShapes()) {
     for (const double part : {1.0, 0.05, 1e-3}) {
       SCOPED_TRACE(std::string(shapeName(shape)) + " " + std::to_string(part));
-      const auto mesh = tessellate(shape, part * reachOf(shape));
+      const auto mesh = tessellate(shape, part * pairUncertainty(shape));
       EXPECT_TRUE(closedAndOriented(mesh));
       EXPECT_EQ(weld(mesh, 0.0).vertices.size(), mesh.vertices.size());
       for (const auto& v : mesh.vertices)
-        ASSERT_LE(std::abs(distanceTo(shape, v).distance), kRounding * reachOf(shape)) << v.transpose();
+        ASSERT_LE(std::abs(distanceTo(shape, v).distance), kRounding * pairUncertainty(shape))
+            << v.transpose();
       // Outwards: a step along the normal from the middle of a triangle leaves the convex body.
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Vector3d a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
@@ -64,10 +65,10 @@ TEST(Tessellate, IsClosedWithVerticesOnTheSurface) {
 TEST(Tessellate, NoPointOfTheSurfaceIsFartherThanTheSagitta) {
   for (const auto& shape : someShapes()) {
     for (const double part : {0.02, 0.001}) {
-      const double sagitta = part * reachOf(shape);
+      const double sagitta = part * pairUncertainty(shape);
       const auto mesh = tessellate(shape, sagitta);
       for (std::uint64_t seed = 0; seed < 150; ++seed) {
-        const Vector3d on_surface = distanceTo(shape, randomPoint(seed, reachOf(shape))).nearest;
+        const Vector3d on_surface = distanceTo(shape, randomPoint(seed, pairUncertainty(shape))).nearest;
         ASSERT_LE(testing::unsignedDistance(mesh, on_surface), sagitta * (1 + 1e-9))
             << shapeName(shape) << " " << seed;
       }

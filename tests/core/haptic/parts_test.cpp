@@ -145,7 +145,7 @@ TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
     const double truth = distance(meshes[a], meshes[b], X_BA);
     const Vector3d n =
         (X_BA * bodies[a]->bounding_sphere.centre - bodies[b]->bounding_sphere.centre).normalized();
-    PartLines lines;
+    PartAxes lines;
     for (const double by : {0.0, 0.5 * truth, 0.9 * truth, 1.01 * truth, truth + 0.01}) {
       for (const bool closely : {true, false}) {
         FacingParts::Parts between{};
@@ -189,7 +189,7 @@ TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
   ASSERT_EQ(lumpy->parts.size(), 8u);
   ASSERT_TRUE(lumpy->pieces.empty() && ball->pieces.empty());
   const Transform inside(Eigen::Translation3d(0.01, 0.0, 0.0)), outside(Eigen::Translation3d(0.0, 0.0, 0.4));
-  PartLines lines;
+  PartAxes lines;
   FacingParts::Parts between{};
   constexpr double kBy = 0.01;
   for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)}) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
-#include "core/haptic/pointshell_pool.hpp"
+#include "core/haptic/sub_triangles.hpp"
 #include "tests/core/haptic/half_space.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
@@ -102,8 +102,8 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
     std::uint32_t index = 0;
     double farthest = 0.0;
     const TriangleMesh mesh = tessellate(body.shape, 1e-5);
-    const SurfacePool pool(mesh, 0.2 * kSpacing, kInfinity, PitchField(mesh, kSpacing));
-    pool.walk([&](std::uint32_t, const SurfacePool::View& piece) {
+    const SubTriangles pool(mesh, 0.2 * kSpacing, kInfinity, PitchField(mesh, kSpacing));
+    pool.walk([&](std::uint32_t, const SubTriangles::View& piece) {
       const Vector3d p = distanceTo(body.shape, piece.centroid()).nearest;
       farthest = std::max(farthest, nearest.distance(p, index));
     });

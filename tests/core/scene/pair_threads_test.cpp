@@ -106,7 +106,7 @@ TEST_F(LiveScene, AgreesWithLockStepWithinWhatAWarmStartMayDiffer) {
 }
 
 TEST_F(LiveScene, AgreesBitForBitWithLockStepThatHasSeenTheSamePoses) {
-  scene_.setSkipping({.remember = true});
+  scene_.setCulling({.remember = true});
   scene_.step();
   PairThreads threads(scene_);
   std::vector<PairThreads::GroupIndex> groups;

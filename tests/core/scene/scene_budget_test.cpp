@@ -33,7 +33,7 @@ constexpr long kBatch = 8;
 Scene counted(double budget) {
   Scene scene = longBodies();
   scene.setClock(countingClock);
-  scene.setSkipping({.budget = budget});
+  scene.setCulling({.budget = budget});
   return scene;
 }
 
@@ -108,7 +108,7 @@ TEST(SceneBudget, TheUrgentComeFirst) {
     scene.addPair(ObjectId(0), id);
   }
   scene.setClock(countingClock);
-  scene.setSkipping({.budget = 0.0});
+  scene.setCulling({.budget = 0.0});
   scene.step();
   for (int frame = 1; frame < 40; ++frame) {
     scene.setPose(ObjectId(0), at(0.0, 0.0, 1e-4 * frame), 0.001 * frame);
@@ -137,8 +137,8 @@ TEST(SceneBudget, ASlowStepAllocatesNothing) {
 
 TEST(SceneBudget, WhatIsNoTimeIsRefused) {
   Scene scene = longBodies();
-  EXPECT_THROW(scene.setSkipping({.budget = -1.0}), UsageError);
-  EXPECT_THROW(scene.setSkipping({.budget = kNaN}), UsageError);
+  EXPECT_THROW(scene.setCulling({.budget = -1.0}), UsageError);
+  EXPECT_THROW(scene.setCulling({.budget = kNaN}), UsageError);
 }
 
 }  // namespace

@@ -157,9 +157,9 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(arm.links[1].settings.max_speed, 1.25);
   EXPECT_EQ(s.mechanisms[1].settings.max_speed, 0.5);
   EXPECT_EQ(h.parts.at("torso").numbers.at("max_speed"), 1.6);
-  EXPECT_EQ(s.skipping.rest, 0.01);
-  EXPECT_EQ(s.skipping.horizon, 2.5);
-  EXPECT_EQ(s.skipping.budget, 0.0005);
+  EXPECT_EQ(s.culling.rest, 0.01);
+  EXPECT_EQ(s.culling.horizon, 2.5);
+  EXPECT_EQ(s.culling.budget, 0.0005);
 }
 
 TEST_F(SceneFile, TheLeastSceneHasTheDefaults) {

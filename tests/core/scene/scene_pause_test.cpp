@@ -43,8 +43,8 @@ TEST_F(PausedPairs, AreStaleAndHaveNoPartInTotals) {
   place(0, -0.5, 2.0);
   scene_.step();
   EXPECT_EQ(scene_.result(ab_).distance, before.distance) << "what it was, and stale";
-  EXPECT_EQ(scene_.reachOf(ab_), kInfinity);
-  EXPECT_EQ(scene_.reachOf(bc_), 0.0);
+  EXPECT_EQ(scene_.pairUncertainty(ab_), kInfinity);
+  EXPECT_EQ(scene_.pairUncertainty(bc_), 0.0);
   EXPECT_EQ(scene_.ageOf(ab_, 3.5), 2.5);
   EXPECT_EQ(scene_.ageOf(ab_, 0.5), kInfinity) << "a jump back to before the pause";
   EXPECT_EQ(scene_.ageOf(bc_, 3.5), 0.0);
@@ -64,7 +64,7 @@ TEST_F(PausedPairs, AreQueriedInTheStepAfterThePause) {
   scene_.step();
   EXPECT_NEAR(scene_.result(ab_).distance, 0.48, 1e-3);
   EXPECT_EQ(scene_.ageOf(ab_, 3.5), 0.0);
-  EXPECT_EQ(scene_.reachOf(ab_), 0.0);
+  EXPECT_EQ(scene_.pairUncertainty(ab_), 0.0);
   EXPECT_EQ(scene_.pausedCount(), 0u);
 }
 

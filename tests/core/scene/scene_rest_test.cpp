@@ -22,15 +22,15 @@ constexpr double kOnSurface = 1e-6;
 
 struct RestCase {
   const char* name;
-  Skipping skipping;
+  QueryCulling culling;
 };
 
 class Resting : public ::testing::TestWithParam<RestCase> {};
 
 TEST_P(Resting, BallsAreAsFarAsTheirCentresSay) {
   Scene scene = crowd(9);
-  const Skipping& skipping = GetParam().skipping;
-  scene.setSkipping(skipping);
+  const QueryCulling& culling = GetParam().culling;
+  scene.setCulling(culling);
   Drift drift(scene);
   StepCounts sum;
   long touching = 0;
@@ -58,16 +58,16 @@ TEST_P(Resting, BallsAreAsFarAsTheirCentresSay) {
   EXPECT_GT(touching, 0);
   EXPECT_GT(sum.checked, 0);
   // A tenth at least, where it is asked for.
-  EXPECT_GE(10 * sum.rested, skipping.rest > 0.0 ? sum.checked : 0);
-  EXPECT_GE(10 * sum.beyond, skipping.horizon < kInfinity ? sum.checked : 0);
-  EXPECT_TRUE(skipping.rest > 0.0 || sum.rested == 0);
-  EXPECT_TRUE(skipping.horizon < kInfinity || sum.beyond == 0);
+  EXPECT_GE(10 * sum.rested, culling.rest > 0.0 ? sum.checked : 0);
+  EXPECT_GE(10 * sum.beyond, culling.horizon < kInfinity ? sum.checked : 0);
+  EXPECT_TRUE(culling.rest > 0.0 || sum.rested == 0);
+  EXPECT_TRUE(culling.horizon < kInfinity || sum.beyond == 0);
 }
 
 TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
   Scene scene = longBodies();
-  const Skipping& skipping = GetParam().skipping;
-  scene.setSkipping(skipping);
+  const QueryCulling& culling = GetParam().culling;
+  scene.setCulling(culling);
   Drift drift(scene);
   std::vector<PairResult> checked(scene.pairs().size());  // last of each pair
   for (int frame = 0; frame < 2000; ++frame) {
@@ -86,7 +86,7 @@ TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
       ASSERT_LE(p.result.distance - p.result.bound, exact.distance + kOnSurface) << frame;
       ASSERT_LE(exact.distance - exact.bound, p.result.distance + kOnSurface) << frame;
       if (p.outcome == PairOutcome::kRested) {
-        ASSERT_LE(p.result.bound, last.bound + 2.0 * skipping.rest * last.distance + kOnSurface) << frame;
+        ASSERT_LE(p.result.bound, last.bound + 2.0 * culling.rest * last.distance + kOnSurface) << frame;
       }
     }
   }
@@ -96,7 +96,7 @@ TEST_P(Resting, SameBitsForAnyNumberOfThreads) {
   std::uint64_t expected = 0;
   for (const int threads : {1, 2, 3, 7, 16}) {
     Scene scene = longBodies();
-    scene.setSkipping(GetParam().skipping);
+    scene.setCulling(GetParam().culling);
     scene.setThreads(threads);
     Drift drift(scene);
     StateHash hash;
@@ -119,7 +119,7 @@ TEST_P(Resting, SameBitsForAnyNumberOfThreads) {
 
 TEST_P(Resting, AllocatesNothing) {
   Scene scene = longBodies();
-  scene.setSkipping(GetParam().skipping);
+  scene.setCulling(GetParam().culling);
   Drift drift(scene);
   drift.frame(0);
   scene.step();
@@ -131,7 +131,7 @@ TEST_P(Resting, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Skipping, Resting,
+INSTANTIATE_TEST_SUITE_P(QueryCulling, Resting,
                          ::testing::Values(RestCase{"none", {}}, RestCase{"hundredth", {.rest = 0.01}},
                                            RestCase{"tenth", {.rest = 0.1}},
                                            RestCase{"longest", {.rest = 1.0}},
@@ -157,7 +157,7 @@ class Approach : public ::testing::Test {
 };
 
 TEST_F(Approach, ChecksMoreOftenTheNearer) {
-  scene_.setSkipping({.rest = 0.1});
+  scene_.setCulling({.rest = 0.1});
   long far = 0, near = 0;
   for (int i = 0; i < 1000; ++i) far += stepAt(2.0 - 0.001 * i).outcome == PairOutcome::kChecked;
   for (int i = 0; i < 880; ++i) near += stepAt(1.0 - 0.001 * i).outcome == PairOutcome::kChecked;
@@ -167,7 +167,7 @@ TEST_F(Approach, ChecksMoreOftenTheNearer) {
 }
 
 TEST_F(Approach, TheLongestRestEndsBeforeTheFirstContact) {
-  scene_.setSkipping({.rest = 1.0});
+  scene_.setCulling({.rest = 1.0});
   int frame = 0;
   for (; frame < 3000; ++frame) {
     const Pair& pair = stepAt(2.0 - 0.001 * frame);
@@ -178,7 +178,7 @@ TEST_F(Approach, TheLongestRestEndsBeforeTheFirstContact) {
 }
 
 TEST_F(Approach, JitterUsesUpTheRestAndStandingStillDoesNot) {
-  scene_.setSkipping({.rest = 0.1});
+  scene_.setCulling({.rest = 0.1});
   EXPECT_EQ(stepAt(1.0).outcome, PairOutcome::kChecked);
   long checks = 0;
   for (int i = 0; i < 1000; ++i) checks += stepAt(i % 2 == 0 ? 1.0 : 1.001).outcome == PairOutcome::kChecked;
@@ -189,16 +189,17 @@ TEST_F(Approach, JitterUsesUpTheRestAndStandingStillDoesNot) {
 }
 
 TEST_F(Approach, WhatIsOutsideAskedForIsRefused) {
-  for (const Skipping& s : {Skipping{.rest = -0.1}, Skipping{.rest = 1.1}, Skipping{.rest = kNaN},
-                            Skipping{.horizon = -1.0}, Skipping{.horizon = kNaN}})
-    EXPECT_THROW(scene_.setSkipping(s), UsageError);
+  for (const QueryCulling& s :
+       {QueryCulling{.rest = -0.1}, QueryCulling{.rest = 1.1}, QueryCulling{.rest = kNaN},
+        QueryCulling{.horizon = -1.0}, QueryCulling{.horizon = kNaN}})
+    EXPECT_THROW(scene_.setCulling(s), UsageError);
 }
 
 TEST_F(Approach, SwitchedOffMeansExactAgain) {
-  scene_.setSkipping({.rest = 1.0, .horizon = 0.1});
+  scene_.setCulling({.rest = 1.0, .horizon = 0.1});
   stepAt(2.0);
   EXPECT_NE(stepAt(1.9).outcome, PairOutcome::kChecked);
-  scene_.setSkipping({});
+  scene_.setCulling({});
   scene_.step();
   EXPECT_TRUE(sameBits(scene_.pairs()[0].result, queried(scene_, scene_.pairs()[0])));
   EXPECT_EQ(stepAt(1.8).outcome, PairOutcome::kChecked);

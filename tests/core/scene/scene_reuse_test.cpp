@@ -140,8 +140,8 @@ double tooFar(double distance) { return distance > 0.1 ? 0.01 * distance + 0.002
 
 TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
   Scene one = testing::longBodies(), three = testing::longBodies();
-  one.setSkipping({.remember = true});
-  three.setSkipping({.remember = true});
+  one.setCulling({.remember = true});
+  three.setCulling({.remember = true});
   three.setThreads(3);
   testing::Drift drift(one), same_drift(three);
   long apart = 0, touching = 0;
@@ -171,12 +171,12 @@ TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
 TEST(SceneRemember, WhatWasRememberedIsForgottenWhenItIsTurnedOff) {
   Scene scene = crowd(9);
   testing::Drift drift(scene);
-  scene.setSkipping({.remember = true});
+  scene.setCulling({.remember = true});
   for (int frame = 0; frame < 20; ++frame) {
     drift.frame(frame);
     scene.step();
   }
-  scene.setSkipping({});
+  scene.setCulling({});
   scene.step();
   expectAllQueried(scene);
 }

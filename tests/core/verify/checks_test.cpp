@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "core/verify/adversarial_poses.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/nasty_poses.hpp"
 #include "core/verify/suite.hpp"
 #include "tests/support/no_alloc.hpp"
 
@@ -46,13 +46,13 @@ TEST(InterruptedChecks, DoNotPass) {
 }
 
 TEST(NastyPoses, TheCycleAllocatesNothing) {
-  const std::vector<NastyBody> bodies = nastyBodies(0);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   PairScratch scratch;
   PairResult result;
   long allocations = 0;
   int touching = 0;
   for (std::uint64_t i = 0; i < 2'000; ++i) {
-    const NastyPose pose = nastyPose(bodies, 3, i);
+    const AdversarialPose pose = adversarialPose(bodies, 3, i);
     const std::size_t field = i % kFields.size();
     const HapticStructure &a = *bodies[pose.a].structures[field], &b = *bodies[pose.b].structures[field];
     const testing::NoAlloc guard;
@@ -65,10 +65,10 @@ TEST(NastyPoses, TheCycleAllocatesNothing) {
 }
 
 TEST(NastyPoses, AreTheSameForOneSeedAndOfEveryFamily) {
-  const std::vector<NastyBody> bodies = nastyBodies(0);
+  const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   std::array<int, kPoseFamilies> count{};
   for (std::uint64_t i = 0; i < 2'000; ++i) {
-    const NastyPose pose = nastyPose(bodies, 3, i), again = nastyPose(bodies, 3, i);
+    const AdversarialPose pose = adversarialPose(bodies, 3, i), again = adversarialPose(bodies, 3, i);
     EXPECT_TRUE(pose.X_WA.matrix() == again.X_WA.matrix() && pose.X_WB.matrix() == again.X_WB.matrix());
     EXPECT_TRUE(isPose(pose.X_WA, 1e-9) && isPose(pose.X_WB, 1e-9)) << i;
     ++count[static_cast<std::size_t>(pose.family)];

@@ -24,7 +24,7 @@ TEST(BodyRig, FreedomsAreCountedOnce) {
     EXPECT_EQ(part.column, expected);
     expected += part.freedoms;
   }
-  EXPECT_EQ(expected, kRigFreedoms);
+  EXPECT_EQ(expected, kRigDof);
 }
 
 TEST(BodyRig, StandsAsTheModelDoes) {
@@ -49,7 +49,7 @@ TEST(BodySolver, JacobianIsThatOfSmallChanges) {
       const Vector3d p_S{0.03, -0.02, -0.1};
       const Vector3d p_W = solver.placement()[i] * p_S;
       const auto J = solver.jacobian(segmentAt(i), p_W);
-      for (int c = 0; c < kRigFreedoms; ++c) {
+      for (int c = 0; c < kRigDof; ++c) {
         RigPose moved = pose;
         advance(rig(), kChange * BodySolver::Vector::Unit(c), moved);
         RigPlacement X_WS;
@@ -73,7 +73,7 @@ TEST(BodySolver, SumsByTreeEqualDenseSums) {
       const Vector3d p_W = solver.placement()[i] * Vector3d(0.05 * k, 0.1, -0.07);
       const Vector3d n = Vector3d(1.0, static_cast<double>(i), -2.0 * k).normalized();
       const double r = 0.01 * (k + 1) - 0.003 * static_cast<double>(i), w = 1.0 + k;
-      const Eigen::Matrix<double, 1, kRigFreedoms> J = n.transpose() * solver.jacobian(segmentAt(i), p_W);
+      const Eigen::Matrix<double, 1, kRigDof> J = n.transpose() * solver.jacobian(segmentAt(i), p_W);
       H += w * J.transpose() * J;
       g += w * r * J.transpose();
       cost += w * r * r;
@@ -95,7 +95,7 @@ TEST(BodySolver, SumsByTreeEqualDenseSums) {
 TEST(BodySolver, DifferenceUndoesAdvance) {
   const RigPose pose = randomRigPose(rig(), 3, 1.0);
   BodySolver::Vector d = BodySolver::Vector::Zero();
-  for (int c = 0; c < kRigFreedoms; ++c) d(c) = 0.02 * std::sin(c);
+  for (int c = 0; c < kRigDof; ++c) d(c) = 0.02 * std::sin(c);
   RigPose moved = pose;
   advance(rig(), d, moved);
   EXPECT_LT((difference(rig(), pose, moved) - d).norm(), 1e-12);

@@ -15,7 +15,7 @@ inline RigPose randomRigPose(const BodyRig& rig, std::uint64_t seed, double wild
   };
   RigPose pose;
   BodySolver::Vector d;
-  for (int c = 0; c < kRigFreedoms; ++c) d(c) = wildness * uniform(-0.6, 0.6);
+  for (int c = 0; c < kRigDof; ++c) d(c) = wildness * uniform(-0.6, 0.6);
   d.segment<3>(3) = Vector3d(0.2 * d(3), 0.2 * d(4), wildness * uniform(-3.0, 3.0));
   for (std::size_t i = 1; i < kRigSegments; ++i) {
     const RigPart& part = rig.parts[i];

@@ -19,7 +19,7 @@ constexpr double kHiddenMean = 0.060;                // m; from behind, fists be
 constexpr double kLongestSwap = 0.2;                 // s
 constexpr double kWithinReach = 0.99;                // of the raw errors of tracked joints
 constexpr double kHiddenWithin = 0.97;               // of those of inferred ones
-constexpr double kMaxLost = 0.01;                   // of the images
+constexpr double kMaxLost = 0.01;                    // of the images
 
 constexpr std::size_t kLate = 6;  // images until a head is found, as beside a waving hand
 

@@ -15,7 +15,7 @@ using testing::JointErrors;
 constexpr double kTracked = 0.985, kInferred = 0.985;
 // A reach that is much larger than the errors stops robots needlessly: median of reach / error.
 constexpr double kMaxRatio = 8.0;
-constexpr double kMinInferred = 0.15;    // m, of the spread
+constexpr double kMinInferred = 0.15;      // m, of the spread
 constexpr std::size_t kEnoughHidden = 50;  // joints
 
 std::vector<ClipPlan> hardClips() {

@@ -1,5 +1,5 @@
 // Coarsening a depth image, its points and normals, and the way back to the person.
-#include "tracking/tracker/seen_body.hpp"
+#include "tracking/tracker/body_observation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ int squared(std::array<std::int16_t, 2> w) { return w[0] * w[0] + w[1] * w[1]; }
 
 }  // namespace
 
-void SeenBody::look(const DepthImage& image, const DepthCamera& camera,
-                    std::span<const std::uint8_t> is_person) {
+void BodyObservation::look(const DepthImage& image, const DepthCamera& camera,
+                           std::span<const std::uint8_t> is_person) {
   std::size_t pixels = 0;
   for (const std::uint8_t p : is_person) pixels += p != 0;
   step_ = 1;
@@ -38,7 +38,7 @@ void SeenBody::look(const DepthImage& image, const DepthCamera& camera,
   collectPoints();
 }
 
-void SeenBody::coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person) {
+void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person) {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   state_.assign(cells, CellState::kUnknown);
   z_.assign(cells, 0.0f);
@@ -85,7 +85,7 @@ void SeenBody::coarsen(const DepthImage& image, std::span<const std::uint8_t> is
 
 // Danielsson 1980, four neighbours in two sweeps of two passes: the way to the nearest cell of the person,
 // off by less than a cell.
-void SeenBody::spreadPerson() {
+void BodyObservation::spreadPerson() {
   way_.resize(state_.size());
   for (std::size_t c = 0; c < state_.size(); ++c)
     way_[c] = state_[c] == CellState::kPerson ? std::array<std::int16_t, 2>{0, 0}
@@ -109,7 +109,7 @@ void SeenBody::spreadPerson() {
   }
 }
 
-void SeenBody::collectPoints() {
+void BodyObservation::collectPoints() {
   points_.count = 0;
   const auto point = [&](int u, int v) {
     const double z = z_[cell(u, v)];
@@ -140,7 +140,7 @@ void SeenBody::collectPoints() {
   }
 }
 
-SeenBody::Look SeenBody::at(const Vector3d& p_CX) const {
+BodyObservation::Look BodyObservation::at(const Vector3d& p_CX) const {
   Look look;
   if (p_CX.z() < 1e-3 || state_.empty()) return look;
   const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;

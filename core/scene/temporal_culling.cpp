@@ -1,4 +1,4 @@
-#include "core/scene/pair_rest.hpp"
+#include "core/scene/temporal_culling.hpp"
 
 #include <algorithm>
 
@@ -36,29 +36,31 @@ double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairO
   return options.margin + std::max(a.errorBound(), b.errorBound());
 }
 
-void PairRest::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
-                    const ObjectReach& a, const ObjectReach& b, double touch_from, const Skipping& skipping) {
+void TemporalCulling::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
+                           const MotionBound& a, const MotionBound& b, double touch_from,
+                           const QueryCulling& culling) {
   proof_.take(result, X_WA, X_WB);
   way_a_ = a.way();
   way_b_ = b.way();
   touch_from_ = touch_from;
   touches_ = result.contacts > 0;
-  allowance_ = allowanceOf(proof_, result, touch_from, skipping.rest);
+  allowance_ = allowanceOf(proof_, result, touch_from, culling.rest);
 }
 
-double PairRest::movement(const ObjectReach& a, const ObjectReach& b) const {
+double TemporalCulling::movement(const MotionBound& a, const MotionBound& b) const {
   return ((a.way() - way_a_) + (b.way() - way_b_)) * kRoundUp;
 }
 
-PairOutcome PairRest::outcome(const ObjectReach& a, const ObjectReach& b, const Skipping& skipping) const {
+PairOutcome TemporalCulling::outcome(const MotionBound& a, const MotionBound& b,
+                                     const QueryCulling& culling) const {
   if (!proven()) return PairOutcome::kChecked;
   if (movement(a, b) <= allowance_) return PairOutcome::kRested;
-  if (!touches_ && proof_.apart && gapOf(a, b) > std::max(skipping.horizon, touch_from_))
+  if (!touches_ && proof_.apart && gapOf(a, b) > std::max(culling.horizon, touch_from_))
     return PairOutcome::kBeyond;
   return PairOutcome::kChecked;
 }
 
-double PairRest::lowerNow(const ObjectReach& a, const ObjectReach& b) const {
+double TemporalCulling::lowerNow(const MotionBound& a, const MotionBound& b) const {
   return std::max(proof_.lower - movement(a, b), gapOf(a, b));
 }
 

@@ -1,5 +1,5 @@
 // A surface cut into small triangles by halving them at their longest edges.
-#include "core/haptic/pointshell_pool.hpp"
+#include "core/haptic/sub_triangles.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -80,7 +80,7 @@ Vector3d closestPoint(const SubTriangle& t, const Vector3d& p) {
 }
 
 /// A piece that may still have to be halved.
-struct SurfacePool::Part {
+struct SubTriangles::Part {
   Piece piece;
   double length2[3];  ///< squared lengths of its edges
   double area;
@@ -89,7 +89,8 @@ struct SurfacePool::Part {
   PitchField::Near near;
 };
 
-SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field)
+SubTriangles::SubTriangles(const TriangleMesh& mesh, double max_edge, double max_area,
+                           const PitchField& field)
     : mesh_(mesh), max_edge_(max_edge), normals_(faceNormals(mesh)) {
   double pieces = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -123,13 +124,13 @@ SurfacePool::SurfacePool(const TriangleMesh& mesh, double max_edge, double max_a
   }
 }
 
-SurfacePool::Frame SurfacePool::frameOf(std::uint32_t t, std::uint32_t frame) const {
+SubTriangles::Frame SubTriangles::frameOf(std::uint32_t t, std::uint32_t frame) const {
   if (frame != kTriangle) return frames_[frame];
   const Vector3d& a = mesh_.corner(t, 0);
   return {a, mesh_.corner(t, 1) - a, mesh_.corner(t, 2) - a};
 }
 
-void SurfacePool::cut(std::uint32_t t, double max_area, const PitchField& field, std::vector<Part>& stack) {
+void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field, std::vector<Part>& stack) {
   const double max_edge2 = max_edge_ * max_edge_;
   const SubTriangle whole{{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u};
   constexpr std::uint16_t kOne = kWhole;
@@ -205,13 +206,13 @@ void SurfacePool::cut(std::uint32_t t, double max_area, const PitchField& field,
   }
 }
 
-SubTriangle SurfacePool::piece(std::uint32_t index) const {
+SubTriangle SubTriangles::piece(std::uint32_t index) const {
   SubTriangle piece;
   walk(index, index + 1, [&](std::uint32_t, const View& view) { piece = view.whole(); });
   return piece;
 }
 
-std::vector<SubTriangle> SurfacePool::degenerate() const {
+std::vector<SubTriangle> SubTriangles::degenerate() const {
   std::vector<SubTriangle> out;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (normals_[t].isZero()) {

@@ -1,5 +1,5 @@
 // Small meshes that are hard on an engine which samples.
-#include "core/verify/nasty_bodies.hpp"
+#include "core/verify/adversarial_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ TriangleMesh drum(int sides) {
 
 }  // namespace
 
-Feature NastyBody::face(std::size_t triangle, double u, double v) const {
+Feature AdversarialBody::face(std::size_t triangle, double u, double v) const {
   if (u + v > 1.0) {
     u = 1.0 - u;
     v = 1.0 - v;
@@ -68,24 +68,24 @@ Feature NastyBody::face(std::size_t triangle, double u, double v) const {
   return {a + u * (b - a) + v * (c - a), out, across(out, b - a)};
 }
 
-Feature NastyBody::edge(std::size_t triangle, int corner, double part) const {
+Feature AdversarialBody::edge(std::size_t triangle, int corner, double part) const {
   const auto& t = mesh.triangles[triangle];
   const std::uint32_t i = t[corner], j = t[(corner + 1) % 3];
   const Vector3d way = mesh.vertices[j] - mesh.vertices[i], out = meanNormal(mesh, triangle, {i, j});
   return {mesh.vertices[i] + part * way, out, across(out, way)};
 }
 
-Feature NastyBody::corner(std::size_t triangle, int corner) const {
+Feature AdversarialBody::corner(std::size_t triangle, int corner) const {
   const auto& t = mesh.triangles[triangle];
   const Vector3d out = meanNormal(mesh, triangle, {t[corner]});
   const Vector3d some = std::abs(out.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
   return {mesh.vertices[t[corner]], out, across(out, some)};
 }
 
-std::vector<NastyBody> nastyBodies(int threads) {
-  std::vector<NastyBody> bodies;
+std::vector<AdversarialBody> adversarialBodies(int threads) {
+  std::vector<AdversarialBody> bodies;
   const auto add = [&](const char* name, TriangleMesh mesh, double voxel, double point) {
-    NastyBody body;
+    AdversarialBody body;
     body.name = name;
     body.mesh = std::move(mesh);
     body.options = {.voxel_size = voxel, .point_spacing = point, .outer_layers = kFewOuterLayers};
@@ -113,7 +113,7 @@ std::vector<NastyBody> nastyBodies(int threads) {
   add("ring of 5 m", torusMesh(2.0, 0.5, 12, 8), 0.1, 0.08);
 
   parallelFor(threads, bodies.size(), [&](std::size_t i) {
-    NastyBody& body = bodies[i];
+    AdversarialBody& body = bodies[i];
     body.soup = TriangleSoup(body.mesh);
     const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
     body.closed = surface->watertight();

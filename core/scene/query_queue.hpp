@@ -20,7 +20,7 @@ struct DuePair {
 /// Pairs that may touch come first, then those that have waited longest, then the nearest: everything gets
 /// its turn, what is near more often. Equal ones by their order in the scene. One thread; add() and next()
 /// allocate nothing within the reserved size.
-class PairAgenda {
+class QueryQueue {
  public:
   void reserve(std::size_t pairs) { heap_.reserve(pairs); }
   void clear() { heap_.clear(); }

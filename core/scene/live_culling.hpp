@@ -1,7 +1,7 @@
 // When a pair of live mode rests: by what its bodies are said to do at most.
 #pragma once
 
-#include "core/scene/pair_rest.hpp"
+#include "core/scene/temporal_culling.hpp"
 
 namespace abstand {
 
@@ -16,7 +16,7 @@ struct LiveObject {
 /// bound on the speed of each body's farthest point. Each body's time is that of its own poses. The scene
 /// watches the bounds with every pose; a broken one ends the rest at that pose, so up to it the bodies have
 /// kept what is relied on here.
-class LiveRest {
+class LiveCulling {
  public:
   void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const LiveObject& a,
             const LiveObject& b, double touch_from, double margin, double share);

@@ -1,7 +1,7 @@
 // Poses of two bodies that are hard on an engine which samples.
 #pragma once
 
-#include "core/verify/nasty_bodies.hpp"
+#include "core/verify/adversarial_bodies.hpp"
 #include "core/verify/random.hpp"
 
 namespace abstand::verify {
@@ -22,13 +22,14 @@ const char* familyName(PoseFamily family);
 
 /// Two bodies and where they are; the gap of the families that touch is 0, a nanometre, or some part of a
 /// voxel, of either sign.
-struct NastyPose {
+struct AdversarialPose {
   std::size_t a, b;
   PoseFamily family;
   Transform X_WA, X_WB;
 };
 
 /// Number `index` of the endless list that `seed` names.
-NastyPose nastyPose(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::uint64_t index);
+AdversarialPose adversarialPose(const std::vector<AdversarialBody>& bodies, std::uint64_t seed,
+                                std::uint64_t index);
 
 }  // namespace abstand::verify

@@ -1,5 +1,5 @@
 // How far the surface is from its shell points at most: branch and bound over triangles.
-#include "core/haptic/pointshell_cover.hpp"
+#include "core/haptic/farthest_point_sampler.hpp"
 
 #include <algorithm>
 
@@ -30,19 +30,19 @@ double cornerBound(const SubTriangle& piece, const Vector3f& q) { return std::sq
 
 }  // namespace
 
-double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& points,
+double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest) {
   const NearestOfPoints finder(points);
   // A bound for each piece, squared; the largest show how far the surface is at least.
   std::vector<float> bounds2(pool.size());
   float largest = 0.0f;
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     bounds2[i] = static_cast<float>(squaredBound(piece.whole(), points[nearest[i]]) * kRoundUp);
     largest = std::max(largest, bounds2[i]);
   });
   double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
   std::uint32_t q = 0;
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     if (bounds2[i] > kLarge * kLarge * largest)
       reached = std::max(reached, finder.distance(piece.centroid(), q));
   });
@@ -52,7 +52,7 @@ double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& poin
   std::vector<SubTriangle> parts = pool.degenerate();
   const auto partAt = [&](std::size_t i) { return static_cast<std::uint32_t>(pool.size() + i); };
   for (std::size_t i = 0; i < parts.size(); ++i) heap.push_back({kInfinity, partAt(i)});
-  pool.walk([&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     if (double(bounds2[i]) <= floor * floor) return;
     double bound = std::sqrt(double(bounds2[i]));
     if (bound > reached) {

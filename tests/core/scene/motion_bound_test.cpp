@@ -1,4 +1,4 @@
-#include "core/scene/object_reach.hpp"
+#include "core/scene/motion_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,9 @@ Transform turned(double angle, const Vector3d& axis, const Vector3d& shift = Vec
   return X;
 }
 
-TEST(ObjectReach, NoPointComesFartherThanTheWay) {
+TEST(MotionBound, NoPointComesFartherThanTheWay) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    ObjectReach reach(kSphere);
+    MotionBound reach(kSphere);
     Transform before = testing::randomPose(seed, 2.0);
     reach.moveTo(before);
     const double begin = reach.way();
@@ -56,9 +56,9 @@ TEST(ObjectReach, NoPointComesFartherThanTheWay) {
   }
 }
 
-TEST(ObjectReach, IsSharp) {
+TEST(MotionBound, IsSharp) {
   // A shift: the shift. A turn about the centre: the chord of the equator, so the diameter for half a turn.
-  ObjectReach reach({Vector3d::Zero(), 2.0});
+  MotionBound reach({Vector3d::Zero(), 2.0});
   EXPECT_NEAR(reach.moveTo(turned(0.0, Vector3d::UnitX(), {3, 4, 0})), 5.0, kRounding);
   reach.moveTo(Transform::Identity());
   for (const double angle : {1e-6, 0.1, 1.0, 2.0, kPi}) {
@@ -68,9 +68,9 @@ TEST(ObjectReach, IsSharp) {
   EXPECT_LT(reach.moveTo(Transform::Identity()), kRounding) << "standing still";
 }
 
-TEST(ObjectReach, TheWayNeverFallsShortInALongSum) {
+TEST(MotionBound, TheWayNeverFallsShortInALongSum) {
   // 1e-9 m a step is far below the resolution of plain sums when the way is long.
-  ObjectReach reach({Vector3d::Zero(), 0.1});
+  MotionBound reach({Vector3d::Zero(), 0.1});
   reach.moveTo(turned(0.0, Vector3d::UnitX(), {1e6, 0, 0}));
   reach.moveTo(Transform::Identity());
   const double begin = reach.way();
@@ -83,9 +83,9 @@ TEST(ObjectReach, TheWayNeverFallsShortInALongSum) {
   EXPECT_GE(reach.way() - begin, 1e-9 * kSteps);
 }
 
-TEST(ObjectReach, GapIsNeverAboveADistanceOfPoints) {
+TEST(MotionBound, GapIsNeverAboveADistanceOfPoints) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    ObjectReach a(kSphere), b({{0, 0.1, 0}, 0.2});
+    MotionBound a(kSphere), b({{0, 0.1, 0}, 0.2});
     const Transform X_WA = testing::randomPose(seed, 1.5), X_WB = testing::randomPose(seed + 1000, 1.5);
     a.moveTo(X_WA);
     b.moveTo(X_WB);
@@ -95,7 +95,7 @@ TEST(ObjectReach, GapIsNeverAboveADistanceOfPoints) {
       ASSERT_LE(gapOf(a, b), (p - q).norm());
     }
   }
-  ObjectReach a({{0, 0, 0}, 0.5}), b({{2, 0, 0}, 0.25});
+  MotionBound a({{0, 0, 0}, 0.5}), b({{2, 0, 0}, 0.25});
   EXPECT_NEAR(gapOf(a, b), 1.25, kRounding);
 }
 

@@ -28,10 +28,10 @@ Vector3d closestPoint(const SubTriangle& triangle, const Vector3d& p);
 
 /// The pieces of a mesh, none longer than `max_edge` nor larger than `max_area`; near tips and sharp convex
 /// edges smaller by the square of the pitch. The mesh must outlive this object.
-class SurfacePool {
+class SubTriangles {
  public:
   /// Throws UsageError when there would be more than kMaxPieces.
-  SurfacePool(const TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field);
+  SubTriangles(const TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(pieces_.size()); }
   class View;
@@ -93,7 +93,7 @@ class SurfacePool {
 };
 
 /// One piece during a walk, made only as far as asked for.
-class SurfacePool::View {
+class SubTriangles::View {
  public:
   std::uint32_t triangle() const { return triangle_; }
   unsigned sharp() const { return piece_->sharp; }  ///< as in SubTriangle
@@ -122,7 +122,7 @@ class SurfacePool::View {
   SubTriangle whole() const { return {{corner(0), corner(1), corner(2)}, triangle(), sharp()}; }
 
  private:
-  friend class SurfacePool;
+  friend class SubTriangles;
   static constexpr double kPart = 1.0 / kWhole;
   Vector3d at(double b, double c) const { return frame_.a + kPart * b * frame_.ab + kPart * c * frame_.ac; }
   const Piece* piece_;
@@ -132,7 +132,7 @@ class SurfacePool::View {
 };
 
 template <class Visit>
-void SurfacePool::walk(std::uint32_t first, std::uint32_t end, Visit visit) const {
+void SubTriangles::walk(std::uint32_t first, std::uint32_t end, Visit visit) const {
   View view;
   auto run = std::upper_bound(runs_.begin(), runs_.end(), first,
                               [](std::uint32_t i, const Run& r) { return i < r.first; });

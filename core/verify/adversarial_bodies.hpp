@@ -21,7 +21,7 @@ struct Feature {
 };
 
 /// One body, as the engine knows it and as the brute force does. Body frame, metres.
-struct NastyBody {
+struct AdversarialBody {
   std::string name;
   TriangleMesh mesh;
   HapticOptions options;  ///< but for the field
@@ -38,6 +38,6 @@ struct NastyBody {
 
 /// Cubes, plates of 0.2 mm, spikes, stars, needles, combs, rings, nested shells, two pieces, an open sheet;
 /// and bodies of 1 mm and of 5 m. Built on `threads` threads (0: all).
-std::vector<NastyBody> nastyBodies(int threads);
+std::vector<AdversarialBody> adversarialBodies(int threads);
 
 }  // namespace abstand::verify

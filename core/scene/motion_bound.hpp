@@ -1,4 +1,4 @@
-// Where a body ends, and how far it has come.
+// Bounding sphere and accumulated motion bound of a body.
 #pragma once
 
 #include "core/haptic/enclosing_sphere.hpp"
@@ -14,10 +14,10 @@ namespace abstand {
 /// 2 sin(theta/2), twice, and 0, so ||dR|| = ||dR||_F / sqrt(2): the chord of the circle that a point of the
 /// equator runs on. A matrix that is no exact rotation is off the nearest one by e = ||R R^T - I||_F at most,
 /// so ||dR|| <= (||dR||_F + e0 + e1) / sqrt(2) + e0 + e1. Sums are rounded up.
-class ObjectReach {
+class MotionBound {
  public:
   /// At the identity.
-  explicit ObjectReach(const EnclosingSphere& sphere_B);
+  explicit MotionBound(const EnclosingSphere& sphere_B);
 
   /// Bound (m) on the way of every point of the body from the last pose to this one; adds it to way().
   double moveTo(const Transform& X_WB);
@@ -37,6 +37,6 @@ class ObjectReach {
 };
 
 /// m, signed; no two points of the bodies are nearer, whatever their shapes.
-double gapOf(const ObjectReach& a, const ObjectReach& b);
+double gapOf(const MotionBound& a, const MotionBound& b);
 
 }  // namespace abstand

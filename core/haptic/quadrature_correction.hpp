@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/haptic/half_space_overlap.hpp"
-#include "core/haptic/pointshell_pool.hpp"
+#include "core/haptic/sub_triangles.hpp"
 
 namespace abstand {
 
@@ -24,13 +24,13 @@ struct BalancePoint {
 /// all of them, as each point enters at once what its piece of the surface enters little by little. But
 /// points and areas have enough freedom for their errors to cancel: shifts of a few hundredths of the spacing
 /// and a few percent of area do.
-class ShellBalance {
+class QuadratureCorrection {
  public:
   /// Directions all around, and those in which edges and their neighbourhood come first; depths from three
   /// quarters of a spacing to two and a half. Only the places that a flat wall can reach are adjusted. The
   /// result does not depend on the number of threads.
-  ShellBalance(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
-               const std::vector<BalancePoint>& points, double spacing, int threads);
+  QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
+                       const std::vector<BalancePoint>& points, double spacing, int threads);
 
   enum class Freedom { kPlaceAndArea, kArea };
   /// Row-action least squares (Kaczmarz 1937): one half-space after the other, each with the smallest change

@@ -1,5 +1,5 @@
 // The pieces of a surface covered by centres, one stretch after the other.
-#include "core/haptic/pointshell_spread.hpp"
+#include "core/haptic/shell_sampler.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -16,8 +16,8 @@ constexpr double kBorder = 2.0;
 
 }  // namespace
 
-SurfaceSpread::SurfaceSpread(const SurfacePool& pool, const std::vector<float>& density, double normal_length,
-                             double cell)
+ShellSampler::ShellSampler(const SubTriangles& pool, const std::vector<float>& density, double normal_length,
+                           double cell)
     : pool_(pool), density_(density), normal_length_(normal_length), cell_(cell), nearest_(pool.size()) {
   const std::uint32_t n = pool.size(), count = (n + kStretch - 1) / kStretch;
   for (std::uint32_t s = 0; s < count; ++s) {
@@ -26,16 +26,16 @@ SurfaceSpread::SurfaceSpread(const SurfacePool& pool, const std::vector<float>& 
   }
 }
 
-SurfaceSpread::Box SurfaceSpread::emptyBox() {
+ShellSampler::Box ShellSampler::emptyBox() {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   return {Vector3f::Constant(kFar), Vector3f::Constant(-kFar)};
 }
 
-void SurfaceSpread::take(Stretch& stretch) {
+void ShellSampler::take(Stretch& stretch) {
   if (taken_ == &stretch) return;
   taken_ = &stretch;
   samples_.clear();
-  pool_.walk(stretch.first, stretch.end, [&](std::uint32_t i, const SurfacePool::View& piece) {
+  pool_.walk(stretch.first, stretch.end, [&](std::uint32_t i, const SubTriangles::View& piece) {
     samples_.push_back({piece.centroid().cast<float>(),
                         (normal_length_ * pool_.normal(piece.triangle())).cast<float>(), density_[i]});
   });
@@ -45,21 +45,21 @@ void SurfaceSpread::take(Stretch& stretch) {
   cover_.start(samples_, cell_, count());
 }
 
-bool SurfaceSpread::isNear(std::uint32_t centre, const Stretch& stretch, double reach) const {
+bool ShellSampler::isNear(std::uint32_t centre, const Stretch& stretch, double reach) const {
   return used_[centre] && stretch.box.isWithin(static_cast<float>(reach), {points_[centre], points_[centre]});
 }
 
-void SurfaceSpread::offer(const Stretch& stretch, const Batch& batch, double reach) {
+void ShellSampler::offer(const Stretch& stretch, const Batch& batch, double reach) {
   if (!batch.box.isWithin(static_cast<float>(reach), stretch.box)) return;
   for (std::uint32_t k = batch.first; k < batch.end; ++k) {
     if (isNear(k, stretch, reach)) cover_.offer(k, points_[k], normals_[k], reach);
   }
 }
 
-void SurfaceSpread::keep(Stretch& stretch, bool filling) {
+void ShellSampler::keep(Stretch& stretch, bool filling) {
   cover_.nearest(nearestOf(stretch));
   Batch batch{count(), count(), emptyBox()};
-  for (const SampleCover::Found& found : cover_.found()) {
+  for (const FarthestPointSampler::Found& found : cover_.found()) {
     points_.push_back(found.sample.position);
     normals_.push_back(found.sample.normal);
     found_at2_.push_back(filling ? -1.0f : found.distance2);
@@ -71,7 +71,7 @@ void SurfaceSpread::keep(Stretch& stretch, bool filling) {
   stretch.known = static_cast<std::uint32_t>(batches_.size());
 }
 
-std::vector<std::uint32_t> SurfaceSpread::order() const {
+std::vector<std::uint32_t> ShellSampler::order() const {
   std::vector<std::uint32_t> order(count());
   std::iota(order.begin(), order.end(), 0u);
   if (stretches_.size() > 1) {
@@ -81,7 +81,7 @@ std::vector<std::uint32_t> SurfaceSpread::order() const {
   return order;
 }
 
-void SurfaceSpread::catchUp(double reach) {
+void ShellSampler::catchUp(double reach) {
   for (Stretch& stretch : stretches_) {
     for (; stretch.known < batches_.size(); ++stretch.known) {
       const Batch& batch = batches_[stretch.known];
@@ -101,11 +101,11 @@ void SurfaceSpread::catchUp(double reach) {
 
 // On this thread, but watched as all loops of a build are, so that it can be interrupted.
 template <class Fn>
-void SurfaceSpread::inTurn(Fn fn) {
+void ShellSampler::inTurn(Fn fn) {
   parallelFor(1, stretches_.size(), [&](std::size_t i) { fn(stretches_[i]); });
 }
 
-void SurfaceSpread::spread(double reach) {
+void ShellSampler::spread(double reach) {
   inTurn([&](Stretch& stretch) {
     take(stretch);
     for (const Batch& batch : batches_) offer(stretch, batch, kBorder * reach);
@@ -115,7 +115,7 @@ void SurfaceSpread::spread(double reach) {
   catchUp(reach);
 }
 
-void SurfaceSpread::fill(std::vector<Vector3f> points, std::vector<Vector3f> normals, double reach) {
+void ShellSampler::fill(std::vector<Vector3f> points, std::vector<Vector3f> normals, double reach) {
   points_ = std::move(points);
   normals_ = std::move(normals);
   used_.assign(count(), false);

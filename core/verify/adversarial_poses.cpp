@@ -1,5 +1,5 @@
 // Poses of two bodies that are hard on an engine which samples.
-#include "core/verify/nasty_poses.hpp"
+#include "core/verify/adversarial_poses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,17 +32,17 @@ Transform meet(const Feature& a, const Feature& b, double spin, double gap) {
   return X;
 }
 
-Feature someFace(const NastyBody& body, Random& random) {
+Feature someFace(const AdversarialBody& body, Random& random) {
   const std::size_t t = random.below(body.mesh.triangles.size());
   const double u = random.unit();
   return body.face(t, u, random.unit());
 }
-Feature someEdge(const NastyBody& body, Random& random) {
+Feature someEdge(const AdversarialBody& body, Random& random) {
   const std::size_t t = random.below(body.mesh.triangles.size());
   const auto corner = static_cast<int>(random.below(3));
   return body.edge(t, corner, random.unit());
 }
-Feature someCorner(const NastyBody& body, Random& random) {
+Feature someCorner(const AdversarialBody& body, Random& random) {
   const std::size_t t = random.below(body.mesh.triangles.size());
   return body.corner(t, static_cast<int>(random.below(3)));
 }
@@ -66,7 +66,8 @@ Matrix3d rightAngles(Random& random) {
   return R;
 }
 
-Transform relativePose(const NastyBody& a, const NastyBody& b, PoseFamily family, Random& random) {
+Transform relativePose(const AdversarialBody& a, const AdversarialBody& b, PoseFamily family,
+                       Random& random) {
   const double voxel = std::min(a.options.voxel_size, b.options.voxel_size);
   Transform X = Transform::Identity();
   switch (family) {
@@ -131,9 +132,10 @@ const char* familyName(PoseFamily family) {
   return kNames[static_cast<std::size_t>(family)];
 }
 
-NastyPose nastyPose(const std::vector<NastyBody>& bodies, std::uint64_t seed, std::uint64_t index) {
+AdversarialPose adversarialPose(const std::vector<AdversarialBody>& bodies, std::uint64_t seed,
+                                std::uint64_t index) {
   Random random(seed, index);
-  NastyPose pose;
+  AdversarialPose pose;
   pose.family = static_cast<PoseFamily>(random.below(kPoseFamilies));
   pose.a = random.below(bodies.size());
   const bool same = pose.family == PoseFamily::kIdentical && random.chance(0.5);

@@ -9,7 +9,7 @@ inline constexpr double kMaxFarTolerance = 0.1;
 
 /// All off by default: every pair of something that moved is queried. Whatever is left out, the true distance
 /// of a pair is never below distance - bound; it is the bound that grows.
-struct Skipping {
+struct QueryCulling {
   /// 0 to 1. A pair rests until its bodies have used up this share of its clearance by moving: of the
   /// certified distance beyond margins and field errors, at the last query. At 0.01 the bound grows by two
   /// hundredths of the clearance at most; 1 is the longest rest in which no margin can be broken. 0: none
@@ -19,7 +19,7 @@ struct Skipping {
   double horizon{kInfinity};
   /// s, of a step from its beginning. When it is used up, the pairs that ought still to be queried keep what
   /// was proven of them, with a bound that grows as their bodies move, and are taken up in the steps that
-  /// follow (pair_agenda.hpp). What is proven then depends on the machine's speed. Pairs of which nothing is
+  /// follow (query_queue.hpp). What is proven then depends on the machine's speed. Pairs of which nothing is
   /// proven yet are queried in any case.
   double budget{kInfinity};
 

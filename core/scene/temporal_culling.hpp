@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "core/haptic/pair_query.hpp"
-#include "core/scene/object_reach.hpp"
-#include "core/scene/skipping.hpp"
+#include "core/scene/motion_bound.hpp"
+#include "core/scene/query_culling.hpp"
 
 namespace abstand {
 
@@ -36,25 +36,25 @@ double allowanceOf(const PairProof& proof, const PairResult& result, double touc
 /// m: what is certified to be farther apart has no contacts; fields may see one earlier, by their error.
 double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options);
 
-/// Decides when a pair rests in lock step, by how far its bodies have really come (object_reach.hpp).
-class PairRest {
+/// Decides when a pair rests in lock step, by how far its bodies have really come (motion_bound.hpp).
+class TemporalCulling {
  public:
   /// Nothing is proven any more: the pair has to be queried.
   void forget() { proof_.lower = kNaN; }
   /// After a query. `touch_from` (m): what is certified to be farther apart has no contacts.
-  void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const ObjectReach& a,
-            const ObjectReach& b, double touch_from, const Skipping& skipping);
+  void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const MotionBound& a,
+            const MotionBound& b, double touch_from, const QueryCulling& culling);
   /// Whether the pair may do without a query at the present poses, and why; kChecked: it may not.
-  PairOutcome outcome(const ObjectReach& a, const ObjectReach& b, const Skipping& skipping) const;
+  PairOutcome outcome(const MotionBound& a, const MotionBound& b, const QueryCulling& culling) const;
   /// m: what is proven at the present poses.
-  double lowerNow(const ObjectReach& a, const ObjectReach& b) const;
+  double lowerNow(const MotionBound& a, const MotionBound& b) const;
   const PairProof& proof() const { return proof_; }
   bool proven() const { return proof_.lower > -kInfinity; }  ///< false for NaN
   double touchFrom() const { return touch_from_; }
 
  private:
   /// m: bound on what the distance can have lost since the query.
-  double movement(const ObjectReach& a, const ObjectReach& b) const;
+  double movement(const MotionBound& a, const MotionBound& b) const;
 
   PairProof proof_;
   double way_a_{0.0}, way_b_{0.0};  ///< of the bodies at the query

@@ -27,10 +27,10 @@ struct SeenPoints {
 };
 
 /// One person in one image. Memory is taken once; look() allocates nothing after the first image of a size.
-class SeenBody {
+class BodyObservation {
  public:
   /// `cells`: the most cells of the person that the grid is made for; its step is as many pixels as needed.
-  explicit SeenBody(std::size_t cells = 1200) : most_cells_{cells} {}
+  explicit BodyObservation(std::size_t cells = 1200) : most_cells_{cells} {}
 
   /// `is_person`: of every pixel of `image`. Of the pixels that hold nothing (0) nothing is known, except
   /// where the image holds nothing but the person: then its background was taken away, and they are empty.

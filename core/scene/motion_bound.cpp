@@ -1,4 +1,4 @@
-#include "core/scene/object_reach.hpp"
+#include "core/scene/motion_bound.hpp"
 
 #include <cmath>
 
@@ -10,10 +10,10 @@ constexpr double kRounding = 1e-14;
 
 }  // namespace
 
-ObjectReach::ObjectReach(const EnclosingSphere& sphere_B)
+MotionBound::MotionBound(const EnclosingSphere& sphere_B)
     : sphere_B_(sphere_B), centre_(sphere_B.centre), radius_(sphere_B.radius) {}
 
-double ObjectReach::moveTo(const Transform& X_WB) {
+double MotionBound::moveTo(const Transform& X_WB) {
   const Matrix3d& R_WB = X_WB.linear();
   const Vector3d centre = X_WB * sphere_B_.centre;
   const double defect = (R_WB * R_WB.transpose() - Matrix3d::Identity()).norm();
@@ -29,7 +29,7 @@ double ObjectReach::moveTo(const Transform& X_WB) {
   return step;
 }
 
-double gapOf(const ObjectReach& a, const ObjectReach& b) {
+double gapOf(const MotionBound& a, const MotionBound& b) {
   const Vector3d &c = a.centre(), &d = b.centre();
   const double rounding = kRounding * (c.norm() + d.norm() + a.radius() + b.radius());
   return (d - c).norm() - a.radius() - b.radius() - rounding;

@@ -1,5 +1,5 @@
 // Fine adjustment of a pointshell: presses into walls and row-action least squares.
-#include "core/haptic/pointshell_balance.hpp"
+#include "core/haptic/quadrature_correction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -144,8 +144,8 @@ void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depth
     Columns now(a.now, b.now, c.now, d.now);
     const Columns still(a.still, b.still, c.still, d.still);
     const Four g = still.w * (still.x * pull.x() + still.z * pull.z() + still.y * pull.y());
-    const Four area = min(max(now.w + still.w * depth * g, ShellBalance::kMinArea * still.w),
-                          ShellBalance::kMaxArea * still.w);
+    const Four area = min(max(now.w + still.w * depth * g, QuadratureCorrection::kMinArea * still.w),
+                          QuadratureCorrection::kMaxArea * still.w);
     now.w = in ? area : now.w;
     if (move2 > 0.0f) {
       const Columns home(a.home, b.home, c.home, d.home);
@@ -174,8 +174,9 @@ struct Presses {
 
 }  // namespace
 
-ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
-                           const std::vector<BalancePoint>& points, double spacing, int threads)
+QuadratureCorrection::QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
+                                           const std::vector<BalancePoint>& points, double spacing,
+                                           int threads)
     : spacing_(spacing), pressed_(points.size(), false) {
   const std::vector<Vector3d> directions = pressDirections(creases, spacing);
   std::vector<Vector3f> places;
@@ -229,7 +230,7 @@ ShellBalance::ShellBalance(const HalfSpaceOverlap& body, const std::vector<Creas
   }
 }
 
-void ShellBalance::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
+void QuadratureCorrection::adjust(std::vector<BalancePoint>& points, Freedom freedom) const {
   const double s = spacing_, s2 = s * s;
   Vector3d middle = Vector3d::Zero();
   for (const BalancePoint& p : points) middle += p.home / static_cast<double>(points.size());

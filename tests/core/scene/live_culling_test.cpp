@@ -1,5 +1,5 @@
 // Live pairs rest on bounds of speed, which are watched.
-#include "core/scene/live_rest.hpp"
+#include "core/scene/live_culling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,13 @@ using testing::sameBits;
 constexpr double kOnSurface = 1e-6;
 
 /// Two balls with a margin of 5 cm each, on one group that is asked one publication after the other.
-class LiveRests : public ::testing::Test {
+class LiveCullingOfPairs : public ::testing::Test {
  protected:
-  LiveRests() {
+  LiveCullingOfPairs() {
     scene_.addObject({"still", "g", testing::ball(20), 0.05});
     scene_.addObject({"goer", "g", testing::ball(20), 0.05});
     scene_.addPair(ObjectId(0), ObjectId(1));
-    scene_.setSkipping({.rest = 1.0});
+    scene_.setCulling({.rest = 1.0});
     scene_.setPose(ObjectId(0), at(0.0), 0.0);
     scene_.setPose(ObjectId(1), at(2.4), 0.0);
   }
@@ -63,7 +63,7 @@ class LiveRests : public ::testing::Test {
   std::vector<PairResult> results_{1};
 };
 
-TEST_F(LiveRests, WithinTheTimeThatTheSpeedsLeave) {
+TEST_F(LiveCullingOfPairs, WithinTheTimeThatTheSpeedsLeave) {
   scene_.setMaxSpeed(ObjectId(0), 0.5);
   scene_.setMaxSpeed(ObjectId(1), 1.5);
   begin();
@@ -94,7 +94,7 @@ TEST_F(LiveRests, WithinTheTimeThatTheSpeedsLeave) {
   EXPECT_EQ(scene_.speedWatch().count(), 0);
 }
 
-TEST_F(LiveRests, ABreachEndsTheRestAtOnceAndIsListed) {
+TEST_F(LiveCullingOfPairs, ABreachEndsTheRestAtOnceAndIsListed) {
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
@@ -113,14 +113,14 @@ TEST_F(LiveRests, ABreachEndsTheRestAtOnceAndIsListed) {
   EXPECT_EQ(first.bound, 1.0);
 }
 
-TEST_F(LiveRests, WithoutASpeedThereIsNoRest) {
+TEST_F(LiveCullingOfPairs, WithoutASpeedThereIsNoRest) {
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
   for (int i = 1; i < 5; ++i) EXPECT_TRUE(goTo(2.0, 0.01 * i));
   EXPECT_EQ(threads_->counts().rested, 0);
 }
 
-TEST_F(LiveRests, WhatTimesDoNotExplainEndsTheRest) {
+TEST_F(LiveCullingOfPairs, WhatTimesDoNotExplainEndsTheRest) {
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
@@ -138,7 +138,7 @@ TEST_F(LiveRests, WhatTimesDoNotExplainEndsTheRest) {
   EXPECT_EQ(scene_.speedWatch().count(), 0);
 }
 
-TEST_F(LiveRests, AnObjectThatIsPosedSeldomIsTakenByItsOwnTime) {
+TEST_F(LiveCullingOfPairs, AnObjectThatIsPosedSeldomIsTakenByItsOwnTime) {
   // The goer's pose of t = 0 is used at t = 0.5, where the other one is posed; then it has 0.51 s to come.
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 2.0);
@@ -171,14 +171,14 @@ TEST(SpeedWatch, CountsStretchesAndListsTheFirst) {
   EXPECT_NEAR(scene.speedWatch().listed()[7].speed, 5.1 * 0.2, 2e-4);
 }
 
-TEST(LiveRest, HoldsForRandomMotionWithinTheBounds) {
+TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
   Scene scene;
   for (int i = 0; i < 2; ++i) scene.addObject({"ball" + std::to_string(i), "g", testing::ball(20 + i), 0.01});
   scene.addPair(ObjectId(0), ObjectId(1));
   const double speeds[] = {0.7, 2.0};
   long rested = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    LiveRest rest;
+    LiveCulling rest;
     PairResult result;
     for (int i = 0; i < 100; ++i) {
       LiveObject now[2];

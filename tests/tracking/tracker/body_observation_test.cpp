@@ -1,5 +1,5 @@
 // The grid of a depth image against what was drawn into the image.
-#include "tracking/tracker/seen_body.hpp"
+#include "tracking/tracker/body_observation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,10 +38,10 @@ Picture picture(const DepthCamera& camera, float person, float wall) {
   return p;
 }
 
-TEST(SeenBody, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
+TEST(BodyObservation, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
-  SeenBody seen;
+  BodyObservation seen;
   seen.look(p.image, camera, p.is_person);
   const Transform X_CW = camera.X_WC.inverse();
   ASSERT_EQ(seen.points().count, 15u * 23u);
@@ -53,10 +53,10 @@ TEST(SeenBody, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
   }
 }
 
-TEST(SeenBody, ManyPixelsBecomeFewerCells) {
+TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
   const DepthCamera camera = cameraOf(640, 480);
   const Picture p = picture(camera, 1.8f, 3.0f);
-  SeenBody seen(1000);
+  BodyObservation seen(1000);
   seen.look(p.image, camera, p.is_person);
   EXPECT_LE(seen.points().count, 1200u);
   EXPECT_GT(seen.points().count, 500u);
@@ -64,15 +64,15 @@ TEST(SeenBody, ManyPixelsBecomeFewerCells) {
     EXPECT_NEAR((camera.X_WC.inverse() * seen.points().point(i)).z(), 1.8, 1e-5);
 }
 
-TEST(SeenBody, EmptyCellsKnowTheWayToThePerson) {
+TEST(BodyObservation, EmptyCellsKnowTheWayToThePerson) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
-  SeenBody seen;
+  BodyObservation seen;
   seen.look(p.image, camera, p.is_person);
   constexpr double kZ = 1.8;
   for (int v = 0; v < 48; v += 5) {
     for (int u = 0; u < 64; u += 3) {
-      const SeenBody::Look look = seen.at(camera.at(u, v, kZ));
+      const BodyObservation::Look look = seen.at(camera.at(u, v, kZ));
       const bool in = p.is_person[static_cast<std::size_t>(v * 64 + u)] != 0;
       EXPECT_EQ(look.state, in ? CellState::kPerson : CellState::kEmpty);
       EXPECT_NEAR(look.z, in ? 1.8 : 3.0, 1e-5);
@@ -88,10 +88,10 @@ TEST(SeenBody, EmptyCellsKnowTheWayToThePerson) {
   }
 }
 
-TEST(SeenBody, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
+TEST(BodyObservation, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
   const DepthCamera camera = cameraOf(64, 48);
   Picture p = picture(camera, 1.8f, 3.0f);
-  SeenBody seen;
+  BodyObservation seen;
   p.image.at(2, 2) = 0.0f;
   seen.look(p.image, camera, p.is_person);
   EXPECT_EQ(seen.at(camera.at(2, 2, 1.0)).state, CellState::kUnknown);
@@ -102,10 +102,10 @@ TEST(SeenBody, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
   EXPECT_EQ(seen.at({0.0, 0.0, -1.0}).state, CellState::kUnknown);
 }
 
-TEST(SeenBody, AllocatesNothingAfterTheFirstImage) {
+TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
-  SeenBody seen;
+  BodyObservation seen;
   seen.look(p.image, camera, p.is_person);
   testing::NoAlloc guard;
   seen.look(p.image, camera, p.is_person);

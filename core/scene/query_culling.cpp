@@ -1,11 +1,11 @@
-#include "core/scene/skipping.hpp"
+#include "core/scene/query_culling.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
 namespace abstand {
 
-void Skipping::validate() const {
+void QueryCulling::validate() const {
   if (!(rest >= 0.0 && rest <= 1.0))
     throw UsageError("rest " + formatDouble(rest) + ": expected a share from 0 to 1");
   if (!(horizon >= 0.0))

@@ -4,24 +4,24 @@
 #include <span>
 #include <utility>
 
-#include "core/haptic/pointshell_pool.hpp"
 #include "core/haptic/pointshell_samples.hpp"
+#include "core/haptic/sub_triangles.hpp"
 
 namespace abstand {
 
 /// The pieces of a surface, covered by centres: one stretch of them after the other, so that what a cover of
 /// samples needs is small, whatever the size of the surface. A stretch knows the centres of those before it
 /// near its border.
-class SurfaceSpread {
+class ShellSampler {
  public:
   /// Points per area at each piece, as a multiple of the usual one, at least 1. `normal_length` (m): a
-  /// difference of 1 between two unit normals counts as this distance. `cell`: as for SampleCover. Pool and
-  /// density must outlive this object.
-  SurfaceSpread(const SurfacePool& pool, const std::vector<float>& density, double normal_length,
-                double cell);
+  /// difference of 1 between two unit normals counts as this distance. `cell`: as for FarthestPointSampler.
+  /// Pool and density must outlive this object.
+  ShellSampler(const SubTriangles& pool, const std::vector<float>& density, double normal_length,
+               double cell);
 
   /// Takes centres from the middles of the pieces until each is within `reach` (m) of one, by
-  /// SampleCover::spread().
+  /// FarthestPointSampler::spread().
   void spread(double reach);
   /// Moves the centres, drops those that were nearest to no piece, and adds more as above.
   void fill(std::vector<Vector3f> points, std::vector<Vector3f> normals, double reach);
@@ -68,7 +68,7 @@ class SurfaceSpread {
   void catchUp(double reach);
   std::span<std::uint32_t> nearestOf(const Stretch& s) { return {&nearest_[s.first], s.end - s.first}; }
 
-  const SurfacePool& pool_;
+  const SubTriangles& pool_;
   const std::vector<float>& density_;
   double normal_length_, cell_;
   std::vector<Stretch> stretches_;
@@ -79,7 +79,7 @@ class SurfaceSpread {
   std::vector<std::uint32_t> nearest_;
   const Stretch* taken_{nullptr};
   std::vector<Sample> samples_;
-  SampleCover cover_;
+  FarthestPointSampler cover_;
 };
 
 }  // namespace abstand

@@ -1,8 +1,8 @@
 // How far the surface is from its shell points at most.
 #pragma once
 
-#include "core/haptic/pointshell_pool.hpp"
 #include "core/haptic/pointshell_tree.hpp"
+#include "core/haptic/sub_triangles.hpp"
 
 namespace abstand {
 
@@ -11,7 +11,7 @@ namespace abstand {
 /// near one makes it quick). For one point q and one triangle the largest distance is at a corner, so the
 /// triangle is covered within max_corners |corner - q|; where that is not tight the triangle is halved
 /// (branch and bound).
-double coveringRadius(const SurfacePool& pool, const std::vector<Vector3f>& points,
+double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest);
 
 /// Relative.
