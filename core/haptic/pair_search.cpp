@@ -165,7 +165,9 @@ double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
     found = footWitness(*F_.surface, start, witness_.hint_field,
                         (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
   // Where the point's foot is no nearer than the witness, a walk from it may be.
+  // Within a hundredth the foot is near enough.
   const bool worth =
+      options_.far_share < kColdFarShare &&
       static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
   if (!far || (worth && !(found.distance < witness_.distance)))
     found = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, normalAt(nearest.point),
