@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 #include "app/cli/mesh_argument.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "core/base/error.hpp"
@@ -159,7 +160,7 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanis
     const auto& f = mechanism.frames[static_cast<std::size_t>(b->frame)];
     const double limit = std::abs(b->scale) * f.limits.effort;
     peaks.push_back({{"dof", k}, {"frame", f.name}, {"effort", peak[k]}, {"t", peak_t[k]}});
-    peaks.back()["limit"] = std::isfinite(limit) ? nlohmann::ordered_json(limit) : nullptr;
+    peaks.back()["limit"] = numberOrNull(limit);
     peaks.back()["within_limit"] = peak[k] <= limit;
     text += format("dof %zu: at most %.6g at %.6g s%s\n", k, peak[k], peak_t[k],
                    peak[k] <= limit ? "" : format(", beyond its limit of %.6g", limit).c_str());
@@ -225,7 +226,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
                                         poseOfFrame(tree, state.tree, frame).translation(), n_B, work);
       const auto& name = mechanism.frames[static_cast<std::size_t>(frame)].name;
       rows.push_back({{"frame", name}, {"direction", toJson(n_B)}});
-      rows.back()["mass"] = std::isfinite(mass) ? nlohmann::ordered_json(mass) : nullptr;
+      rows.back()["mass"] = numberOrNull(mass);
       text += format("frame %s along %.3f %.3f %.3f: ", name.c_str(), n_B.x(), n_B.y(), n_B.z()) +
               (std::isfinite(mass) ? format("%.6g kg\n", mass) : "no joint gives way\n");
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -59,10 +60,6 @@ std::string robotText(const ReactionReport& r) {
   return text;
 }
 
-nlohmann::ordered_json knownNumber(double x) {
-  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
-}
-
 }  // namespace
 
 nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& reports) {
@@ -72,10 +69,10 @@ nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& repo
     if (!r.mechanism.empty()) j["mechanism"] = r.mechanism;
     j["joint"] = r.joint;
     j["kind"] = limitName(r.worst.kind);
-    j["value"] = knownNumber(r.worst.value);
-    j["limit"] = knownNumber(r.worst.limit);
-    j["t"] = knownNumber(r.worst.t);
-    j["since"] = knownNumber(r.worst.since);
+    j["value"] = numberOrNull(r.worst.value);
+    j["limit"] = numberOrNull(r.worst.limit);
+    j["t"] = numberOrNull(r.worst.t);
+    j["since"] = numberOrNull(r.worst.since);
     j["samples"] = r.worst.count;
     j["planned"] = r.planned;
     list.push_back(std::move(j));

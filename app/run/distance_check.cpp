@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/run/cold_query.hpp"
+
 namespace abstand {
 namespace {
 
@@ -65,7 +67,7 @@ void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
     // one's.
     if (scene_.culling().remember && !broken &&
         (!proven || d * (1.0 - scene_.culling().far_tolerance) < limit)) {
-      const PairResult cold = queryCold(i);
+      const PairResult cold = queryCold(scene_, scene_.pairs()[i], scratch_);
       if (cold.distance < d) d = cold.distance, when = t;
       broken = broken || !(cold.distance >= limit);
       const bool between_proven = between.empty() || between[i].lower >= widened_[i];
@@ -75,15 +77,6 @@ void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
     watch(broken_[i], closed_broken_, i, when, d, reach, broken);
     watch(unproven_[i], closed_unproven_, i, when, d, reach, !broken && !proven);
   }
-}
-
-PairResult DistanceCheck::queryCold(std::size_t pair) {
-  const Pair& p = scene_.pairs()[pair];
-  const Object& a = scene_.object(p.a);
-  const Object& b = scene_.object(p.b);
-  PairResult result;
-  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, p.options, scratch_, result);
-  return result;
 }
 
 void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {

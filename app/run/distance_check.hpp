@@ -53,9 +53,6 @@ class DistanceCheck {
   void watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t, double distance,
              double reach, bool broken);
 
-  /// From nothing but the present poses.
-  PairResult queryCold(std::size_t pair);
-
   const Scene& scene_;
   PairScratch scratch_;
   std::string recording_;

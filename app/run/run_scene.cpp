@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/run/cold_query.hpp"
 #include "app/run/pose_watch.hpp"
 #include "app/run/session_log.hpp"
 #include "app/session/times_between.hpp"
@@ -132,11 +133,8 @@ class PairClock {
 
   void sample(const Scene& scene) {
     if (sum_us_.empty()) return;
-    const Pair& pair = scene.pairs()[next_];
-    const Object& a = scene.object(pair.a);
-    const Object& b = scene.object(pair.b);
     const auto begin = Clock::now();
-    queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch_, result_);
+    result_ = queryCold(scene, scene.pairs()[next_], scratch_);
     sum_us_[next_] += 1e6 * seconds(Clock::now() - begin);
     ++count_[next_];
     next_ = (next_ + 1) % sum_us_.size();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/haptic/packed_layers.hpp"
+#include "core/haptic/voxel_box.hpp"
 #include "core/haptic/voxel_steps.hpp"
 #include "core/haptic/voxelmap_sides.hpp"
 
@@ -15,7 +16,7 @@ Voxelmap::Voxelmap(const Surface& surface, double voxel_size, int outer_layers, 
   grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
   inside_doubtful = !surface.watertight();
   blocks_ = (grid.size.array() + kEdge - 1) / kEdge;
-  block_index_.resize(std::size_t(blocks_.x()) * blocks_.y() * blocks_.z());
+  block_index_.resize(VoxelBox{Vector3i::Zero(), blocks_}.count());
   if (grid.cells() <= most_exact)
     makeWhole(surface, outer_layers, threads);
   else
@@ -45,9 +46,9 @@ void Voxelmap::makeWhole(const Surface& surface, int outer_layers, int threads) 
   }
   countSteps(grid.size, 1, steps);
   PackedLayers all;
+  const VoxelBox blocks{Vector3i::Zero(), blocks_};
   for (std::size_t b = 0; b < block_index_.size(); ++b) {
-    const auto nx = static_cast<std::size_t>(blocks_.x()), ny = static_cast<std::size_t>(blocks_.y());
-    const Vector3i first = LayerView::kEdge * Vector3i(int(b % nx), int(b / nx % ny), int(b / (nx * ny)));
+    const Vector3i first = LayerView::kEdge * blocks.place(b);
     // Voxels beyond the grid are like the last ones in it.
     const auto inGrid = [&](int i, int j, int k) {
       return Vector3i((first + Vector3i(i, j, k)).cwiseMin(grid.size - Vector3i::Ones()));

@@ -50,7 +50,6 @@ class Voxelmap {
  private:
   void makeWhole(const Surface& surface, int outer_layers, int threads);
   void makeInTiles(const Surface& surface, int outer_layers, int threads);
-  Vector3i corners() const { return blocks_.array() + 1; }
 
   Vector3i blocks_{Vector3i::Zero()};
   std::vector<std::int32_t> block_index_;

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/haptic/packed_layers.hpp"
+#include "core/haptic/voxel_box.hpp"
 #include "core/haptic/voxel_steps.hpp"
 #include "core/haptic/voxelmap.hpp"
 #include "core/haptic/voxelmap_sides.hpp"
@@ -24,61 +25,33 @@ struct Tile {
   std::size_t surface_voxels{0}, solid_voxels{0};
 };
 
-/// A box of voxels: [first, first + size).
-struct VoxelBox {
-  Vector3i first, size;
-  VoxelBox clippedTo(const VoxelBox& other) const {
-    const Vector3i lower = first.cwiseMax(other.first);
-    const Vector3i upper = (first + size).cwiseMin(other.first + other.size);
-    return {lower, (upper - lower).cwiseMax(0)};
-  }
-  std::size_t voxels() const { return std::size_t(size.x()) * size.y() * size.z(); }
-  std::size_t index(const Vector3i& v) const {
-    const Vector3i at = v - first;
-    return (std::size_t(at.z()) * size.y() + at.y()) * size.x() + at.x();
-  }
-  template <class Fn>
-  void forEach(Fn&& fn) const {
-    for (int k = 0; k < size.z(); ++k)
-      for (int j = 0; j < size.y(); ++j)
-        for (int i = 0; i < size.x(); ++i) fn(Vector3i(first + Vector3i(i, j, k)));
-  }
-};
-
 }  // namespace
 
 void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads) {
-  const Vector3i n = corners();
-  corner_steps_.assign(std::size_t(n.x()) * n.y() * n.z(), kMaxSteps);
+  const Vector3i zero = Vector3i::Zero();
+  const VoxelBox blocks{zero, blocks_}, corners{zero, blocks_.array() + 1};
+  corner_steps_.assign(corners.count(), kMaxSteps);
   const VoxelBox solid{Vector3i::Constant(outer_layers), grid.size.array() - 2 * outer_layers};
   // Tiles hold all corners of blocks, those at the far end of the grid included.
-  const Vector3i tiles = (n.array() + kTileBlocks - 1) / kTileBlocks;
-  std::vector<Tile> made(std::size_t(tiles.x()) * tiles.y() * tiles.z());
-
-  const auto blockIndex = [&](const Vector3i& b) {
-    return (std::size_t(b.z()) * blocks_.y() + b.y()) * blocks_.x() + b.x();
+  const VoxelBox tiles{zero, (corners.size.array() + kTileBlocks - 1) / kTileBlocks};
+  const auto inTile = [&](std::size_t tile, const VoxelBox& all) {
+    return VoxelBox{kTileBlocks * tiles.place(tile), Vector3i::Constant(kTileBlocks)}.clippedTo(all);
   };
+  std::vector<Tile> made(tiles.count());
   parallelFor(threads, made.size(), [&](std::size_t at) {
     Tile& tile = made[at];
-    const auto tx = static_cast<std::size_t>(tiles.x()), ty = static_cast<std::size_t>(tiles.y());
-    const Vector3i place(int(at % tx), int(at / tx % ty), int(at / (tx * ty)));
-    const VoxelBox own{kTile * place, Vector3i::Constant(kTile)};
+    const VoxelBox own{kTile * tiles.place(at), Vector3i::Constant(kTile)};
     const VoxelBox seen{own.first.array() - kHalo, Vector3i::Constant(kTile + 2 * kHalo)};
     const VoxelBox own_solid = own.clippedTo(solid), seen_solid = seen.clippedTo(solid);
-    const Vector3i last_block = (kTileBlocks * place.array() + kTileBlocks).matrix().cwiseMin(blocks_);
-    const auto forBlocks = [&](auto&& fn) {
-      for (int k = kTileBlocks * place.z(); k < last_block.z(); ++k)
-        for (int j = kTileBlocks * place.y(); j < last_block.y(); ++j)
-          for (int i = kTileBlocks * place.x(); i < last_block.x(); ++i) fn(Vector3i(i, j, k));
-    };
+    const VoxelBox own_blocks = inTile(at, blocks);
     const auto allFar = [&](bool inside) {
-      forBlocks([&](const Vector3i& b) {
-        block_index_[blockIndex(b)] = inside ? LayerView::kFarInside : LayerView::kFarOutside;
+      own_blocks.forEach([&](const Vector3i& b) {
+        block_index_[blocks.index(b)] = inside ? LayerView::kFarInside : LayerView::kFarOutside;
       });
-      if (inside) tile.solid_voxels = own_solid.voxels();
+      if (inside) tile.solid_voxels = own_solid.count();
     };
 
-    if (seen_solid.voxels() == 0) return allFar(false);
+    if (seen_solid.count() == 0) return allFar(false);
     const VoxelGrid part{grid.centre(seen_solid.first.x(), seen_solid.first.y(), seen_solid.first.z()),
                          grid.voxel_size, seen_solid.size};
     const Vector3d half = 0.5 * grid.voxel_size * (part.size.array() - 1).matrix().cast<double>();
@@ -90,7 +63,7 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
 
     std::vector<std::int8_t> side;
     findSidesOfPart(surface, part, side);
-    std::vector<std::int16_t> steps(seen.voxels(), kMaxSteps);
+    std::vector<std::int16_t> steps(seen.count(), kMaxSteps);
     bool any = false;
     seen_solid.forEach([&](const Vector3i& v) {
       if (side[seen_solid.index(v)] == kVoxelSurface) steps[seen.index(v)] = 0, any = true;
@@ -104,16 +77,14 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
 
     const auto inside = [&](const Vector3i& v) {
       const Vector3i at_v = v.cwiseMin(grid.size - Vector3i::Ones());
-      return (at_v.array() >= seen_solid.first.array()).all() &&
-             (at_v.array() < (seen_solid.first + seen_solid.size).array()).all() &&
-             side[seen_solid.index(at_v)] == kVoxelInside;
+      return seen_solid.contains(at_v) && side[seen_solid.index(at_v)] == kVoxelInside;
     };
-    forBlocks([&](const Vector3i& b) {
+    own_blocks.forEach([&](const Vector3i& b) {
       const Vector3i first = kEdge * b;
       const VoxelBox block{first, Vector3i::Constant(kEdge)};
       std::int16_t least = kMaxSteps;
       block.forEach([&](const Vector3i& v) { least = std::min(least, steps[seen.index(v)]); });
-      std::int32_t& index = block_index_[blockIndex(b)];
+      std::int32_t& index = block_index_[blocks.index(b)];
       if (least > kExactSteps) {
         index =
             inside(first + Vector3i::Constant(kEdge / 2)) ? LayerView::kFarInside : LayerView::kFarOutside;
@@ -123,18 +94,15 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
           tile.layers.add([&](int i, int j, int k) { return steps[seen.index(first + Vector3i(i, j, k))]; },
                           [&](int i, int j, int k) { return inside(first + Vector3i(i, j, k)); });
     });
-    const Vector3i last_corner = (kTileBlocks * place.array() + kTileBlocks).matrix().cwiseMin(n);
-    for (int k = kTileBlocks * place.z(); k < last_corner.z(); ++k)
-      for (int j = kTileBlocks * place.y(); j < last_corner.y(); ++j)
-        for (int i = kTileBlocks * place.x(); i < last_corner.x(); ++i) {
-          const std::int16_t s = steps[seen.index(kEdge * Vector3i(i, j, k))];
-          if (s <= kHalo) corner_steps_[(std::size_t(k) * n.y() + j) * n.x() + i] = s;
-        }
+    inTile(at, corners).forEach([&](const Vector3i& c) {
+      const std::int16_t s = steps[seen.index(kEdge * c)];
+      if (s <= kHalo) corner_steps_[corners.index(c)] = s;
+    });
   });
 
   // Farther away than the halo, the shortest way from a corner leads over one of the 26 corners about it: its
   // longest component is more than 16 steps, and whichever others are within 8 of that are shortened with it.
-  countSteps(n, kEdge, corner_steps_);
+  countSteps(corners.size, kEdge, corner_steps_);
 
   std::size_t kept = 0;
   for (const Tile& tile : made) kept += tile.layers.least_steps.size();
@@ -147,13 +115,9 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
     packed_.insert(packed_.end(), layers.packed.begin(), layers.packed.end());
     surface_voxels += made[t].surface_voxels;
     solid_voxels += made[t].solid_voxels;
-    const auto tx = static_cast<std::size_t>(tiles.x()), ty = static_cast<std::size_t>(tiles.y());
-    const Vector3i first = kTileBlocks * Vector3i(int(t % tx), int(t / tx % ty), int(t / (tx * ty)));
-    const Vector3i end = (first.array() + kTileBlocks).matrix().cwiseMin(blocks_);
-    for (int k = first.z(); k < end.z(); ++k)
-      for (int j = first.y(); j < end.y(); ++j)
-        for (int i = first.x(); i < end.x(); ++i)
-          if (std::int32_t& index = block_index_[blockIndex({i, j, k})]; index >= 0) index += before;
+    inTile(t, blocks).forEach([&](const Vector3i& b) {
+      if (std::int32_t& index = block_index_[blocks.index(b)]; index >= 0) index += before;
+    });
   }
 }
 

@@ -7,6 +7,7 @@
 #include "app/serve/groups_packet.hpp"
 #include "app/serve/served_scene.hpp"
 #include "app/serve/wire.hpp"
+#include "tests/app/serve/joint_packet.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
@@ -107,12 +108,7 @@ class ControlledScene : public ::testing::Test {
   }
 
   void joints(double height, double t, bool reset = false) {
-    packet_.type = PacketType::kJoints;
-    packet_.index = 0;
-    packet_.values = 1;
-    packet_.q[0] = height;
-    packet_.time_us = static_cast<std::uint64_t>(1e6 * t);
-    packet_.reset = reset;
+    setJoint(packet_, height, t, reset);
     scene_->take(packet_, t);
     scene_->cycle(t);
   }

@@ -9,6 +9,7 @@
 #include "humanmodel/part_reach.hpp"
 #include "humanmodel/rest_pose.hpp"
 #include "tests/app/loop/slide_scene.hpp"
+#include "tests/app/serve/joint_packet.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
@@ -56,12 +57,7 @@ struct Served : ::testing::Test {
   }
 
   void joints(double height, double t, bool reset = false) {
-    packet.type = PacketType::kJoints;
-    packet.index = 0;
-    packet.values = 1;
-    packet.q[0] = height;
-    packet.time_us = static_cast<std::uint64_t>(1e6 * t);
-    packet.reset = reset;
+    setJoint(packet, height, t, reset);
     scene->take(packet, t);
   }
   void person(double t, double x = 0.0) {
