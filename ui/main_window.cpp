@@ -12,9 +12,6 @@
 #include <QTabBar>
 #include <QTimer>
 
-#include "ui/actions.hpp"
-#include "ui/file_kinds.hpp"
-#include "ui/format.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/run_history.hpp"
@@ -30,7 +27,10 @@
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/style/file_kinds.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/viewport/viewport.hpp"
 
 namespace abstand::ui {

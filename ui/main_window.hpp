@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "ui/session_port.hpp"
+#include "ui/model/session_port.hpp"
 
 class QDockWidget;
 class QSlider;

@@ -9,9 +9,6 @@
 #include <QSlider>
 #include <QStatusBar>
 
-#include "ui/actions.hpp"
-#include "ui/file_kinds.hpp"
-#include "ui/icons.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
@@ -23,9 +20,12 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
-#include "ui/picture_file.hpp"
 #include "ui/plots/plot_panel.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/style/file_kinds.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/picture_file.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/viewport/viewport.hpp"
 #include "ui/window_grab.hpp"
 

@@ -8,7 +8,7 @@
 #include <QSlider>
 #include <QToolBar>
 
-#include "ui/actions.hpp"
+#include "ui/style/actions.hpp"
 
 namespace abstand::ui {
 

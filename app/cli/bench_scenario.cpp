@@ -13,8 +13,8 @@
 #include "core/base/output_file.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/standard_output.hpp"
-#include "core/geometry/mesh_file.hpp"
-#include "core/haptic/pair_set.hpp"
+#include "core/mesh_file/mesh_file.hpp"
+#include "core/query/pair_set.hpp"
 #include "core/scene/scene.hpp"
 
 namespace abstand::cli {

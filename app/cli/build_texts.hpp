@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/cli/command_line.hpp"
-#include "core/haptic/build_report.hpp"
-#include "core/haptic/resolution_estimate.hpp"
+#include "core/store/build_report.hpp"
+#include "core/store/resolution_estimate.hpp"
 
 namespace abstand::cli {
 

@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
-#include "tracking/depth/board_pose.hpp"
+#include "tracking/depth/calibration/board_pose.hpp"
 
 namespace abstand::cli {
 namespace {

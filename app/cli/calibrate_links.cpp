@@ -3,8 +3,8 @@
 #include "app/depth/calibration_links.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
-#include "tracking/depth/depth_stream.hpp"
-#include "tracking/depth/surface_pose.hpp"
+#include "tracking/depth/calibration/surface_pose.hpp"
+#include "tracking/depth/formats/depth_stream.hpp"
 
 namespace abstand::cli {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command_line.hpp"
-#include "tracking/depth/depth_camera.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
 
 namespace abstand::cli {
 

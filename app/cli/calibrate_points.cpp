@@ -2,7 +2,7 @@
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
-#include "tracking/depth/pose_from_points.hpp"
+#include "tracking/depth/calibration/pose_from_points.hpp"
 
 namespace abstand::cli {
 

@@ -3,10 +3,11 @@
 
 #include "app/cli/bench_scenario.hpp"
 #include "app/cli/command_line.hpp"
+#include "app/depth/open_session.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand::cli {
@@ -48,7 +49,8 @@ nlohmann::ordered_json benchScene(const CommandLine& line, const Benchmark& benc
   options.threads = 1;
   options.cache = false;
   options.monitor = buildMonitor(line);
-  Session session(loadScene(dataFolder() / "scenes" / benchmark.scene), options);
+  const auto opened = openSession(loadScene(dataFolder() / "scenes" / benchmark.scene), options);
+  Session& session = *opened;
   RunOptions run;
   run.progress = progressBar(line, benchmark.name);
   run.interrupted = interrupted;

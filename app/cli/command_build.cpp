@@ -8,8 +8,8 @@
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/output_folder.hpp"
-#include "core/geometry/mesh_file.hpp"
-#include "core/haptic/structure_cache.hpp"
+#include "core/mesh_file/mesh_file.hpp"
+#include "core/store/structure_cache.hpp"
 
 namespace abstand::cli {
 namespace {

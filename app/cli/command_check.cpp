@@ -5,6 +5,7 @@
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/cli/warm_start.hpp"
+#include "app/depth/open_session.hpp"
 #include "app/run/check_report.hpp"
 #include "app/run/distance_check.hpp"
 #include "app/run/run_scene.hpp"
@@ -94,7 +95,8 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
   // The gate leaves nothing out, whatever the scene allows.
   options.rest = 0.0;
   options.horizon = options.budget = kInfinity;
-  Session session(scene, options);
+  const auto opened = openSession(scene, options);
+  Session& session = *opened;
   if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
   DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
   RunOptions run;

@@ -5,10 +5,10 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
-#include "core/mechanism/dh_mechanism.hpp"
-#include "core/mechanism/mech_file.hpp"
-#include "core/mechanism/robot_writer.hpp"
-#include "core/mechanism/urdf_file.hpp"
+#include "core/robot_file/dh_mechanism.hpp"
+#include "core/robot_file/mech_file.hpp"
+#include "core/robot_file/robot_writer.hpp"
+#include "core/robot_file/urdf_file.hpp"
 
 namespace abstand::cli {
 namespace {

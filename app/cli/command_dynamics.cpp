@@ -9,12 +9,12 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
-#include "core/geometry/mesh_file.hpp"
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
 #include "core/mechanism/link_inertia.hpp"
-#include "core/mechanism/robot.hpp"
 #include "core/mechanism/smooth_motion.hpp"
+#include "core/mesh_file/mesh_file.hpp"
+#include "core/robot_file/robot.hpp"
 
 namespace abstand::cli {
 namespace {

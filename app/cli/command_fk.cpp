@@ -5,7 +5,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "core/base/error.hpp"
-#include "core/mechanism/robot.hpp"
+#include "core/robot_file/robot.hpp"
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand::cli {

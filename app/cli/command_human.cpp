@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_folder.hpp"
-#include "core/geometry/mesh_file.hpp"
+#include "core/mesh_file/mesh_file.hpp"
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::cli {

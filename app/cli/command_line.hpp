@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/haptic/build_progress.hpp"
-#include "core/mechanism/mesh_reference.hpp"
+#include "core/robot_file/mesh_reference.hpp"
+#include "core/structure/build_progress.hpp"
 
 namespace abstand::cli {
 

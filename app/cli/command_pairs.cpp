@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/command_line.hpp"
+#include "app/depth/open_session.hpp"
 #include "app/run/collision_pairs.hpp"
 #include "core/base/error.hpp"
 #include "core/base/input_log.hpp"
@@ -58,7 +59,8 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
   SessionOptions options;
   options.cache = line.cache;
   options.monitor = buildMonitor(line);
-  Session session(load(args), options);
+  const auto opened = openSession(load(args), options);
+  Session& session = *opened;
   if (session.mechanisms().empty())
     throw UsageError("found a scene without a mechanism, expected at least one");
 

@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/depth/clip_people.hpp"
 #include "app/depth/depth_clip.hpp"
+#include "app/depth/open_session.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::cli {
@@ -92,7 +93,8 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   if (!args.scene.empty()) session_options.recording = args.recording;
   session_options.cache = line.cache;
   session_options.monitor = buildMonitor(line);
-  Session session(sceneOf(args), session_options);
+  const auto opened = openSession(sceneOf(args), session_options);
+  Session& session = *opened;
   options.camera = cameraOf(args, session);
   if (args.noise == "kinect") options.noise = kinectNoiseIn(options.camera);
 

@@ -5,6 +5,7 @@
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/cli/warm_start.hpp"
+#include "app/depth/open_session.hpp"
 #include "app/run/run_scene.hpp"
 #include "core/base/error.hpp"
 
@@ -158,7 +159,8 @@ int runRun(const CommandLine& line, RunArguments& args) {
     for (auto& m : scene.mechanisms)
       if (m.reaction) scaleGains(*m.reaction, gain);
   }
-  Session session(std::move(scene), args.session);
+  const auto opened = openSession(std::move(scene), args.session);
+  Session& session = *opened;
   const RunSummary summary = runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
   return summary.interrupted ? kInterrupted : kDone;

@@ -5,13 +5,14 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/robot_texts.hpp"
+#include "app/depth/open_session.hpp"
 #include "app/serve/layout.hpp"
 #include "app/serve/serve_loop.hpp"
 #include "core/base/error.hpp"
 #include "core/base/standard_output.hpp"
 #include "core/base/text_file.hpp"
+#include "core/config/yaml_document.hpp"
 #include "core/control/reaction_reader.hpp"
-#include "core/scene/yaml_document.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -145,7 +146,7 @@ int runServe(const CommandLine& line, const ServeArguments& args) {
   session.remember = true;
   // Resting pairs rest on what the scene file says of speeds, and that speaks of its own motion.
   session.rest = 0.0;
-  ServedScene scene(std::make_unique<Session>(loadScene(args.scene, args.packages), session), served);
+  ServedScene scene(openSession(loadScene(args.scene, args.packages), session), served);
   for (const auto& remark : scene.remarks()) line.warn(remark);
   if (args.layout) {
     if (line.json)

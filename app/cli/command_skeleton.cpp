@@ -4,7 +4,8 @@
 #include "core/base/error.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/compact/compact_recording.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::cli {

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/output_folder.hpp"
-#include "tracking/depth/live_depth.hpp"
+#include "tracking/depth/live/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/track_picture.hpp"
 #include "tracking/tracker/tracked_recording.hpp"

@@ -2,8 +2,8 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
 #include "app/cli/version.hpp"
+#include "app/report/report.hpp"
 #include "core/base/error.hpp"
-#include "core/verify/report.hpp"
 #include "core/verify/suite.hpp"
 
 namespace abstand::cli {

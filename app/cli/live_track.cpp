@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/write_error.hpp"
 #include "core/scene/cycle_statistics.hpp"
-#include "tracking/depth/live_depth.hpp"
+#include "tracking/depth/live/live_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/mechanism/mesh_reference.hpp"
+#include "core/robot_file/mesh_reference.hpp"
 
 namespace abstand::cli {
 

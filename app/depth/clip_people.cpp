@@ -5,7 +5,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
-#include "tracking/derived_joints.hpp"
+#include "tracking/recording/derived_joints.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

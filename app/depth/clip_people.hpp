@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/session.hpp"
-#include "tracking/depth/skin_body.hpp"
+#include "tracking/depth/simulator/skin_body.hpp"
 
 namespace abstand {
 

@@ -9,8 +9,8 @@
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/output_folder.hpp"
-#include "tracking/depth/depth_png.hpp"
-#include "tracking/depth/freenect_depth.hpp"
+#include "tracking/depth/formats/depth_png.hpp"
+#include "tracking/depth/formats/freenect_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "app/session/session.hpp"
-#include "tracking/depth/depth_camera.hpp"
-#include "tracking/depth/kinect_noise.hpp"
-#include "tracking/depth/skin_body.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
+#include "tracking/depth/simulator/kinect_noise.hpp"
+#include "tracking/depth/simulator/skin_body.hpp"
 
 namespace abstand {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/session.hpp"
-#include "tracking/depth/depth_render.hpp"
+#include "tracking/depth/simulator/depth_render.hpp"
 
 namespace abstand {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
-#include "core/haptic/penalty_force.hpp"
 #include "core/mechanism/link_inertia.hpp"
+#include "core/query/penalty_force.hpp"
 
 namespace abstand {
 

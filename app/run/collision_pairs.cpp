@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
-#include "core/scene/pairs_file.hpp"
+#include "core/study/pairs_file.hpp"
 
 namespace abstand {
 namespace {

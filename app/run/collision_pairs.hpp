@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/session/session.hpp"
-#include "core/mechanism/srdf_file.hpp"
-#include "core/scene/pair_study.hpp"
+#include "core/robot_file/srdf_file.hpp"
+#include "core/study/pair_study.hpp"
 
 namespace abstand {
 
@@ -18,7 +18,7 @@ struct CollisionPair {
 /// verdict user, takes out are not sampled. Pairs that an interrupt left open are undecided.
 std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOptions& options);
 
-/// The file of pairs (core/scene/pairs_file.hpp).
+/// The file of pairs (core/study/pairs_file.hpp).
 std::string pairsText(const Session& session, const std::vector<CollisionPair>& pairs,
                       const StudyOptions& options);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

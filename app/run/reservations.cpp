@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/scene_file/robot_links.hpp"
 #include "core/mechanism/joint_range.hpp"
-#include "core/scene/robot_links.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

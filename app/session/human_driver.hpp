@@ -1,8 +1,8 @@
 // Moves a person's parts after a recording.
 #pragma once
 
+#include "app/scene_file/scene_description.hpp"
 #include "core/scene/scene.hpp"
-#include "core/scene/scene_description.hpp"
 #include "humanmodel/poser.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 

@@ -7,7 +7,7 @@
 #include "app/session/mechanism_driver.hpp"
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/smooth_motion.hpp"
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 namespace abstand {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
-#include "core/mechanism/robot.hpp"
+#include "core/robot_file/robot.hpp"
 
 namespace abstand {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 
+#include "app/scene_file/scene_description.hpp"
 #include "core/mechanism/mechanism.hpp"
 #include "core/mechanism/motion_file.hpp"
 #include "core/scene/scene.hpp"
-#include "core/scene/scene_description.hpp"
 
 namespace abstand {
 

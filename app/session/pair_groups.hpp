@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/scene_file/scene_description.hpp"
 #include "core/scene/scene.hpp"
-#include "core/scene/scene_description.hpp"
 
 namespace abstand {
 

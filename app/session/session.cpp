@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "app/depth/scene_things.hpp"
+#include "app/scene_file/pair_selection.hpp"
 #include "core/base/error.hpp"
 #include "core/base/message_line.hpp"
-#include "core/scene/pair_selection.hpp"
 
 namespace abstand {
 namespace {
@@ -101,19 +100,9 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
 }
 
 void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& options) {
-  // Made when a depth recording asks for it.
-  std::unique_ptr<RobotView> things;
-  const KnownThings known = [&](double t, const DepthCamera& camera) {
-    if (!things) {
-      SessionOptions same;
-      same.cache = options.cache;
-      same.monitor = options.monitor;
-      things = std::make_unique<RobotView>(description_, same);
-    }
-    return &things->at(t, camera);
-  };
   for (const auto& d : description_.humans) {
-    humans_.push_back(std::make_unique<HumanDriver>(d, d.recording.cut_things ? known : KnownThings()));
+    humans_.push_back(
+        std::make_unique<HumanDriver>(d, d.recording.cut_things ? options.known : KnownThings()));
     HumanDriver* driver = humans_.back().get();
     const int first = static_cast<int>(plan.size());
     for (const HumanPart& part : driver->model().parts) {

@@ -10,7 +10,7 @@
 #include "app/session/pair_groups.hpp"
 #include "app/session/poses_file.hpp"
 #include "app/session/structure_library.hpp"
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 namespace abstand {
 
@@ -24,6 +24,7 @@ struct SessionOptions {
   BuildMonitor monitor;             ///< of the structures; its word is the name of one
   /// Hears how many structures there will be, before the first is looked for or built.
   std::function<void(std::size_t structures)> planned;
+  KnownThings known;  ///< what a camera sees of the robots, for depth recordings that ask for it
   std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in QueryCulling
   std::optional<bool> remember;                 ///< likewise
   std::optional<double> far_tolerance;          ///< likewise

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/parallel.hpp"
-#include "core/geometry/mesh_file.hpp"
+#include "core/mesh_file/mesh_file.hpp"
 
 namespace abstand {
 namespace {

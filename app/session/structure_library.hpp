@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/mesh_report.hpp"
-#include "core/haptic/structure_cache.hpp"
+#include "core/mesh_file/mesh_report.hpp"
+#include "core/store/structure_cache.hpp"
 
 namespace abstand {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/loop/live_session.hpp"
-#include "ui/session_port.hpp"
+#include "ui/model/session_port.hpp"
 
 namespace abstand {
 

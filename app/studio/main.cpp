@@ -16,10 +16,10 @@
 #include "core/base/input_log.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_place.hpp"
-#include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
-#include "ui/picture_file.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/style/picture_file.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/window_grab.hpp"
 

@@ -1,4 +1,5 @@
 #include "app/studio/studio.hpp"
+#include "app/depth/open_session.hpp"
 
 #include <QApplication>
 #include <QMetaObject>
@@ -61,7 +62,7 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
         progress.hear(fraction, name);
       };
       options.monitor.cancelled = [this] { return cancelled_.load(); };
-      auto session = std::make_unique<Session>(loadScene(scene.toStdString(), packages_), options);
+      auto session = openSession(loadScene(scene.toStdString(), packages_), options);
       loaded->notes = notesOf(*session);
       loaded->live = std::make_unique<LiveSession>(std::move(session), t);
     } catch (const std::exception& e) {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/studio/live_port.hpp"
-#include "core/mechanism/mesh_reference.hpp"
+#include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 
 namespace abstand {

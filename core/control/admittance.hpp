@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/config/number_rule.hpp"
 #include "core/mechanism/dof_limits.hpp"
-#include "core/safety/number_rule.hpp"
 
 namespace abstand {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/control/pair_direction.hpp"
-#include "core/scene/object_motion.hpp"
+#include "core/math/object_motion.hpp"
 
 namespace abstand {
 namespace {

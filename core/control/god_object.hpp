@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "core/haptic/pair_query.hpp"
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
+#include "core/query/pair_query.hpp"
 
 namespace abstand {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
 
 namespace abstand {
 

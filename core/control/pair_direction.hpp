@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/haptic/pair_query.hpp"
 #include "core/mechanism/mechanism.hpp"
+#include "core/query/pair_query.hpp"
 
 namespace abstand {
 

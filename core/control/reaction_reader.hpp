@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/config/yaml_reader.hpp"
 #include "core/control/reaction_description.hpp"
-#include "core/scene/yaml_reader.hpp"
 
 namespace abstand {
 

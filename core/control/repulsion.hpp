@@ -1,7 +1,7 @@
 // A repulsive potential about a robot's links, damped by what the links weigh there and then.
 #pragma once
 
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
 
 namespace abstand {
 

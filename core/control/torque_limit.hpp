@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
 
 namespace abstand {
 

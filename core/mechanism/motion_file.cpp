@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
-#include "core/mechanism/mech_words.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {
@@ -90,10 +90,10 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
       const auto cell = cells.peek();
       if (!has_header) {
         if (cell != columnName(i))
-          fail(number, cells.column(), "found " + wordInQuotes(cell) + ", expected the header " + header);
+          fail(number, cells.column(), "found " + inQuotes(cell) + ", expected the header " + header);
       } else if (const auto value = parseDouble(cell); !value) {
         fail(number, cells.column(),
-             "found " + wordInQuotes(cell) + ", expected " + columnName(i) + ": a finite number");
+             "found " + inQuotes(cell) + ", expected " + columnName(i) + ": a finite number");
       } else if (i > 0) {
         q.push_back(*value);
       } else {
@@ -107,8 +107,8 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
     }
     if (!cells.atEnd())
       fail(number, cells.column(),
-           "found another column " + wordInQuotes(cells.peek()) + ", expected " + std::to_string(dof + 1) +
-               ": " + header);
+           "found another column " + inQuotes(cells.peek()) + ", expected " + std::to_string(dof + 1) + ": " +
+               header);
     has_header = true;
   }
   if (t.empty())

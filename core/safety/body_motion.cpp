@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/scene/object_motion.hpp"
+#include "core/math/object_motion.hpp"
 
 namespace abstand {
 namespace {

@@ -1,7 +1,7 @@
 // Motions of one body over [0, T], with what is certain about their speed.
 #pragma once
 
-#include "core/haptic/enclosing_sphere.hpp"
+#include "core/geometry/enclosing_sphere.hpp"
 #include "core/safety/reach_set.hpp"
 
 namespace abstand {

@@ -1,7 +1,7 @@
 // A link of a mechanism that brakes, as a motion with certain bounds on its speed.
 #pragma once
 
-#include "core/haptic/enclosing_sphere.hpp"
+#include "core/geometry/enclosing_sphere.hpp"
 #include "core/mechanism/mechanism.hpp"
 #include "core/safety/body_motion.hpp"
 #include "core/safety/braking_path.hpp"

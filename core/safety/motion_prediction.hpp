@@ -1,8 +1,8 @@
 // Where a body is likely to be in a moment: by the weighted average of its last velocities.
 #pragma once
 
-#include "core/safety/number_rule.hpp"
-#include "core/scene/object_motion.hpp"
+#include "core/config/number_rule.hpp"
+#include "core/math/object_motion.hpp"
 
 namespace abstand {
 

@@ -1,8 +1,8 @@
 // Where a point can be some time from now, whatever it does within bounds on its speed and acceleration.
 #pragma once
 
-#include "core/haptic/enclosing_sphere.hpp"
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
+#include "core/geometry/enclosing_sphere.hpp"
 
 namespace abstand {
 

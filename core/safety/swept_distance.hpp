@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/safety/number_rule.hpp"
+#include "core/config/number_rule.hpp"
 
 namespace abstand {
 

@@ -1,7 +1,7 @@
 // The smallest distance of two moving bodies over a stretch of time, certified like that of one posture.
 #pragma once
 
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 #include "core/safety/body_motion.hpp"
 #include "core/safety/swept_distance.hpp"
 

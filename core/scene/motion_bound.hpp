@@ -1,7 +1,7 @@
 // Bounding sphere and accumulated motion bound of a body.
 #pragma once
 
-#include "core/haptic/enclosing_sphere.hpp"
+#include "core/geometry/enclosing_sphere.hpp"
 
 namespace abstand {
 

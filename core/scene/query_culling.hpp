@@ -1,7 +1,7 @@
 // What a scene may leave out in a step, and what that costs in certainty.
 #pragma once
 
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 
 namespace abstand {
 

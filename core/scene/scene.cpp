@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
-#include "core/scene/object_motion.hpp"
+#include "core/math/object_motion.hpp"
 #include "core/scene/pair_workers.hpp"
 
 namespace abstand {

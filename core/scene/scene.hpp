@@ -13,7 +13,7 @@
 
 #include "core/base/huge_pages.hpp"
 #include "core/base/id.hpp"
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 #include "core/scene/minimum_tree.hpp"
 #include "core/scene/query_queue.hpp"
 #include "core/scene/speed_watch.hpp"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 #include "core/scene/motion_bound.hpp"
 #include "core/scene/query_culling.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptic/haptic_structure.hpp"
+#include "core/structure/haptic_structure.hpp"
 #include "core/verify/brute_force.hpp"
 
 namespace abstand::verify {

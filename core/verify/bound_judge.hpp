@@ -1,7 +1,7 @@
 // One answer of the engine against the true distance.
 #pragma once
 
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 #include "core/verify/exact_pair.hpp"
 
 namespace abstand::verify {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/haptic/pair_query.hpp"
+#include "core/query/pair_query.hpp"
 #include "core/verify/check.hpp"
 
 namespace abstand::verify {

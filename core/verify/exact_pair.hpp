@@ -16,7 +16,7 @@ struct ExactDistance {
   bool swallowed;
 };
 
-/// P gives the points and F the field (pointsFromA in core/haptic/pair_query.hpp). Depths are enclosed to
+/// P gives the points and F the field (pointsFromA in core/query/pair_query.hpp). Depths are enclosed to
 /// `tolerance` (m) where some hundred samples reach that.
 ExactDistance exactDistance(const AdversarialBody& P, const AdversarialBody& F, const Transform& X_FP,
                             double tolerance);

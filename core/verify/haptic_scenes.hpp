@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptic/haptic_structure.hpp"
+#include "core/structure/haptic_structure.hpp"
 
 namespace abstand::verify {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_mesh.hpp"
-#include "core/haptic/haptic_options.hpp"
+#include "core/structure/haptic_options.hpp"
 
 namespace abstand::bench {
 

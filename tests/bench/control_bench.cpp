@@ -3,12 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include "core/control/reaction.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "core/safety/link_motion.hpp"
 #include "core/safety/swept_pair.hpp"
 #include "core/verify/random.hpp"
-#include "tests/core/haptic/structures.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/support/structures.hpp"
 
 namespace abstand::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
 #include "core/physics/physics_world.hpp"
-#include "tests/core/mechanism/robots.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand::testing {
 namespace {

@@ -1,7 +1,7 @@
 // Our own engine in the benchmarks: only its public functions.
 #include <algorithm>
 
-#include "core/haptic/pair_set.hpp"
+#include "core/query/pair_set.hpp"
 #include "tests/bench/engine.hpp"
 
 namespace abstand::bench {

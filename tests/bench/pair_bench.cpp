@@ -3,10 +3,10 @@
 
 #include <chrono>
 
-#include "core/haptic/pair_query.hpp"
-#include "core/mechanism/mech_file.hpp"
-#include "tests/core/haptic/structures.hpp"
+#include "core/query/pair_query.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/structures.hpp"
 
 namespace abstand::testing {
 namespace {

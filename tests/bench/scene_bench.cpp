@@ -7,8 +7,8 @@
 #include "core/scene/cycle_statistics.hpp"
 #include "core/scene/scene.hpp"
 #include "tests/bench/bench_scene.hpp"
-#include "tests/core/haptic/structures.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/structures.hpp"
 
 namespace abstand::testing {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/paths.hpp"
 
 namespace abstand {

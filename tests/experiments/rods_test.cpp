@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/scene.hpp"
-#include "tests/core/haptic/structures.hpp"
+#include "tests/support/structures.hpp"
 
 namespace abstand::testing {
 namespace {

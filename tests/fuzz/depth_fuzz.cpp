@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/base/error.hpp"
-#include "tracking/depth/depth_tiff.hpp"
-#include "tracking/depth/freenect_depth.hpp"
-#include "tracking/depth/npy_array.hpp"
-#include "tracking/depth/pcd_cloud.hpp"
+#include "tracking/depth/formats/depth_tiff.hpp"
+#include "tracking/depth/formats/freenect_depth.hpp"
+#include "tracking/depth/formats/npy_array.hpp"
+#include "tracking/depth/formats/pcd_cloud.hpp"
 
 namespace {
 

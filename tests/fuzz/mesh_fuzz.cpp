@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/geometry/mass_properties.hpp"
-#include "core/geometry/mesh_file.hpp"
+#include "core/mesh_file/mesh_file.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "core/base/error.hpp"
-#include "tracking/depth/oni_recording.hpp"
+#include "tracking/depth/formats/oni_recording.hpp"
 
 using abstand::OniPacking;
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/base/error.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand::testing {
 

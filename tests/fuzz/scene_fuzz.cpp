@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/scene_file/scene_description.hpp"
 #include "core/base/error.hpp"
-#include "core/scene/scene_description.hpp"
 
 namespace {
 

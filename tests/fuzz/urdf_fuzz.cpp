@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/mechanism/dh_mechanism.hpp"
-#include "core/mechanism/robot_writer.hpp"
-#include "core/mechanism/srdf_file.hpp"
-#include "core/mechanism/urdf_file.hpp"
+#include "core/robot_file/dh_mechanism.hpp"
+#include "core/robot_file/robot_writer.hpp"
+#include "core/robot_file/srdf_file.hpp"
+#include "core/robot_file/urdf_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace abstand;

@@ -6,7 +6,8 @@
 #include "tests/support/paths.hpp"
 #include "tracking/bvh/bvh_pose.hpp"
 #include "tracking/bvh/bvh_reader.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -1,5 +1,5 @@
 // Every command has a text, a tip and a key of its own.
-#include "ui/actions.hpp"
+#include "ui/style/actions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <cstdio>
 
 #include "tests/ui/fake_session.hpp"
-#include "ui/actions.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/style/actions.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/viewport/viewport.hpp"
 #include "ui/window_grab.hpp"

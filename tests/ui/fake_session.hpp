@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/session_port.hpp"
+#include "ui/model/session_port.hpp"
 
 namespace abstand::ui {
 

@@ -1,5 +1,5 @@
 // Pictures are outputs like those of the command line: whole or not at all, and where a link leads.
-#include "ui/picture_file.hpp"
+#include "ui/style/picture_file.hpp"
 
 #include <gtest/gtest.h>
 

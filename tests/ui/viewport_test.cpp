@@ -9,10 +9,10 @@
 #include <set>
 
 #include "tests/ui/fake_session.hpp"
-#include "ui/actions.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/selection.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/window_grab.hpp"
 

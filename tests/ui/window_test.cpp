@@ -24,7 +24,6 @@
 #include <QTreeWidget>
 
 #include "tests/ui/fake_session.hpp"
-#include "ui/actions.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
 #include "ui/model/stop_text.hpp"
@@ -37,6 +36,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/style/actions.hpp"
 
 namespace abstand::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

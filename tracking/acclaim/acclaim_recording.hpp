@@ -7,7 +7,7 @@
 
 #include "tracking/acclaim/amc_reader.hpp"
 #include "tracking/acclaim/asf_skeleton.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand {
 

@@ -4,8 +4,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/acclaim/words.hpp"
-#include "tracking/message_text.hpp"
 
 namespace abstand {
 

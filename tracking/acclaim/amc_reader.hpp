@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tracking/acclaim/asf_skeleton.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
 namespace abstand {

@@ -6,9 +6,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/acclaim/words.hpp"
-#include "tracking/message_text.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
 namespace abstand {

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "core/base/number.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/base/error.hpp"
 #include "core/math/transform.hpp"
-#include "tracking/file_warning.hpp"
-#include "tracking/text_cursor.hpp"
+#include "tracking/recording/file_warning.hpp"
+#include "tracking/recording/text_cursor.hpp"
 
 namespace abstand {
 

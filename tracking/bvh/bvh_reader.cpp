@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

@@ -1,6 +1,6 @@
 #include "tracking/bvh/bvh_recording.hpp"
 
-#include "tracking/point_recording.hpp"
+#include "tracking/markers/point_recording.hpp"
 
 namespace abstand {
 

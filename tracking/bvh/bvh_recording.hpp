@@ -6,8 +6,8 @@
 
 #include "tracking/bvh/bvh_pose.hpp"
 #include "tracking/bvh/bvh_reader.hpp"
-#include "tracking/point_reader.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/point_reader.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

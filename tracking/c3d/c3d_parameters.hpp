@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tracking/c3d/c3d_bytes.hpp"
-#include "tracking/file_warning.hpp"
+#include "tracking/recording/file_warning.hpp"
 
 namespace abstand {
 

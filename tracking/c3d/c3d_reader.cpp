@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/number.hpp"
-#include "tracking/derived_joints.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand {
 namespace {

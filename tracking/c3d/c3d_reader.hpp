@@ -7,7 +7,7 @@
 
 #include "tracking/c3d/c3d_bytes.hpp"
 #include "tracking/c3d/c3d_parameters.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand {
 

@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

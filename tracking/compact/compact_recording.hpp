@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "tracking/point_reader.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/point_reader.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand {
 

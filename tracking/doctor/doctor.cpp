@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/derived_joints.hpp"
-#include "tracking/part_joints.hpp"
+#include "tracking/recording/derived_joints.hpp"
+#include "tracking/recording/part_joints.hpp"
 
 namespace abstand {
 namespace {

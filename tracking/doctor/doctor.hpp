@@ -6,7 +6,7 @@
 
 #include "tracking/doctor/filters.hpp"
 #include "tracking/doctor/gap_fill.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "humanmodel/part_reach.hpp"
-#include "tracking/derived_joints.hpp"
+#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand {
 namespace {

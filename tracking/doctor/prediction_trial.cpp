@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/safety/motion_prediction.hpp"
-#include "tracking/derived_joints.hpp"
+#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/safety/reach_set.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand {
 

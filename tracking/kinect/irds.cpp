@@ -6,8 +6,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/kinect/kinect_joints.hpp"
-#include "tracking/message_text.hpp"
 
 namespace abstand {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/base/error.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand {
 

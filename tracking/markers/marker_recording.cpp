@@ -6,8 +6,8 @@
 
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
-#include "tracking/derived_joints.hpp"
 #include "tracking/markers/marker_solution.hpp"
+#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "tracking/conversion.hpp"
-#include "tracking/markers/marker_report.hpp"
 #include "tracking/markers/marker_set.hpp"
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/conversion.hpp"
+#include "tracking/recording/marker_report.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand {
 

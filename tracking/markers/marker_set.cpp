@@ -8,8 +8,8 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
-#include "tracking/message_text.hpp"
-#include "tracking/name_index.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/name_index.hpp"
 
 namespace abstand {
 namespace {

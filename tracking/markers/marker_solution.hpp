@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tracking/markers/marker_calibration.hpp"
-#include "tracking/markers/marker_report.hpp"
+#include "tracking/recording/marker_report.hpp"
 
 namespace abstand {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/number.hpp"
-#include "tracking/message_text.hpp"
-#include "tracking/point_reader.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/point_reader.hpp"
 
 namespace abstand {
 

@@ -7,8 +7,8 @@
 #include <unordered_map>
 
 #include "core/base/error.hpp"
+#include "core/text/message_text.hpp"
 #include "humanmodel/joints.hpp"
-#include "tracking/message_text.hpp"
 #include "tracking/table/cells.hpp"
 
 namespace abstand {

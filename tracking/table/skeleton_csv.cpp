@@ -7,8 +7,8 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
-#include "tracking/message_text.hpp"
-#include "tracking/point_recording.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/markers/point_recording.hpp"
 
 namespace abstand {
 namespace {

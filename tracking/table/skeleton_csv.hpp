@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "tracking/point_reader.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/point_reader.hpp"
+#include "tracking/recording/recording.hpp"
 #include "tracking/table/cells.hpp"
 #include "tracking/table/csv_columns.hpp"
 

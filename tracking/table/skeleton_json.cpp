@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
-#include "tracking/message_text.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tracking/point_reader.hpp"
+#include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
 namespace abstand {

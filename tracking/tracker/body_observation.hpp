@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "tracking/depth/depth_camera.hpp"
-#include "tracking/depth/depth_image.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
+#include "tracking/depth/camera/depth_image.hpp"
 
 namespace abstand {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tracking/depth/people_finder.hpp"
+#include "tracking/depth/people/people_finder.hpp"
 
 namespace abstand {
 

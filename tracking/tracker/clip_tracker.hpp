@@ -4,8 +4,8 @@
 #include <functional>
 #include <map>
 
-#include "tracking/depth/depth_stream.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/depth/formats/depth_stream.hpp"
+#include "tracking/recording/recording.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand {

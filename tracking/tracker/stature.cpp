@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tracking/derived_joints.hpp"
+#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand {
 namespace {

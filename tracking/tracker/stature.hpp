@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tracking/depth/depth_camera.hpp"
-#include "tracking/depth/depth_image.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
+#include "tracking/depth/camera/depth_image.hpp"
 
 namespace abstand {
 

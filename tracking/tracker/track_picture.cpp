@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/depth/depth_render.hpp"
+#include "tracking/depth/simulator/depth_render.hpp"
 
 namespace abstand {
 namespace {

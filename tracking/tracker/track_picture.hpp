@@ -1,7 +1,7 @@
 // A depth image with the body that was fitted to it, to look at.
 #pragma once
 
-#include "tracking/depth/colour_png.hpp"
+#include "tracking/depth/formats/colour_png.hpp"
 #include "tracking/tracker/body_tracker.hpp"
 
 namespace abstand {

@@ -5,8 +5,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
-#include "tracking/depth/depth_sources.hpp"
-#include "tracking/part_joints.hpp"
+#include "tracking/depth/formats/depth_sources.hpp"
+#include "tracking/recording/part_joints.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand {

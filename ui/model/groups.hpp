@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 namespace abstand::ui {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/format.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/format.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -5,7 +5,7 @@
 #include <QSortFilterProxyModel>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 namespace abstand::ui {
 

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "ui/session_port.hpp"
+#include "ui/model/session_port.hpp"
 
 namespace abstand::ui {
 

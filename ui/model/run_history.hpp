@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "ui/model/frame_series.hpp"
 
 namespace abstand::ui {

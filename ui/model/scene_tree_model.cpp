@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/format.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::ui {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/model/groups.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 namespace abstand::ui {
 

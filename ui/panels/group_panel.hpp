@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 class QLabel;
 class QPushButton;

@@ -8,7 +8,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-#include "ui/actions.hpp"
+#include "ui/style/actions.hpp"
 
 namespace abstand::ui {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 class QTimer;
 class QVBoxLayout;

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/format.hpp"
 #include "ui/model/stop_text.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 class QLabel;
 class QPlainTextEdit;

@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 
 class QLabel;
 class QProgressBar;

@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 
-#include "ui/format.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -10,10 +10,10 @@
 #include <QLocale>
 #include <QToolButton>
 
-#include "ui/actions.hpp"
-#include "ui/format.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/time_strip.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::ui {
 

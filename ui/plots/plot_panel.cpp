@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/format.hpp"
 #include "ui/plots/strip_chart.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "ui/model/frame_series.hpp"
 
 class QComboBox;

@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/format.hpp"
 #include "ui/plots/trace.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::ui {
 

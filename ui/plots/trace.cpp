@@ -8,7 +8,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/theme.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

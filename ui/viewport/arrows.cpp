@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/theme.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <memory>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "ui/viewport/arrow_batch.hpp"
 #include "ui/viewport/view_options.hpp"
 

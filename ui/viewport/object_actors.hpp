@@ -12,8 +12,8 @@
 #include <QColor>
 #include <vector>
 
-#include "core/scene/snapshot.hpp"
-#include "ui/theme.hpp"
+#include "core/view/snapshot.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/viewport/view_options.hpp"
 
 namespace abstand::ui {

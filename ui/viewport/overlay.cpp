@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/theme.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -6,7 +6,7 @@
 #include <vtkSmartPointer.h>
 
 #include "core/geometry/triangle_mesh.hpp"
-#include "ui/theme.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "ui/viewport/view_options.hpp"
 
 namespace abstand::ui {

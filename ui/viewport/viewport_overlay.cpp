@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "ui/format.hpp"
 #include "ui/model/groups.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/style/format.hpp"
 #include "ui/viewport/viewport_impl.hpp"
 
 namespace abstand::ui {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/run/distance_check.hpp"
-#include "core/haptic/haptic_structure.hpp"
+#include "core/structure/haptic_structure.hpp"
 
 namespace abstand {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "core/control/pair_direction.hpp"
 #include "core/control/reaction.hpp"
-#include "core/geometry/mesh_file.hpp"
-#include "core/mechanism/mech_file.hpp"
+#include "core/mesh_file/mesh_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/paths.hpp"
 
 namespace abstand {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "tests/core/geometry/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/geometry/mesh_file.hpp"
 #include "core/geometry/mesh_surface.hpp"
-#include "tests/core/geometry/brute_force.hpp"
+#include "core/mesh_file/mesh_file.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 

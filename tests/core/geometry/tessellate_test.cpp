@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/geometry/shape.hpp"
-#include "tests/core/geometry/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 
 namespace abstand {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/shape.hpp"
-#include "tests/core/geometry/brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 
 namespace abstand {
 namespace {

@@ -1,7 +1,7 @@
 // Joint efforts of a wrench: closed forms, J^T w, and the balance of power.
 #include <gtest/gtest.h>
 
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 

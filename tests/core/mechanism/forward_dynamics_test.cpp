@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mechanism/forward_dynamics.hpp"
-#include "tests/core/mechanism/robots.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

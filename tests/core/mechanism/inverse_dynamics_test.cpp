@@ -3,9 +3,9 @@
 
 #include "core/mechanism/forward_dynamics.hpp"
 #include "tests/core/mechanism/lagrange.hpp"
-#include "tests/core/mechanism/robots.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

@@ -1,7 +1,7 @@
 // Forward kinematics against products of elementary transforms, and Jacobians against differences.
 #include <gtest/gtest.h>
 
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"

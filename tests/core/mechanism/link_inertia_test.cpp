@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/shape.hpp"
-#include "tests/core/mechanism/robots.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

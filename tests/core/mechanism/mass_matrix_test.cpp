@@ -6,8 +6,8 @@
 #include "core/mechanism/effective_mass.hpp"
 #include "core/mechanism/forward_dynamics.hpp"
 #include "tests/core/mechanism/lagrange.hpp"
-#include "tests/core/mechanism/robots.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

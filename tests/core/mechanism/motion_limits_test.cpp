@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 
 namespace abstand {
 namespace {

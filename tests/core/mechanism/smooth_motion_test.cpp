@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/mechanism/robots.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

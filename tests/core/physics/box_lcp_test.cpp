@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
-#include "tests/core/mechanism/robots.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

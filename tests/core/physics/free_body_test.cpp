@@ -4,11 +4,11 @@
 #include <thread>
 
 #include "core/base/error.hpp"
-#include "core/haptic/pair_query.hpp"
 #include "core/physics/physics_world.hpp"
-#include "tests/core/mechanism/robots.hpp"
+#include "core/query/pair_query.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

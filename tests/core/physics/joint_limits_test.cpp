@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/mechanism/joint_limit_watch.hpp"
-#include "core/mechanism/mech_file.hpp"
 #include "core/physics/physics_world.hpp"
-#include "tests/core/mechanism/robots.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "core/base/error.hpp"
 #include "core/physics/physics_world.hpp"
-#include "tests/core/mechanism/robots.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

@@ -3,7 +3,7 @@
 #include <ode/ode.h>
 
 #include "core/mechanism/forward_dynamics.hpp"
-#include "tests/core/mechanism/robots.hpp"
+#include "tests/support/robots.hpp"
 
 namespace abstand {
 namespace {

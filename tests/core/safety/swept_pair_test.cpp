@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/mechanism/mech_file.hpp"
+#include "core/robot_file/mech_file.hpp"
 #include "core/safety/link_motion.hpp"
 #include "core/verify/random.hpp"
 #include "tests/support/no_alloc.hpp"

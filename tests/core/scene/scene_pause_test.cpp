@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand {

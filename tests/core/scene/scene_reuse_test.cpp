@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/state_hash.hpp"
-#include "core/scene/snapshot.hpp"
+#include "core/view/snapshot.hpp"
 #include "tests/core/scene/crowd.hpp"
 #include "tests/core/scene/drift.hpp"
 #include "tests/support/no_alloc.hpp"

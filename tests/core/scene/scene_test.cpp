@@ -6,8 +6,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/state_hash.hpp"
-#include "core/scene/object_motion.hpp"
-#include "core/scene/snapshot.hpp"
+#include "core/math/object_motion.hpp"
+#include "core/view/snapshot.hpp"
 #include "tests/core/scene/crowd.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"

@@ -8,7 +8,8 @@
 
 #include "core/math/roll_pitch_yaw.hpp"
 #include "tests/support/paths.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/base/number.hpp"
 #include "tests/support/paths.hpp"
 #include "tracking/bvh/bvh_recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -8,7 +8,8 @@
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/c3d/c3d_writer.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tracking/registry/open_recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand {

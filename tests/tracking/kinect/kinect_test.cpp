@@ -9,7 +9,8 @@
 #include "tracking/kinect/kinect_joints.hpp"
 #include "tracking/kinect/ui_prmd.hpp"
 #include "tracking/kinect/utd_mhad.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -8,7 +8,8 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/markers/synthetic_markers.hpp"
-#include "tracking/point_recording.hpp"
+#include "tracking/markers/point_recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

@@ -8,6 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tracking/registry/open_recording.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand {

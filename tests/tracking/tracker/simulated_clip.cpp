@@ -7,10 +7,11 @@
 #include <numeric>
 
 #include "humanmodel/part_reach.hpp"
-#include "tracking/depth/depth_render.hpp"
-#include "tracking/depth/kinect_noise.hpp"
-#include "tracking/depth/skin_body.hpp"
-#include "tracking/derived_joints.hpp"
+#include "tracking/depth/simulator/depth_render.hpp"
+#include "tracking/depth/simulator/kinect_noise.hpp"
+#include "tracking/depth/simulator/skin_body.hpp"
+#include "tracking/recording/derived_joints.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand::testing {
 namespace {

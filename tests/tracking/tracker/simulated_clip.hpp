@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "tracking/depth/depth_stream.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/depth/formats/depth_stream.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand::testing {
 

@@ -6,7 +6,8 @@
 
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
-#include "tracking/recording.hpp"
+#include "tracking/recording/recording.hpp"
+#include "tracking/registry/open_recording.hpp"
 
 namespace abstand {
 namespace {

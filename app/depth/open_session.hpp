@@ -1,0 +1,13 @@
+// Opens a session whose depth recordings know the scene's robots.
+#pragma once
+
+#include "app/session/session.hpp"
+
+namespace abstand {
+
+/// A session in which `cut_things` works: the images of the robots and objects are drawn by a second session
+/// of the scene without its people, made when the first depth recording asks for it and gone when all are
+/// read. Throws ParseError, UsageError.
+std::unique_ptr<Session> openSession(SceneDescription scene, SessionOptions options);
+
+}  // namespace abstand

@@ -1,0 +1,67 @@
+// The bodies of a scene file: mechanisms, people and things. Internal to the scene reader.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/scene_file/scene_description.hpp"
+#include "core/config/yaml_reader.hpp"
+
+namespace abstand {
+
+/// Voxels, points and layers: as HapticOptions::validate, but with the place in the file.
+inline constexpr YamlRange kVoxelRange{1e-5, 10.0, "m"};
+inline constexpr YamlRange kMarginRange{0.0, 10.0, "m"};
+inline constexpr int kMaxOuterLayers = 10000;
+/// All pairs of more bodies would not fit into memory.
+inline constexpr std::size_t kMaxBodies = 1000;
+
+/// Reads bodies one after the other and keeps their names apart.
+class SceneBodyReader {
+ public:
+  /// `folder`: what relative paths are relative to. The file's name and `packages` must outlive the reader.
+  SceneBodyReader(const std::string& file, std::filesystem::path folder, const PackagePaths& packages)
+      : file_{file}, folder_{std::move(folder)}, packages_{packages} {}
+
+  MechanismDescription mechanism(const YamlNode& node);
+  HumanDescription human(const YamlNode& node);
+  ObjectDescription object(const YamlNode& node);
+
+  /// The pairs that SRDFs take out.
+  const std::vector<DroppedPair>& dropped() const { return dropped_; }
+  std::filesystem::path existingFile(const YamlNode& node, const std::string& label,
+                                     const char* expected) const;
+
+  /// All bodies so far, in order: links and objects as written, parts of people as PERSON/PART.
+  const std::vector<std::string>& bodies() const { return bodies_; }
+  /// What is odd in the robot files, and where their packages were found.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  void takeDisabled(const MechanismDescription& mechanism);
+  LinkDescription link(const YamlNode& node, const Mechanism& mechanism);
+  ReactionDescription reaction(const YamlNode& node, int dof) const;
+  RecordingDescription recording(const YamlNode& node);
+  std::string newName(const YamlFields& fields, std::set<std::string>& taken, const char* kind);
+  std::string newBody(const YamlFields& fields);
+  void addBody(std::string name, const SourcePos& pos);
+  void takeBody(const std::string& name, const SourcePos& pos);
+  template <class Body>
+  void meshOrShape(const YamlFields& fields, Body& body) const;
+
+  const std::string& file_;
+  std::filesystem::path folder_;
+  const PackagePaths& packages_;
+  std::set<std::string> groups_{"objects"};
+  std::set<std::string> body_names_;
+  std::vector<std::string> bodies_;
+  std::vector<std::string> remarks_;
+  std::vector<DroppedPair> dropped_;
+};
+
+/// Parts of a person, in the order of scene files.
+const std::vector<std::string>& humanPartNames();
+
+}  // namespace abstand

@@ -1,0 +1,193 @@
+// Writes a scene description as YAML.
+#include <cstdio>
+
+#include "app/scene_file/scene_description.hpp"
+#include "core/base/number.hpp"
+#include "core/control/reaction_reader.hpp"
+#include "core/math/roll_pitch_yaw.hpp"
+
+namespace abstand {
+namespace {
+
+std::string inDoubleQuotes(const std::string& text) {
+  std::string s = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') s += '\\';
+    if (static_cast<unsigned char>(c) < 0x20) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned>(c));
+      s += code;
+    } else {
+      s += c;
+    }
+  }
+  return s + '"';
+}
+
+/// Plain where YAML cannot take it for anything but this text.
+std::string scalar(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  bool plain = !text.empty() && letter(text.front());
+  for (const char c : text)
+    plain = plain && (letter(c) || (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-');
+  return plain && text != "null" && text != "Null" && text != "NULL" ? text : inDoubleQuotes(text);
+}
+
+std::string vector(const Vector3d& v) {
+  return "[" + formatDouble(v.x()) + ", " + formatDouble(v.y()) + ", " + formatDouble(v.z()) + "]";
+}
+
+std::string pose(const Transform& X) {
+  return "{xyz: " + vector(X.translation()) + ", rpy: " + vector(neatRollPitchYaw(X.linear())) + "}";
+}
+
+struct ShapeText {
+  std::string operator()(const Sphere& s) const {
+    return "{sphere: {radius: " + formatDouble(s.radius) + "}}";
+  }
+  std::string operator()(const Ellipsoid& s) const {
+    return "{ellipsoid: {semi_axes: " + vector(s.semi_axes) + "}}";
+  }
+  std::string operator()(const Cuboid& s) const { return "{cuboid: {size: " + vector(s.size) + "}}"; }
+  std::string operator()(const Cylinder& s) const { return round("cylinder", s.radius, s.length); }
+  std::string operator()(const Capsule& s) const { return round("capsule", s.radius, s.length); }
+  static std::string round(const char* name, double radius, double length) {
+    return std::string("{") + name + ": {radius: " + formatDouble(radius) +
+           ", length: " + formatDouble(length) + "}}";
+  }
+};
+
+/// `before` each setting, `after` it.
+std::string settings(const BodySettings& s, const char* before = ", ", const char* after = "") {
+  std::string t;
+  if (s.voxel) t += before + ("voxel: " + formatDouble(*s.voxel)) + after;
+  if (s.point) t += before + ("point: " + formatDouble(*s.point)) + after;
+  if (s.outer_layers) t += before + ("outer_layers: " + std::to_string(*s.outer_layers)) + after;
+  if (s.margin) t += before + ("margin: " + formatDouble(*s.margin)) + after;
+  if (s.max_speed) t += before + ("max_speed: " + formatDouble(*s.max_speed)) + after;
+  return t;
+}
+
+std::string scaleText(const Vector3d& scale) {
+  return scale.x() > 0.0 && scale == Vector3d::Constant(scale.x()) ? formatDouble(scale.x()) : vector(scale);
+}
+
+template <class Body>
+std::string meshOrShape(const Body& body) {
+  if (body.shape) return ", shape: " + std::visit(ShapeText{}, *body.shape);
+  return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + scaleText(body.scale);
+}
+
+/// A frame's name; ids of .mech files stay numbers.
+std::string frameText(const std::string& frame) { return parseInt(frame) ? frame : scalar(frame); }
+
+std::string mechanismText(const MechanismDescription& m) {
+  std::string s = "  - name: " + scalar(m.name) + "\n    file: " + scalar(m.file.string()) +
+                  "\n    base: " + pose(m.X_WB) + "\n";
+  if (!m.q.empty()) {
+    s += "    q: [";
+    for (std::size_t i = 0; i < m.q.size(); ++i) s += (i ? ", " : "") + formatDouble(m.q[i]);
+    s += "]\n";
+  }
+  if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
+  s += settings(m.settings, "    ", "\n");
+  if (!m.srdf.empty()) s += "    srdf: " + scalar(m.srdf.string()) + "\n";
+  if (m.reaction) s += "    reaction:\n" + describeReaction(*m.reaction, "      ");
+  if (!m.bodiless.empty()) {
+    s += "    bodiless: [";
+    for (std::size_t i = 0; i < m.bodiless.size(); ++i) s += (i ? ", " : "") + frameText(m.bodiless[i]);
+    s += "]\n";
+  }
+  if (m.no_geometry) return s + "    geometry: none\n";
+  s += m.links.empty() ? "    links: []\n" : "    links:\n";
+  for (const auto& l : m.links)
+    s += "      - {name: " + scalar(l.name) + ", frame: " + frameText(l.frame) + meshOrShape(l) +
+         ", pose: " + pose(l.X_FL) + (l.held ? ", held: true" : "") + settings(l.settings) + "}\n";
+  return s;
+}
+
+/// What is left to the file and the program has no key.
+std::string recordingText(const RecordingDescription& r) {
+  std::string said;
+  if (r.rate > 0.0) said += ", rate: " + formatDouble(r.rate);
+  if (r.mirror != "none") said += ", mirror: " + r.mirror;
+  if (!r.joint_map.empty()) said += ", joint_map: " + scalar(r.joint_map.string());
+  if (r.marker_set != "auto") said += ", marker_set: " + scalar(r.marker_set);
+  if (r.cut_things) said += ", cut_things: true";
+  return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
+         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) + said +
+         ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
+}
+
+std::string partText(const HumanPartDescription& part) {
+  std::string s;
+  for (const auto& [key, value] : part.numbers)
+    s += (s.empty() ? "" : ", ") + key + ": " + formatDouble(value);
+  if (part.shape) s += (s.empty() ? "shape: " : ", shape: ") + *part.shape;
+  return "{" + s + "}";
+}
+
+std::string humanText(const HumanDescription& h) {
+  std::string s = "  - name: " + scalar(h.name) + "\n    height: " + formatDouble(h.height) + "\n";
+  if (h.mass) s += "    mass: " + formatDouble(*h.mass) + "\n";
+  if (h.sex) s += "    sex: " + *h.sex + "\n";
+  s += "    preset: " + h.preset + "\n    lengths: " + (h.follow_lengths ? "recording" : "model") + "\n";
+  s += settings(h.settings, "    ", "\n");
+  if (!h.parts.empty()) s += "    parts:\n";
+  for (const auto& [name, part] : h.parts) s += "      " + name + ": " + partText(part) + "\n";
+  return h.recording.file.empty() ? s : s + recordingText(h.recording);
+}
+
+/// What is not limited has no key.
+std::string skippingText(const QueryCulling& s) {
+  std::string text = "skipping: {rest: " + formatDouble(s.rest);
+  if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
+  if (s.limited()) text += ", budget: " + formatDouble(s.budget);
+  if (!s.remember) text += ", remember: false";
+  if (s.far_tolerance != QueryCulling{}.far_tolerance)
+    text += ", tolerance: " + formatDouble(s.far_tolerance);
+  return text + "}\n";
+}
+
+std::string pairList(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  std::string s = "[";
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    s += (i ? ", [" : "[") + scalar(pairs[i].first) + ", " + scalar(pairs[i].second) + "]";
+  return s + "]";
+}
+
+}  // namespace
+
+std::string describeScene(const SceneDescription& scene) {
+  const auto& d = scene.defaults;
+  std::string s = "abstand: 1\ndefaults: {voxel: " + formatDouble(d.haptic.voxel_size) +
+                  ", point: " + formatDouble(d.haptic.point_spacing) +
+                  ", outer_layers: " + std::to_string(d.haptic.outer_layers) +
+                  ", field: " + std::string(fieldName(d.haptic.field)) +
+                  ", margin: " + formatDouble(d.margin) + ", stiffness: " + formatDouble(d.stiffness) +
+                  ", law: " + (d.thesis_law ? "thesis" : "volume") + "}\n";
+  if (!scene.mechanisms.empty()) s += "mechanisms:\n";
+  for (const auto& m : scene.mechanisms) s += mechanismText(m);
+  if (!scene.humans.empty()) s += "humans:\n";
+  for (const auto& h : scene.humans) s += humanText(h);
+  if (!scene.objects.empty()) s += "objects:\n";
+  for (const auto& o : scene.objects)
+    s += "  - {name: " + scalar(o.name) + meshOrShape(o) + ", pose: " + pose(o.X_WB) +
+         (o.mass ? ", mass: " + formatDouble(*o.mass) : "") + settings(o.settings) + "}\n";
+  const auto& p = scene.pairs;
+  s += std::string("pairs:\n  default: ") +
+       (p.standard == PairDefault::kAll    ? "all"
+        : p.standard == PairDefault::kNone ? "none"
+                                           : "between_groups") +
+       (p.file.empty() ? "" : "\n  file: " + scalar(p.file.string())) +
+       "\n  adjacent: " + (p.exclude_adjacent ? "exclude" : "include") +
+       (p.within_people ? "\n  within_people: include" : "") + "\n  exclude: " + pairList(p.exclude) +
+       "\n  include: " + pairList(p.include) + "\n";
+  s += skippingText(scene.culling);
+  if (scene.threads.empty()) return s + "threads: auto\n";
+  s += "threads:\n";
+  for (const auto& group : scene.threads) s += "  - " + pairList(group) + "\n";
+  return s;
+}
+
+}  // namespace abstand

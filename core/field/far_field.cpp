@@ -1,0 +1,160 @@
+// Distances away from a body, certified from below.
+#include "core/field/far_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/base/error.hpp"
+#include "core/base/parallel.hpp"
+#include "core/field/far_distances.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kMaxVertices = 5e7;
+constexpr double kMaxFarQuanta = 65535.0;
+constexpr float kEpsilon = 0x1p-23f;
+// Relative, for what rounding does to a distance before it is stored.
+constexpr double kStored = 1e-12;
+// Cells of a grid that reach into it from where the grid inside answers.
+constexpr float kOverlap = 2.0f;
+// Of the spacing: what sites may lose; the square of that, 0.06, is small beside the up to 0.75 that
+// interpolating loses of a squared distance.
+constexpr double kLoss = 0.245;
+// More sites than these, and asking the surface itself is quicker.
+constexpr std::size_t kMaxDirectSites = 1000, kSitesPerTriangle = 30;
+
+}  // namespace
+
+FarField::FarField(const Surface& surface, double first_spacing, double reach, int threads) {
+  const Bounds body = surface.bounds();
+  const double margin = kMargin * first_spacing;
+  const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
+  if (!((2.0 * half_cells.array() + 1.0).prod() <= kMaxVertices)) {
+    throw UsageError("the voxel size is far too small for the size of the body");
+  }
+  View& v = view_;
+  const Vector3d centre = body.centre();
+  std::size_t grid = 1;
+  for (int k = 0; k < 3; ++k) {
+    v.centre[k] = static_cast<float>(centre[k]);
+    v.middle[k] = static_cast<float>(half_cells[k]);
+    v.n[k] = 2 * static_cast<int>(half_cells[k]) + 1;
+    v.inv_half[k] = static_cast<float>(1.0 / (half_cells[k] * first_spacing));
+    grid *= static_cast<std::size_t>(v.n[k]);
+  }
+  const Vector3d stored_centre(v.centre[0], v.centre[1], v.centre[2]);
+  const double least_half = half_cells.minCoeff() * first_spacing;
+  v.levels = 1;
+  while (v.levels < kMaxLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
+    ++v.levels;
+  v.outermost = kRatio[v.levels - 1];
+  v.ball = static_cast<float>((0.5 * body.extent()).norm() + (stored_centre - centre).norm()) *
+           (1.0f + 4.0f * kEpsilon);
+  for (int l = 0; l < kMaxLevels; ++l) {
+    const int of = std::min(l, v.levels - 1);
+    v.width[l] = l + 1 < v.levels ? kRatio[l] : std::numeric_limits<float>::infinity();
+    v.inv_h[l] = static_cast<float>(1.0 / (first_spacing * double(kRatio[of])));
+    const float h = 1.0f / v.inv_h[l];
+    v.h2[l] = h * h * (1.0f + 4.0f * kEpsilon);
+    v.rounding[l] = 16.0f * kEpsilon *
+                    static_cast<float>(centre.cwiseAbs().maxCoeff() + half_cells.maxCoeff() * double(h));
+  }
+
+  std::vector<float> distance(grid * static_cast<std::size_t>(v.levels), 0.0f);
+  const auto rows = static_cast<std::size_t>(v.n[1]), row_size = static_cast<std::size_t>(v.n[0]);
+  const auto slice_size = rows * row_size;
+  const auto spacingOf = [&](int level) { return 1.0 / double(v.inv_h[level]); };
+  const Vector3i corner = -half_cells.cast<int>(), size(v.n[0], v.n[1], v.n[2]);
+
+  // Levels for which few points stand for the surface.
+  std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
+  if (surface.shape() == nullptr) {
+    const TriangleMesh mesh = surface.mesh(0.0);
+    parallelFor(threads, sites.size(), [&](std::size_t level) {
+      sites[level] =
+          std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
+                                     kMaxDirectSites + kSitesPerTriangle * mesh.triangles.size());
+    });
+  }
+  // Neighbouring slices together, as many as a search parts its grid into at least.
+  constexpr int kSlices = 8;
+  const int parts = (v.n[2] + kSlices - 1) / kSlices;
+  parallelFor(threads, static_cast<std::size_t>(v.levels * parts), [&](std::size_t task) {
+    const int level = static_cast<int>(task) / parts, first = static_cast<int>(task) % parts * kSlices;
+    const int slices = std::min(kSlices, v.n[2] - first);
+    float* values = &distance[(static_cast<std::size_t>(level * v.n[2] + first)) * slice_size];
+    if (const FarSites* near = sites[static_cast<std::size_t>(level)].get();
+        near != nullptr && near->size() > 0) {
+      const FarSites::Block block{corner + Vector3i(0, 0, first), Vector3i(size.x(), size.y(), slices)};
+      near->distances(block, spacingOf(level), row_size, slice_size, values);
+      return;
+    }
+    const float inner = level == 0 ? 0.0f : kRatio[level - 1] / kRatio[level];
+    const auto inside = [&](int at, int axis) {
+      return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
+    };
+    std::uint32_t hint = kNoHint;
+    for (int k = first; k < first + slices; ++k) {
+      for (int j = 0; j < v.n[1]; ++j) {
+        for (int step = 0; step < v.n[0]; ++step) {
+          // Back and forth, so that the hint is always a neighbour's.
+          const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
+          if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
+          const Vector3d p = stored_centre + spacingOf(level) * (Vector3d(i, j, k) - half_cells);
+          const SurfacePoint nearest = surface.closest(p, hint);
+          hint = nearest.hint;
+          values[static_cast<std::size_t>(k - first) * slice_size + static_cast<std::size_t>(j) * row_size +
+                 static_cast<std::size_t>(i)] =
+              std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
+        }
+      }
+    }
+  });
+
+  values_.resize(distance.size());
+  for (int l = 0; l < v.levels; ++l) {
+    const float* from = &distance[grid * static_cast<std::size_t>(l)];
+    const double largest = *std::max_element(from, from + grid);
+    const double quantum = std::max(largest, 1e-12) / (kMaxFarQuanta - 1.0);
+    for (std::size_t i = 0; i < grid; ++i)
+      values_[grid * static_cast<std::size_t>(l) + i] = static_cast<std::uint16_t>(double(from[i]) / quantum);
+    v.q2[l] = static_cast<float>(quantum * quantum) * (1.0f - kEpsilon);
+  }
+  for (int l = v.levels; l < kMaxLevels; ++l) v.q2[l] = v.q2[v.levels - 1];
+}
+
+float FarField::lowerBound(float px, float py, float pz) const {
+  const View& v = view_;
+  const float p[3] = {px - v.centre[0], py - v.centre[1], pz - v.centre[2]};
+  const float length2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+  if (values_.empty() || !std::isfinite(length2)) return 0.0f;
+  float r = 0.0f;
+  for (int a = 0; a < 3; ++a) r = std::max(r, std::abs(p[a]) * v.inv_half[a]);
+  const float from_ball = std::sqrt(length2) * (1.0f - kSummed) - v.ball;
+  if (r > v.outermost) return std::max(0.0f, from_ball);
+  int level = 0;
+  while (r > v.width[level]) ++level;
+  std::size_t at = static_cast<std::size_t>(level);
+  float t[3];
+  for (int a = 2; a >= 0; --a) {
+    const float g = std::max(0.0f, p[a] * v.inv_h[level] + v.middle[a]);
+    const int i = std::min(static_cast<int>(g), v.n[a] - 2);
+    t[a] = std::min(g - static_cast<float>(i), 1.0f);
+    at = at * static_cast<std::size_t>(v.n[a]) + static_cast<std::size_t>(i);
+  }
+  const std::size_t nx = static_cast<std::size_t>(v.n[0]), nxy = nx * static_cast<std::size_t>(v.n[1]);
+  const auto along = [&](std::size_t i) {
+    const float a = values_[i], b = values_[i + 1];
+    return a * a + t[0] * (b * b - a * a);
+  };
+  const float y0 = along(at) + t[1] * (along(at + nx) - along(at));
+  const float y1 = along(at + nxy) + t[1] * (along(at + nxy + nx) - along(at + nxy));
+  const float sum = (y0 + t[2] * (y1 - y0)) * v.q2[level];
+  const float loss = v.h2[level] * (t[0] * (1.0f - t[0]) + t[1] * (1.0f - t[1]) + t[2] * (1.0f - t[2]));
+  const float d2 = sum - loss - kSummed * (sum + 4.0f * v.h2[level]);
+  return std::max(from_ball, d2 > 0.0f ? std::max(0.0f, std::sqrt(d2) - v.rounding[level]) : 0.0f);
+}
+
+}  // namespace abstand

@@ -1,0 +1,32 @@
+// The grid of voxels that a voxelmap and a float field share.
+#include "core/field/grid.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+
+VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
+  // An extent that is a multiple of the voxel but for rounding counts as one.
+  constexpr double kRounding = 1e-9;
+  const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
+  const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;
+  if (!(counts.prod() <= kMaxVoxels)) {
+    std::ostringstream message;
+    message << "a voxel size of " << voxel_size << " m makes " << counts.x() << " x " << counts.y() << " x "
+            << counts.z() << " voxels of a body of " << box.extent().x() << " x " << box.extent().y() << " x "
+            << box.extent().z() << " m; at most " << kMaxVoxels << " are made, so a voxel size of "
+            << voxel_size * std::cbrt(counts.prod() / kMaxVoxels) * 1.05
+            << " m or fewer outer layers would do";
+    throw UsageError(message.str());
+  }
+  VoxelGrid grid;
+  grid.voxel_size = voxel_size;
+  grid.size = counts.cast<int>();
+  grid.first_centre = box.centre() - 0.5 * voxel_size * (grid.size - Vector3i::Ones()).cast<double>();
+  return grid;
+}
+
+}  // namespace abstand

@@ -1,0 +1,113 @@
+// Which blocks of a near field carry samples.
+#include "core/field/near_blocks.hpp"
+
+#include "core/base/parallel.hpp"
+#include "core/field/grid.hpp"
+
+namespace abstand {
+namespace {
+
+// Blocks along an edge of the cubes that threads take.
+constexpr int kCubeBlocks = 8;
+
+double distanceToBox(const Bounds& box, const Vector3d& p) {
+  return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
+}
+
+class Classifier {
+ public:
+  Classifier(const Surface& surface, const BlockGrid& grid, double outer, double inner,
+             std::vector<BlockKind>& kinds)
+      : surface_(surface),
+        grid_(grid),
+        body_(surface.bounds()),
+        outer_(outer),
+        inner_(inner),
+        kinds_(kinds) {}
+
+  /// The blocks of a cube of `count` blocks an edge, as far as they are in the grid.
+  void cube(const Vector3i& first, int count, bool halve, std::uint32_t& hint) {
+    if ((first.array() >= grid_.size.array()).any()) return;
+    const double edge = count * BlockGrid::kCells * grid_.voxel;
+    const Vector3d centre = grid_.corner(first).array() + 0.5 * edge;
+    if (count == 1) {
+      kinds_[grid_.indexOf(first)] = kindOf(centre, BlockGrid::kCells, hint);
+      return;
+    }
+    if (halve) {
+      const double half = 0.5 * edge;
+      BlockKind kind = BlockKind::kNear;
+      if (distanceToBox(body_, centre) > outer_ + kCubeDiagonal * half) {
+        kind = BlockKind::kOutside;
+      } else {
+        const SurfacePoint nearest = surface_.closest(centre, hint);
+        hint = nearest.hint;
+        // No surface in the cube, so its side is that of its centre.
+        if (nearest.distance > std::max(outer_, inner_) + kCubeDiagonal * half)
+          kind = surface_.inside(centre, nearest) ? BlockKind::kDeep : BlockKind::kOutside;
+      }
+      if (kind != BlockKind::kNear) {
+        each(first, count, 1, [&](const Vector3i& at) { kinds_[grid_.indexOf(at)] = kind; });
+        return;
+      }
+    }
+    const int step = halve ? count / 2 : 1;
+    each(first, count, step, [&](const Vector3i& at) { cube(at, step, halve, hint); });
+  }
+
+ private:
+  template <class Fn>
+  void each(const Vector3i& first, int count, int step, Fn&& fn) const {
+    const Vector3i end = (first.array() + count).min(grid_.size.array());
+    for (int k = first.z(); k < end.z(); k += step) {
+      for (int j = first.y(); j < end.y(); j += step) {
+        for (int i = first.x(); i < end.x(); i += step) fn(Vector3i(i, j, k));
+      }
+    }
+  }
+
+  /// A cube about c, with this many voxels along an edge. The distance changes by no more than the
+  /// displacement, so one query decides for all but the cubes at the rim of a band; those are divided once.
+  BlockKind kindOf(const Vector3d& c, int voxels, std::uint32_t& hint) const {
+    const double half = 0.5 * voxels * grid_.voxel;
+    if (distanceToBox(body_, c) > outer_ + kCubeDiagonal * half) return BlockKind::kOutside;
+    const SurfacePoint nearest = surface_.closest(c, hint);
+    hint = nearest.hint;
+    const bool inside = surface_.inside(c, nearest);
+    const double band = inside ? inner_ : outer_;
+    const BlockKind rest = inside ? BlockKind::kDeep : BlockKind::kOutside;
+    if (nearest.distance <= band + half) return BlockKind::kNear;
+    if (nearest.distance > band + kCubeDiagonal * half) return rest;
+    if (voxels < BlockGrid::kCells) return BlockKind::kNear;
+    for (int i = 0; i < 8; ++i) {
+      const Vector3d offset = 0.5 * half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+      if (kindOf(c + offset, voxels / 2, hint) != rest) return BlockKind::kNear;
+    }
+    return rest;
+  }
+
+  const Surface& surface_;
+  const BlockGrid& grid_;
+  const Bounds body_;
+  const double outer_, inner_;
+  std::vector<BlockKind>& kinds_;
+};
+
+}  // namespace
+
+std::vector<BlockKind> classifyBlocks(const Surface& surface, const BlockGrid& grid, double outer,
+                                      double inner, int threads) {
+  std::vector<BlockKind> kinds(grid.blocks(), BlockKind::kOutside);
+  const Vector3i cubes = (grid.size.array() + kCubeBlocks - 1) / kCubeBlocks;
+  const bool halve = surface.watertight();
+  parallelFor(threads, std::size_t(cubes.x()) * cubes.y() * cubes.z(), [&](std::size_t n) {
+    const auto nx = static_cast<std::size_t>(cubes.x()), ny = static_cast<std::size_t>(cubes.y());
+    const Vector3i place(static_cast<int>(n % nx), static_cast<int>(n / nx % ny),
+                         static_cast<int>(n / (nx * ny)));
+    std::uint32_t hint = kNoHint;
+    Classifier(surface, grid, outer, inner, kinds).cube(kCubeBlocks * place, kCubeBlocks, halve, hint);
+  });
+  return kinds;
+}
+
+}  // namespace abstand

@@ -1,0 +1,61 @@
+// The thesis's voxelmap: integer layers about the surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/field/grid.hpp"
+#include "core/field/layer_view.hpp"
+#include "core/geometry/surface.hpp"
+
+namespace abstand {
+
+/// Layer of each voxel: 0 where the surface passes through (separating-axis test of triangle and cube),
+/// +k for the k-th layer inside, -k for the k-th layer outside [thesis 2.2]. Layers are counted by
+/// 26-neighbour steps away from the surface voxels. Half a byte a voxel near the surface; in large maps two
+/// bytes a block elsewhere (LayerView). Constant after construction.
+class Voxelmap {
+ public:
+  /// Voxels of maps that keep every layer exactly. Of larger ones the blocks within kExactSteps of a surface
+  /// voxel do.
+  static constexpr std::size_t kMaxExactVoxels = 32'000'000;
+  static constexpr int kExactSteps = 16;
+
+  VoxelGrid grid;
+  std::size_t surface_voxels{0};  ///< layer 0
+  std::size_t solid_voxels{0};    ///< layer >= 0
+  bool inside_doubtful{false};    ///< the mesh is not watertight; winding numbers decided
+
+  Voxelmap() = default;
+  /// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.
+  /// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
+  /// voxelmap_sides.hpp.
+  Voxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads = 0,
+           std::size_t most_exact = kMaxExactVoxels);
+
+  /// Of a voxel of the grid.
+  int at(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).layer; }
+  /// By how many steps at(v) may be off: 0 near the surface.
+  int slack(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).slack; }
+  /// Points into this map.
+  LayerView view() const;
+  std::size_t memoryBytes() const;
+
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(grid, surface_voxels, solid_voxels, inside_doubtful, blocks_, block_index_, least_steps_, packed_,
+       corner_steps_);
+  }
+
+ private:
+  void makeWhole(const Surface& surface, int outer_layers, int threads);
+  void makeInTiles(const Surface& surface, int outer_layers, int threads);
+
+  Vector3i blocks_{Vector3i::Zero()};
+  std::vector<std::int32_t> block_index_;
+  std::vector<std::int16_t> least_steps_;
+  std::vector<std::uint8_t> packed_;
+  std::vector<std::int16_t> corner_steps_;
+};
+
+}  // namespace abstand

@@ -1,7 +1,0 @@
-// The searches for any machine.
-#include "core/haptic/search_kernels.inl"
-
-namespace abstand {
-extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts, contactSearch,
-                                            support, extreme,        meeting,  "portable"};
-}  // namespace abstand

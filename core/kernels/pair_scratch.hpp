@@ -1,0 +1,20 @@
+// Work space of one pair query.
+#pragma once
+
+#include <cstdint>
+
+#include "core/shell/point_sphere_tree.hpp"
+
+namespace abstand {
+
+/// Work space of one query. One per pair or thread; nothing in it outlives a call.
+struct PairScratch {
+  struct Entry {
+    float lower_bound;  ///< of the true distance of every point below the node
+    std::uint32_t node;
+  };
+  /// Depth-first with at most kFanout - 1 waiting siblings a level; a tree of 2^32 points has 11 levels.
+  Entry stack[16 * PointSphereTree::kFanout];
+};
+
+}  // namespace abstand

@@ -1,0 +1,15 @@
+// Bounding spheres of the parts of a body, one array a coordinate.
+#pragma once
+
+#include <cstddef>
+
+namespace abstand {
+
+/// Up to kMax spheres in the body's frame (m), laid out for eight lanes. Unused ones have the radius
+/// -infinity.
+struct SphereGroup {
+  static constexpr std::size_t kMax = 8;
+  float x[kMax], y[kMax], z[kMax], radius[kMax];
+};
+
+}  // namespace abstand

@@ -1,0 +1,11 @@
+#include "core/math/object_motion.hpp"
+
+namespace abstand {
+
+Vector3d rotationBetween(const Matrix3d& R_WFrom, const Matrix3d& R_WTo) {
+  // By the quaternion, whose vector part keeps small angles to full precision.
+  const Eigen::AngleAxisd turn(Quaterniond(Matrix3d(R_WTo * R_WFrom.transpose())).normalized());
+  return turn.angle() * turn.axis();
+}
+
+}  // namespace abstand

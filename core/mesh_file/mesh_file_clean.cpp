@@ -1,0 +1,113 @@
+// Welding and the removal of flat triangles.
+#include "core/mesh_file/mesh_file_clean.hpp"
+
+#include <unordered_map>
+
+namespace abstand::mesh_file {
+namespace {
+
+/// Each pass takes the flat triangles next to sound ones; a strip of n flat ones takes n at worst.
+constexpr int kMaxPasses = 64;
+
+/// The side opposite to corner i runs from corner i + 1 to corner i + 2. Returns the corner over the
+/// longest side, when the triangle is lower than `tolerance` there; else -1.
+int flatCorner(const TriangleMesh& mesh, std::size_t t, double tolerance) {
+  int over_longest = 0;
+  double longest = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double length = (mesh.corner(t, (i + 2) % 3) - mesh.corner(t, (i + 1) % 3)).norm();
+    if (length > longest) {
+      longest = length;
+      over_longest = i;
+    }
+  }
+  const Vector3d& a = mesh.corner(t, 0);
+  const double twice_area = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm();
+  return twice_area <= tolerance * longest ? over_longest : -1;
+}
+
+std::uint64_t key(std::uint32_t from, std::uint32_t to) { return std::uint64_t{from} << 32 | to; }
+
+class Flattener {
+ public:
+  Flattener(TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
+
+  /// The number of flat triangles taken away.
+  std::size_t run() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (flatCorner(mesh_, t, tolerance_) >= 0) flat_.push_back(t);
+    if (flat_.empty()) return 0;
+    const std::size_t found = flat_.size();
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enter(t);
+    for (int pass = 0; pass < kMaxPasses && pass_needed_; ++pass) runPass();
+    dropFlat();
+    return found;
+  }
+
+ private:
+  void enter(std::uint32_t t) {
+    for (int i = 0; i < 3; ++i) sides_[key(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3])] = t;
+  }
+
+  void runPass() {
+    pass_needed_ = false;
+    const auto flat = std::move(flat_);
+    flat_.clear();
+    for (const auto t : flat) {
+      if (!merge(t)) flat_.push_back(t);
+    }
+  }
+
+  /// Splits the neighbour over the long side of t at the corner of t opposite to it; both triangles
+  /// then are sound. False when there is no such neighbour, or it is flat itself.
+  bool merge(std::uint32_t t) {
+    const int i = flatCorner(mesh_, t, tolerance_);
+    if (i < 0) return true;  // an earlier split mended it
+    const auto middle = mesh_.triangles[t][i];
+    const auto from = mesh_.triangles[t][(i + 1) % 3], to = mesh_.triangles[t][(i + 2) % 3];
+    const auto found = sides_.find(key(to, from));
+    if (found == sides_.end()) return false;
+    const auto n = found->second;
+    if (flatCorner(mesh_, n, tolerance_) >= 0) return false;
+    std::uint32_t tip = middle;
+    for (const auto v : mesh_.triangles[n])
+      if (v != from && v != to) tip = v;
+    if (tip == middle) return false;
+    mesh_.triangles[n] = {to, middle, tip};
+    mesh_.triangles[t] = {middle, from, tip};
+    enter(n);
+    enter(t);
+    // A split near the tip leaves a flat triangle again, which the next pass takes.
+    if (flatCorner(mesh_, n, tolerance_) >= 0) flat_.push_back(n);
+    if (flatCorner(mesh_, t, tolerance_) >= 0) flat_.push_back(t);
+    pass_needed_ = true;
+    return true;
+  }
+
+  void dropFlat() {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (flatCorner(mesh_, t, tolerance_) < 0) mesh_.triangles[kept++] = mesh_.triangles[t];
+    mesh_.triangles.resize(kept);
+  }
+
+  TriangleMesh& mesh_;
+  double tolerance_;
+  std::vector<std::uint32_t> flat_;
+  std::unordered_map<std::uint64_t, std::uint32_t> sides_;  ///< directed side -> its triangle
+  bool pass_needed_{true};
+};
+
+}  // namespace
+
+CleanMesh clean(const TriangleMesh& mesh, double tolerance) {
+  CleanMesh out;
+  out.mesh = weld(mesh, tolerance);
+  out.degenerate = mesh.triangles.size() - out.mesh.triangles.size();
+  const std::size_t flat = Flattener(out.mesh, tolerance).run();
+  out.degenerate += flat;
+  if (flat > 0) out.mesh = weld(out.mesh, 0.0);
+  return out;
+}
+
+}  // namespace abstand::mesh_file

@@ -1,0 +1,129 @@
+// Distance, contact and penalty force of two bodies.
+#include "core/query/pair_query.hpp"
+
+#include <algorithm>
+
+#include "core/query/pair_search.hpp"
+#include "core/query/penalty_force.hpp"
+#include "core/query/separation.hpp"
+
+namespace abstand {
+namespace {
+
+/// Where the nearest points of a query are when the bodies have moved on with them. World frame.
+struct TransportedWitnesses {
+  TransportedWitnesses(const PairCache& past, const Transform& X_WA, const Transform& X_WB)
+      : on_a(X_WA.linear() * past.on_a + X_WA.translation()),
+        on_b(X_WB.linear() * past.on_b + X_WB.translation()),
+        way(on_a - on_b),
+        distance(way.norm()) {}
+  Vector3d on_a, on_b, way;
+  double distance;
+};
+
+/// Most pairs: the nearest points are still where they were, and the hulls prove it.
+bool reuseWitnesses(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                    const Transform& X_WB, const PairOptions& options, const TransportedWitnesses& points,
+                    PairCache& past, PairResult& result) {
+  if (!past.hulls || !(points.distance > kTouching)) return false;
+  // Along a vector of any length: the separation times that.
+  const double certified =
+      separationAlong(points.way, a, X_WA, b, X_WB, false) / points.distance - kPlaneRounding;
+  if (points.distance - certified > allowed(points.distance, options) || certified <= options.margin)
+    return false;
+  past.distance = points.distance;
+  result = {};
+  result.distance = points.distance;
+  result.bound = std::max(0.0, points.distance - certified);
+  result.witness_a = points.on_a;
+  result.witness_b = points.on_b;
+  return true;
+}
+
+/// The same from either of what a pair remembers; what it then starts from is in memory.last.
+bool reuseEitherCache(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                      const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                      PairResult& result) {
+  if (!memory.last.apart) return false;
+  const TransportedWitnesses points(memory.last, X_WA, X_WB);
+  if (reuseWitnesses(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
+  if (!(std::abs(points.distance - memory.last.distance) > kJump)) return false;
+  const PairCache before = memory.before_jump;
+  memory.before_jump = memory.last;
+  if (!before.apart) return false;
+  const TransportedWitnesses points_before(before, X_WA, X_WB);
+  if (!(points_before.distance < points.distance)) return false;
+  memory.last = before;
+  return reuseWitnesses(a, X_WA, b, X_WB, options, points_before, memory.last, result);
+}
+
+void add(const PenaltyForce& penalty, PairResult& result) {
+  result.contacts = penalty.contacts;
+  result.depth = std::max(penalty.depth, result.depth);
+  result.force_a = penalty.force_a;
+  result.torque_a = penalty.torque_a;
+  result.torque_b = penalty.torque_b;
+}
+
+}  // namespace
+
+bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
+  return a.bounding_sphere.radius <= b.bounding_sphere.radius;
+}
+
+bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                   const Transform& X_WB, const PairOptions& options, PairMemory& memory,
+                   PairScratch& scratch, PairResult& result) noexcept {
+  const double margin = options.margin;
+  if (reuseEitherCache(a, X_WA, b, X_WB, options, memory, result)) {
+    memory.last.touching = false;
+    return false;
+  }
+  PairCache& past = memory.last;
+  const bool from_a = pointsFromA(a, b);
+  const HapticStructure& P = from_a ? a : b;
+  const HapticStructure& F = from_a ? b : a;
+  const Transform& X_WF = from_a ? X_WB : X_WA;
+  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_axes);
+
+  if (!search.remember(past, from_a)) {
+    search.search(past, scratch);
+    if (search.mayTouch()) search.searchReversed(scratch);
+  }
+  search.keep(past, from_a);
+  const Witness& witness = search.witness();
+  result = {};
+  result.distance = witness.distance;
+  result.bound = std::max(0.0, witness.distance - search.certified());
+  const Vector3d on_points = X_WF * witness.on_points, on_field = X_WF * witness.on_field;
+  result.witness_a = from_a ? on_points : on_field;
+  result.witness_b = from_a ? on_field : on_points;
+  result.depth = std::max(margin - witness.distance, 0.0);
+  past.touching = search.certified() <= margin;
+  if (!past.touching) return false;
+  const std::optional<PenaltyForce> penalty = search.penalty(from_a);
+  if (penalty) add(*penalty, result);
+  return !penalty;
+}
+
+void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                PairResult& result) noexcept {
+  add(penaltyForce(a, X_WA, b, X_WB, options, scratch), result);
+}
+
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
+               PairResult& result) noexcept {
+  if (queryDistance(a, X_WA, b, X_WB, options, memory, scratch, result))
+    addPenalty(a, X_WA, b, X_WB, options, scratch, result);
+}
+
+void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+               PairResult& result) noexcept {
+  PairMemory memory;
+  queryPair(a, X_WA, b, X_WB, options, memory, scratch, result);
+}
+
+}  // namespace abstand

@@ -1,0 +1,195 @@
+// One query of a pair: what looks at the shells' points.
+#include "core/query/pair_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/kernels/search_kernels.hpp"
+
+namespace abstand {
+namespace {
+
+// Shell points are moved between the frames in float: below 0.2 um for bodies within some metres.
+constexpr double kFloatRounding = 1e-6;
+// A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
+constexpr double kSearchPart = 0.0025;
+// Of the distance: so much nearer points a search beyond may have missed, as the field there is coarse.
+constexpr double kFoundPart = 0.005;
+// Spacings: a shell point this near to the witness, and no nearer to the other body, leads to it again.
+constexpr double kSamePlace = 2.0;
+// Of the distance: a witness so near to what is proven is not worth to improve.
+constexpr double kStayPart = 0.002;
+// m; bodies that move by no more from one search to the next are worth to look at a second time, for points
+// that are farther away than the nearest by this.
+constexpr double kSlow = 0.001, kRivalry = 0.004;
+// Spacings: by so much at most the walk from a point finds a deeper one.
+constexpr double kDeeper = 0.1;
+// The same where the bodies hardly touch: where edges cross, both may lie between points.
+constexpr double kCrossing = 0.5;
+// Spacings; points this close to the witness converge to the same minimum.
+constexpr double kHome = 6.0;
+// Of what is allowed: a point that seems nearer by this is worth a walk.
+constexpr double kWorthPart = 0.25;
+// Queries of near bodies whose hulls overlap, between two that look whether they still do.
+constexpr std::uint32_t kIdle = 8;
+
+}  // namespace
+
+void PairSearch::search(PairCache& memory, PairScratch& scratch) {
+  summing_ = memory.touching;
+  found_ = kInfinity;
+  const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
+  memory.X_FP = X_FP_;
+  memory.searched = lower_bound;
+  const double loss = witness_.distance > kFarFrom ? kFoundPart * witness_.distance : 0.0;
+  memory.found = found_ = std::min(found_, witness_.distance - loss);
+  searched(lower_bound);
+  isProven();
+  memory.rivals = -kInfinity;
+  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kFarFrom) findRunnerUp(memory, scratch);
+}
+
+bool PairSearch::mayTouch() const {
+  if (certified_ <= 0.0) return true;
+  if (F_.pieces.empty() || separated_) return false;
+  const Transform X_PF = X_FP_.inverse();
+  return std::any_of(F_.pieces.begin(), F_.pieces.end(), [&](const Vector3d& piece) {
+    const Vector3d p = X_PF * piece;
+    return (p - P_.bounding_sphere.centre).norm() < P_.bounding_sphere.radius && P_.surface->inside(p);
+  });
+}
+
+void PairSearch::searchReversed(PairScratch& scratch) {
+  PartAxes none;
+  PairSearch other(F_, X_WF_, P_, X_WP_, options_, none);
+  // The forces are those of P's points, if there are any.
+  other.summing_ = sum_ && sum_->contacts == 0;
+  other.hint_field_ = hint_points_;
+  other.witness_.distance = witness_.distance;
+  const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
+  // Each search bounds the depth of its own points.
+  certified_ = std::min(certified_, lower_bound);
+  other_sum_ = other.sum_;
+  const Witness& found = other.witness_;
+  if (!(found.distance < witness_.distance)) return;
+  witness_.on_points = X_FP_ * found.on_field;
+  witness_.on_field = X_FP_ * found.on_points;
+  witness_.hint_points = found.hint_field;
+  witness_.hint_field = found.hint_points;
+  witness_.distance = found.distance;
+  isProven();
+}
+
+std::optional<PenaltyForce> PairSearch::penalty(bool from_a) const {
+  if (sum_ && sum_->contacts > 0) return penaltyOf(*sum_, P_, F_, X_FP_, X_WF_, options_.stiffness, from_a);
+  if (!other_sum_) return {};
+  return penaltyOf(*other_sum_, F_, P_, X_WP_.inverse() * X_WF_, X_WP_, options_.stiffness, !from_a);
+}
+
+void PairSearch::keep(PairCache& memory, bool from_a) const {
+  memory.apart = witness_.distance > kTouching;
+  memory.distance = witness_.distance;
+  memory.hulls = hulls_;
+  memory.by_parts = by_parts_;
+  const bool overlapping = asked_ && !separated_ && !by_parts_ && witness_.distance < kFarFrom;
+  memory.idle = overlapping ? kIdle : idle_ > 0 ? idle_ - 1 : 0;
+  if (!remembered_ && memory.apart) {
+    const Vector3d n = (witness_.on_points - witness_.on_field) / witness_.distance;
+    const Vector3d n_P = X_FP_.linear().transpose() * n;
+    memory.n_a = from_a ? n_P : -n;
+    memory.n_b = from_a ? n : -n_P;
+  }
+  const Vector3d on_points = X_FP_.inverse() * witness_.on_points;
+  memory.on_a = from_a ? on_points : witness_.on_field;
+  memory.on_b = from_a ? witness_.on_field : on_points;
+  memory.hint_a = from_a ? witness_.hint_points : witness_.hint_field;
+  memory.hint_b = from_a ? witness_.hint_field : witness_.hint_points;
+}
+
+/// Where forces are wanted, those are summed at once, as both look at the same points.
+NearestPoint PairSearch::nearestPoint(const NearestLimits& limits, PairScratch& scratch) {
+  const NearField* near = nearField(F_);
+  if (summing_ && near) {
+    const auto margin = static_cast<float>(options_.margin);
+    // So far every point is looked at that limits.start would not leave out.
+    const float start =
+        std::isfinite(limits.start) ? limits.start + static_cast<float>(near->errorBound()) : margin;
+    const ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
+    const ContactSearch found =
+        searchKernels().contactSearch(P_.treeView(X_FP_), F_.fieldView(), contacts, scratch);
+    sum_ = found.sum;
+    if (found.nearest.point != kNoPoint || std::isfinite(limits.start)) return found.nearest;
+  }
+  return searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+}
+
+/// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
+/// searchPoints does.
+double PairSearch::searchDeeper(PairScratch& scratch) {
+  const NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
+                             static_cast<float>(kSearchPart)};
+  const NearestPoint nearest = nearestPoint(limits, scratch);
+  const double spacing = P_.shell.spacing;
+  if (nearest.point != kNoPoint &&
+      static_cast<double>(nearest.estimate) <
+          witness_.distance + (witness_.distance > -spacing ? kCrossing : kDeeper) * spacing)
+    witness_ =
+        refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, X_FP_ * P_.tree.at(nearest.point),
+                      normalAt(nearest.point), spacing, hint_field_);
+  return static_cast<double>(nearest.lower_bound);
+}
+
+/// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
+/// (m) of any shell point that is proven.
+double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
+  const NearestLimits limits{
+      apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
+      static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
+  const NearestPoint nearest = nearestPoint(limits, scratch);
+  const auto lower_bound = static_cast<double>(nearest.lower_bound);
+  if (nearest.point == kNoPoint) return lower_bound;
+  const Vector3d start = X_FP_ * P_.tree.at(nearest.point);
+  const double spacing = P_.shell.spacing;
+  // What leads to the witness again, or cannot lead to anything nearer.
+  const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
+  if (settled_ && witness_.distance > kTouching &&
+      static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
+    return lower_bound;
+  const bool far = apart && lower_bound > kFarFrom;
+  if (far && witness_.distance - lower_bound <= kStayPart * witness_.distance) {
+    found_ = lower_bound;
+    return lower_bound;
+  }
+  Witness found;
+  if (far)
+    found = footWitness(*F_.surface, start, witness_.hint_field,
+                        (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
+  // Where the point's foot is no nearer than the witness, a walk from it may be.
+  // Within a hundredth the foot is near enough.
+  const bool worth =
+      options_.far_share < kColdFarShare &&
+      static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
+  if (!far || (worth && !(found.distance < witness_.distance)))
+    found = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, normalAt(nearest.point),
+                          spacing, hint_field_);
+  if (!apart || found.distance < witness_.distance) witness_ = found;
+  return lower_bound;
+}
+
+/// The nearest points that moved with the bodies are still the nearest, when all others were farther away
+/// by more than what the bodies have moved.
+bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
+  return certified_ > 0.0 && witness_.distance <= memory.rivals - motion_ &&
+         (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
+}
+
+void PairSearch::findRunnerUp(PairCache& memory, PairScratch& scratch) const {
+  const Vector3f home = witness_.on_points.cast<float>();
+  const Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
+  const auto most = static_cast<float>(witness_.distance + kRivalry);
+  memory.home = X_FP_.inverse() * witness_.on_points;
+  memory.rivals = static_cast<double>(
+      searchKernels().nearestOutside(P_.treeView(X_FP_), F_.fieldView(), ball, most, scratch));
+}
+
+}  // namespace abstand

@@ -1,0 +1,170 @@
+// One query of a pair: what follows the nearest points of the last one, and proves that they are still.
+#include <algorithm>
+
+#include "core/query/pair_search.hpp"
+#include "core/query/separation.hpp"
+
+namespace abstand {
+namespace {
+
+// Of what is allowed: the surface between the points may be nearer than they are.
+constexpr double kPointsPart = 0.75;
+// Of the radii: what separationAlong loses at most by not looking closely, and some staleness.
+constexpr double kHullLoss = 0.05;
+// Of the distance: by so much at most it exceeds that of the hulls where it is worth to look at them first.
+constexpr double kHullPart = 0.03;
+// A line found anew gains little after that.
+constexpr int kRounds = 3;
+
+}  // namespace
+
+bool PairSearch::remember(const PairCache& memory, bool from_a) {
+  hint_points_ = from_a ? memory.hint_a : memory.hint_b;
+  hint_field_ = from_a ? memory.hint_b : memory.hint_a;
+  if (!memory.apart) return false;
+  motion_ = mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_);
+  searched(memory.searched - motion_);
+  found_ = memory.found - motion_;
+  witness_.on_points = X_FP_ * (from_a ? memory.on_a : memory.on_b);
+  witness_.on_field = from_a ? memory.on_b : memory.on_a;
+  witness_.hint_points = from_a ? memory.hint_a : memory.hint_b;
+  witness_.hint_field = from_a ? memory.hint_b : memory.hint_a;
+  witness_.distance = (witness_.on_points - witness_.on_field).norm();
+  hulls_ = memory.hulls;
+  if (!(witness_.distance > kTouching)) return false;
+  if (isKnown()) return remembered_ = true;
+  by_parts_ = memory.by_parts;
+  if (by_parts_ && witness_.distance > kFarFrom && provenByParts()) return remembered_ = true;
+  const Vector3d n_P = from_a ? memory.n_a : -memory.n_b, n_F = from_a ? memory.n_b : -memory.n_a;
+  const bool jumped = std::abs(witness_.distance - memory.distance) > kJump;
+  if (jumped && trySupportPoints(n_P, n_F)) return true;
+  idle_ = jumped || witness_.distance > kFarFrom ? 0 : memory.idle;
+  if (idle_ == 0 && refineLocally()) return true;
+  // Farther away a search is the shorter way.
+  if (witness_.distance > kFarFrom) {
+    if (!jumped && memory.hulls && trySupportPoints(n_P, n_F)) return true;
+    if (tryPartSupportPoints()) return true;
+    if (witness_.distance > kFarFrom) return false;
+  }
+  slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
+  if (isProven()) return true;
+  approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
+  settled_ = true;
+  return isProven() || isUniqueMinimum(memory);
+}
+
+/// From where they were, as long as there is much to gain.
+bool PairSearch::refineLocally() {
+  for (int round = 1;; ++round) {
+    const bool more = walkWitness(*P_.surface, *F_.surface, X_FP_, witness_) && round < kRounds;
+    // What parts prove is looked at once, at the end.
+    if (!(by_parts_ && more) && isProven()) return true;
+    if (!more) return false;
+  }
+}
+
+/// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
+/// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
+/// the axes of each.
+bool PairSearch::trySupportPoints(const Vector3d& n_P, const Vector3d& n_F) {
+  Vector3d n = X_FP_.linear() * n_P;
+  if (separation(n) < separation(n_F)) n = n_F;
+  for (int round = 0; round < kRounds; ++round) {
+    const double before = witness_.distance;
+    take(P_.support.extreme(X_FP_.linear().transpose() * -n), F_.support.extreme(n));
+    if (!(witness_.distance > kTouching)) return false;
+    if (provenByHulls(X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance)))
+      return true;
+    if (!(witness_.distance < before)) return false;
+    n = (witness_.on_points - witness_.on_field) / witness_.distance;
+  }
+  return false;
+}
+
+/// The same with the parts of the bodies.
+bool PairSearch::tryPartSupportPoints() {
+  if (!haveParts()) return false;
+  for (int round = 0; round < kRounds; ++round) {
+    const double before = witness_.distance;
+    const Vector3d n = (witness_.on_points - witness_.on_field) / before;
+    FacingParts::Parts between;
+    if (partsApart(n, between)) return true;
+    take(partExtreme(P_, between.of_points, X_FP_.linear().transpose() * -n),
+         partExtreme(F_, between.of_field, n));
+    if (!(witness_.distance < before)) return false;
+  }
+  return false;
+}
+
+/// One of these points of the surfaces or both, when they are nearer.
+void PairSearch::take(const ExtremePoint& of_points, const ExtremePoint& of_field) {
+  const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
+  const Vector3d p_0 = witness_.on_points, q_0 = witness_.on_field;
+  const double d_p = (p - q_0).norm(), d_q = (p_0 - q).norm(), d = (p - q).norm();
+  const double least = std::min({d_p, d_q, d});
+  if (!(least < witness_.distance)) return;
+  witness_.distance = least;
+  const bool other_points = d_q > least, other_field = d_p > least || !other_points;
+  if (other_points) {
+    witness_.on_points = p;
+    witness_.hint_points = of_points.hint;
+  }
+  if (other_field) {
+    witness_.on_field = q;
+    witness_.hint_field = of_field.hint;
+  }
+}
+
+/// Certified, along the unit vector n from F to P in F's axes.
+double PairSearch::separation(const Vector3d& n) {
+  const double apart = separationAlong(X_WF_.linear() * n, P_, X_WP_, F_, X_WF_, false);
+  certify(apart - kPlaneRounding);
+  return apart;
+}
+
+bool PairSearch::isKnown() const {
+  const double may_exceed = allowed(witness_.distance, options_);
+  return witness_.distance - certified_ <= may_exceed ||
+         witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
+}
+
+/// The distance is within what is allowed of the smallest one of the surfaces, or of the shell's points.
+bool PairSearch::isProven() {
+  if (!(witness_.distance > kTouching)) return false;
+  if (idle_ > 0) return isKnown();
+  asked_ = true;
+  const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
+  const bool parts_first = by_parts_;
+  if (parts_first && provenByParts()) return true;
+  return provenByHulls(n) || (!parts_first && provenByParts());
+}
+
+bool PairSearch::provenByHulls(const Vector3d& n) {
+  for (const bool closely : {false, true}) {
+    const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
+    certify(separation - kPlaneRounding);
+    separated_ = separated_ || separation > kPlaneRounding;
+    hulls_ = witness_.distance - separation <= kHullPart * witness_.distance;
+    if (isKnown()) return true;
+    // What the first look may have lost.
+    if (witness_.distance - separation > kHullLoss * (P_.bounding_sphere.radius + F_.bounding_sphere.radius))
+      break;
+  }
+  return false;
+}
+
+bool PairSearch::provenByParts() {
+  FacingParts::Parts between;
+  return haveParts() &&
+         (by_parts_ = partsApart((witness_.on_points - witness_.on_field) / witness_.distance, between));
+}
+
+bool PairSearch::partsApart(const Vector3d& n, FacingParts::Parts& between) {
+  const double by = witness_.distance - allowed(witness_.distance, options_);
+  if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_axes_).apart(n, between))
+    return false;
+  certify(by);
+  return true;
+}
+
+}  // namespace abstand

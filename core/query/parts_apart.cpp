@@ -1,0 +1,140 @@
+// A certified lower bound of the distance of two bodies that are not convex, from the hulls of their parts.
+#include "core/query/parts_apart.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/kernels/search_kernels.hpp"
+#include "core/query/separation.hpp"
+
+namespace abstand {
+namespace {
+
+// m; spheres are placed in float, for bodies within some metres.
+constexpr double kSphereRounding = 2e-6;
+constexpr int kSteps = 3;
+constexpr std::size_t kMax = SurfaceParts::kMax;
+
+// The bits of SearchKernels::meeting.
+std::size_t partOfPoints(int bit) { return static_cast<std::size_t>(bit) % kMax; }
+std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; }
+
+Vector3d centre(const SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
+
+/// How far a part reaches along g at most (m times the length of g).
+double partReach(const HapticStructure& body, std::size_t part, const Vector3d& g, bool closely) {
+  if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
+  return closely ? body.support.closeUpper(g) : body.support.upper(g);
+}
+
+/// The same, and where.
+double partFarthest(const HapticStructure& body, std::size_t part, const Vector3d& g, ExtremePoint& extreme) {
+  return body.parts.size() > 1 ? body.parts.hull(part).farthest(g, extreme)
+                               : body.support.farthest(g, extreme);
+}
+
+/// Of one body along one direction, looked at when first wanted.
+class Reaches {
+ public:
+  Reaches(const HapticStructure& body, const Vector3d& g, bool closely)
+      : body_(body), g_(g), closely_(closely) {}
+  double operator()(std::size_t part) {
+    if (!(known_ >> part & 1)) {
+      known_ |= 1u << part;
+      reach_[part] = partReach(body_, part, g_, closely_);
+    }
+    return reach_[part];
+  }
+
+ private:
+  const HapticStructure& body_;
+  const Vector3d g_;
+  const bool closely_;
+  double reach_[kMax];
+  unsigned known_{0};
+};
+
+/// Surfaces that are apart may still lie one inside the other. Not a surface of one piece that reaches out of
+/// the other's sphere: from the centre of a minimal sphere, in every direction, some point of the body on it
+/// lies no lower than the centre.
+bool reachesOut(const HapticStructure& body, const HapticStructure& other, double between_centres2) {
+  const double r = body.bounding_sphere.radius, reach = other.bounding_sphere.radius + kSphereRounding;
+  return body.pieces.empty() && between_centres2 + r * r > reach * reach;
+}
+
+}  // namespace
+
+ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Vector3d& g) noexcept {
+  return body.parts.size() == 1 ? body.support.extreme(g) : body.parts.hull(part).extreme(g);
+}
+
+FacingParts::FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
+                         bool closely, PartAxes& lines) noexcept
+    : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), lines_(lines) {
+  const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
+  may_contain_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
+  if (may_contain_) return;
+  facing_ = searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
+                                    F.parts.size(), static_cast<float>(by + kSphereRounding));
+}
+
+double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept {
+  return n.dot(X_FP_.translation()) - partReach(P_, i, X_FP_.linear().transpose() * -n, closely_) -
+         partReach(F_, j, n, closely_);
+}
+
+// From the difference of two points to the nearest one on the way to the outermost (Frank, Wolfe 1956), until
+// a slab across it is wide enough, or it is too short itself.
+bool FacingParts::partsApart(const Parts& parts) noexcept {
+  const auto [i, j] = parts;
+  for (const Vector3d& n : lines_.n)
+    if (!n.isZero() && slab(n, i, j) >= by_) return true;
+  // Nearer, where a hundredth of a millimetre counts, hulls of parts rarely tell anyway.
+  if (closely_) return false;
+  Vector3d v = X_FP_ * centre(P_.parts.spheres(), i) - centre(F_.parts.spheres(), j);
+  for (int step = 0; step < kSteps; ++step) {
+    const double length = v.norm();
+    if (!(length >= by_)) return false;
+    const Vector3d n = v / length;
+    ExtremePoint on_points, on_field;
+    const double width = n.dot(X_FP_.translation()) -
+                         partFarthest(P_, i, X_FP_.linear().transpose() * -n, on_points) -
+                         partFarthest(F_, j, n, on_field);
+    if (width >= by_) {
+      lines_.n[lines_.next] = n;
+      lines_.next = (lines_.next + 1) % PartAxes::kMax;
+      return true;
+    }
+    const Vector3d way = X_FP_ * on_points.point - on_field.point - v;
+    const double way2 = way.squaredNorm();
+    if (!(way2 > 0.0)) return false;
+    v += std::clamp(-v.dot(way) / way2, 0.0, 1.0) * way;
+  }
+  return false;
+}
+
+bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
+  between = {};
+  if (may_contain_) return false;
+  Reaches of_points(P_, X_FP_.linear().transpose() * -n, closely_), of_field(F_, n, closely_);
+  const double along = n.dot(X_FP_.translation());
+  double least = kInfinity;
+  std::uint64_t open = 0;
+  int nearest = 0;
+  for (std::uint64_t left = facing_; left != 0; left &= left - 1) {
+    const int bit = std::countr_zero(left);
+    const double slab = along - of_points(partOfPoints(bit)) - of_field(partOfField(bit));
+    if (slab >= by_) continue;
+    open |= std::uint64_t{1} << bit;
+    if (slab < least) least = slab, nearest = bit;
+  }
+  // The nearest along n first, as that is most likely the one that fails.
+  for (int bit = nearest; open != 0; bit = std::countr_zero(open)) {
+    between = {partOfPoints(bit), partOfField(bit)};
+    if (!partsApart(between)) return false;
+    open &= ~(std::uint64_t{1} << bit);
+  }
+  return true;
+}
+
+}  // namespace abstand

@@ -1,0 +1,56 @@
+// Penalty force and torque of two bodies whose margins overlap.
+#include "core/query/penalty_force.hpp"
+
+#include <utility>
+
+namespace abstand {
+namespace {
+
+/// Of P's points in F's field.
+PenaltyForce sumOver(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F,
+                     const Transform& X_WF, bool points_of_a, const PairOptions& options,
+                     PairScratch& scratch, double watch) {
+  const Transform X_FP = X_WF.inverse() * X_WP;
+  const ContactLimits limits{static_cast<float>(options.margin), static_cast<float>(options.margin + watch),
+                             options.law == ForceLaw::kVolume};
+  const ContactSum sum = searchKernels().contacts(P.treeView(X_FP), F.fieldView(), limits, scratch);
+  return penaltyOf(sum, P, F, X_FP, X_WF, options.stiffness, points_of_a);
+}
+
+}  // namespace
+
+PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
+                       const Transform& X_FP, const Transform& X_WF, double stiffness,
+                       bool points_of_a) noexcept {
+  PenaltyForce result;
+  (points_of_a ? result.near_a : result.near_b) = sum.nearest;
+  if (sum.contacts == 0) return result;
+  const Vector3d force = stiffness * Vector3d(sum.force[0], sum.force[1], sum.force[2]);
+  const Vector3d moment = stiffness * Vector3d(sum.moment[0], sum.moment[1], sum.moment[2]);
+  result.contacts = sum.contacts;
+  result.depth = static_cast<double>(sum.depth);
+  result.force_a = X_WF.linear() * force;
+  result.torque_a = X_WF.linear() * (moment - (X_FP * P.com).cross(force));
+  result.torque_b = -(X_WF.linear() * (moment - F.com.cross(force)));
+  if (!points_of_a) {
+    result.force_a = -result.force_a;
+    std::swap(result.torque_a, result.torque_b);
+  }
+  return result;
+}
+
+PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                          double watch) noexcept {
+  const bool from_a = pointsFromA(a, b);
+  PenaltyForce none;
+  for (const bool a_gives : {from_a, !from_a}) {
+    const PenaltyForce sum = a_gives ? sumOver(a, X_WA, b, X_WB, true, options, scratch, watch)
+                                     : sumOver(b, X_WB, a, X_WA, false, options, scratch, watch);
+    if (sum.contacts > 0) return sum;
+    (a_gives ? none.near_a : none.near_b) = a_gives ? sum.near_a : sum.near_b;
+  }
+  return none;
+}
+
+}  // namespace abstand

@@ -1,0 +1,34 @@
+// Penalty force and torque of two bodies whose margins overlap.
+#pragma once
+
+#include "core/kernels/search_kernels.hpp"
+#include "core/query/pair_query.hpp"
+
+namespace abstand {
+
+/// World frame, SI, as in PairResult.
+struct PenaltyForce {
+  Vector3d force_a{Vector3d::Zero()};   ///< N, on A; on B the opposite
+  Vector3d torque_a{Vector3d::Zero()};  ///< N m, on A about A's centre of mass
+  Vector3d torque_b{Vector3d::Zero()};  ///< N m, on B about B's centre of mass
+  int contacts{0};                      ///< shell points within the margin
+  double depth{0.0};                    ///< m, deepest penetration of the margins, >= 0
+  /// Without contacts: the shell points, in leaf order, that seem the nearest to the other body, when they
+  /// are within `watch`; else kNoPoint.
+  std::uint32_t near_a{kNoPoint}, near_b{kNoPoint};
+};
+
+/// What a sum over P's points in F's field says. `points_of_a`: P is A, else B.
+PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
+                       const Transform& X_FP, const Transform& X_WF, double stiffness,
+                       bool points_of_a) noexcept;
+
+/// Sums over the shell points of the body that gives them (pointsFromA) which are within the margin of the
+/// other: f = k a depth n [volume law], or k depth n [thesis eq. 2.2]. When there are none, over those of the
+/// other body, a tip of which may have come in between. `watch`: m, beyond the margin. Both structures must
+/// outlive the call. No allocation, no lock, no throw; depends on the arguments' values only.
+PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
+                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+                          double watch = 0.0) noexcept;
+
+}  // namespace abstand

@@ -1,0 +1,182 @@
+#include "core/query/witness.hpp"
+
+#include <algorithm>
+
+namespace abstand {
+namespace {
+
+constexpr int kProjections = 8;       // alternating projections gain little after that
+constexpr int kDepthSteps = 6;        // halvings of the step inside
+constexpr double kMinStep = 0.2;      // of the first
+constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
+constexpr double kSteep = 0.2;        // likewise, when the field saw none
+constexpr double kConverged = 1e-6;   // m: gains below this are not worth a query
+constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
+constexpr double kDepthPart = 0.002;  // of the depth, where the field leads
+
+/// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
+class Surfaces {
+ public:
+  Surfaces(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w)
+      : points_(points), field_(field), X_FP_(X_FP), X_PF_(X_FP.inverse()), w_(w) {}
+
+  Vector3d toPoints(const Vector3d& p_F) {
+    const SurfacePoint s = points_.closest(X_PF_ * p_F, w_.hint_points);
+    w_.hint_points = s.hint;
+    return X_FP_ * s.point;
+  }
+  Vector3d toField(const Vector3d& p_F) {
+    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    w_.hint_field = s.hint;
+    return s.point;
+  }
+  /// The foot of p_F, and whether p_F is inside of the field body.
+  Vector3d toField(const Vector3d& p_F, bool& inside) {
+    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    w_.hint_field = s.hint;
+    inside = field_.inside(p_F, s);
+    return s.point;
+  }
+  /// To the nearest points of the two triangles on which they lie.
+  void slide() {
+    TriangleCorners a, b;
+    if (!points_.triangle(w_.hint_points, a) || !field_.triangle(w_.hint_field, b)) return;
+    for (Vector3d& corner : a) corner = X_FP_ * corner;
+    const NearestPair nearest = nearestPoints(a, b);
+    if (!(nearest.distance < w_.distance)) return;
+    w_.on_points = nearest.on_a;
+    w_.on_field = nearest.on_b;
+    w_.distance = nearest.distance;
+  }
+
+ private:
+  const Surface& points_;
+  const Surface& field_;
+  Transform X_FP_, X_PF_;
+  Witness& w_;
+};
+
+void set(Witness& w, const Vector3d& p, const Vector3d& q, double distance) {
+  w.on_points = p;
+  w.on_field = q;
+  w.distance = distance;
+}
+
+void approach(Surfaces& surfaces, Witness& w) {
+  for (int i = 0; i < kProjections; ++i) {
+    surfaces.slide();
+    const Vector3d p = surfaces.toPoints(w.on_field);
+    const Vector3d q = surfaces.toField(p);
+    const double d = (p - q).norm();
+    const double gain = w.distance - d;
+    if (gain <= 0.0) return;
+    set(w, p, q, d);
+    if (gain < std::max(kConverged, kEnoughPart * d)) return;
+  }
+}
+
+void deepen(Surfaces& surfaces, Witness& w, double step) {
+  for (int i = 0; i < kDepthSteps; ++i) {
+    const double depth = -w.distance;
+    if (depth < 1e-12) return;
+    const Vector3d inward = (w.on_points - w.on_field) / depth;
+    const Vector3d p = surfaces.toPoints(w.on_points + step * inward);
+    bool inside;
+    const Vector3d q = surfaces.toField(p, inside);
+    const double deeper = (p - q).norm();
+    if (deeper > depth && inside) {
+      const double gain = deeper - depth;
+      set(w, p, q, -deeper);
+      if (gain < kConverged) return;
+    } else {
+      step *= 0.5;
+    }
+  }
+}
+
+/// To a deeper point of P's surface near p, as deep as the samples of the near field tell. `normal`: of P's
+/// surface there, unit, in F's axes.
+Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, const Vector3d& normal, double step) {
+  float s, gradient[3];
+  const auto at = [&](const Vector3d& q) {
+    const Vector3f f = q.cast<float>();
+    return near.sampleGradient(f.x(), f.y(), f.z(), s, gradient) && s < 0.0f;
+  };
+  if (!at(p)) return p;
+  float deepest = s;
+  Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
+  const double least = kMinStep * step;
+  while (step > least) {
+    // Along the surface: what points through it leads nowhere.
+    const Vector3d along = down - normal * normal.dot(down);
+    const double slope = along.norm();
+    if (!(slope > kLevel * down.norm())) return p;
+    const Vector3d next = surfaces.toPoints(p + (step / slope) * along);
+    if (at(next) && s < deepest) {
+      const double gain = deepest - s;
+      p = next;
+      deepest = s;
+      down = -Vector3d(gradient[0], gradient[1], gradient[2]);
+      if (gain < kDepthPart * -deepest) return p;
+    } else {
+      step *= 0.5;
+    }
+  }
+  return p;
+}
+
+}  // namespace
+
+Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
+                      const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
+                      std::uint32_t hint) noexcept {
+  Witness w;
+  w.hint_field = hint;
+  Surfaces surfaces(points, field, X_FP, w);
+  bool inside;
+  const Vector3d p = near ? sunk(surfaces, *near, start, normal, step) : start;
+  const Vector3d q = surfaces.toField(p, inside);
+  set(w, p, q, (p - q).norm());
+  if (inside) {
+    w.distance = -w.distance;
+    // Where many ways out are as long, at a medial axis, the field is too coarse to tell which way is down.
+    const Vector3d inward = (p - q).normalized();
+    if (!near || (inward - normal * normal.dot(inward)).norm() > kSteep) deepen(surfaces, w, step);
+  } else {
+    approach(surfaces, w);
+  }
+  return w;
+}
+
+Witness footWitness(const Surface& field, const Vector3d& start, std::uint32_t hint, double enough) noexcept {
+  SurfacePoint foot = field.nearby(start, hint);
+  if (foot.distance > enough) foot = field.closest(start, foot.hint);
+  return {start, foot.point, foot.distance, kNoHint, foot.hint};
+}
+
+void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+  Surfaces(points, field, X_FP, w).slide();
+}
+
+bool walkWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+  const Transform X_PF = X_FP.inverse();
+  if (w.hint_points == kNoHint && !points.shape()) w.hint_points = points.closest(X_PF * w.on_points).hint;
+  if (w.hint_field == kNoHint && !field.shape()) w.hint_field = field.closest(w.on_field).hint;
+  const SurfacePoint on_points = points.nearby(X_PF * w.on_field, w.hint_points);
+  const Vector3d p = X_FP * on_points.point;
+  const SurfacePoint on_field = field.nearby(p, w.hint_field);
+  const double gain = w.distance - on_field.distance;
+  if (!(gain > 0.0)) return false;
+  set(w, p, on_field.point, on_field.distance);
+  w.hint_points = on_points.hint;
+  w.hint_field = on_field.hint;
+  return gain >= std::max(kConverged, kEnoughPart * w.distance);
+}
+
+void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,
+                     Witness& w) noexcept {
+  Surfaces surfaces(points, field, X_FP, w);
+  approach(surfaces, w);
+}
+
+}  // namespace abstand

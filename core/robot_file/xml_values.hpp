@@ -1,0 +1,54 @@
+// Typed values out of XML attributes; every error names its place.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.hpp"
+#include "core/math/transform.hpp"
+#include "core/text/xml_element.hpp"
+
+namespace abstand {
+
+using mesh_file::XmlElement;
+
+/// Values of the elements of one file. `file` must outlive it.
+class XmlValues {
+ public:
+  explicit XmlValues(const std::string& file) : file_(file) {}
+
+  SourcePos pos(const XmlElement& e) const { return {file_, e.line, e.column}; }
+  [[noreturn]] void fail(const XmlElement& e, const std::string& message, const std::string& hint = {}) const;
+  /// `FILE:LINE:COLUMN: TEXT`.
+  std::string warning(const XmlElement& e, const std::string& text) const;
+
+  /// The attribute with &lt; &gt; &amp; &quot; &apos; resolved; nullopt when it is not there. Throws
+  /// ParseError for other entities, for control characters and for what is not UTF-8.
+  std::optional<std::string> text(const XmlElement& e, std::string_view key) const;
+  /// Throws ParseError when the attribute is missing or empty.
+  std::string needText(const XmlElement& e, std::string_view key) const;
+  /// A finite number, at most kLargest in size; nullopt when it is not there.
+  std::optional<double> number(const XmlElement& e, std::string_view key) const;
+  double needNumber(const XmlElement& e, std::string_view key) const;
+  /// Three of them.
+  std::optional<Vector3d> vector(const XmlElement& e, std::string_view key) const;
+
+  /// Larger values are mistakes, and sums and products of smaller ones stay finite.
+  static constexpr double kLargest = 1e6;
+
+ private:
+  double parse(const XmlElement& e, std::string_view key, std::string_view word) const;
+
+  const std::string& file_;
+};
+
+/// Text for an attribute in double quotes.
+std::string xmlEscaped(const std::string& text);
+/// "x y z" with enough digits to read back the same.
+std::string xmlNumbers(std::span<const double> values);
+std::string xmlNumbers(const Vector3d& v);
+
+}  // namespace abstand

@@ -1,0 +1,303 @@
+// Points spread evenly over a surface: farthest-point sampling, centring, areas and normals, fine adjustment.
+#include "core/shell/pointshell.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/geometry/mass_properties.hpp"
+#include "core/shell/farthest_point_sampler.hpp"
+#include "core/shell/pointshell_tips.hpp"
+#include "core/shell/quadrature_correction.hpp"
+#include "core/shell/shell_sampler.hpp"
+#include "core/shell/sub_triangles.hpp"
+
+namespace abstand {
+namespace {
+
+// Lengths are multiples of the spacing.
+constexpr double kShellSagitta = 0.01;
+/// Of the mesh whose overlaps a shape's points are adjusted to.
+constexpr double kFineSagitta = 0.001;
+/// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
+/// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
+/// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
+constexpr double kStop = 0.83;
+constexpr double kFill = 0.775;
+/// A difference of 1 between two unit normals counts as this distance.
+constexpr double kNormalLength = 1.0;
+constexpr double kPiecesPerPoint = 10.0;
+constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
+constexpr double kMaxEdge = 0.6;
+/// Cells of the grid in which samples are kept.
+constexpr double kCell = 1.0;
+/// A shell gets at most this many times as many points because of its tips and edges.
+constexpr double kMaxExtra = 1.6;
+
+/// The surface that one point stands for.
+struct Cell {
+  double area{0.0};
+  Vector3d moment{Vector3d::Zero()};  ///< integral of the position
+  Vector3d normal{Vector3d::Zero()};  ///< integral of the outward normal
+  Vector3d rim{Vector3d::Zero()};  ///< integral of the conormal over its sharp edges (outwards, in the face)
+  double second_moment{0.0};       ///< integral of |x|^2
+  double spread{0.0};              ///< integral of u = 1 / density
+  Vector3d spread_moment{Vector3d::Zero()};  ///< integral of u x
+};
+
+std::vector<Cell> gatherCells(const SubTriangles& pool, const std::vector<float>& density,
+                              const std::vector<std::uint32_t>& nearest, std::size_t count) {
+  std::vector<Cell> cells(count);
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+    Cell& cell = cells[nearest[i]];
+    const double area = piece.area();
+    const Vector3d& normal = pool.normal(piece.triangle());
+    const Vector3d centroid = piece.centroid();
+    cell.area += area;
+    cell.spread += area / density[i];
+    cell.spread_moment += area / density[i] * centroid;
+    cell.moment += area * centroid;
+    cell.normal += area * normal;
+    cell.second_moment += area * (centroid.squaredNorm() + piece.spread());
+    if (piece.sharp() == 0) return;
+    for (int e = 0; e < 3; ++e) {
+      if ((piece.sharp() >> e & 1u) != 0)
+        cell.rim += (piece.corner((e + 1) % 3) - piece.corner(e)).cross(normal);
+    }
+  });
+  return cells;
+}
+
+/// Where a cell's point should lie so that sums over the shell are unbiased. A linear function is integrated
+/// exactly by its value at the centroid; but where the depth is clamped to zero, sum_i a_i max(0, f_i) falls
+/// short by sigma^2 / 2 |grad f| on average per unit length of the contour f = 0 (sigma^2: variance of a cell
+/// along one axis). Over the touching part of a face that is, by the divergence theorem,
+///   1/2 (integral of sigma^2 grad f over the sharp edges, outwards - integral of grad sigma^2 . grad f over
+///   the face),
+/// so shifts by sigma^2 / 2 (conormal length of the sharp edges) / area - grad sigma^2 / 2 make up for it,
+/// whatever f. sigma^2 goes with u = 1 / density, and grad sigma^2 = sigma^2 grad u / u = covariance(x, u) /
+/// u within the cell.
+std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
+  double scaled_variance = 0.0, area = 0.0;
+  for (const Cell& cell : cells) {
+    if (cell.area <= 0.0) continue;
+    scaled_variance +=
+        0.5 * cell.area / cell.spread * (cell.second_moment - cell.moment.squaredNorm() / cell.area);
+    area += cell.area;
+  }
+  scaled_variance /= area;
+  std::vector<Vector3d> out(cells.size(), Vector3d::Zero());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell& cell = cells[i];
+    if (cell.area <= 0.0) continue;
+    const Vector3d centroid = cell.moment / cell.area;
+    const double variance = scaled_variance * cell.spread / cell.area;
+    const Vector3d variance_gradient = cell.spread_moment / cell.spread - centroid;
+    const Vector3d shift = 0.5 * (variance / cell.area * cell.rim - variance_gradient);
+    // In a narrow face the points of all cells lie at edges, and a full shift would leave the face.
+    const double reach =
+        0.5 * std::sqrt(std::max(0.0, cell.second_moment / cell.area - centroid.squaredNorm()));
+    out[i] = centroid + (shift.norm() > reach ? reach / shift.norm() : 1.0) * shift;
+  }
+  return out;
+}
+
+/// Nearest point to each target on the surface of its own cell; a target that is NaN is none.
+std::vector<Vector3d> onSurface(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
+                                const std::vector<Vector3d>& target) {
+  std::vector<Vector3d> out(target.size());
+  struct Best {
+    double distance2{kInfinity};
+    double far2{kInfinity};  ///< from which on a piece's centroid tells that all of the piece is farther
+  };
+  std::vector<Best> bests(target.size());
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+    const Vector3d& to = target[nearest[i]];
+    Best& best = bests[nearest[i]];
+    if (!((piece.centroid() - to).squaredNorm() < best.far2)) return;
+    const Vector3d p = closestPoint(piece.whole(), to);
+    const double d2 = (p - to).squaredNorm();
+    if (d2 >= best.distance2) return;
+    const double reach = std::sqrt(d2) + pool.reach();
+    best = {d2, reach * reach};
+    out[nearest[i]] = p;
+  });
+  return out;
+}
+
+/// How far the points that are `asked` for are from the sharp edges of their own cells; infinite where there
+/// are none.
+std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
+                                 const std::vector<Vector3d>& points, const std::vector<bool>& asked) {
+  std::vector<double> out(points.size(), kInfinity);
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+    if (piece.sharp() == 0 || !asked[nearest[i]]) return;
+    const Vector3d& p = points[nearest[i]];
+    double& least = out[nearest[i]];
+    for (int e = 0; e < 3; ++e) {
+      if ((piece.sharp() >> e & 1u) == 0) continue;
+      const Vector3d start = piece.corner(e), way = piece.corner((e + 1) % 3) - start, from = p - start;
+      const double t = std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (from - t * way).norm());
+    }
+  });
+  return out;
+}
+
+/// Outward unit normal of a shape at p; `near` tells on which side of an edge p is.
+Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near) {
+  struct Visitor {
+    const Vector3d &p, &near;
+    Vector3d operator()(const Sphere&) const { return p.normalized(); }
+    Vector3d operator()(const Ellipsoid& e) const {
+      return p.cwiseQuotient(e.semi_axes.cwiseProduct(e.semi_axes)).normalized();
+    }
+    Vector3d operator()(const Cuboid&) const {
+      int axis = 0;
+      near.cwiseAbs().maxCoeff(&axis);
+      return std::copysign(1.0, near[axis]) * Vector3d::Unit(axis);
+    }
+    Vector3d operator()(const Cylinder&) const {
+      if (std::abs(near.z()) > std::sqrt(0.5)) return {0.0, 0.0, std::copysign(1.0, near.z())};
+      return Vector3d(p.x(), p.y(), 0.0).normalized();
+    }
+    Vector3d operator()(const Capsule& c) const {
+      return (p - Vector3d(0.0, 0.0, std::clamp(p.z(), -0.5 * c.length, 0.5 * c.length))).normalized();
+    }
+  };
+  return std::visit(Visitor{p, near}, shape);
+}
+
+/// Moves a point to the nearest one of a shape's surface, with the normal there.
+void settle(const Surface& surface, BalancePoint& point) {
+  point.position = surface.closest(point.position).point;
+  point.normal = -shapeNormal(*surface.shape(), point.position, -point.normal);
+}
+
+void keepTotalArea(std::vector<BalancePoint>& points) {
+  double now = 0.0, before = 0.0;
+  for (const BalancePoint& p : points) now += p.area, before += p.home_area;
+  for (BalancePoint& p : points) p.area *= before / now;
+}
+
+/// Points per area at each piece, as a multiple of the usual density, within kMaxExtra.
+std::vector<float> pointDensity(const SubTriangles& pool) {
+  std::vector<float> density(pool.size(), 1.0f);
+  if (pool.plain()) return density;
+  double area = 0.0, extra = 0.0;
+  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+    density[i] = 1.0f / (pool.pitch(i) * pool.pitch(i));
+    area += piece.area();
+    extra += piece.area() * double(density[i] - 1.0f);
+  });
+  if (extra > (kMaxExtra - 1.0) * area) {
+    const float share = static_cast<float>((kMaxExtra - 1.0) * area / extra);
+    for (float& d : density) d = 1.0f + share * (d - 1.0f);
+  }
+  return density;
+}
+
+std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double length) {
+  std::vector<Vector3f> out;
+  for (const Cell& cell : cells) out.push_back((length * cell.normal.normalized()).cast<float>());
+  return out;
+}
+
+/// A surface shared out among points.
+struct Shares {
+  std::vector<std::uint32_t> nearest;  ///< of each piece: its cell
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> order;  ///< of the cells, as the shell's
+};
+
+Shares share(const SubTriangles& pool, double spacing) {
+  const double normal_length = kNormalLength * spacing;
+  const std::vector<float> density = pointDensity(pool);
+  ShellSampler spread(pool, density, normal_length, kCell * spacing);
+  spread.spread(kStop * spacing);
+  std::vector<Cell> cells = gatherCells(pool, density, spread.nearest(), spread.count());
+  std::vector<Vector3f> centred;
+  for (const Vector3d& p : targets(cells)) centred.push_back(p.cast<float>());
+  spread.fill(std::move(centred), scaledNormals(cells, normal_length), kFill * spacing);
+  cells = gatherCells(pool, density, spread.nearest(), spread.count());
+  std::vector<std::uint32_t> order = spread.order();
+  return {spread.takeNearest(), std::move(cells), std::move(order)};
+}
+
+}  // namespace
+
+Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
+  if (!(spacing > 0.0) || !std::isfinite(spacing)) {
+    throw UsageError("point spacing is " + std::to_string(spacing) + " m, expected a positive length");
+  }
+  const Shape* shape = surface.shape();
+  const TriangleMesh mesh = surface.mesh(kShellSagitta * spacing);
+  const PitchField field(mesh, spacing);
+  const SubTriangles pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
+  if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
+  Shares shares = share(pool, spacing);
+  std::vector<std::uint32_t>& nearest = shares.nearest;
+  std::vector<Cell>& cells = shares.cells;
+  const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
+
+  double pool_area = 0.0;
+  for (const Cell& cell : cells) pool_area += cell.area;
+  const double area_scale = shape != nullptr ? surface.area() / pool_area : 1.0;
+  std::vector<BalancePoint> balanced;
+  balanced.reserve(points.size());
+  std::vector<std::uint32_t> cell_of, kept(points.size(), 0);
+  for (const std::uint32_t k : shares.order) {
+    if (cells[k].area <= 0.0) continue;
+    kept[k] = static_cast<std::uint32_t>(balanced.size());
+    cell_of.push_back(k);
+    // Bumps within a cell press against each other; what is left of them is the area times the mean normal.
+    const double area = shape != nullptr ? area_scale * cells[k].area : cells[k].normal.norm();
+    balanced.push_back({points[k], -cells[k].normal.normalized(), area, points[k], area,
+                        QuadratureCorrection::kReach * spacing});
+    if (shape != nullptr) settle(surface, balanced.back());
+  }
+  cells = {};
+  if (!field.plain()) {
+    const QuadratureCorrection balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(),
+                                       balanced, spacing, threads);
+    std::vector<bool> pressed(points.size(), false);
+    for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
+    const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);
+    for (std::size_t i = 0; i < balanced.size(); ++i)
+      balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
+    balance.adjust(balanced, QuadratureCorrection::Freedom::kPlaceAndArea);
+    // Back onto the surface.
+    std::vector<Vector3d> moved(points.size(), Vector3d::Constant(kNaN));
+    for (std::size_t i = 0; i < balanced.size(); ++i) {
+      if (pressed[cell_of[i]]) moved[cell_of[i]] = balanced[i].position;
+    }
+    moved = onSurface(pool, nearest, moved);
+    for (std::size_t i = 0; i < balanced.size(); ++i) {
+      if (!pressed[cell_of[i]]) continue;
+      balanced[i].position = moved[cell_of[i]];
+      if (shape != nullptr) settle(surface, balanced[i]);
+    }
+    balance.adjust(balanced, QuadratureCorrection::Freedom::kArea);
+    keepTotalArea(balanced);
+  }
+
+  Pointshell shell;
+  shell.spacing = spacing;
+  std::vector<Vector3f> positions;
+  for (const BalancePoint& p : balanced) {
+    positions.push_back(p.position.cast<float>());
+    shell.x.push_back(positions.back().x());
+    shell.y.push_back(positions.back().y());
+    shell.z.push_back(positions.back().z());
+    shell.nx.push_back(static_cast<float>(p.normal.x()));
+    shell.ny.push_back(static_cast<float>(p.normal.y()));
+    shell.nz.push_back(static_cast<float>(p.normal.z()));
+    shell.area.push_back(static_cast<float>(p.area));
+  }
+  for (std::uint32_t& k : nearest) k = kept[k];
+  // No point of a shape's surface is farther than the sagitta from its mesh.
+  shell.covering_radius =
+      coveringRadius(pool, positions, nearest) + (shape != nullptr ? kShellSagitta * spacing : 0.0);
+  return shell;
+}
+
+}  // namespace abstand

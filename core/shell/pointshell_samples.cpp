@@ -1,0 +1,313 @@
+// Samples of a surface and their cover by centres: a sparse grid, and rounds of falling reach.
+#include "core/shell/pointshell_samples.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace abstand {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr float kFarSample = std::numeric_limits<float>::max();
+/// From one round to the next the reach falls by this factor.
+constexpr float kRound = 0.97f;
+/// Below so many cells the first centre is any; above, the first ones come from a sample of each cell.
+constexpr std::size_t kFewCells = 64;
+/// Cells of the grid of those along one edge of ours.
+constexpr float kCoarser = 4.0f;
+/// How far its centres cover ours, in its own cells: their reach and more, as samples lie off the first one.
+constexpr float kCoarseReach = 1.5f;
+constexpr int kBrickBits = 2, kBrick = 1 << kBrickBits;
+/// Cells along an axis; what lies beyond goes to the last one.
+constexpr float kMaxCells = 1 << 20;
+
+std::size_t hash(const Vector3i& at) {
+  const auto u = [&](int k) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(at[k])); };
+  std::uint64_t h = u(0) * 0x9e3779b97f4a7c15u ^ u(1) * 0xc2b2ae3d27d4eb4fu ^ u(2) * 0x165667b19e3779f9u;
+  h ^= h >> 29;
+  return static_cast<std::size_t>(h * 0xbf58476d1ce4e5b9u >> 20);
+}
+
+int bitOf(const Vector3i& cell) {
+  return ((cell.z() & (kBrick - 1)) * kBrick + (cell.y() & (kBrick - 1))) * kBrick +
+         (cell.x() & (kBrick - 1));
+}
+
+/// The bits of the brick `at` whose cells lie from `low` to `high`.
+std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i& high) {
+  std::uint64_t along[3];
+  for (int k = 0; k < 3; ++k) {
+    const int first = std::max(0, low[k] - at[k] * kBrick),
+              last = std::min(kBrick - 1, high[k] - at[k] * kBrick);
+    along[k] = (2u << last) - (1u << first);
+  }
+  const std::uint64_t y = (along[1] & 1) | (along[1] & 2) << 3 | (along[1] & 4) << 6 | (along[1] & 8) << 9;
+  const std::uint64_t z = (along[2] & 1) | (along[2] & 2) << 15 | (along[2] & 4) << 30 | (along[2] & 8) << 45;
+  // Each bit of x spread over the y, and that over the z.
+  return along[0] * y * z;
+}
+
+}  // namespace
+
+void FarthestPointSampler::start(const std::vector<Sample>& samples, double cell,
+                                 std::uint32_t first_centre) {
+  cell_ = static_cast<float>(cell);
+  per_cell_ = 1.0f / cell_;
+  centres_.clear();
+  first_centre_ = first_centre;
+  arrange(samples);
+}
+
+Vector3i FarthestPointSampler::cellOf(const Vector3f& p) const {
+  const Four from = Four{p.x() - lower_.x(), p.y() - lower_.y(), p.z() - lower_.z(), 0.0f} * per_cell_;
+  const Four at = min(max(from, Four{}), splat(kMaxCells - 1.0f));
+  const auto cell = __builtin_convertvector(at, FourInts);
+  return {cell[0], cell[1], cell[2]};
+}
+
+const FarthestPointSampler::SparseBlock* FarthestPointSampler::brickAt(const Vector3i& at) const {
+  for (std::size_t i = hash(at);; ++i) {
+    const std::uint32_t brick = brick_table_[i & (brick_table_.size() - 1)];
+    if (brick == kNone) return nullptr;
+    if (bricks_[brick].at == at) return &bricks_[brick];
+  }
+}
+
+std::uint32_t FarthestPointSampler::addBrick(const Vector3i& at) {
+  const auto enter = [&](std::uint32_t brick) {
+    std::size_t i = hash(bricks_[brick].at);
+    while (brick_table_[i & (brick_table_.size() - 1)] != kNone) ++i;
+    brick_table_[i & (brick_table_.size() - 1)] = brick;
+  };
+  const auto brick = static_cast<std::uint32_t>(bricks_.size());
+  bricks_.push_back({at, 0, 0, {}});
+  if (2 * bricks_.size() <= brick_table_.size()) {
+    enter(brick);
+  } else {
+    brick_table_.assign(std::max<std::size_t>(64, 2 * brick_table_.size()), kNone);
+    for (std::uint32_t b = 0; b <= brick; ++b) enter(b);
+  }
+  return brick;
+}
+
+inline void FarthestPointSampler::put(std::uint32_t at, const Sample& sample, float distance2) {
+  Group& g = groups_[at / kLanes];
+  const auto lane = at % kLanes;
+  g.x[lane] = sample.position.x(), g.y[lane] = sample.position.y(), g.z[lane] = sample.position.z();
+  g.nx[lane] = sample.normal.x(), g.ny[lane] = sample.normal.y(), g.nz[lane] = sample.normal.z();
+  g.weight[lane] = sample.weight;
+  g.distance2[lane] = distance2;
+  g.nearest[lane] = 0.0f;
+}
+
+void FarthestPointSampler::arrange(const std::vector<Sample>& samples) {
+  const std::size_t n = samples.size();
+  bricks_.clear();
+  lower_ = samples.front().position;
+  for (const Sample& sample : samples) lower_ = lower_.cwiseMin(sample.position);
+
+  // Bricks in the order in which samples come to them: neighbours in a mesh often are neighbours in space.
+  cell_of_.resize(n);  // first the brick, times its cells, and the bit
+  constexpr std::uint32_t kCells = kBrick * kBrick * kBrick;
+  brick_table_.assign(64, kNone);
+  std::uint32_t brick = kNone;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector3i cell = cellOf(samples[i].position),
+                   at(cell.x() >> kBrickBits, cell.y() >> kBrickBits, cell.z() >> kBrickBits);
+    if (brick == kNone || bricks_[brick].at != at) {
+      const SparseBlock* known = brickAt(at);
+      brick = known != nullptr ? static_cast<std::uint32_t>(known - bricks_.data()) : addBrick(at);
+    }
+    const int bit = bitOf(cell);
+    bricks_[brick].kept |= std::uint64_t{1} << bit;
+    cell_of_[i] = brick * kCells + static_cast<std::uint32_t>(bit);
+  }
+  std::uint32_t cells = 0;
+  for (SparseBlock& b : bricks_) {
+    b.first = cells;
+    std::uint8_t place = 0;
+    for (std::uint32_t bit = 0; bit < kCells; ++bit) {
+      b.place[bit] = place;
+      place += (b.kept >> bit) & 1u;
+    }
+    cells += place;
+  }
+
+  // Count, then place, each cell padded to whole groups.
+  std::vector<std::uint32_t> next(cells, 0);
+  for (std::uint32_t& c : cell_of_) {
+    const SparseBlock& b = bricks_[c / kCells];
+    c = b.first + b.place[c % kCells];
+    ++next[c];
+  }
+  cells_.resize(cells);
+  std::uint32_t groups = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    const std::uint32_t end = groups + (next[c] + kLanes - 1) / kLanes;
+    cells_[c] = {splat(kFarSample), splat(-kFarSample), kFarSample, kFarSample, groups, end};
+    next[c] = groups * kLanes;
+    groups = end;
+  }
+  groups_.resize(groups);
+  order_.assign(groups * kLanes, kNone);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Sample& sample = samples[i];
+    Cell& cell = cells_[cell_of_[i]];
+    const Four p{sample.position.x(), sample.position.y(), sample.position.z(), 0.0f};
+    cell.lower = min(cell.lower, p);
+    cell.upper = max(cell.upper, p);
+    cell.least_weight = std::min(cell.least_weight, sample.weight);
+    const std::uint32_t at = next[cell_of_[i]]++;
+    order_[at] = i;
+    put(at, sample, kFarSample);
+  }
+  for (std::uint32_t c = 0; c < cells; ++c) {
+    for (std::uint32_t at = next[c]; at < cells_[c].end * kLanes; ++at) put(at, sample(at - 1), -1.0f);
+  }
+}
+
+Sample FarthestPointSampler::sample(std::uint32_t at) const {
+  const Group& g = groups_[at / kLanes];
+  const auto lane = at % kLanes;
+  return {{g.x[lane], g.y[lane], g.z[lane]}, {g.nx[lane], g.ny[lane], g.nz[lane]}, g.weight[lane]};
+}
+
+void FarthestPointSampler::visit(Cell& cell, const Centre& centre) {
+  const Four gap = max(max(cell.lower - centre.p, centre.p - cell.upper), Four{});
+  if (sumOf(gap * gap) * cell.least_weight >= cell.farthest) return;
+  const auto square = [](Four a) { return a * a; };
+  Four farthest = splat(-1.0f);
+  for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
+    Group& g = groups_[i];
+    const Four d2 =
+        g.weight * (square(g.x - centre.p[0]) + square(g.y - centre.p[1]) + square(g.z - centre.p[2]) +
+                    square(g.nx - centre.n[0]) + square(g.ny - centre.n[1]) + square(g.nz - centre.n[2]));
+    g.nearest = d2 < g.distance2 ? splat(centre.id) : g.nearest;
+    g.distance2 = min(g.distance2, d2);
+    farthest = max(farthest, g.distance2);
+  }
+  cell.farthest = largestOf(farthest);
+}
+
+void FarthestPointSampler::add(std::uint32_t id, const Vector3f& p, const Vector3f& n, float radius) {
+  const Centre centre{std::bit_cast<float>(id), Four{p.x(), p.y(), p.z(), 0.0f}, n};
+  const Vector3i low = cellOf(p.array() - radius), high = cellOf(p.array() + radius);
+  const Vector3i first = low / kBrick, last = high / kBrick;
+  if (((last - first).cast<double>().array() + 1.0).prod() > static_cast<double>(bricks_.size())) {
+    for (Cell& cell : cells_) visit(cell, centre);
+    return;
+  }
+  Vector3i at;
+  for (at.z() = first.z(); at.z() <= last.z(); ++at.z()) {
+    for (at.y() = first.y(); at.y() <= last.y(); ++at.y()) {
+      for (at.x() = first.x(); at.x() <= last.x(); ++at.x()) {
+        const SparseBlock* brick = brickAt(at);
+        if (brick == nullptr) continue;
+        for (std::uint64_t rest = brick->kept & bitsWithin(at, low, high); rest != 0; rest &= rest - 1)
+          visit(cells_[brick->first + brick->place[std::countr_zero(rest)]], centre);
+      }
+    }
+  }
+}
+
+void FarthestPointSampler::addSample(std::uint32_t at, float radius, float distance2) {
+  const Sample centre = sample(at);
+  const auto id = first_centre_ + static_cast<std::uint32_t>(centres_.size());
+  centres_.push_back({at, distance2});
+  add(id, centre.position, centre.normal, radius);
+}
+
+void FarthestPointSampler::offer(std::uint32_t centre, const Vector3f& point, const Vector3f& normal,
+                                 double reach) {
+  add(centre, point, normal, static_cast<float>(reach));
+}
+
+std::uint32_t FarthestPointSampler::farthestOf(const Cell& cell) const {
+  float farthest = -1.0f;
+  std::uint32_t at = 0;
+  for (std::uint32_t i = cell.begin * kLanes; i < cell.end * kLanes; ++i) {
+    const float d2 = groups_[i / kLanes].distance2[i % kLanes];
+    if (d2 > farthest) farthest = d2, at = i;
+  }
+  return at;
+}
+
+void FarthestPointSampler::descend(float from, float reach) {
+  for (float round = std::max(from, reach), before = round;;
+       before = round, round = std::max(kRound * round, reach)) {
+    const float round2 = round * round;
+    for (Cell& cell : cells_) {
+      while (cell.farthest > round2) addSample(farthestOf(cell), before, cell.farthest);
+    }
+    if (round <= reach) return;
+  }
+}
+
+void FarthestPointSampler::spread(double reach) {
+  if (cells_.size() <= kFewCells) {
+    for (Cell& cell : cells_) {
+      while (cell.farthest == kFarSample) addSample(farthestOf(cell), kFarSample, kFarSample);
+    }
+    fill(reach);
+    return;
+  }
+  std::vector<Sample> few;
+  few.reserve(cells_.size());
+  for (const Cell& cell : cells_) few.push_back(sample(cell.begin * kLanes));
+  const float far = kCoarser * cell_, reach2 = static_cast<float>(reach * reach);
+  FarthestPointSampler coarse;
+  coarse.start(few, double(far));
+  coarse.spread(double(far));
+  // Its samples are our cells' first ones. Some may be near centres that were offered.
+  for (const Taken& taken : coarse.centres_) {
+    const std::uint32_t at = cells_[coarse.order_[taken.at]].begin * kLanes;
+    if (groups_[at / kLanes].distance2[at % kLanes] > reach2)
+      addSample(at, kCoarseReach * far, taken.distance2);
+  }
+  descend(far, static_cast<float>(reach));
+}
+
+float FarthestPointSampler::farthest2() const {
+  float farthest = 0.0f;
+  for (const Cell& cell : cells_) farthest = std::max(farthest, cell.farthest);
+  return farthest;
+}
+
+void FarthestPointSampler::fill(double reach) { descend(std::sqrt(farthest2()), static_cast<float>(reach)); }
+
+void FarthestPointSampler::restart(std::span<const std::uint32_t> nearest,
+                                   const std::vector<Vector3f>& points, const std::vector<Vector3f>& normals,
+                                   std::uint32_t first_centre) {
+  centres_.clear();
+  first_centre_ = first_centre;
+  for (Cell& cell : cells_) {
+    cell.farthest = -1.0f;
+    for (std::uint32_t i = cell.begin * kLanes; i < cell.end * kLanes; ++i) {
+      if (order_[i] == kNone) continue;
+      const std::uint32_t lane = i % kLanes, centre = nearest[order_[i]];
+      const Sample from = sample(i);
+      const float d2 = from.weight * ((points[centre] - from.position).squaredNorm() +
+                                      (normals[centre] - from.normal).squaredNorm());
+      groups_[i / kLanes].nearest[lane] = std::bit_cast<float>(centre);
+      groups_[i / kLanes].distance2[lane] = d2;
+      cell.farthest = std::max(cell.farthest, d2);
+    }
+  }
+}
+
+std::vector<FarthestPointSampler::Found> FarthestPointSampler::found() const {
+  std::vector<Found> out;
+  out.reserve(centres_.size());
+  for (const Taken& taken : centres_) out.push_back({sample(taken.at), taken.distance2});
+  return out;
+}
+
+void FarthestPointSampler::nearest(std::span<std::uint32_t> out) const {
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    if (order_[i] == kNone) continue;
+    const float id = groups_[i / kLanes].nearest[i % kLanes];
+    out[order_[i]] = std::bit_cast<std::uint32_t>(id);
+  }
+}
+
+}  // namespace abstand

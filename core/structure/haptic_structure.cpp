@@ -1,0 +1,255 @@
+// Builds the collision data of one body.
+#include "core/structure/haptic_structure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "core/base/parallel.hpp"
+#include "core/field/far_spacing.hpp"
+#include "core/field/voxelmap_sides.hpp"
+#include "core/geometry/mesh_pieces.hpp"
+
+namespace abstand {
+namespace {
+
+// Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
+// where its own error is a small part of the distance.
+constexpr double kBand = 4.0;
+// m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
+constexpr double kFarReach = 2.0;
+// Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
+constexpr double kSagitta = 0.1;
+
+struct ShapeRadius {
+  double operator()(const Sphere& s) const { return s.radius; }
+  double operator()(const Ellipsoid& s) const { return s.semi_axes.maxCoeff(); }
+  double operator()(const Cuboid& s) const { return 0.5 * s.size.norm(); }
+  double operator()(const Cylinder& s) const { return std::hypot(s.radius, 0.5 * s.length); }
+  double operator()(const Capsule& s) const { return s.radius + 0.5 * s.length; }
+};
+
+EnclosingSphere sphereAbout(const Surface& surface, const TriangleMesh& mesh) {
+  if (const Shape* shape = surface.shape()) return {Vector3d::Zero(), std::visit(ShapeRadius{}, *shape)};
+  std::vector<Vector3d> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) corners.push_back(mesh.corner(t, i));
+  }
+  return minimalSphere(corners);
+}
+
+std::size_t bytesOf(const Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }
+
+std::size_t bytesOf(const PointSphereTree& tree) {
+  return tree.nodes.capacity() * sizeof(PointSphereTree::Node) +
+         tree.families.capacity() * sizeof(PointSphereTree::Family) + 7 * sizeof(float) * tree.x.capacity() +
+         tree.shell_index.capacity() * sizeof(std::uint32_t);
+}
+
+/// Gives back what vectors hold beyond their size, through the lists of fields that archives use.
+struct Shrink {
+  template <class... Fields>
+  void operator()(Fields&... fields) {
+    (field(fields), ...);
+  }
+  template <class T>
+  void field(T& value) {
+    if constexpr (requires { value.archive(*this); }) {
+      value.archive(*this);
+    } else if constexpr (requires { value.shrink_to_fit(); }) {
+      value.shrink_to_fit();
+    }
+  }
+};
+
+/// What the phases of a build tell the monitor: how much is done of those that run beside each other, and the
+/// name of the first of them that is not over.
+class BuildWatch {
+ public:
+  explicit BuildWatch(const BuildMonitor& monitor) : monitor_(monitor) {}
+  bool listens() const { return monitor_.progress || monitor_.cancelled; }
+  void stopIfCancelled() {
+    if (!monitor_.cancelled) return;
+    const std::scoped_lock lock(mutex_);
+    // What was cancelled once stays so: nobody asks again.
+    if (cancelled_ || (cancelled_ = monitor_.cancelled())) throw BuildCancelled();
+  }
+  /// From now on this is what the monitor hears of.
+  void begin(std::string_view name) {
+    const std::scoped_lock lock(mutex_);
+    name_ = name;
+    report();
+  }
+  /// `more`: how much more of the whole is done.
+  void advance(double more) {
+    const std::scoped_lock lock(mutex_);
+    done_ += more;
+    report();
+  }
+  /// All is done, whatever the shares add up to.
+  void end() {
+    const std::scoped_lock lock(mutex_);
+    done_ = 1.0;
+    report();
+  }
+
+ private:
+  void report() const {
+    if (monitor_.progress) monitor_.progress(std::min(done_, 1.0), name_);
+  }
+
+  const BuildMonitor& monitor_;
+  std::mutex mutex_;
+  std::string_view name_{"voxels"};
+  double done_{0.0};
+  bool cancelled_{false};
+};
+
+/// Hears of every loop of one phase while it lives. The shares of the phases are those of a robot's link of
+/// 5,000 triangles at 5 mm, roughly; they only make the bar steady.
+class BuildPhase final : public LoopWatch {
+ public:
+  BuildPhase(BuildWatch& watch, double share) : watch_(watch), share_(share), before_(loop_watch) {
+    watch_.stopIfCancelled();
+    if (watch_.listens()) loop_watch = this;
+  }
+  ~BuildPhase() override { loop_watch = before_; }
+  /// All of the phase is done.
+  void end() { advance(1.0); }
+
+  void next(std::size_t index, std::size_t count) override {
+    watch_.stopIfCancelled();
+    advance(static_cast<double>(index) / static_cast<double>(count));
+  }
+
+ private:
+  void advance(double to) {
+    // Who comes while another reports has no more to say, unless it is the end.
+    std::unique_lock lock(mutex_, std::defer_lock);
+    if (to < 1.0 ? !lock.try_lock() : (lock.lock(), false)) return;
+    // A phase may have several loops, each from its own beginning.
+    if (to <= done_) return;
+    watch_.advance(share_ * (to - done_));
+    done_ = to;
+  }
+
+  BuildWatch& watch_;
+  double share_;
+  LoopWatch* before_;
+  std::mutex mutex_;
+  double done_{0.0};
+};
+
+}  // namespace
+
+double HapticStructure::errorBound() const {
+  // The count of layers is certain to a voxel's diagonal, and its sign on the surface layer to half of one.
+  const double layer_error = 1.5 * std::sqrt(3.0) * grid.voxel_size;
+  return (near_field ? near_field->errorBound() : layer_error) + shell.covering_radius;
+}
+
+std::size_t HapticStructure::memoryBytes() const {
+  std::size_t bytes =
+      far_field.memoryBytes() + support.memoryBytes() + parts.memoryBytes() + bytesOf(shell) + bytesOf(tree);
+  if (voxelmap) bytes += voxelmap->memoryBytes();
+  if (near_field) bytes += near_field->memoryBytes();
+  return bytes;
+}
+
+FieldView HapticStructure::fieldView() const {
+  FieldView view;
+  view.far = far_field.view();
+  if (near_field) {
+    view.kind = FieldView::Kind::kNear;
+    view.near = near_field->view();
+    return view;
+  }
+  view.kind = FieldView::Kind::kLayered;
+  view.voxel = static_cast<float>(voxelmap->grid.voxel_size);
+  view.layers = voxelmap->view();
+  for (int k = 0; k < 3; ++k) {
+    view.first_centre[k] = static_cast<float>(voxelmap->grid.first_centre[k]);
+    view.size[k] = voxelmap->grid.size[k];
+  }
+  return view;
+}
+
+TreeView HapticStructure::treeView(const Transform& X_FP) const {
+  TreeView view{tree.families.data(), tree.x.data(),    tree.y.data(),
+                tree.z.data(),        tree.nx.data(),   tree.ny.data(),
+                tree.nz.data(),       tree.area.data(), {}};
+  for (int i = 0; i < 12; ++i) view.X_FP[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
+  return view;
+}
+
+std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
+                                                            std::shared_ptr<const Surface> surface,
+                                                            const HapticOptions& options, int threads,
+                                                            const BuildMonitor& monitor) {
+  const auto start = std::chrono::steady_clock::now();
+  options.validate();
+  BuildWatch watch(monitor);
+  auto structure = std::make_shared<HapticStructure>();
+  HapticStructure& s = *structure;
+  s.name = std::move(name);
+  s.options = options;
+  s.surface = std::move(surface);
+  const Bounds box = s.surface->bounds();
+  const double h = options.voxel_size;
+  s.grid = makeGrid(box, h, options.outer_layers);
+
+  const auto makeFields = [&] {
+    watch.begin("voxels");
+    BuildPhase voxels(watch, 0.1);
+    if (options.field == FieldKind::kLayered) {
+      s.voxelmap.emplace(*s.surface, h, options.outer_layers, threads);
+      s.surface_voxels = s.voxelmap->surface_voxels;
+      s.solid_voxels = s.voxelmap->solid_voxels;
+      voxels.end();
+    } else {
+      const VoxelCounts counts = countVoxels(*s.surface, h, threads);
+      s.surface_voxels = counts.surface;
+      s.solid_voxels = counts.solid;
+      voxels.end();
+      watch.begin("near field");
+      BuildPhase near(watch, 0.4);
+      s.near_field.emplace(*s.surface, s.grid, options.field == FieldKind::kMixed ? kBand * h : kInfinity,
+                           threads);
+      near.end();
+    }
+    watch.begin("far field");
+    BuildPhase far(watch, 0.1);
+    s.far_field = FarField(*s.surface, farSpacing(box, h), kFarReach, threads);
+    far.end();
+    watch.begin("pointshell");
+  };
+  const auto makePoints = [&] {
+    BuildPhase points(watch, 0.4);
+    s.shell = makePointshell(*s.surface, options.point_spacing, threads);
+    s.tree = makeTree(s.shell);
+
+    s.mass_properties = s.surface->massProperties();
+    s.com = s.mass_properties.com;
+    const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
+    s.triangles = mesh.triangles.size();
+    s.pieces = abstand::pieces(mesh);
+    if (s.pieces.size() == 1) s.pieces.clear();
+    s.bounding_sphere = sphereAbout(*s.surface, mesh);
+    s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
+    s.parts = s.surface->shape() ? SurfaceParts(s.bounding_sphere) : SurfaceParts(mesh, *s.surface);
+    points.end();
+  };
+  // Much of the shell is made by one thread alone; the fields keep the others busy.
+  parallelFor(threads, 2, [&](std::size_t part) { part == 0 ? makeFields() : makePoints(); });
+  Shrink shrink;
+  shrink(s.shell, s.tree, s.support, s.parts);
+  if (s.voxelmap) shrink(*s.voxelmap);
+  watch.end();
+  s.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return structure;
+}
+
+}  // namespace abstand

@@ -1,0 +1,71 @@
+// Collision data of one body: voxelmap, pointshell, distance fields.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/field/voxelmap.hpp"
+#include "core/kernels/field_view.hpp"
+#include "core/structure/build_progress.hpp"
+#include "core/structure/haptic_options.hpp"
+#include "core/structure/support_map.hpp"
+#include "core/structure/surface_parts.hpp"
+
+namespace abstand {
+
+/// Voxelmap and pointshell of one body [thesis 4.2.2], with its exact surface beside them. Constant after
+/// construction and shared between objects of the same shape. Body frame, metres.
+struct HapticStructure {
+  std::string name;
+  HapticOptions options;
+  std::shared_ptr<const Surface> surface;
+  std::optional<Voxelmap> voxelmap;     ///< field: layered (and wherever asked for)
+  std::optional<NearField> near_field;  ///< field: float and mixed
+  FarField far_field;
+  SupportMap support;
+  SurfaceParts parts;  ///< of a mesh
+  Pointshell shell;
+  PointSphereTree tree;
+  FieldView
+      field_view;  ///< of the fields above; views point into the members, so a structure stays where it is
+  TreeView tree_view;
+
+  MassProperties mass_properties;   ///< density 1
+  Vector3d com{Vector3d::Zero()};   ///< centre for torques
+  std::vector<Vector3d> pieces;     ///< a point of each piece of the surface; none when it is one piece
+  EnclosingSphere bounding_sphere;  ///< of the surface, not only of its points
+  VoxelGrid grid;                   ///< the effective grid, whatever the field
+  std::size_t surface_voxels{0};
+  std::size_t solid_voxels{0};
+  std::size_t triangles{0};
+  double build_ms{0.0};
+
+  /// Bound on the error of one field value near the surface plus the covering radius of the shell (m).
+  double errorBound() const;
+  std::size_t memoryBytes() const;
+  /// What searches read. Views point into the members.
+  FieldView fieldView() const;
+  TreeView treeView(const Transform& X_FP) const;
+  /// All but name and surface.
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(options, voxelmap, near_field, far_field, support, parts, shell, tree, mass_properties.volume,
+       mass_properties.com, mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius,
+       grid, surface_voxels, solid_voxels, triangles, build_ms);
+  }
+};
+
+/// Null for a layered field.
+inline const NearField* nearField(const HapticStructure& structure) {
+  return structure.near_field ? &*structure.near_field : nullptr;
+}
+
+/// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
+/// Throws UsageError for options that do not fit the body, and BuildCancelled when the monitor says so.
+std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
+                                                            std::shared_ptr<const Surface> surface,
+                                                            const HapticOptions& options, int threads = 0,
+                                                            const BuildMonitor& monitor = {});
+
+}  // namespace abstand

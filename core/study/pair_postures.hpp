@@ -1,0 +1,60 @@
+// Bodies of a pair study in one posture; internal to it.
+#pragma once
+
+#include <span>
+
+#include "core/query/pair_query.hpp"
+#include "core/study/pair_study.hpp"
+
+namespace abstand {
+
+/// Constant: shared by the threads of a study.
+class StudyModel {
+ public:
+  StudyModel(const std::vector<StudyMechanism>& mechanisms, const std::vector<StudyBody>& bodies);
+
+  std::size_t dof() const { return ranges_.size(); }
+  const std::vector<JointRange>& ranges() const { return ranges_; }
+  const std::vector<StudyBody>& bodies() const { return bodies_; }
+  const StudyBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  const StudyMechanism& mechanism(int i) const { return mechanisms_[static_cast<std::size_t>(i)]; }
+  std::size_t mechanisms() const { return mechanisms_.size(); }
+  /// Where the values of a mechanism begin in q.
+  std::size_t first(int mechanism) const { return first_[static_cast<std::size_t>(mechanism)]; }
+  /// The dofs, in the study's q, that move the two against each other.
+  std::vector<int> dofsBetween(int a, int b) const;
+
+ private:
+  void addDofs(const StudyBody& body, int down_to, std::vector<int>& dofs) const;
+
+  const std::vector<StudyMechanism>& mechanisms_;
+  const std::vector<StudyBody>& bodies_;
+  std::vector<JointRange> ranges_;
+  std::vector<std::size_t> first_;
+};
+
+/// One posture; one a thread.
+class StudyPosture {
+ public:
+  explicit StudyPosture(const StudyModel& model);
+
+  void set(std::span<const double> q);
+  /// What the bounding spheres leave between the two at least, m.
+  double gap(int a, int b) const;
+  const PairResult& query(int a, int b);
+  /// Adds the derivative of the distance of the last query(a, b) by q. False when the two points coincide.
+  bool addGradient(int a, int b, std::span<double> gradient) const;
+
+ private:
+  void addPointGradient(const StudyBody& body, const Vector3d& p_W, const Vector3d& n_W,
+                        std::span<double> gradient) const;
+
+  const StudyModel& model_;
+  std::vector<MechanismState> states_;
+  std::vector<Transform> X_WL_;
+  std::vector<Vector3d> centres_W_;
+  PairScratch scratch_;
+  PairResult result_;
+};
+
+}  // namespace abstand

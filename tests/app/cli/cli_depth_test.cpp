@@ -1,0 +1,278 @@
+// The contract of the commands about depth images.
+#include "tests/app/program.hpp"
+#include "tests/tracking/depth/calibration/board_picture.hpp"
+#include "tracking/depth/formats/colour_png.hpp"
+#include "tracking/depth/formats/depth_stream.hpp"
+
+namespace abstand::testing {
+namespace {
+
+TEST_F(Cli, RenderDepthWritesAClip) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string scene =
+      write("ball.yaml",
+            "abstand: 1\nobjects:\n  - {name: a, shape: {sphere: {radius: 0.2}}, voxel: "
+            "0.02, point: 0.02}\n  - {name: b, shape: {sphere: {radius: 0.2}}, voxel: 0.02, "
+            "point: 0.02, pose: {xyz: [0, 1, 0]}}\npairs: {default: all}\n");
+  const json j = runJson("render-depth " + scene + " --out " + clip +
+                         " --noise none --width 320 --eye 2,0,0.5 --look 0,0,0");
+  EXPECT_EQ(j["frames"], 1);
+  EXPECT_EQ(j["width"], 320);
+  EXPECT_GT(j["measured"], 0.01);
+  for (const char* file : {"camera.yaml", "depth.txt", "depth_000000.png"})
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(clip) / file)) << file;
+  // What it wrote is a camera file; a clip does not replace the one that it is rendered with.
+  const std::string by_its_camera = "render-depth " + scene + " --camera " + clip + "/camera.yaml --out ";
+  EXPECT_EQ(runJson(by_its_camera + clip + "_again")["width"], 320);
+  EXPECT_EQ(run(by_its_camera + clip).code, 2);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 1,2").code, 2);
+  EXPECT_EQ(run("render-depth " + scene + " --out " + clip + " --eye 0,0,1 --look 0,0,0").code, 2);
+  EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
+}
+
+TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  const json j =
+      runJson("render-depth --recording " + bvh + " --out " + clip +
+              " --body skin --girth 1.1 --clothing 0.01 --body-seed 3 --room --height 1.8 --width 320 "
+              "--rate 2 --end 1 --no-cache");
+  EXPECT_EQ(j["frames"], 3);
+  EXPECT_GT(j["measured"], 0.5);  // the room fills the image
+  const json truth = runJson("skeleton " + clip + "/truth.csv");
+  EXPECT_EQ(truth["format"], "csv");
+  EXPECT_EQ(truth["frames"], 3);
+  EXPECT_EQ(truth["gaps"], 0);
+  EXPECT_TRUE(truth["missing_parts"].empty());
+  EXPECT_EQ(run("render-depth --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --girth 1.1 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording " + bvh + " --body skin --girth 9 --out " + clip).code, 2);
+  EXPECT_EQ(run("render-depth --recording none.bvh --out " + clip).code, 3);
+}
+
+TEST_F(Cli, RenderDepthWritesWhatAKinectsDriverRecords) {
+  const std::string png = (folder_.path() / "png").string(), dump = (folder_.path() / "dump").string();
+  const std::string scene = write(
+      "ball.yaml",
+      "abstand: 1\nobjects:\n  - {name: a, shape: {sphere: {radius: 0.4}}, voxel: 0.05, point: 0.05}\n");
+  const std::string view = " --noise none --eye 2,0,0.5 --look 0,0,0";
+  runJson("render-depth " + scene + " --out " + png + view);
+  EXPECT_EQ(runJson("render-depth " + scene + " --format freenect --out " + dump + view)["frames"], 1);
+  DepthFrame a, b;
+  openDepthStream(png)->next(a);
+  const auto stream = openDepthStream(dump);
+  EXPECT_EQ(stream->facts().format, "freenect");
+  EXPECT_TRUE(stream->facts().camera_known);
+  ASSERT_TRUE(stream->next(b));
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < a.image.z.size(); ++i) {
+    // Half a millimetre of the PNG, and half a step of a disparity at 2 m.
+    EXPECT_NEAR(a.image.z[i], b.image.z[i], 5e-4 + 0.5 * 0.0031 * 4.0 * 1.05);
+    seen += b.image.z[i] > 0.0f;
+  }
+  EXPECT_GT(seen, 10000u);
+  EXPECT_EQ(run("render-depth " + scene + " --format freenect --width 320 --out " + dump).code, 2);
+}
+
+TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
+  const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
+  const std::string pictures = (folder_.path() / "pictures").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  ASSERT_EQ(run("render-depth --recording " + bvh + " --out " + clip +
+                " --body skin --width 320 --end 0.6 --no-cache")
+                .code,
+            0);
+  const json j = runJson("track " + clip + " --out " + csv + " --pictures " + pictures);
+  EXPECT_EQ(j["frames"], 19);
+  EXPECT_EQ(j["tracked"], 19);
+  EXPECT_EQ(j["lost"], 0);
+  EXPECT_GT(j["fps"], 0.0);
+  EXPECT_NEAR(j["height_estimate"], 1.75, 0.08);
+  EXPECT_EQ(j["height_source"], "measured");
+  EXPECT_TRUE(j["height_interval"].is_null());
+  EXPECT_EQ(j["facing"], "camera");
+  EXPECT_EQ(j["facing_decided"], true) << j["facing_ratio"];
+  EXPECT_TRUE(j["warnings"].empty()) << j["warnings"];
+  EXPECT_LT(j["residual_mm"], 20.0);
+  EXPECT_EQ(j["people"].size(), 1u);
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000018.png"));
+  const json skeleton = runJson("skeleton " + csv);
+  EXPECT_EQ(skeleton["frames"], 19);
+  EXPECT_EQ(skeleton["gaps"], 0);
+
+  const std::string scene = write("person.yaml",
+                                  "abstand: 1\nhumans:\n  - {name: p, height: 1.75}\nobjects:\n"
+                                  "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [1, 0, 1]}}\n"
+                                  "pairs: {default: between_groups}\n");
+  const json ran = runJson("run " + scene + " --recording " + clip);
+  EXPECT_EQ(ran["frames"], 19);
+  EXPECT_NEAR(ran["min_distance"]["value"].get<double>(),
+              runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
+
+  // Of a scene whose things stood there too.
+  const std::string cut = (folder_.path() / "cut.csv").string();
+  EXPECT_EQ(run("track " + clip + " --scene " + scene + " --out " + cut).code, 0);
+  EXPECT_NEAR(
+      runJson("run " + scene + " --cut-things --recording " + clip)["min_distance"]["value"].get<double>(),
+      runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
+}
+
+TEST_F(Cli, TrackSaysThatAStatureWasNotMeasured) {
+  const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  // The legs are below the image.
+  ASSERT_EQ(run("render-depth --recording " + bvh + " --out " + clip +
+                " --body skin --width 320 --end 0.4 --eye 1.7,0,1.5 --look 0,0,1.4 --no-cache")
+                .code,
+            0);
+  const json j = runJson("track " + clip + " --usual-body --out " + csv);
+  EXPECT_TRUE(j["height_estimate"].is_null()) << j["height_estimate"];
+  EXPECT_EQ(j["height_source"], "interval");
+  EXPECT_GE(j["height_interval"][0], 1.3);
+  EXPECT_EQ(j["height_interval"][1], 2.1);
+  EXPECT_EQ(j["facing_decided"], false) << "with --usual-body nothing is compared";
+  EXPECT_EQ(j["warnings"].size(), 2u) << j["warnings"];
+  const Answer text = run("track " + clip + " --usual-body --facing camera --height 1.75");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("height: 1.750 m, as given"), std::string::npos) << text.out;
+  EXPECT_EQ(text.err.find("warning"), std::string::npos) << text.err;
+  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is not known, between"),
+            std::string::npos);
+}
+
+TEST_F(Cli, SkeletonGivesNullForWhatItDoesNotKnow) {
+  // A single point moves no part: there is no stature, and no rate.
+  const std::string csv = write("one.csv", "t,head.x,head.y,head.z\n0,0,0,1.6\n");
+  const Answer a = run("skeleton " + csv + " --json");
+  const json j = json::parse(a.out, nullptr, false);
+  ASSERT_TRUE(j.is_object()) << a.out << a.err;
+  for (const char* key : {"stature", "rate"}) EXPECT_TRUE(j[key].is_null()) << key << ": " << j[key];
+}
+
+TEST_F(Cli, CalibratePlacesACamera) {
+  const std::string camera = write(
+      "kinect.yaml", "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n");
+  // The camera looks along world x from (1, 2, 3): its z is x, its x is -y, its y is -z.
+  const std::string points =
+      write("points.csv", "cx,cy,cz,wx,wy,wz\n0,0,1,2,2,3\n1,0,1,2,1,3\n0,1,1,2,2,2\n0,0,2,3,2,3.001\n");
+  const std::string placed = (folder_.path() / "placed.yaml").string();
+  const json j = runJson("calibrate " + points + " --camera " + camera + " --out " + placed);
+  EXPECT_EQ(j["points"], 4);
+  EXPECT_LT(j["rms"].get<double>(), 1e-3);
+  EXPECT_GT(j["spread"].get<double>(), 0.0);
+  EXPECT_NEAR(j["T_WC"][3].get<double>(), 1.0, 2e-3);
+  EXPECT_NEAR(j["T_WC"][2].get<double>(), 1.0, 2e-3);
+  EXPECT_NE(readFile(placed).find("spread:"), std::string::npos);
+  EXPECT_EQ(run("calibrate " + points + " --camera none.yaml").code, 3);
+  EXPECT_EQ(run("calibrate " + camera + " --camera " + camera).code, 3);
+  EXPECT_EQ(run("calibrate " + points).code, 2);
+  EXPECT_EQ(run("calibrate " + placed + "x --camera " + placed).code, 3);
+}
+
+/// As an infrared camera's image.
+void save(const GreyImage& grey, const std::filesystem::path& file) {
+  ColourImage image(grey.width, grey.height);
+  for (std::size_t i = 0; i < grey.pixels.size(); ++i) image.pixels[i].fill(grey.pixels[i]);
+  saveColourPng(image, file);
+}
+
+TEST_F(Cli, CalibrateByAChessboard) {
+  const Chessboard board{8, 5, 0.03};
+  const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
+  const DepthCamera truth = cameraBefore(board, X_WO, 0.7, 0.5, 0.3, 0.2);
+  const auto image = folder_.path() / "board.png", placed = folder_.path() / "placed.yaml";
+  save(pictureOf(truth, board, X_WO), image);
+  const std::string camera = write("kinect.yaml", describeDepthCamera(DepthCamera{}));
+  const std::string chessboard = "calibrate --chessboard " + image.string();
+  const std::string lens = " --camera " + camera, place = " --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5";
+  const json j = runJson(chessboard + " --squares 8x5" + place + lens + " --out " + placed.string());
+  EXPECT_EQ(j["corners"], 28);
+  EXPECT_LT(j["rms_px"].get<double>(), 0.2);
+  const DepthCamera found = loadDepthCamera(placed);
+  EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.003);
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  // Inner corners instead of squares.
+  const Answer corners = run(chessboard + " --squares 7x4" + place + lens);
+  EXPECT_EQ(corners.code, 3);
+  EXPECT_NE(corners.err.find("counts squares, not inner corners"), std::string::npos) << corners.err;
+  for (const std::string& bad : std::vector<std::string>{
+           " --squares 8x5 --square 0.03" + lens, " --squares 8x8" + place + lens,
+           " --squares 8" + place + lens, " --squares 8x5" + place,
+           " --squares 8x5" + place + " --intrinsics", " --squares 8x5" + place + " --board 0,0,0" + lens,
+           " --squares 8x5 --square 0.03 --board 1,2" + lens,
+           " --squares 8x5 --square 0 --board 0,0,0" + lens})
+    EXPECT_EQ(run(chessboard + bad).code, 2) << bad;
+  EXPECT_EQ(run("calibrate --chessboard " + camera + " --squares 8x5" + place + lens).code, 3);
+  const std::string small =
+      write("small.yaml", "width: 320\nheight: 240\nfx: 290\nfy: 290\ncx: 160\ncy: 120\ndepth_scale: 1000\n");
+  EXPECT_EQ(run(chessboard + " --squares 8x5" + place + " --camera " + small).code, 3);
+  EXPECT_EQ(run("calibrate points.csv --squares 8x5 --camera " + camera).code, 2);
+}
+
+TEST_F(Cli, CalibrateMeasuresTheLens) {
+  const Chessboard board{8, 5, 0.03};
+  const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
+  std::string images;
+  DepthCamera first;
+  for (int i = 0; i < 5; ++i) {
+    const DepthCamera camera = cameraBefore(board, X_WO, 0.5, 0.6, 1.3 * i, 0.4 * i);
+    if (i == 0) first = camera;
+    const auto file = folder_.path() / ("board" + std::to_string(i) + ".png");
+    save(pictureOf(camera, board, X_WO), file);
+    images += " " + file.string();
+  }
+  const auto placed = folder_.path() / "placed.yaml";
+  const json j = runJson("calibrate --chessboard" + images +
+                         " --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5 --intrinsics --out " +
+                         placed.string());
+  EXPECT_NEAR(j["intrinsics"]["fx"].get<double>(), 580.0, 6.0);
+  const DepthCamera found = loadDepthCamera(placed);
+  EXPECT_EQ(found.fx, j["intrinsics"]["fx"].get<double>());
+  // A lens that is a hundredth off puts the camera a hundredth of its distance off.
+  EXPECT_LT((found.X_WC.translation() - first.X_WC.translation()).norm(), 0.01);
+}
+
+TEST_F(Cli, CalibrateByTheLinksOfARobot) {
+  const std::string clip = (folder_.path() / "clip").string(), scene = "data/scenes/arm6.yaml";
+  runJson("render-depth " + scene + " --out " + clip +
+          " --end 0 --width 320 --eye 1.6,0.6,0.9 --look 0.1,0,0.4");
+  const DepthCamera truth = loadDepthCamera(folder_.path() / "clip" / "camera.yaml");
+  DepthCamera start = truth;
+  start.X_WC = truth.X_WC * fromXyzRpy({0.05, -0.06, 0.05}, {0.08, -0.1, 0.06});
+  const std::string rough = write("rough.yaml", describeDepthCamera(start));
+  const auto placed = folder_.path() / "placed.yaml";
+  const std::string calibrate = "calibrate " + scene + " --links " + clip;
+  const json j = runJson(calibrate + " --robot arm6 --camera " + rough + " --out " + placed.string());
+  EXPECT_EQ(j["robot"], "arm6");
+  EXPECT_EQ(j["images"], 1);
+  EXPECT_GT(j["explained"].get<double>(), 0.9);
+  const DepthCamera found = loadDepthCamera(placed);
+  // A tenth of the way that it was off, and less than a step of the Kinect's depth.
+  EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.008);
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  EXPECT_NEAR(j["moved"].get<double>(), std::sqrt(0.0086), 0.008);
+  DepthCamera unplaced = truth;
+  unplaced.X_WC = Transform::Identity();
+  const std::string nowhere = write(
+      "nowhere.yaml", describeDepthCamera(unplaced).substr(0, describeDepthCamera(unplaced).find("T_WC")));
+  for (const std::string& bad :
+       std::vector<std::string>{calibrate + " --robot nobody", calibrate + " --camera " + nowhere,
+                                "calibrate " + scene + " --robot arm6", "calibrate --links " + clip,
+                                calibrate + " --chessboard a.png"})
+    EXPECT_EQ(run(bad).code, 2) << bad;
+  EXPECT_EQ(run("calibrate " + scene + " --links data/scenes").code, 3);
+  EXPECT_EQ(run("calibrate data/scenes/arm6.yaml --camera " + rough).code, 3);
+}
+
+TEST_F(Cli, TrackSaysWhatIsWrong) {
+  const std::string csv = (folder_.path() / "person.csv").string();
+  for (const char* bad : {"track", "track data --height 9", "track data --person 0", "track data --rate x"})
+    EXPECT_EQ(run(bad).code, 2) << bad;
+  EXPECT_EQ(run("track no/such --out " + csv).code, 3);
+  EXPECT_EQ(run("track data/scenes --out " + csv).code, 3);
+  EXPECT_EQ(run("track data/scenes/hug_reach.bvh --out " + csv).code, 3);
+  EXPECT_FALSE(std::filesystem::exists(csv));
+}
+
+}  // namespace
+}  // namespace abstand::testing

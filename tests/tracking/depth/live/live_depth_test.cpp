@@ -1,0 +1,88 @@
+// A live camera: a driver of our own plays what goes wrong.
+#include <gtest/gtest.h>
+
+#include "tests/tracking/depth/live/live_frames.hpp"
+
+namespace abstand::testing {
+namespace {
+
+std::string refusal(const char* role, const std::string& name = kKinectSource,
+                    const DepthStreamOptions& options = {}) {
+  ::setenv("FAKE_KINECT", role, 1);
+  try {
+    LiveDepth camera(name, options);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(LiveDepth, SaysWhyThereIsNoCamera) {
+  if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
+  EXPECT_EQ(refusal("no_usb"),
+            "live:kinect: error: found no USB that libfreenect can use, expected a machine with a Kinect v1 "
+            "at a USB port");
+  EXPECT_EQ(refusal("no_camera"),
+            "live:kinect: error: found no camera, expected a Kinect v1 at a USB port, with its power supply");
+  EXPECT_EQ(refusal("locked"),
+            "live:kinect: error: found a Kinect that cannot be opened (Could not open camera: "
+            "LIBUSB_ERROR_ACCESS), "
+            "expected one that no other program uses, and the right to use it, which on Debian the group "
+            "plugdev has");
+  EXPECT_EQ(refusal("mm:1", "live:webcam"), "found the camera 'live:webcam', expected live:kinect");
+  DepthStreamOptions rate;
+  rate.rate = 30.0;
+  EXPECT_EQ(refusal("mm:1", kKinectSource, rate),
+            "--rate: found with a camera that looks now, expected a recording");
+}
+
+TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
+  if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
+  ::setenv("FAKE_KINECT", "mm:7", 1);
+  LiveDepth camera(kKinectSource, {});
+  EXPECT_EQ(camera.facts().notes.front(), "millimetres by the camera's own calibration");
+  EXPECT_FALSE(camera.facts().pose_known);
+  const std::vector<LiveFrame> frames = watch(camera);
+  EXPECT_EQ(frames.size() + camera.dropped(), 7u);
+  ASSERT_FALSE(frames.empty());
+  // The newest wins: whatever was dropped, the last one was not.
+  EXPECT_FLOAT_EQ(frames.back().frame.image.z.back(), 0.706f);
+  for (const LiveFrame& f : frames) {
+    EXPECT_EQ(f.frame.image.z[0], 0.0f);
+    EXPECT_EQ(f.frame.image.z[1], 0.0f) << "65535 is no depth";
+  }
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    EXPECT_GT(frames[i].frame.t, frames[i - 1].frame.t);
+    EXPECT_GT(frames[i].frame.image.z.back(), frames[i - 1].frame.image.z.back());
+  }
+  EXPECT_EQ(
+      camera.ended(),
+      "found the camera gone after 7 images (USB camera marked dead, stopping streams), expected it to stay "
+      "plugged in");
+  LiveFrame none;
+  EXPECT_EQ(camera.next(none, 0.0), LiveDepth::Outcome::kEnded) << "it stays ended";
+}
+
+TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
+  if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
+  ::setenv("FAKE_KINECT", "silent", 1);
+  LiveDepth camera(kKinectSource, {});
+  LiveFrame frame;
+  EXPECT_EQ(camera.next(frame, 0.02), LiveDepth::Outcome::kNothingYet);
+  EXPECT_EQ(camera.ended(), "");
+}
+
+TEST(LiveDepth, TurnsTheImagesOfAMirrorBack) {
+  if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
+  ::setenv("FAKE_KINECT", "mm:1", 1);
+  DepthStreamOptions options;
+  options.mirror = true;
+  LiveDepth camera(kKinectSource, options);
+  const std::vector<LiveFrame> frames = watch(camera);
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(frames[0].frame.image.at(639, 0), 0.0f);
+  EXPECT_GT(frames[0].frame.image.at(0, 0), 0.0f);
+}
+
+}  // namespace
+}  // namespace abstand::testing

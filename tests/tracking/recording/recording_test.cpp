@@ -1,0 +1,188 @@
+// What is guessed about a recording, what is derived, and how to override it; on a person made by hand.
+#include "tracking/recording/recording.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/tracking/small_human.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
+#include "tracking/recording/up_axis.hpp"
+#include "tracking/registry/open_recording.hpp"
+
+namespace abstand {
+namespace {
+
+using testing::bvhOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::kSmallHumanStature;
+using ::testing::Not;
+using testing::SmallHuman;
+
+constexpr double kRounding = 1e-9;  // m; lengths of 1 m through degrees and text
+
+Recording read(const SmallHuman& human, const RecordingOptions& options = {}) {
+  return readBvhRecording(bvhOf(human), "t.bvh", options);
+}
+
+double heightOf(const Recording& r, Joint j) { return r.frames.front()[j].z(); }
+
+TEST(Recording, GuessesUnitsAndSaysWhy) {
+  struct Case {
+    double units_per_metre;
+    const char* name;
+    double scale;
+  };
+  for (const Case& c : {Case{1.0, "m", 1.0},
+                        {100.0, "cm", 0.01},
+                        {1000.0, "mm", 0.001},
+                        {1.0 / 0.0254, "inches", 0.0254},
+                        {0.45 / 0.0254, "cmu", 0.0254 / 0.45}}) {
+    const Recording r = read({.units_per_metre = c.units_per_metre});
+    EXPECT_EQ(r.report.units_guess, c.name);
+    EXPECT_DOUBLE_EQ(r.report.scale, c.scale);
+    EXPECT_NEAR(r.report.stature, kSmallHumanStature, kRounding) << c.name;
+    EXPECT_THAT(r.report.units_reason, HasSubstr("an adult's stature"));
+    EXPECT_NEAR(heightOf(r, Joint::kPelvis), 0.95, kRounding);
+    EXPECT_THAT(r.report.warnings, IsEmpty()) << c.name;
+  }
+}
+
+TEST(Recording, ScalesToAStatureWhereNoUnitFits) {
+  const Recording r = read({.units_per_metre = 22.0});
+  EXPECT_EQ(r.report.units_guess, "free");
+  EXPECT_NEAR(r.report.stature, 1.75, kRounding);
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no usual unit")));
+}
+
+TEST(Recording, TakesUnitsFromTheUser) {
+  EXPECT_DOUBLE_EQ(read({}, {.units = "inches"}).report.scale, 0.0254);
+  EXPECT_DOUBLE_EQ(read({}, {.units = "0.02"}).report.scale, 0.02);
+  EXPECT_THAT(read({}, {.units = "m"}).report.warnings, Contains(HasSubstr("172.737 m tall")));
+  for (const char* bad : {"furlongs", "-1", "0", "nan", ""})
+    EXPECT_THROW(read({}, {.units = bad}), UsageError) << bad;
+}
+
+TEST(Recording, FindsUpInEveryAxis) {
+  for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) {
+    const Matrix3d R_WF = rotationToZUp(axis);
+    EXPECT_EQ(R_WF.determinant(), 1.0);
+    const Recording r = read({.R_FW = R_WF.transpose()});
+    EXPECT_EQ(r.report.up, axis);
+    EXPECT_THAT(r.report.up_reason, HasSubstr("from feet to head"));
+    EXPECT_NEAR(heightOf(r, Joint::kPelvis), 0.95, kRounding) << axis;
+    EXPECT_NEAR(heightOf(r, Joint::kHeadTop), 0.95 + 0.8, kRounding) << axis;
+    EXPECT_GT(r.frames[0][Joint::kShoulderLeft].y(), r.frames[0][Joint::kShoulderRight].y()) << axis;
+    EXPECT_THAT(r.report.warnings, IsEmpty()) << axis;
+  }
+  EXPECT_EQ(rotationToZUp("y") * Vector3d(1, 2, 3), Vector3d(1, -3, 2));
+}
+
+TEST(Recording, UpCanBeSaidAndALyingPersonIsPointedAt) {
+  // Rest pose y up, but the body lies along z of the file (-y of z-up axes) in every frame.
+  SmallHuman lying{.R_FW = rotationToZUp("y").transpose(), .pelvis_height = 0.1};
+  lying.R_WB = Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()).toRotationMatrix();
+  const Recording guessed = read(lying);
+  EXPECT_EQ(guessed.report.up, "z");
+  EXPECT_THAT(guessed.report.warnings, Contains(HasSubstr("give the axis if the person is lying")));
+  EXPECT_NEAR(guessed.report.stature, kSmallHumanStature, kRounding);
+  const Recording said = read(lying, {.up = "y"});
+  EXPECT_NEAR(heightOf(said, Joint::kHeadTop), 0.1, kRounding);
+  EXPECT_THROW(read(lying, {.up = "w"}), UsageError);
+}
+
+TEST(Recording, DerivesWhatFollowsFromOthers) {
+  const auto z = [](const Recording& r, Joint j) { return r.frames.front()[j].z(); };
+  const auto state = [](const Recording& r, Joint j) {
+    return r.frames.front().state[static_cast<std::size_t>(j)];
+  };
+  const Recording r = read({.rename = [](const std::string& n) { return n == "Chest" ? "Middle" : n; }});
+  EXPECT_NEAR(z(r, Joint::kHead), 0.95 + 0.7, kRounding) << "between the base of the skull and the vertex";
+  EXPECT_NEAR(z(r, Joint::kThorax), 0.95 + 0.45, kRounding) << "between the shoulders";
+  EXPECT_NEAR(z(r, Joint::kSpine), 0.95 + 0.225, kRounding) << "between pelvis and thorax";
+  EXPECT_EQ(state(r, Joint::kSpine), JointState::kInferred);
+  EXPECT_EQ(state(r, Joint::kNeck), JointState::kTracked);
+
+  // A map without end sites: head top, hands and toes are put where bodies have them, and the report says so.
+  const testing::ScratchFolder folder;
+  std::string map = "name: Bare\npelvis: Hips\nneck: Neck\nhead: Head\n";
+  for (const auto& [side, big] : {std::pair{"left", "Left"}, {"right", "Right"}})
+    for (const auto& [joint, name] : {std::pair{"shoulder", "Shoulder"},
+                                      {"elbow", "Elbow"},
+                                      {"wrist", "Wrist"},
+                                      {"hip", "Hip"},
+                                      {"knee", "Knee"},
+                                      {"ankle", "Ankle"}})
+      map += std::string(joint) + "_" + side + ": " + big + name + "\n";
+  const Recording bare = read({}, {.joint_map = folder.write("bare.map", map)});
+  EXPECT_NEAR(z(bare, Joint::kHeadTop), 0.95 + 0.5 + 0.25, kRounding) << "half a trunk above the neck";
+  EXPECT_NEAR(z(bare, Joint::kHandLeft), 0.95 + 0.45 - 0.55 - 0.25 * 0.108 / 0.146, kRounding);
+  EXPECT_NEAR(bare.frames.front()[Joint::kToeRight].x(), 0.45 * 0.44, kRounding) << "ahead";
+  EXPECT_NEAR(z(bare, Joint::kToeRight), 0.95 - 0.86 - 0.44 * 0.039 / 0.246, kRounding)
+      << "and below the ankle";
+  EXPECT_EQ(bare.report.mapped.size(), 14u);
+  EXPECT_EQ(state(bare, Joint::kToeRight), JointState::kInferred);
+  EXPECT_THAT(
+      bare.report.warnings,
+      Contains(HasSubstr("derived from other joints: head_top, hand_left, hand_right, toe_left, toe_right")));
+}
+
+TEST(Recording, SaysWhatItCannotMove) {
+  const Recording r = read({.rename = [](const std::string& n) { return n == "LeftElbow" ? "Spare" : n; }});
+  EXPECT_THAT(r.report.missing_parts, ::testing::ElementsAre("biceps_left", "forearm_left"));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("biceps_left (no elbow_left)")));
+  EXPECT_THAT(r.report.not_mapped, Contains("Spare"));
+  EXPECT_EQ(r.report.mapped.size(), 12u);
+  EXPECT_THROW(read({.rename = [](const std::string& n) { return "xx" + n.substr(1); }}), ParseError);
+}
+
+TEST(Recording, PointsAtSwappedSides) {
+  const auto swap = [](const std::string& n) {
+    if (n.starts_with("Left")) return "Right" + n.substr(4);
+    return n.starts_with("Right") ? "Left" + n.substr(5) : n;
+  };
+  EXPECT_THAT(read({.rename = swap}).report.warnings, Contains(HasSubstr("left and right look swapped")));
+}
+
+TEST(Recording, OpensByContentNotByName) {
+  const testing::ScratchFolder folder;
+  const auto bvh = folder.write("walk.txt", bvhOf({}));
+  const Recording r = openRecording(bvh);
+  EXPECT_EQ(r.report.format, "bvh");
+  EXPECT_DOUBLE_EQ(r.report.rate, 100.0);
+  EXPECT_DOUBLE_EQ(r.report.duration, 0.02);
+  EXPECT_EQ(r.at(0.0149).t, 0.01);
+  EXPECT_EQ(r.at(-1.0).t, 0.0);
+  EXPECT_THROW(openRecording(bvh, {.format = "mpeg"}), UsageError);
+  EXPECT_THROW(openRecording(bvh, {.joint_map = folder.path() / "none.map"}), ParseError);
+  const auto map = folder.write("own.map", "name: Own\npelvis: Hips\n");
+  EXPECT_EQ(openRecording(bvh, {.joint_map = map}).report.joint_map, "Own");
+}
+
+TEST(Recording, RefusesBadFiles) {
+  const testing::ScratchFolder folder;
+  const std::string whole = bvhOf({});
+  const auto motion = whole.find("MOTION");
+  const std::filesystem::path files[] = {
+      folder.path(),
+      folder.path() / "none.bvh",
+      folder.write("empty.bvh", ""),
+      folder.write("cut.bvh", whole.substr(0, motion / 2)),
+      folder.write("random.bvh", "\x8f\x02\x11\xfe\x00\x7f"),
+      folder.write("huge.bvh",
+                   whole.substr(0, motion) + "MOTION\nFrames: 4000000000\nFrame Time: 0.01\n1 2 3\n")};
+  for (const auto& file : files) {
+    try {
+      openRecording(file);
+      FAIL() << file;
+    } catch (const ParseError& e) {
+      EXPECT_THAT(e.what(), HasSubstr(file.filename().string()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abstand

@@ -1,0 +1,94 @@
+#include "tracking/depth/calibration/pose_from_points.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/table/cells.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr char kPointsHeader[] = "cx,cy,cz,wx,wy,wz";
+constexpr double kMaxPointDistance = 1e3;  // m
+// Share of the longest extent that points have to leave a line by.
+constexpr double kOffLine = 0.02;
+
+/// The six numbers of a line.
+MatchedPoint pointOf(std::string_view line, const std::string& file, int number) {
+  Cells cells(line, file, number);
+  std::string_view cell;
+  std::array<double, 6> v{};
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    if (!cells.next(cell))  // it would begin behind one more comma
+      throw ParseError({file, number, static_cast<int>(line.size()) + 2},
+                       "found " + std::to_string(k) + " numbers, expected 6: " + kPointsHeader);
+    const auto value = parseDouble(cell);
+    if (!value || !(std::abs(*value) <= kMaxPointDistance))
+      throw ParseError(cells.pos(),
+                       "found " + inQuotes(cell) + ", expected a number of metres, at most 1000");
+    v[k] = *value;
+  }
+  if (cells.next(cell))
+    throw ParseError(cells.pos(), std::string("found more than 6 numbers, expected 6: ") + kPointsHeader);
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+std::string_view withoutBlanksBehind(std::string_view line) {
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+bool onALine(const Eigen::Matrix3Xd& points) {
+  const Vector3d middle = points.rowwise().mean();
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(points.colwise() - middle);
+  const auto& extents = svd.singularValues();
+  return !(extents[1] > kOffLine * extents[0]);
+}
+
+}  // namespace
+
+std::vector<MatchedPoint> readMatchedPoints(const std::string& text, const std::string& file) {
+  std::vector<MatchedPoint> points;
+  Lines lines(text);
+  std::string_view line;
+  if (!lines.next(line))
+    throw ParseError({file, 1, 1}, std::string("found nothing, expected the header ") + kPointsHeader);
+  if (withoutBlanksBehind(line) != kPointsHeader)
+    throw ParseError({file, 1, 1}, "found " + inQuotes(line) + ", expected the header " + kPointsHeader);
+  while (lines.next(line))
+    if (const std::string_view row = withoutBlanksBehind(line); !row.empty())
+      points.push_back(pointOf(row, file, lines.number()));
+  return points;
+}
+
+PoseFit fitPose(std::span<const MatchedPoint> points) {
+  if (points.size() < 3)
+    throw UsageError("found " + std::to_string(points.size()) + " matched points, expected 3 or more");
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::Matrix3Xd camera(3, n), world(3, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    camera.col(i) = points[static_cast<std::size_t>(i)].p_C;
+    world.col(i) = points[static_cast<std::size_t>(i)].p_W;
+  }
+  if (onALine(camera) || onALine(world))
+    throw UsageError(
+        "found matched points on a line, expected some beside it: the camera could turn about it");
+  PoseFit fit;
+  fit.X_WC.matrix() = Eigen::umeyama(camera, world, false);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double off = (fit.X_WC * points[i].p_C - points[i].p_W).norm();
+    squares += off * off;
+    if (off < fit.worst) continue;
+    fit.worst = off;
+    fit.worst_point = i;
+  }
+  fit.rms = std::sqrt(squares / static_cast<double>(points.size()));
+  fit.spread = std::sqrt(squares / static_cast<double>(3 * points.size() - 6));
+  return fit;
+}
+
+}  // namespace abstand

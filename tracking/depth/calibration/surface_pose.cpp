@@ -1,0 +1,239 @@
+// Where a camera stands, from depth images of things whose surfaces and places are known.
+#include "tracking/depth/calibration/surface_pose.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.hpp"
+#include "tracking/depth/calibration/pose_spread.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kMinPoints = 150.0;
+constexpr double kMinExplained = 0.5;
+constexpr double kMinHeld = 1e-3;           // of a freedom, as a share of all rows
+constexpr std::size_t kMaxPixels = 100000;  // that are looked at, of all views
+constexpr std::size_t kEvery = 5;           // of the points, until the best start is known
+constexpr double kAgree = 0.6;              // cosine between the normals of image and surface
+constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfaces are not measured well
+constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
+constexpr int kSteps = 25;
+constexpr double kSmallSurfaceStep = 1e-6;
+constexpr double kSmallest = 5e-4;  // m, of the scale of the weights
+constexpr double kTouch = 1e-4;     // m; nearer than this the direction to the surface is not its normal
+constexpr std::size_t kStarts = 4;
+constexpr double kLastTolerance = 0.02;  // m, of the cost that chooses between the starts' ends
+
+struct Measured {
+  Vector3d p_C, n_C;
+  std::size_t view;
+};
+
+/// Points with normals where the image is smooth, of a grid that has few enough.
+std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const SurfaceView> views) {
+  std::vector<Measured> points;
+  const std::size_t pixels = static_cast<std::size_t>(camera.width * camera.height) * views.size();
+  const int step = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixels) / kMaxPixels)));
+  const int beside = std::max(1, camera.width / 320);
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    const DepthImage& image = views[k].image;
+    const auto at = [&](int u, int v) { return camera.at(u, v, static_cast<double>(image.at(u, v))); };
+    for (int v = beside; v + beside < image.height; v += step)
+      for (int u = beside; u + beside < image.width; u += step) {
+        const Vector3d p = at(u, v), left = at(u - beside, v), right = at(u + beside, v);
+        const Vector3d above = at(u, v - beside), below = at(u, v + beside);
+        const double most = 0.015 + 0.01 * p.z() * p.z();
+        bool smooth = p.z() > 0.0;
+        for (const Vector3d* q : {&left, &right, &above, &below})
+          smooth = smooth && q->z() > 0.0 && std::abs(q->z() - p.z()) < most;
+        if (!smooth) continue;
+        const Vector3d n = (below - above).cross(right - left);
+        const double cosine = -n.dot(p) / (n.norm() * p.norm());
+        // Written so that NaN fails.
+        if (!(std::abs(cosine) > kFlat)) continue;
+        points.push_back({p, (cosine > 0.0 ? 1.0 : -1.0) * n.normalized(), k});
+      }
+  }
+  return points;
+}
+
+/// m; 0 inside.
+double distanceToBox(const Bounds& box, const Vector3d& p) {
+  return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
+}
+
+struct Row {
+  double distance;  ///< m, signed
+  Vector3d n_W;     ///< its gradient
+};
+
+class Fit {
+ public:
+  Fit(const DepthCamera& camera, std::span<const Surface* const> bodies, std::span<const SurfaceView> views)
+      : bodies_(bodies), views_(views), points_(measuredPoints(camera, views)) {
+    for (const Surface* body : bodies) boxes_.push_back(body->bounds());
+  }
+
+  /// What is left at a pose.
+  struct Sum {
+    double weights{0.0}, squares{0.0};
+    Vector3d middle{Vector3d::Zero()};
+    Matrix6d JTJ{Matrix6d::Zero()};
+    Vector6d JTr{Vector6d::Zero()};
+  };
+
+  /// Of every `stride`-th point.
+  Sum at(const Transform& X_WC, double gate, std::size_t stride) const {
+    std::vector<std::pair<Row, Vector3d>> rows;
+    std::vector<double> sizes;
+    Sum sum;
+    for (std::size_t i = 0; i < points_.size(); i += stride) {
+      const Measured& m = points_[i];
+      const Vector3d p_W = X_WC * m.p_C;
+      Row row;
+      if (!nearest(p_W, X_WC.linear() * m.n_C, m.view, gate, row)) continue;
+      rows.emplace_back(row, p_W);
+      sizes.push_back(std::abs(row.distance));
+      sum.middle += p_W;
+    }
+    if (rows.empty()) return sum;
+    sum.middle /= static_cast<double>(rows.size());
+    const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), median, sizes.end());
+    const double width = 3.0 * std::max(kSmallest, 1.4826 * *median);
+    for (const auto& [row, p_W] : rows) {
+      Vector6d J;
+      J << row.n_W, (p_W - sum.middle).cross(row.n_W);
+      const double part = row.distance / width, weight = 1.0 / ((1.0 + part * part) * (1.0 + part * part));
+      sum.weights += weight;
+      sum.squares += weight * row.distance * row.distance;
+      sum.JTJ += weight * J * J.transpose();
+      sum.JTr += weight * row.distance * J;
+    }
+    return sum;
+  }
+
+  /// The nearest end; from a `rough` start with a gate that closes.
+  Transform from(Transform X_WC, bool rough) const {
+    for (int i = rough ? 0 : kSteps / 2; i < kSteps; ++i) {
+      const double part = std::min(1.0, static_cast<double>(i) / (0.5 * kSteps));
+      const Sum sum = at(X_WC, kFirstGate + part * (kLastGate - kFirstGate), rough ? kEvery : 1);
+      if (!(sum.weights > 6.0)) return X_WC;
+      // A little held, so that an open freedom does not run away.
+      Matrix6d held = sum.JTJ;
+      held.diagonal().array() += 1e-6 * sum.weights;
+      const Vector6d step = -held.ldlt().solve(sum.JTr);
+      if (!step.allFinite()) return X_WC;
+      X_WC = movedAbout(sum.middle, X_WC, step);
+      if (part == 1.0 && step.norm() < kSmallSurfaceStep) break;
+    }
+    return X_WC;
+  }
+
+ private:
+  /// The surface within `gate` of a point, whose normal agrees with the image's.
+  bool nearest(const Vector3d& p_W, const Vector3d& n_image, std::size_t view, double gate, Row& row) const {
+    double best = gate;
+    std::size_t body = bodies_.size();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const Vector3d p_B = views_[view].X_WB[b].inverse() * p_W;
+      if (distanceToBox(boxes_[b], p_B) >= best) continue;
+      const SurfacePoint found = bodies_[b]->closest(p_B);
+      if (found.distance >= best) continue;
+      best = found.distance;
+      body = b;
+    }
+    if (body == bodies_.size()) return false;
+    const Transform& X_WB = views_[view].X_WB[body];
+    const Vector3d p_B = X_WB.inverse() * p_W;
+    const SurfacePoint found = bodies_[body]->closest(p_B);
+    row.distance = bodies_[body]->inside(p_B, found) ? -found.distance : found.distance;
+    const Vector3d n_B = std::abs(row.distance) > kTouch ? Vector3d((p_B - found.point) / row.distance)
+                                                         : slopeAt(*bodies_[body], p_B);
+    row.n_W = X_WB.linear() * n_B;
+    return row.n_W.dot(n_image) > kAgree;
+  }
+
+  static Vector3d slopeAt(const Surface& body, const Vector3d& p) {
+    constexpr double kStep = 5e-4;  // m
+    Vector3d slope;
+    for (int k = 0; k < 3; ++k)
+      slope[k] = body.signedDistance(p + kStep * Vector3d::Unit(k)) -
+                 body.signedDistance(p - kStep * Vector3d::Unit(k));
+    return slope.norm() > 0.0 ? slope.normalized() : Vector3d(Vector3d::UnitZ());
+  }
+
+  std::span<const Surface* const> bodies_;
+  std::span<const SurfaceView> views_;
+  std::vector<Measured> points_;
+  std::vector<Bounds> boxes_;
+};
+
+/// The least that a freedom is held by, as a share of the rows: turns count by the way that they move a point
+/// as far from the middle as most are.
+double leastHeld(const Fit::Sum& sum) {
+  Matrix6d H = sum.JTJ / sum.weights;
+  const double turns = H.bottomRightCorner<3, 3>().trace();
+  const double scale = turns > 0.0 ? 1.0 / std::sqrt(turns) : 0.0;
+  H.bottomRows<3>() *= scale;
+  H.rightCols<3>() *= scale;
+  return Eigen::SelfAdjointEigenSolver<Matrix6d>(H, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+template <class... Values>
+[[noreturn]] void refuse(const char* pattern, Values... values) {
+  char text[300];
+  std::snprintf(text, sizeof text, pattern, values...);
+  throw UsageError(text);
+}
+
+}  // namespace
+
+SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface* const> bodies,
+                             std::span<const SurfaceView> views, std::uint64_t seed) {
+  ABSTAND_CHECK(!bodies.empty() && !views.empty() && camera.distortion.isZero(0.0));
+  SurfaceSearch search(camera, bodies, views, seed);
+  const Fit fit(camera, bodies, views);
+  SurfaceFit best;
+  double least = kInfinity;
+  for (const Transform& start : search.search(kStarts)) {
+    const Transform end = fit.from(start, true);
+    const double cost = search.cost(end, kLastTolerance);
+    if (cost >= least) continue;
+    least = cost;
+    best.X_WC = end;
+  }
+  best.X_WC = fit.from(best.X_WC, false);
+  const Fit::Sum sum = fit.at(best.X_WC, kLastGate, 1);
+  best.points = static_cast<std::size_t>(sum.weights);
+  if (!(sum.weights >= kMinPoints))
+    refuse(
+        "--links: found %zu points on the robot, expected %.0f or more: it is not in sight, or the camera's "
+        "start "
+        "is more than 0.1 m or 10 degrees off",
+        best.points, kMinPoints);
+  best.explained = search.explained(best.X_WC);
+  if (!(best.explained >= kMinExplained))
+    refuse(
+        "--links: found %.0f %% of what would be seen of the robot, expected half or more: its joints are "
+        "elsewhere, or the camera's start is more than 0.1 m or 10 degrees off",
+        100.0 * best.explained);
+  if (!(leastHeld(sum) >= kMinHeld))
+    throw UsageError(
+        "--links: found surfaces that leave a freedom of the camera open, as a ball does, expected links "
+        "that "
+        "point to different sides");
+  const double sigma2 = sum.squares / (sum.weights - 6.0);
+  best.rms = std::sqrt(sigma2);
+  best.spread = std::hypot(best.rms, spreadAt(sigma2 * sum.JTJ.inverse(), kUsedWithin));
+  const Transform moved = camera.X_WC.inverse() * best.X_WC;
+  best.moved = moved.translation().norm();
+  best.turned = Eigen::AngleAxisd(moved.linear()).angle();
+  return best;
+}
+
+}  // namespace abstand

@@ -1,0 +1,180 @@
+// A Kinect v1 that looks now, through libfreenect: the only file that sees the library.
+#include "tracking/depth/live/freenect_camera.hpp"
+
+#include "core/base/error.hpp"
+#include "tracking/depth/formats/freenect_depth.hpp"
+
+#ifdef ABSTAND_FREENECT
+
+#include <dlfcn.h>
+#include <libfreenect.h>
+#include <sys/time.h>
+
+namespace abstand {
+namespace {
+
+constexpr const char* kLibrary = "libfreenect.so.0.5";
+constexpr long kWait = 100000;  // us
+
+/// What is called of the library, by the types of its header.
+struct Library {
+  decltype(&freenect_init) init;
+  decltype(&freenect_shutdown) shutdown;
+  decltype(&freenect_set_log_level) setLogLevel;
+  decltype(&freenect_set_log_callback) setLogCallback;
+  decltype(&freenect_process_events_timeout) processEvents;
+  decltype(&freenect_num_devices) countDevices;
+  decltype(&freenect_select_subdevices) selectSubdevices;
+  decltype(&freenect_open_device) openDevice;
+  decltype(&freenect_close_device) closeDevice;
+  decltype(&freenect_set_user) setUser;
+  decltype(&freenect_get_user) getUser;
+  decltype(&freenect_set_depth_callback) setDepthCallback;
+  decltype(&freenect_find_depth_mode) findDepthMode;
+  decltype(&freenect_set_depth_mode) setDepthMode;
+  decltype(&freenect_start_depth) startDepth;
+  decltype(&freenect_stop_depth) stopDepth;
+  bool knows_millimetres{false};  ///< of the device's own calibration
+};
+
+/// Loaded once, and kept to the end of the program: its threads may outlive a camera.
+Library load() {
+  void* const handle = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr)
+    throw ParseError(
+        {kKinectSource},
+        "found no library that can be loaded (" + std::string(::dlerror()) + "), expected " + kLibrary,
+        "Debian's package libfreenect0.5 has it");
+  const auto find = [&](auto& function, const char* name) {
+    void* const found = ::dlsym(handle, name);
+    if (found == nullptr)
+      throw ParseError({kKinectSource}, std::string("found a ") + kLibrary + " without " + name +
+                                            ", expected that of libfreenect 0.5");
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(found);
+  };
+  Library lib{};
+  find(lib.init, "freenect_init");
+  find(lib.shutdown, "freenect_shutdown");
+  find(lib.setLogLevel, "freenect_set_log_level");
+  find(lib.setLogCallback, "freenect_set_log_callback");
+  find(lib.processEvents, "freenect_process_events_timeout");
+  find(lib.countDevices, "freenect_num_devices");
+  find(lib.selectSubdevices, "freenect_select_subdevices");
+  find(lib.openDevice, "freenect_open_device");
+  find(lib.closeDevice, "freenect_close_device");
+  find(lib.setUser, "freenect_set_user");
+  find(lib.getUser, "freenect_get_user");
+  find(lib.setDepthCallback, "freenect_set_depth_callback");
+  find(lib.findDepthMode, "freenect_find_depth_mode");
+  find(lib.setDepthMode, "freenect_set_depth_mode");
+  find(lib.startDepth, "freenect_start_depth");
+  find(lib.stopDepth, "freenect_stop_depth");
+  // fakenect has neither this nor a mode of millimetres, and ends the program that asks for one.
+  lib.knows_millimetres = ::dlsym(handle, "freenect_copy_registration") != nullptr;
+  return lib;
+}
+
+const Library& library() {
+  static const Library loaded = load();
+  return loaded;
+}
+
+// The library's messages come without a word of whom they are for, on the thread that called it.
+thread_local std::string last_error;
+
+void keepError(freenect_context*, freenect_loglevel, const char* message) {
+  last_error = message;
+  while (!last_error.empty() && last_error.back() == '\n') last_error.pop_back();
+}
+
+std::string why() { return last_error.empty() ? "" : " (" + last_error + ")"; }
+
+}  // namespace
+
+struct FreenectCamera::Device {
+  OnImage on_image;
+  freenect_context* context{nullptr};
+  freenect_device* device{nullptr};
+  bool raw{true};
+  std::string error;
+
+  ~Device() {
+    if (device != nullptr) {
+      library().stopDepth(device);
+      library().closeDevice(device);
+    }
+    if (context != nullptr) library().shutdown(context);
+  }
+};
+
+FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Device>()) {
+  const Library& lib = library();
+  Device& d = *device_;
+  d.on_image = std::move(on_image);
+  last_error.clear();
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    return ParseError({kKinectSource}, "found " + found + why() + ", expected " + expected);
+  };
+  if (lib.init(&d.context, nullptr) < 0) {
+    d.context = nullptr;
+    throw refuse("no USB that libfreenect can use", "a machine with a Kinect v1 at a USB port");
+  }
+  lib.setLogLevel(d.context, FREENECT_LOG_ERROR);
+  lib.setLogCallback(d.context, keepError);
+  lib.selectSubdevices(d.context, FREENECT_DEVICE_CAMERA);
+  if (lib.countDevices(d.context) < 1)
+    throw refuse("no camera", "a Kinect v1 at a USB port, with its power supply");
+  if (lib.openDevice(d.context, &d.device, 0) < 0) {
+    d.device = nullptr;
+    throw refuse(
+        "a Kinect that cannot be opened",
+        "one that no other program uses, and the right to use it, which on Debian the group plugdev has");
+  }
+  d.raw = !lib.knows_millimetres;
+  const freenect_frame_mode mode =
+      lib.findDepthMode(FREENECT_RESOLUTION_MEDIUM, d.raw ? FREENECT_DEPTH_11BIT : FREENECT_DEPTH_MM);
+  if (mode.is_valid == 0 || mode.width != kKinectWidth || mode.height != kKinectHeight)
+    throw refuse("a Kinect without 640 x 480 depths", "a Kinect v1");
+  lib.setUser(d.device, &d);
+  lib.setDepthCallback(d.device, [](freenect_device* device, void* numbers, std::uint32_t) {
+    static_cast<Device*>(library().getUser(device))->on_image(static_cast<const std::uint16_t*>(numbers));
+  });
+  if (lib.setDepthMode(d.device, mode) < 0 || lib.startDepth(d.device) < 0)
+    throw refuse("a Kinect that sends no depth", "one that starts");
+}
+
+FreenectCamera::~FreenectCamera() = default;
+
+bool FreenectCamera::isRaw() const { return device_->raw; }
+
+bool FreenectCamera::serve() {
+  timeval wait{0, kWait};
+  last_error.clear();
+  const bool is_there = library().processEvents(device_->context, &wait) >= 0;
+  if (!last_error.empty()) device_->error = last_error;
+  return is_there;
+}
+
+std::string FreenectCamera::lastError() const { return device_->error; }
+
+}  // namespace abstand
+
+#else
+
+namespace abstand {
+
+struct FreenectCamera::Device {};
+
+FreenectCamera::FreenectCamera(OnImage) {
+  throw ParseError({kKinectSource},
+                   "found a program that was built without libfreenect.h, expected one with it",
+                   "Debian's package libfreenect-dev has it; configure and build again");
+}
+FreenectCamera::~FreenectCamera() = default;
+bool FreenectCamera::isRaw() const { return true; }
+bool FreenectCamera::serve() { return false; }
+std::string FreenectCamera::lastError() const { return {}; }
+
+}  // namespace abstand
+
+#endif

@@ -1,0 +1,75 @@
+// Depth images of a camera that looks now.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <semaphore>
+#include <thread>
+
+#include "core/base/triple_buffer.hpp"
+#include "tracking/depth/formats/depth_stream.hpp"
+#include "tracking/depth/live/freenect_camera.hpp"
+
+namespace abstand {
+
+/// Whether that is the name of a camera, as kKinectSource, and not of a file: `live:` and anything.
+bool isLiveSource(const std::string& name);
+
+/// One image, and when it came.
+struct LiveFrame {
+  DepthFrame frame;                            ///< t: s since the first image came
+  std::chrono::steady_clock::time_point came;  ///< when the driver handed the image over
+};
+
+/// Images come on a thread of the driver; the newest wins, and those that nobody took are counted. The
+/// reader is one thread. What ends the stream is said by ended(), not thrown.
+class LiveDepth {
+ public:
+  enum class Outcome : std::uint8_t { kFrame, kNothingYet, kEnded };
+
+  /// `name`: kKinectSource; of `options` the camera file and the mirror count, a rate is refused. Throws
+  /// ParseError where there is no such camera, and UsageError.
+  LiveDepth(const std::string& name, const DepthStreamOptions& options);
+  ~LiveDepth();
+  LiveDepth(const LiveDepth&) = delete;
+  LiveDepth& operator=(const LiveDepth&) = delete;
+
+  const DepthCamera& camera() const { return straight_->camera(); }
+  const DepthFacts& facts() const { return facts_; }
+  /// The newest image that was not taken yet; waits for it for at most `wait` seconds.
+  Outcome next(LiveFrame& frame, double wait);
+  /// Images that came and were replaced by newer ones before anybody took them.
+  std::size_t dropped() const { return dropped_; }
+  /// Why there are no more images, one sentence; empty while there may be some.
+  std::string ended() const;
+
+ private:
+  struct Image {
+    std::size_t number{0};  ///< of this image, from 1
+    LiveFrame live;
+  };
+
+  void keep(const std::uint16_t* numbers);
+  void watch();
+  void end(const std::string& why);
+
+  DepthFacts facts_;
+  std::array<float, 65536> depth_of_{};  ///< m, of each number that the camera may send
+  TripleBuffer<Image> images_;
+  std::optional<StraightImages> straight_;
+  std::counting_semaphore<> news_{0};
+  std::atomic<bool> stop_{false}, has_ended_{false};
+  std::string why_;  ///< written before has_ended_ is set, read after
+
+  // The driver's thread:
+  std::size_t came_{0};
+  std::chrono::steady_clock::time_point first_, last_;
+  // The reader's:
+  std::size_t taken_{0}, dropped_{0};
+
+  std::unique_ptr<FreenectCamera> driver_;
+  std::thread thread_;
+};
+
+}  // namespace abstand

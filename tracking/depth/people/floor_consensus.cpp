@@ -1,0 +1,102 @@
+// Planes by sample consensus. The fence around PCL.
+#include "tracking/depth/people/floor_consensus.hpp"
+
+#include <pcl/console/print.h>
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_perpendicular_plane.h>
+
+#include <algorithm>
+
+#include "core/math/random.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr int kNeighbourhood = 5;  // a triple reaches over this part of the grid's columns, to each side
+
+using Point = pcl::PointXYZ;
+using LevelPlane = pcl::SampleConsensusModelPerpendicularPlane<Point>;
+
+FloorPlane planeOf(const Eigen::VectorXf& coefficients) {
+  const Eigen::Vector4d c = coefficients.cast<double>();
+  const double side = c.y() > 0.0 ? -1.0 : 1.0;  // the image's up is -y
+  const double scale = side / c.head<3>().norm();
+  return {scale * c.head<3>(), scale * c.w()};
+}
+
+/// PCL's plane that is perpendicular to an axis, with samples from its own neighbourhood, a seed of its own
+/// (PCL's generator has one seed for all) and a count that is the caller's.
+class FloorModel : public LevelPlane {
+ public:
+  FloorModel(const pcl::PointCloud<Point>::ConstPtr& cloud, const PointGrid& grid,
+             const ConsensusOptions& options, const std::function<std::size_t(const FloorPlane&)>& count)
+      : LevelPlane(cloud), grid_(grid), count_(count), random_(options.seed, 0), tries_(options.tries) {
+    setAxis(-Eigen::Vector3f::UnitY());
+    setEpsAngle(options.tilt);
+  }
+
+  /// Three that lie near each other in the image are on one plane more often than three of all.
+  void getSamples(int&, pcl::Indices& samples) override {
+    const int reach = std::max(2, grid_.columns / kNeighbourhood);
+    for (; tries_ > 0; --tries_) {
+      const int column = below(grid_.columns), row = below(grid_.rows);
+      const pcl::index_t a = grid_.indexOf(column, row);
+      const pcl::index_t b = near(column, row, reach), c = near(column, row, reach);
+      if (!measured(a) || !measured(b) || !measured(c)) continue;
+      samples = {a, b, c};
+      --tries_;
+      return;
+    }
+    samples.clear();  // ends the search
+  }
+  std::size_t countWithinDistance(const Eigen::VectorXf& coefficients, double) const override {
+    return isModelValid(coefficients) ? count_(planeOf(coefficients)) : 0;
+  }
+
+ private:
+  int below(int most) { return static_cast<int>(random_.below(static_cast<std::size_t>(most))); }
+  pcl::index_t near(int column, int row, int reach) {
+    const int dc = below(2 * reach + 1) - reach, dr = below(2 * reach + 1) - reach;
+    return grid_.indexOf(std::clamp(column + dc, 0, grid_.columns - 1),
+                         std::clamp(row + dr, 0, grid_.rows - 1));
+  }
+  bool measured(pcl::index_t i) const { return !grid_.points[static_cast<std::size_t>(i)].isZero(0.0); }
+
+  const PointGrid& grid_;
+  const std::function<std::size_t(const FloorPlane&)>& count_;
+  Random random_;
+  int tries_;
+};
+
+/// Once for all: that nothing was found is an answer, and nothing to print.
+void silencePcl() {
+  [[maybe_unused]] static const bool silent = [] {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+    return true;
+  }();
+}
+
+}  // namespace
+
+std::optional<FloorPlane> consensusPlane(const PointGrid& grid, const ConsensusOptions& options,
+                                         const std::function<std::size_t(const FloorPlane&)>& count) {
+  if (grid.points.size() < 3) return std::nullopt;
+  silencePcl();
+  const auto cloud = pcl::make_shared<pcl::PointCloud<Point>>();
+  for (const Vector3d& p : grid.points) {
+    const Eigen::Vector3f f = p.cast<float>();
+    cloud->push_back({f.x(), f.y(), f.z()});
+  }
+  const auto model = pcl::make_shared<FloorModel>(cloud, grid, options, count);
+  // The threshold is the count's own; PCL wants one to be set.
+  pcl::RandomSampleConsensus<Point> search(model, 1.0);
+  search.setProbability(options.certainty);
+  search.setMaxIterations(options.tries);
+  if (!search.computeModel()) return std::nullopt;
+  Eigen::VectorXf coefficients;
+  search.getModelCoefficients(coefficients);
+  return planeOf(coefficients);
+}
+
+}  // namespace abstand

@@ -1,0 +1,438 @@
+// Where people are in the images of a depth camera that stands still.
+#include "tracking/depth/people/people_finder.hpp"
+
+#include <cmath>
+
+#include "core/base/error.hpp"
+
+namespace abstand {
+namespace {
+
+// Of a head over its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m long, and
+// shoulders begin a third of a metre below the vertex (ANSUR II).
+constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
+constexpr double kHeadRadius = 0.16;  // what is as high as the head lies so near ...
+constexpr double kBesideHead = 0.32;  // ... and hardly anything between there and here
+constexpr double kHeadDrop = 0.22;    // as high: not lower than this
+constexpr double kMaxBeside = 0.5;    // cells beside a head, of those of the head
+constexpr int kMinHeadCells = 3;
+constexpr double kHeadsApart = 0.28;
+constexpr double kBodyRadius = 0.35;              // of a trunk around its head
+constexpr double kMinBody = 0.05;                 // m^2 of it seen
+constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
+constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
+// Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
+// metre), like arms and head of who bows towards the camera, or is small (m^2), like a foot.
+constexpr double kMaxStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
+constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: from where a person was
+constexpr double kJump = 0.3;   // m: nobody moves so far between two images
+constexpr double kYoung = 1.0;  // s
+constexpr double kSplit = 0.4;  // m: nobody appears nearer to somebody
+constexpr std::size_t kMinPixels = 30;
+
+constexpr float kMaxWaver = 0.3f;  // m; what wavers more is not still
+
+/// m; how much a Kinect's depth of something that stands still changes at most (steps of 2.9 mm z^2, twice).
+float waver(float z) { return 0.03f + 0.006f * z * z; }
+
+}  // namespace
+
+PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options)
+    : camera_(camera), options_(options) {
+  const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
+  if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
+  cell_of_.assign(pixels, -1);
+  background_.resize(pixels);
+  still_.resize(pixels);
+  people_.label.assign(pixels, 0);
+  for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
+  for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
+  heads_.reserve(kMaxPeople);
+  tracks_.reserve(kMaxPeople);
+  people_.persons.reserve(kMaxPeople);
+}
+
+void PeopleFinder::findFloor(double t, const DepthImage& image) {
+  if (floor_given_ || people_.floor || t < next_floor_) return;
+  people_.floor = floor_finder_.find(image, camera_, options_.seed);
+  if (people_.floor) plane_ = *people_.floor;
+  next_floor_ = t + 0.5;
+}
+
+/// Within four mean deviations, which are three and a bit of standard ones, or the camera's own waver.
+bool PeopleFinder::keeps(const Still& still, float z) {
+  return still.z > 0.0f &&
+         std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMaxWaver));
+}
+
+void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
+  constexpr float kNew = 0.1f;  // share of the newest depth in the means
+  Still& still = still_[pixel];
+  if (!keeps(still, z)) {
+    still = {z, 0.5f * waver(z), 0.0f};
+    return;
+  }
+  still.wavers += kNew * (std::abs(z - still.z) - still.wavers);
+  still.z += kNew * (z - still.z);
+  still.lasts += dt;
+  if (still.lasts >= static_cast<float>(options_.learn_after)) background_[pixel] = still;
+}
+
+/// Without a floor: level, through the lowest hundredth of what is there.
+void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
+  constexpr int kBins = 1000;
+  constexpr double kLowest = -5.0, kBin = 0.01;  // m
+  std::array<std::uint32_t, kBins> count{};
+  std::uint32_t total = 0;
+  for (int v = 0; v < image.height; ++v)
+    for (int u = 0; u < image.width; ++u) {
+      const float z = image.at(u, v);
+      if (!(z > 0.0f && z < static_cast<float>(options_.farthest))) continue;
+      const double up = static_cast<double>(-z * y_[static_cast<std::size_t>(v)]);
+      const double bin = (up - kLowest) / kBin;
+      if (bin < 0.0 || bin >= kBins) continue;
+      ++count[static_cast<std::size_t>(bin)];
+      ++total;
+    }
+  std::uint32_t below = 0;
+  std::size_t bin = 0;
+  while (bin + 1 < kBins && (below += count[bin]) * 100 < total) ++bin;
+  plane_ = {-Vector3d::UnitY(), -(kLowest + kBin * static_cast<double>(bin))};
+}
+
+void PeopleFinder::lookFromAbove(const DepthImage& image, const DepthImage* known) {
+  plan_.clear();
+  const Vector3d up = plane_.up;
+  const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
+  const Eigen::Vector3f U = up.cast<float>(), A = ahead.cast<float>(), R = right.cast<float>();
+  const auto height = static_cast<float>(plane_.height);
+  const auto nearest = static_cast<float>(options_.nearest), farthest = static_cast<float>(options_.farthest);
+  const double pixel = 1.0 / (camera_.fx * camera_.fy);
+  const bool has_floor = people_.floor.has_value();
+  for (int v = 0; v < image.height; ++v) {
+    const float y = y_[static_cast<std::size_t>(v)];
+    const float up_row = U.y() * y + U.z(), ahead_row = A.y() * y + A.z(), right_row = R.y() * y + R.z();
+    std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width);
+    for (int u = 0; u < image.width; ++u, ++i) {
+      cell_of_[i] = -1;
+      const float z = image.z[i];
+      if (!(z > nearest && z < farthest) || keeps(background_[i], z)) continue;
+      if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
+      const float x = x_[static_cast<std::size_t>(u)];
+      const float rise = U.x() * x + up_row;  // of the ray
+      const float h = z * rise + height;
+      // What wavers along the ray wavers so much in height.
+      const float sole = has_floor ? 0.02f + waver(z) * std::abs(rise) : 0.0f;
+      if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
+      const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
+                                        static_cast<double>(z * (A.x() * x + ahead_row)));
+      if (cell < 0) continue;
+      cell_of_[i] = cell;
+      plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
+    }
+  }
+  plan_.join();
+}
+
+bool PeopleFinder::isHead(int cell) const {
+  const float top = plan_.cell(cell).top;
+  int head = 0, beside = 0;
+  bool is_highest = true;
+  plan_.around(PlanView::placeOf(cell), kBesideHead, [&](int i, double distance) {
+    const float other = plan_.cell(i).top;
+    if (other < top - static_cast<float>(kHeadDrop)) return;
+    if (distance > kHeadRadius) {
+      ++beside;
+      return;
+    }
+    ++head;
+    if (other > top || (other == top && i < cell)) is_highest = false;
+  });
+  return is_highest && head >= kMinHeadCells && beside <= kMaxBeside * head;
+}
+
+double PeopleFinder::bodyArea(const Place& place, double radius) const {
+  double area = 0.0;
+  plan_.around(place, radius, [&](int i, double) { area += static_cast<double>(plan_.cell(i).whole); });
+  return area;
+}
+
+PeopleFinder::Place PeopleFinder::middleOfBody(Place place) const {
+  for (int round = 0; round < 2; ++round) {
+    Place sum = Place::Zero();
+    double area = 0.0;
+    plan_.around(place, kBodyRadius, [&](int i, double) {
+      const auto a = static_cast<double>(plan_.cell(i).whole);
+      sum += a * PlanView::placeOf(i);
+      area += a;
+    });
+    if (area > 0.0) place = sum / area;
+  }
+  return place;
+}
+
+void PeopleFinder::findHeads() {
+  heads_.clear();
+  for (const int i : plan_.used()) {
+    const float top = plan_.cell(i).top;
+    if (top < static_cast<float>(kLowestHead) || top > static_cast<float>(kHighestHead) ||
+        !plan_.occupied(i) || !isHead(i))
+      continue;
+    if (heads_.size() == static_cast<std::size_t>(kMaxPeople)) break;
+    heads_.push_back({i, PlanView::placeOf(i)});
+  }
+  // The higher of two that are too near.
+  for (std::size_t a = 0; a < heads_.size(); ++a)
+    for (std::size_t b = heads_.size(); b-- > a + 1;)
+      if ((heads_[a].place - heads_[b].place).norm() < kHeadsApart) {
+        if (plan_.cell(heads_[b].cell).top > plan_.cell(heads_[a].cell).top) heads_[a] = heads_[b];
+        heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(b));
+      }
+  dropHeadsWithoutBody();
+}
+
+/// A raised fist has no trunk of its own below it. The one with the least goes first; what it had is the
+/// others'.
+void PeopleFinder::dropHeadsWithoutBody() {
+  while (!heads_.empty()) {
+    for (Head& head : heads_) {
+      head.body = 0.0;
+      const auto height = static_cast<double>(plan_.cell(head.cell).top);
+      const auto first = static_cast<std::size_t>(kBodyFrom * height / PlanView::kSlab);
+      const auto last = static_cast<std::size_t>(kBodyTo * height / PlanView::kSlab);
+      plan_.around(head.place, kBodyRadius, [&](int i, double distance) {
+        for (const Head& other : heads_)
+          if ((other.place - PlanView::placeOf(i)).norm() < distance) return;
+        for (std::size_t slab = first; slab <= last; ++slab)
+          head.body += static_cast<double>(plan_.cell(i).area[slab]);
+      });
+    }
+    const auto least = std::min_element(heads_.begin(), heads_.end(),
+                                        [](const Head& a, const Head& b) { return a.body < b.body; });
+    if (least->body >= kMinBody) return;
+    heads_.erase(least);
+  }
+}
+
+void PeopleFinder::follow(double t) {
+  std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
+  for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
+  const auto predicted = [&](const Track& track) {
+    return Place(track.place + track.speed * std::min(t - track.seen, 0.3));
+  };
+  const auto meet = [&](Track& track, const Place& place, bool has_head) {
+    const double dt = t - track.seen;
+    if (dt > 0.0 && dt < 0.5) track.speed = 0.7 * track.speed + 0.3 * (place - track.place) / dt;
+    track.suspect = t - track.born < kYoung || (place - track.place).norm() > kJump;
+    track.place = place;
+    track.seen = t;
+    if (has_head) track.headed = t;
+    track.here = true;
+    track.matched = has_head;
+  };
+  // Heads and persons who are nearest to each other, the nearest pair first.
+  for (;;) {
+    Track* best_track = nullptr;
+    std::size_t best_head = 0;
+    double best = kInfinity;
+    for (Track& track : tracks_) {
+      if (track.matched) continue;
+      const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
+      for (std::size_t h = 0; h < heads_.size(); ++h) {
+        const double distance = (heads_[h].place - predicted(track)).norm();
+        if (distance < std::min(best, gate)) best = distance, best_track = &track, best_head = h;
+      }
+    }
+    if (!best_track) break;
+    meet(*best_track, middleOfBody(heads_[best_head].place), true);
+    heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
+  }
+  // Persons without a head in sight stay with what stands where they were.
+  for (Track& track : tracks_) {
+    if (track.matched || t - track.headed > options_.without_head) continue;
+    const Place place = middleOfBody(predicted(track));
+    bool is_free = true;
+    for (const Track& other : tracks_)
+      is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);
+    if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(place, kBodyRadius) >= kMinBody)
+      meet(track, place, false);
+  }
+  std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
+  const int first_new = next_id_;
+  for (const Head& head : heads_) {
+    const Place place = middleOfBody(head.place);
+    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
+    for (const Track& track : tracks_)
+      is_new = is_new && !(track.here && track.id < first_new && (track.place - place).norm() < kSplit);
+    if (!is_new) continue;
+    Track track;
+    track.id = next_id_++;
+    track.place = place;
+    track.born = track.seen = track.headed = t;
+    track.here = track.matched = track.suspect = true;
+    tracks_.push_back(track);
+  }
+}
+
+/// Who owns each cell: the nearest person of those whose trunk is of the same component, or in whose reach a
+/// piece lies.
+void PeopleFinder::own() {
+  for (std::size_t k = 0; k < plan_.components(); ++k) {
+    const auto cells = plan_.component(k);
+    double whole = 0.0, standing = 0.0;
+    for (const int i : cells) {
+      const PlanView::Cell& c = plan_.cell(i);
+      whole += static_cast<double>(c.whole);
+      standing += static_cast<double>(c.area[0] + c.area[1]);
+    }
+    const double piece = standing < kMaxStanding * whole ? kArmReach
+                         : whole < kSmallPiece           ? kPieceReach
+                                                         : 0.0;
+    std::array<bool, kMaxPeople> has_trunk{};
+    for (std::size_t p = 0; p < tracks_.size(); ++p) {
+      if (!tracks_[p].here) continue;
+      double trunk = 0.0;
+      for (const int i : cells)
+        if ((PlanView::placeOf(i) - tracks_[p].place).norm() < kBodyRadius)
+          trunk += static_cast<double>(plan_.cell(i).whole);
+      has_trunk[p] = trunk >= 0.5 * kMinBody;
+    }
+    for (const int i : cells) {
+      double nearest = kInfinity;
+      for (std::size_t p = 0; p < tracks_.size(); ++p) {
+        if (!tracks_[p].here) continue;
+        const double distance = (PlanView::placeOf(i) - tracks_[p].place).norm();
+        const double reach = has_trunk[p] ? kArmReach : piece;
+        if (distance < std::min(nearest, reach)) {
+          nearest = distance;
+          plan_.cell(i).owner = static_cast<std::int16_t>(p);
+        }
+      }
+    }
+  }
+  // What is seen too flat to fill a cell belongs to whom the cell beside it belongs to.
+  for (const int i : plan_.used()) {
+    if (plan_.occupied(i)) continue;
+    plan_.around(PlanView::placeOf(i), 1.5 * PlanView::kCell, [&](int beside, double) {
+      if (plan_.cell(beside).owner >= 0) plan_.cell(i).owner = plan_.cell(beside).owner;
+    });
+  }
+}
+
+void PeopleFinder::label(const DepthImage& image) {
+  for (std::size_t i = 0; i < image.z.size(); ++i) {
+    const int owner = cell_of_[i] < 0 ? -1 : plan_.cell(cell_of_[i]).owner;
+    people_.label[i] = static_cast<std::uint8_t>(owner + 1);
+  }
+}
+
+/// Most of the background beside it is at its own depth.
+bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const {
+  constexpr int kMinBorder = 20;  // pixels
+  const auto label = static_cast<std::uint8_t>(track + 1);
+  const auto width = static_cast<std::size_t>(image.width);
+  int even = 0, steps = 0;
+  const auto compare = [&](std::size_t inside, std::size_t outside) {
+    if (people_.label[inside] != label || people_.label[outside] != 0) return;
+    const float z = image.z[inside], behind = background_[outside].z;
+    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * waver(z) ? even : steps);
+  };
+  for (std::size_t i = 0; i + width < image.z.size(); ++i) {
+    compare(i, i + 1);
+    compare(i + 1, i);
+    compare(i, i + width);
+    compare(i + width, i);
+  }
+  return even + steps >= kMinBorder && even > steps;
+}
+
+void PeopleFinder::dropUncovered(const DepthImage& image) {
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    if (!tracks_[k].here || !tracks_[k].suspect || !isUncovered(k, image)) continue;
+    const auto label = static_cast<std::uint8_t>(k + 1);
+    for (std::size_t i = 0; i < image.z.size(); ++i) {
+      if (people_.label[i] != label) continue;
+      people_.label[i] = 0;
+      background_[i] = {image.z[i], 0.5f * waver(image.z[i]), 0.0f};
+    }
+    tracks_[k].here = false;
+    tracks_[k].seen = -kInfinity;  // forgotten with the next image
+  }
+}
+
+void PeopleFinder::describe(double t, const DepthImage& image) {
+  const float dt = std::isfinite(last_t_) ? static_cast<float>(t - last_t_) : 0.0f;
+  struct Sum {
+    Vector3d p{Vector3d::Zero()};
+    FoundPerson person;
+  };
+  std::array<Sum, kMaxPeople> sums;
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    sums[p].person.left = image.width;
+    sums[p].person.above = image.height;
+    sums[p].person.top = 0.0;
+  }
+  std::size_t i = 0;
+  for (int v = 0; v < image.height; ++v)
+    for (int u = 0; u < image.width; ++u, ++i) {
+      const float z = image.z[i];
+      if (people_.label[i] == 0) {
+        if (z > 0.0f) learn(i, z, dt);
+        continue;
+      }
+      still_[i] = {};
+      Sum& sum = sums[people_.label[i] - std::size_t{1}];
+      const Vector3d p_C(static_cast<double>(z * x_[static_cast<std::size_t>(u)]),
+                         static_cast<double>(z * y_[static_cast<std::size_t>(v)]), static_cast<double>(z));
+      sum.p += p_C;
+      FoundPerson& person = sum.person;
+      ++person.pixels;
+      person.left = std::min(person.left, u);
+      person.right = std::max(person.right, u);
+      person.above = std::min(person.above, v);
+      person.below = std::max(person.below, v);
+      person.top = std::max(person.top, plane_.above(p_C));
+    }
+  std::array<std::uint8_t, kMaxPeople + 1> number{};
+  bool is_same = true;
+  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+    FoundPerson& person = sums[p].person;
+    if (person.pixels >= kMinPixels) {
+      person.id = tracks_[p].id;
+      person.centroid = sums[p].p / static_cast<double>(person.pixels);
+      people_.persons.push_back(person);
+      number[p + 1] = static_cast<std::uint8_t>(people_.persons.size());
+    }
+    is_same = is_same && number[p + 1] == p + 1;
+  }
+  if (!is_same)
+    for (std::uint8_t& l : people_.label) l = number[l];
+}
+
+const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const DepthImage* known) {
+  ABSTAND_CHECK(image.width == camera_.width && image.height == camera_.height);
+  ABSTAND_CHECK(!known || known->z.size() == image.z.size());
+  people_.persons.clear();
+  findFloor(t, image);
+  if (!people_.floor) estimateFloorFromScene(image);
+  lookFromAbove(image, known);
+  findHeads();
+  follow(t);
+  own();
+  label(image);
+  dropUncovered(image);
+  describe(t, image);
+  last_t_ = t;
+  return people_;
+}
+
+void PeopleFinder::mask(int id, std::vector<std::uint8_t>& is_person) const {
+  std::uint8_t number = 0;
+  for (std::size_t p = 0; p < people_.persons.size(); ++p)
+    if (people_.persons[p].id == id) number = static_cast<std::uint8_t>(p + 1);
+  is_person.resize(people_.label.size());
+  for (std::size_t i = 0; i < is_person.size(); ++i) is_person[i] = number != 0 && people_.label[i] == number;
+}
+
+}  // namespace abstand

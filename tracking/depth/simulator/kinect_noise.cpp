@@ -1,0 +1,118 @@
+// What a Kinect of 2010 makes of an ideal depth image.
+#include "tracking/depth/simulator/kinect_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/random.hpp"
+
+namespace abstand {
+namespace {
+
+// Of the depth: neighbours whose depths differ by less are one surface.
+constexpr float kOneSurface = 0.03f;
+// Of the depth: what lies behind the nearest by less is lit too.
+constexpr float kLit = 0.02f;
+constexpr double kNoiseFrom = 0.4;  // m, of the law of Nguyen and others
+
+double gauss(Random& random) {
+  // Box, Muller 1958; the argument of the logarithm is above 0.
+  return std::sqrt(-2.0 * std::log(1.0 - random.unit())) * std::cos(2.0 * kPi * random.unit());
+}
+
+bool oneSurface(float a, float b) {
+  return a > 0.0f && b > 0.0f && std::abs(a - b) < kOneSurface * std::min(a, b);
+}
+
+/// One row as the projector sees it: its column of each pixel, and the nearest depth in each of its columns.
+class Projector {
+ public:
+  Projector(const DepthCamera& camera, const KinectNoise& noise)
+      : shift_(camera.fx * noise.baseline),
+        before_(static_cast<int>(std::ceil(std::abs(shift_) / noise.nearest)) + 1),
+        nearest_(static_cast<std::size_t>(camera.width + 2 * before_)) {}
+
+  void look(const DepthImage& image, int row) {
+    std::fill(nearest_.begin(), nearest_.end(), std::numeric_limits<float>::infinity());
+    for (int u = 0; u < image.width; ++u) {
+      const float z = image.at(u, row);
+      if (!(z > 0.0f)) continue;
+      int from = columnOf(u, z), to = from;
+      if (u + 1 < image.width && oneSurface(z, image.at(u + 1, row)))
+        to = columnOf(u + 1, image.at(u + 1, row));
+      if (from > to) std::swap(from, to);
+      for (int column = from; column <= to; ++column) {
+        float& nearest = nearest_[static_cast<std::size_t>(column)];
+        nearest = std::min(nearest, z);
+      }
+    }
+  }
+  bool lights(int u, float z) const {
+    return z <= (1.0f + kLit) * nearest_[static_cast<std::size_t>(columnOf(u, z))];
+  }
+
+ private:
+  int columnOf(int u, float z) const {
+    const double column = u - shift_ / static_cast<double>(z) + before_;
+    return static_cast<int>(std::clamp(std::round(column), 0.0, static_cast<double>(nearest_.size() - 1)));
+  }
+
+  double shift_;  ///< pixels times m
+  int before_;    ///< columns that are left of the image
+  std::vector<float> nearest_;
+};
+
+/// Cosine of the angle between the ray and the normal, from the neighbours; 1 where there are none.
+double facing(const DepthImage& image, const DepthCamera& camera, int u, int v) {
+  const float z = image.at(u, v);
+  const int u1 = u + 1 < image.width && oneSurface(z, image.at(u + 1, v)) ? u + 1 : u - 1;
+  const int v1 = v + 1 < image.height && oneSurface(z, image.at(u, v + 1)) ? v + 1 : v - 1;
+  if (u1 < 0 || v1 < 0 || !oneSurface(z, image.at(u1, v)) || !oneSurface(z, image.at(u, v1))) return 1.0;
+  const Vector3d p = camera.at(u, v, static_cast<double>(z));
+  const Vector3d n = (camera.at(u1, v, static_cast<double>(image.at(u1, v))) - p)
+                         .cross(camera.at(u, v1, static_cast<double>(image.at(u, v1))) - p);
+  return std::abs(n.dot(p)) / (n.norm() * p.norm());
+}
+
+}  // namespace
+
+KinectNoise kinectNoiseIn(const DepthCamera& camera) {
+  constexpr double kMeasuredAt = 580.0;  // pixels, focal length
+  KinectNoise noise;
+  noise.across *= camera.fx / kMeasuredAt;
+  noise.disparity_step *= camera.fx / kMeasuredAt;
+  return noise;
+}
+
+DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, const KinectNoise& noise,
+                        std::uint64_t seed, std::uint64_t frame) {
+  DepthImage lit(ideal.width, ideal.height), seen(ideal.width, ideal.height);
+  Projector projector(camera, noise);
+  for (int v = 0; v < ideal.height; ++v) {
+    projector.look(ideal, v);
+    for (int u = 0; u < ideal.width; ++u) {
+      const float z = ideal.at(u, v);
+      if (z > 0.0f && projector.lights(u, z) && facing(ideal, camera, u, v) >= noise.grazing)
+        lit.at(u, v) = z;
+    }
+  }
+  const double per_disparity = camera.fx * noise.baseline;
+  for (int v = 0; v < ideal.height; ++v) {
+    Random random(seed, frame * DepthCamera::kMaxPixels + static_cast<std::uint64_t>(v));
+    for (int u = 0; u < ideal.width; ++u) {
+      const int from_u = u + static_cast<int>(std::lround(noise.across * gauss(random)));
+      const int from_v = v + static_cast<int>(std::lround(noise.across * gauss(random)));
+      const double normal = gauss(random);
+      if (from_u < 0 || from_v < 0 || from_u >= ideal.width || from_v >= ideal.height) continue;
+      const double z = static_cast<double>(lit.at(from_u, from_v));
+      if (!(z >= noise.nearest && z <= noise.farthest)) continue;
+      const double spread = noise.along + noise.along_growth * (z - kNoiseFrom) * (z - kNoiseFrom);
+      const double disparity = per_disparity / (z + spread * normal);
+      const double step = std::round(disparity / noise.disparity_step) * noise.disparity_step;
+      if (step > 0.0) seen.at(u, v) = static_cast<float>(per_disparity / step);
+    }
+  }
+  return seen;
+}
+
+}  // namespace abstand

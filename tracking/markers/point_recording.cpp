@@ -1,0 +1,192 @@
+#include "tracking/markers/point_recording.hpp"
+
+#include <algorithm>
+
+#include "core/base/data_folder.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
+#include "humanmodel/part_reach.hpp"
+#include "tracking/markers/marker_recording.hpp"
+#include "tracking/recording/conversion.hpp"
+#include "tracking/recording/derived_joints.hpp"
+#include "tracking/recording/joint_map.hpp"
+
+namespace abstand {
+namespace {
+
+JointMatch canonicalNames(std::span<const std::string> names) {
+  JointMatch match;
+  match.joint.fill(-1);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto j = parseJoint(names[i])) match.joint[static_cast<std::size_t>(*j)] = static_cast<int>(i);
+  return match;
+}
+
+JointMatch matchNames(const PointFacts& facts, std::span<const std::string> names,
+                      const RecordingOptions& options, const std::string& file) {
+  const auto maps = options.joint_map.empty() ? loadJointMaps(dataFolder() / "joint_maps")
+                                              : std::vector<JointMap>{loadJointMap(options.joint_map)};
+  JointMatch match = chooseJointMap(maps, names);
+  if (match.mapped > 0) return match;
+  if (facts.of_markers) {
+    match.map.clear();
+    return match;
+  }
+  std::string some;
+  for (std::size_t i = 0; i < names.size() && i < 3; ++i) some += (i > 0 ? ", " : "") + inQuotes(names[i]);
+  throw ParseError(
+      {file}, "found joints that no joint map knows (" + some + "...), expected names of a known convention",
+      "write a joint map for them as data/joint_maps/README.md says");
+}
+
+/// The middle of several points; missing where one of them is, inferred where one of them is.
+void setMean(const PointFrame& from, const std::vector<int>& points, Joint j, SkeletonFrame& to) {
+  Vector3d sum = Vector3d::Zero();
+  JointState state = JointState::kTracked;
+  double spread = 0.0;
+  for (const int i : points) {
+    sum += from.p[static_cast<std::size_t>(i)];
+    spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
+    state = std::min(state, from.state[static_cast<std::size_t>(i)]);
+  }
+  if (state == JointState::kMissing) return;
+  to.set(j, sum / static_cast<double>(points.size()), state);
+  to.spread[static_cast<std::size_t>(j)] = spread;
+}
+
+SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
+  SkeletonFrame frame;
+  frame.t = from.t;
+  for (std::size_t j = 0; j < kJointCount; ++j) {
+    if (match.joint[j] < 0) continue;
+    const auto i = static_cast<std::size_t>(match.joint[j]);
+    if (i >= from.p.size())
+      setMean(from, match.means[i - from.p.size()], static_cast<Joint>(j), frame);
+    else if (from.state[i] != JointState::kMissing) {
+      frame.set(static_cast<Joint>(j), from.p[i], from.state[i]);
+      frame.spread[j] = from.spreadOf(i);
+    }
+  }
+  return frame;
+}
+
+SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) {
+  if (p.empty()) return {};
+  PointFrame rest;
+  rest.p = p;
+  rest.state.assign(p.size(), JointState::kTracked);
+  return pick(rest, match);
+}
+
+/// What the tracker guessed without saying how well; how far off that may be is known in metres only.
+void markGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (f.state[j] == JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
+}
+
+/// Gives the marked joints their spread, now that the frames are in metres.
+void spreadGuesses(std::vector<SkeletonFrame>& frames) {
+  for (auto& f : frames)
+    for (double& spread : f.spread)
+      if (spread == kInfinity) spread = kGuessedSpread;
+}
+
+/// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
+double rateOf(const std::vector<SkeletonFrame>& frames) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
+  if (steps.empty()) return 0.0;
+  const double median = quantile(std::move(steps), 0.5);
+  return median > 0.0 ? 1.0 / median : 0.0;
+}
+
+/// Points that may be markers, and what that means for the person.
+void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
+  if (report.mapped.empty()) {
+    report.joint_map.clear();
+    report.warnings.push_back(
+        "the file holds " + std::to_string(report.joints.size()) +
+        " markers or points of which no joint map makes a part of a body, so nothing can "
+        "be moved after it; a joint map says which markers make a joint "
+        "(data/joint_maps/README.md)");
+  } else if (by_marker_map) {
+    report.warnings.push_back(
+        "joints are taken at the middle of markers on the skin, some centimetres off the "
+        "joint centres: no body model is fitted");
+  }
+}
+
+/// What a user has to know of markers that were solved.
+void describeSolved(RecordingReport& report) {
+  const MarkerReport& m = report.markers;
+  report.joint_map.clear();
+  if (!(report.stature > 0.0)) report.stature = m.stature;
+  if (m.lost > 0)
+    report.warnings.push_back("the markers show no body in " + std::to_string(m.lost) + " frames");
+  for (const auto& swap : m.swaps)
+    report.warnings.push_back("the labels '" + swap.a + "' and '" + swap.b + "' look exchanged in " +
+                              std::to_string(swap.frames) + " frames: not used there");
+  std::string ignored;
+  for (const auto& [label, why] : m.ignored)
+    ignored += (ignored.empty() ? "" : "; ") + ("'" + label + "' " + why);
+  if (!ignored.empty()) report.warnings.push_back("markers that were not used: " + ignored);
+}
+
+}  // namespace
+
+Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
+  const PointFacts& facts = reader.facts();
+  RawRecording raw;
+  raw.format = facts.format;
+  raw.joints.assign(reader.names().begin(), reader.names().end());
+  raw.is_canonical = facts.is_canonical;
+  raw.match = facts.is_canonical ? canonicalNames(raw.joints) : matchNames(facts, raw.joints, options, file);
+  raw.rest = pickRest(reader.rest(), raw.match);
+  raw.unit = facts.unit;
+  raw.up = facts.up;
+
+  std::optional<MarkerTrack> markers;
+  const bool may_be_markers = facts.of_markers || raw.match.of_markers;
+  if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
+    markers.emplace(raw.joints, options, file);
+  // C3D and TRC may hold joint centres too: then a joint map knows more of them than any marker set.
+  if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
+      raw.match.mapped >= markers->found())
+    markers.reset();
+  PointFrame frame;
+  while (reader.next(frame)) {
+    raw.frames.push_back(pick(frame, raw.match));
+    if (markers && markers->hasSet()) markers->add(frame);
+  }
+  if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
+  raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
+  raw.rate_reason = facts.rate_reason;
+  if (facts.from_first_frame && raw.frames.front().t != 0.0) {
+    const double start = raw.frames.front().t;
+    for (auto& f : raw.frames) f.t -= start;
+    raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
+  }
+  raw.warnings = reader.warnings();
+  raw.notes = facts.notes;
+  // A file of canonical joints may hold some that were derived from others before: no guesses of a tracker.
+  if (!facts.is_canonical) markGuesses(raw.frames);
+  MarkerReport solved;
+  if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
+  if (markers && solved.reason.empty()) solved.reason = markers->reason();
+  const bool by_marker_map = raw.match.of_markers;
+  Recording recording = convert(std::move(raw), options);
+  // Solving markers settles both: a guess is one all the same.
+  recording.report.units_guessed = !facts.unit && lowerCase(options.units) == "auto";
+  recording.report.up_guessed = !facts.up && lowerCase(options.up) == "auto";
+  spreadGuesses(recording.frames);
+  recording.report.markers = std::move(solved);
+  if (!recording.report.markers.set.empty())
+    describeSolved(recording.report);
+  else if (facts.of_markers || by_marker_map)
+    warnOfMarkers(by_marker_map, recording.report);
+  return recording;
+}
+
+}  // namespace abstand

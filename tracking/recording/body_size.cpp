@@ -1,0 +1,116 @@
+#include "tracking/recording/body_size.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/derived_joints.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr double kAnkleHeight = 0.039;  // share of the stature
+constexpr double kStraightest = 0.9;    // quantile; the largest would be the glitch of one frame
+
+struct Unit {
+  const char* name;
+  double metres;
+};
+constexpr std::array<Unit, 5> kUnits{
+    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"inches", 0.0254}, {"cmu", 0.0254 / 0.45}}};
+
+class Lengths {
+ public:
+  Lengths(const SkeletonFrame& rest, const std::vector<SkeletonFrame>& frames) : rest_(rest) {
+    for (const auto i : sampleIndices(frames.size())) samples_.push_back(&frames[i]);
+  }
+
+  /// NaN where the joints are never there.
+  double median(Joint a, Joint b) const { return over(a, b, 0.5); }
+  double straightest(Joint a, Joint b) const {
+    const double moving = over(a, b, kStraightest);
+    return rest_.has(a) && rest_.has(b) ? std::max(moving, (rest_[a] - rest_[b]).norm()) : moving;
+  }
+
+  /// How far the hips lie below the pelvis, along the trunk.
+  double hipDrop() const {
+    std::vector<double> drops;
+    for (const auto* f : samples_) {
+      if (!f->has(Joint::kPelvis) || !f->has(Joint::kNeck) || !f->has(Joint::kHipLeft) ||
+          !f->has(Joint::kHipRight))
+        continue;
+      const Vector3d down = (*f)[Joint::kPelvis] - (*f)[Joint::kNeck];
+      if (down.norm() == 0.0) continue;
+      const Vector3d p_hips = 0.5 * ((*f)[Joint::kHipLeft] + (*f)[Joint::kHipRight]);
+      drops.push_back((p_hips - (*f)[Joint::kPelvis]).dot(down.normalized()));
+    }
+    return drops.empty() ? kNaN : quantile(drops, 0.5);
+  }
+
+ private:
+  double over(Joint a, Joint b, double q) const {
+    std::vector<double> lengths;
+    for (const auto* f : samples_)
+      if (f->has(a) && f->has(b)) lengths.push_back(((*f)[a] - (*f)[b]).norm());
+    return lengths.empty() ? kNaN : quantile(lengths, q);
+  }
+
+  const SkeletonFrame& rest_;
+  std::vector<const SkeletonFrame*> samples_;
+};
+
+UnitChoice wantedUnit(const std::string& wanted) {
+  std::string name = lowerCase(wanted);
+  if (name == "in" || name == "inch") name = "inches";
+  for (const auto& unit : kUnits)
+    if (name == unit.name) return {unit.name, "given by the user", unit.metres, ""};
+  const auto metres = parseDouble(wanted);
+  if (!metres || *metres < 1e-9 || *metres > 1e9)
+    throw UsageError("units: found '" + wanted +
+                     "', expected auto, m, cm, mm, inches, cmu or metres per unit as a number");
+  return {wanted, "given by the user", *metres, ""};
+}
+
+}  // namespace
+
+std::optional<double> measureStature(const SkeletonFrame& rest, const std::vector<SkeletonFrame>& frames) {
+  const Lengths lengths(rest, frames);
+  const double leg = 0.5 * (lengths.median(Joint::kHipLeft, Joint::kKneeLeft) +
+                            lengths.median(Joint::kKneeLeft, Joint::kAnkleLeft) +
+                            lengths.median(Joint::kHipRight, Joint::kKneeRight) +
+                            lengths.median(Joint::kKneeRight, Joint::kAnkleRight));
+  const double above_ankle = lengths.straightest(Joint::kHeadTop, Joint::kNeck) +
+                             lengths.straightest(Joint::kNeck, Joint::kPelvis) + lengths.hipDrop() + leg;
+  const double stature = above_ankle / (1.0 - kAnkleHeight);
+  if (!std::isfinite(stature) || stature <= 0.0) return std::nullopt;
+  return stature;
+}
+
+UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature) {
+  const std::string range = rounded(kShortestAdult, 1) + " to " + rounded(kTallestAdult, 1) + " m";
+  const auto plausible = [](double metres) { return metres >= kShortestAdult && metres <= kTallestAdult; };
+  if (lowerCase(wanted) != "auto") {
+    UnitChoice choice = wantedUnit(wanted);
+    if (stature && !plausible(*stature * choice.scale))
+      choice.warning = "with the given units the person is " + rounded(*stature * choice.scale, 3) +
+                       " m tall, not " + range;
+    return choice;
+  }
+  if (!stature)
+    return {"cm", "the joints that give a stature are not all in the file; centimetres are the most usual",
+            0.01, "the units are not known: centimetres are assumed; give them if that is wrong"};
+  const std::string measured = "along the bones the person is " + rounded(*stature, 3) + " units tall: ";
+  for (const auto& unit : kUnits)
+    if (plausible(*stature * unit.metres))
+      return {unit.name,
+              measured + rounded(*stature * unit.metres, 3) + " m in " + unit.name + ", an adult's stature",
+              unit.metres, ""};
+  const double scale = kAssumedStature / *stature;
+  return {"free", measured + "in no usual unit an adult's stature (" + range + ")", scale,
+          measured + "no usual unit gives " + range + ", so it is scaled to " + rounded(kAssumedStature, 2) +
+              " m; give the units if they are known"};
+}
+
+}  // namespace abstand

@@ -1,0 +1,241 @@
+#include "tracking/recording/conversion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/message_line.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/derived_joints.hpp"
+#include "tracking/recording/part_joints.hpp"
+
+namespace abstand {
+namespace {
+
+/// The lowest foot of a recording that stands on the floor is nearer to z = 0 than this (m).
+constexpr double kFloorDistance = 0.3;
+
+void turnAndScale(std::vector<SkeletonFrame>& frames, const Matrix3d& R, double scale) {
+  if (scale == 1.0 && R == Matrix3d::Identity()) return;  // keeps every bit, the sign of a zero too
+  for (auto& f : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (f.state[j] != JointState::kMissing) {
+        f.p[j] = scale * (R * f.p[j]);
+        f.spread[j] *= scale;
+      }
+}
+
+/// The points of the file that make a joint.
+std::vector<std::size_t> pointsOf(const JointMatch& match, Joint j, std::size_t points) {
+  const int joint = match.joint[static_cast<std::size_t>(j)];
+  if (joint < 0) return {};
+  const auto i = static_cast<std::size_t>(joint);
+  if (i < points) return {i};
+  const auto& mean = match.means[i - points];
+  return {mean.begin(), mean.end()};
+}
+
+/// Fills `mapped`, `not_mapped` and `missing_parts`.
+void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& frames, RecordingReport& report) {
+  const auto known = [&](Joint j) {
+    return std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) { return f.has(j); });
+  };
+  const auto used_as_found = [&](Joint j) {
+    return raw.is_canonical || std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) {
+             return f.state[static_cast<std::size_t>(j)] == JointState::kTracked;
+           });
+  };
+  std::vector<bool> used(raw.joints.size(), false);
+  std::string sentence;
+  for (const auto& part : partJoints()) {
+    std::vector<std::string> names;
+    for (const Joint j : part.joints) {
+      for (const std::size_t i : pointsOf(raw.match, j, raw.joints.size())) {
+        if (!used_as_found(j)) continue;
+        used[i] = true;
+        if (std::find(names.begin(), names.end(), raw.joints[i]) == names.end())
+          names.push_back(raw.joints[i]);
+      }
+    }
+    std::string missing;
+    for (const Joint j : {part.joints.front(), part.joints.back()})
+      if (!known(j)) missing += (missing.empty() ? "" : " and ") + std::string(jointName(j));
+    if (missing.empty()) {
+      report.mapped[std::string(part.part)] = std::move(names);
+    } else {
+      report.missing_parts.emplace_back(part.part);
+      sentence += (sentence.empty() ? "" : ", ") + std::string(part.part) + " (no " + missing + ")";
+    }
+  }
+  if (!sentence.empty()) {
+    report.in_fields.push_back(report.warnings.size());
+    report.warnings.push_back("parts that this file cannot move: " + sentence);
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) report.not_mapped.push_back(raw.joints[i]);
+}
+
+/// Frames in which a joint that the recording has elsewhere is missing.
+std::size_t countGaps(const std::vector<SkeletonFrame>& frames) {
+  std::array<bool, kJointCount> somewhere{};
+  for (const auto& f : frames)
+    for (std::size_t j = 0; j < kJointCount; ++j) somewhere[j] |= f.state[j] != JointState::kMissing;
+  return static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), [&](const SkeletonFrame& f) {
+    for (std::size_t j = 0; j < kJointCount; ++j)
+      if (somewhere[j] && f.state[j] == JointState::kMissing) return true;
+    return false;
+  }));
+}
+
+/// Frames in which the person's left lies on the left, and on the right, of where the toes point to.
+struct Sides {
+  int agree{0}, contradict{0};
+};
+Sides countSides(const std::vector<SkeletonFrame>& frames) {
+  using J = Joint;
+  Sides sides;
+  for (const auto i : sampleIndices(frames.size())) {
+    const auto& f = frames[i];
+    const bool all = f.has(J::kHipLeft) && f.has(J::kHipRight) && f.has(J::kAnkleLeft) &&
+                     f.has(J::kToeLeft) && f.has(J::kAnkleRight) && f.has(J::kToeRight);
+    if (!all) continue;
+    const Vector3d forward = f[J::kToeLeft] - f[J::kAnkleLeft] + f[J::kToeRight] - f[J::kAnkleRight];
+    const double side = Vector3d::UnitZ().cross(forward).dot(f[J::kHipLeft] - f[J::kHipRight]);
+    ++(side >= 0.0 ? sides.agree : sides.contradict);
+  }
+  return sides;
+}
+
+/// Toes that were made from the hips say nothing about sides.
+bool toesWereFound(const std::vector<SkeletonFrame>& frames) {
+  return std::any_of(frames.begin(), frames.end(), [](const SkeletonFrame& f) {
+    return f.state[static_cast<std::size_t>(Joint::kToeLeft)] == JointState::kTracked;
+  });
+}
+
+void reportSides(const RawRecording& raw, RecordingReport& report) {
+  const Sides sides = countSides(raw.frames);
+  const int all = sides.agree + sides.contradict;
+  if (all == 0 || (!raw.is_canonical && !toesWereFound(raw.frames))) {
+    report.sides = "unknown";
+    report.sides_reason = "no toes that were measured together with hips and ankles";
+    return;
+  }
+  const bool mirrored = sides.contradict > sides.agree;
+  report.sides = mirrored ? "mirrored" : "agree";
+  report.sides_reason = "the left hip is on the left of where the toes point in " +
+                        std::to_string(sides.agree) + " of " + std::to_string(all) + " frames";
+  if (mirrored)
+    report.warnings.push_back(
+        "left and right look swapped: the left hip is on the right of where the toes point; give the mirror "
+        "'axes' if the axes of the file are left-handed, 'sides' if the names are exchanged");
+}
+
+/// Exchanges what is called left and right.
+void swapSides(RawRecording& raw) {
+  constexpr auto kFirstLeft = static_cast<std::size_t>(Joint::kShoulderLeft);
+  for (const std::size_t first : {kFirstLeft, static_cast<std::size_t>(Joint::kHipLeft)})
+    for (std::size_t j = first; j < first + 4; ++j) {
+      const auto swap = [j](SkeletonFrame& f) {
+        std::swap(f.p[j], f.p[j + 4]);
+        std::swap(f.state[j], f.state[j + 4]);
+        std::swap(f.spread[j], f.spread[j + 4]);
+      };
+      swap(raw.rest);
+      for (auto& f : raw.frames) swap(f);
+      std::swap(raw.match.joint[j], raw.match.joint[j + 4]);
+    }
+}
+
+/// How often the line from hip to hip turns by more than 90 degrees between two frames: a tracker swapped
+/// sides.
+std::size_t countSideSwaps(const std::vector<SkeletonFrame>& frames) {
+  using J = Joint;
+  std::size_t swaps = 0;
+  for (std::size_t i = 2; i < frames.size(); ++i) {
+    const auto &a = frames[i - 1], &b = frames[i];
+    if (a.has(J::kHipLeft) && a.has(J::kHipRight) && b.has(J::kHipLeft) && b.has(J::kHipRight) &&
+        (a[J::kHipLeft] - a[J::kHipRight]).dot(b[J::kHipLeft] - b[J::kHipRight]) < 0.0)
+      ++swaps;
+  }
+  return swaps;
+}
+
+void warnOfPlace(const std::vector<SkeletonFrame>& frames, RecordingReport& report) {
+  double lowest = kInfinity;
+  for (const auto& f : frames)
+    for (const Joint j : {Joint::kAnkleLeft, Joint::kAnkleRight, Joint::kToeLeft, Joint::kToeRight})
+      if (f.has(j)) lowest = std::min(lowest, f[j].z());
+  if (!std::isfinite(lowest)) return;
+  report.lowest_foot = lowest;
+  if (std::abs(lowest) <= kFloorDistance) return;
+  report.in_fields.push_back(report.warnings.size());
+  report.warnings.push_back("the lowest foot of the recording is at z = " + rounded(lowest, 2) +
+                            " m, not on the floor: place the recording by " + rounded(-lowest, 2) +
+                            " m in z");
+}
+
+}  // namespace
+
+Recording convert(RawRecording raw, const RecordingOptions& options) {
+  ABSTAND_CHECK(!raw.frames.empty());
+  if (options.mirror != "none" && options.mirror != "axes" && options.mirror != "sides")
+    throw UsageError("mirror: found '" + options.mirror + "', expected none, axes or sides");
+  Recording out;
+  RecordingReport& report = out.report;
+  report.format = raw.format;
+  report.rate = raw.rate;
+  report.rate_reason = raw.rate_reason;
+  if (options.rate > 0.0) {
+    report.rate = options.rate;
+    report.rate_reason = "given by the user";
+    for (std::size_t i = 0; i < raw.frames.size(); ++i)
+      raw.frames[i].t = static_cast<double>(i) / options.rate;
+  }
+  report.duration = raw.frames.back().t - raw.frames.front().t;
+  report.joints = raw.joints;
+  report.joint_map = raw.match.map;
+  report.notes = raw.notes;
+  for (const auto& w : raw.warnings) {
+    if (w.frames_missing > 0) report.in_fields.push_back(report.warnings.size());
+    report.frames_missing += w.frames_missing;
+    report.warnings.push_back(messageLine(w.line > 0 ? std::to_string(w.line) + ": " + w.text : w.text));
+  }
+
+  const auto add = [&](const std::string& warning) {
+    if (!warning.empty()) report.warnings.push_back(warning);
+  };
+  if (options.mirror == "sides") swapSides(raw);
+  if (!raw.is_canonical)
+    for (const auto& sentence : deriveJoints(raw.rest, raw.frames, raw.match.head)) add(sentence);
+  const auto stature = measureStature(raw.rest, raw.frames);
+  const UnitChoice unit =
+      raw.unit && options.units == "auto" ? *raw.unit : chooseUnit(options.units, stature);
+  const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
+  add(unit.warning);
+  add(up.warning);
+  report.units_guess = unit.name;
+  report.units_reason = unit.reason;
+  report.scale = unit.scale;
+  report.up = up.axis;
+  report.up_reason = up.reason;
+  report.units_guessed = !raw.unit && lowerCase(options.units) == "auto";
+  report.up_guessed = !raw.up && lowerCase(options.up) == "auto";
+  report.stature = stature ? *stature * unit.scale : 0.0;
+
+  Matrix3d R_WF = rotationToZUp(up.axis);
+  if (options.mirror == "axes") R_WF.row(1) *= -1.0;
+  turnAndScale(raw.frames, R_WF, unit.scale);
+  reportParts(raw, raw.frames, report);
+  report.gaps = countGaps(raw.frames);
+  reportSides(raw, report);
+  report.swaps = countSideSwaps(raw.frames);
+  if (report.swaps > 0)
+    add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
+        " times: left and right may be swapped there");
+  warnOfPlace(raw.frames, report);
+  out.frames = std::move(raw.frames);
+  return out;
+}
+
+}  // namespace abstand

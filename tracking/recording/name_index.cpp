@@ -1,0 +1,69 @@
+#include "tracking/recording/name_index.hpp"
+
+#include "core/text/message_text.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr std::string_view kPlus = " + ";
+
+}  // namespace
+
+std::string_view trimmed(std::string_view s) {
+  while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
+  while (!s.empty() && (s.back() == ' ' || s.back() == '\t' || s.back() == '\r')) s.remove_suffix(1);
+  return s;
+}
+
+std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos) {
+  std::vector<std::string> out;
+  while (true) {
+    const auto bar = list.find('|');
+    const auto name = trimmed(list.substr(0, bar));
+    if (name.empty()) throw ParseError(pos, "found an empty name, expected 'name | name ...'");
+    out.emplace_back(name);
+    if (bar == std::string_view::npos) return out;
+    list.remove_prefix(bar + 1);
+  }
+}
+
+std::string plainName(std::string_view name) {
+  std::string s = lowerCase(trimmed(name));
+  for (char& c : s)
+    if (c == '_' || c == '.' || c == '-') c = ' ';
+  return s;
+}
+
+NameIndex::NameIndex(std::span<const std::string> names, std::span<const std::string> prefixes) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string full = plainName(names[i]);
+    const std::string bare = plainName(std::string_view(full).substr(full.rfind(':') + 1));
+    for (const std::string& form : {full, bare}) {
+      index_.emplace(form, static_cast<int>(i));
+      for (const auto& prefix : prefixes)
+        if (const auto p = plainName(prefix); form.size() > p.size() && form.starts_with(p))
+          index_.emplace(plainName(std::string_view(form).substr(p.size())), static_cast<int>(i));
+    }
+  }
+}
+
+int NameIndex::find(std::string_view name) const {
+  const auto it = index_.find(plainName(name));
+  return it == index_.end() ? -1 : it->second;
+}
+
+std::vector<int> NameIndex::points(std::string_view sum) const {
+  std::vector<int> points;
+  while (true) {
+    const auto plus = sum.find(kPlus);
+    const int point = find(sum.substr(0, plus));
+    if (point < 0) return {};
+    points.push_back(point);
+    if (plus == std::string_view::npos) return points;
+    sum.remove_prefix(plus + kPlus.size());
+  }
+}
+
+bool isSum(std::string_view name) { return name.find(kPlus) != std::string_view::npos; }
+
+}  // namespace abstand

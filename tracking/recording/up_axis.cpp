@@ -1,0 +1,104 @@
+#include "tracking/recording/up_axis.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/error.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/derived_joints.hpp"
+
+namespace abstand {
+namespace {
+
+constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "-x", "-y", "-z"};
+/// Length of the mean of unit vectors along an axis; below it the direction wavers too much to be an upright
+/// person's.
+constexpr double kSteady = 0.6;
+/// Cosine between trunk and legs of a standing rest pose.
+constexpr double kStanding = 0.7;
+
+/// The lowest joints known, else nullopt.
+std::optional<Vector3d> foot(const SkeletonFrame& f) {
+  using J = Joint;
+  for (const auto& [left, right] : {std::pair{J::kAnkleLeft, J::kAnkleRight},
+                                    {J::kKneeLeft, J::kKneeRight},
+                                    {J::kHipLeft, J::kHipRight},
+                                    {J::kPelvis, J::kPelvis}})
+    if (f.has(left) && f.has(right)) return 0.5 * (f[left] + f[right]);
+  return std::nullopt;
+}
+
+std::optional<Vector3d> feetToHead(const SkeletonFrame& f) {
+  const auto low = foot(f);
+  if (!low) return std::nullopt;
+  for (const Joint high : {Joint::kHeadTop, Joint::kHead, Joint::kNeck, Joint::kThorax})
+    if (f.has(high) && (f[high] - *low).norm() > 0.0) return (f[high] - *low).normalized();
+  return std::nullopt;
+}
+
+std::string nearestAxis(const Vector3d& d) {
+  int k = 0;
+  d.cwiseAbs().maxCoeff(&k);
+  return kAxes[static_cast<std::size_t>(d[k] < 0.0 ? k + 3 : k)];
+}
+
+/// The axis of the rest pose, if it is a standing one.
+std::optional<std::string> standingRest(const SkeletonFrame& rest) {
+  using J = Joint;
+  for (const J j : {J::kPelvis, J::kNeck, J::kHipLeft, J::kHipRight, J::kAnkleLeft, J::kAnkleRight})
+    if (!rest.has(j)) return std::nullopt;
+  const Vector3d trunk = rest[J::kNeck] - rest[J::kPelvis];
+  const Vector3d legs =
+      0.5 * (rest[J::kAnkleLeft] + rest[J::kAnkleRight] - rest[J::kHipLeft] - rest[J::kHipRight]);
+  if (trunk.dot(legs) > -kStanding * trunk.norm() * legs.norm() || legs.norm() == 0.0) return std::nullopt;
+  return nearestAxis(trunk.normalized() - legs.normalized());
+}
+
+}  // namespace
+
+UpChoice chooseUp(const std::string& wanted, const SkeletonFrame& rest,
+                  const std::vector<SkeletonFrame>& frames) {
+  const std::string name = lowerCase(wanted);
+  if (name != "auto") {
+    for (const char* axis : kAxes)
+      if (name == axis || name == std::string("+") + axis) return {axis, "given by the user", ""};
+    throw UsageError("up: found '" + wanted + "', expected auto, x, y, z, -x, -y or -z");
+  }
+
+  Vector3d sum = Vector3d::Zero();
+  int count = 0;
+  for (const auto i : sampleIndices(frames.size()))
+    if (const auto d = feetToHead(frames[i])) {
+      sum += *d;
+      ++count;
+    }
+  const auto rest_axis = standingRest(rest);
+  if (count == 0)
+    return {rest_axis.value_or("y"), "no joints that show a direction from feet to head; y is the most usual",
+            "which axis is up is not known: y is assumed; give it if that is wrong"};
+
+  const Vector3d mean = sum / count;
+  const std::string measured = "mean direction from feet to head in " + std::to_string(count) + " frames: (" +
+                               rounded(mean.x(), 2) + ", " + rounded(mean.y(), 2) + ", " +
+                               rounded(mean.z(), 2) + ")";
+  const std::string axis = nearestAxis(mean);
+  if (!rest_axis || *rest_axis == axis) return {axis, measured, ""};
+  if (mean.cwiseAbs().maxCoeff() < kSteady)
+    return {*rest_axis, measured + ", which wavers; the rest pose stands along " + *rest_axis, ""};
+  return {axis, measured + ", although the rest pose stands along " + *rest_axis,
+          "up is taken as " + axis + " from the movement, although the rest pose stands along " + *rest_axis +
+              ": give the axis if the person is lying"};
+}
+
+Matrix3d rotationToZUp(const std::string& axis) {
+  Matrix3d R = Matrix3d::Identity();
+  if (axis == "x") R << 0, 0, -1, 0, 1, 0, 1, 0, 0;
+  if (axis == "-x") R << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  if (axis == "y") R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  if (axis == "-y") R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  if (axis == "-z") R << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  return R;
+}
+
+}  // namespace abstand

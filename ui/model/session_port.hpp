@@ -1,0 +1,50 @@
+// What the window needs from a running session: values to show, and commands.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene_note.hpp"
+#include "core/view/snapshot.hpp"
+
+namespace abstand::ui {
+
+/// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's
+/// own thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are
+/// simulation time in seconds between outline().start and outline().end; the session clamps.
+class SessionPort {
+ public:
+  virtual ~SessionPort() = default;
+
+  /// Constant as long as the session lives.
+  virtual const SceneOutline& outline() const = 0;
+  /// What to know of the scene before believing it; constant likewise.
+  virtual const std::vector<SceneNote>& notes() const = 0;
+  /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
+  virtual bool takeSnapshot(SceneSnapshot& out) = 0;
+  /// Appends every plot sample since the last call, in the order of the cycles.
+  virtual void drainPlot(std::vector<PlotSample>& out) = 0;
+
+  virtual void play(bool on) = 0;
+  /// Moves by this many frame periods (negative: back) and stays paused.
+  virtual void step(int frames) = 0;
+  virtual void seek(double t) = 0;
+  /// 1: as recorded.
+  virtual void setSpeed(double factor) = 0;
+  virtual void setLoop(bool on) = 0;
+  /// Robots with a reaction react, from the present time on; off: they follow their motion. At first: on.
+  virtual void setReact(bool on) = 0;
+  /// Lets every robot that waits for a reset go on, if nothing asks it to stop.
+  virtual void resetStops() = 0;
+  /// Safety margin of one object (index of the outline), metres.
+  virtual void setMargin(int object, double metres) = 0;
+  /// Torques of the robots' reactions reach their motors; off: robots only follow their motion and stop. At
+  /// first: on.
+  virtual void setTorques(bool on) = 0;
+  /// A group of SceneOutline::pair_groups. Pairs of one that does not run are stale.
+  virtual void setGroup(int group, PairGroupState state) = 0;
+  /// Puts a pair (index of the outline) that is in no group into one, or takes it out of its group.
+  virtual void addPair(int group, int pair) = 0;
+  virtual void removePair(int pair) = 0;
+};
+
+}  // namespace abstand::ui

@@ -1,0 +1,52 @@
+// What a dropped or chosen file is.
+#include "ui/style/file_kinds.hpp"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+namespace abstand::ui {
+
+namespace {
+
+const QStringList& sceneSuffixes() {
+  static const QStringList suffixes{"yaml", "yml"};
+  return suffixes;
+}
+
+const QStringList& recordingSuffixes() {
+  static const QStringList suffixes{"bvh",    "c3d", "csv", "txt", "trc", "json", "jsonl",
+                                    "ndjson", "amc", "asf", "mat", "rec", "h5",   "skeleton"};
+  return suffixes;
+}
+
+QString patterns(const QStringList& suffixes) {
+  QStringList globs;
+  for (const QString& suffix : suffixes) globs << QStringLiteral("*.") + suffix;
+  return globs.join(QLatin1Char(' '));
+}
+
+QString withAll(const QString& title, const QStringList& suffixes) {
+  return QStringLiteral("%1 (%2);;%3 (*)")
+      .arg(title, patterns(suffixes), QCoreApplication::translate("file_kinds", "All files"));
+}
+
+}  // namespace
+
+FileKind kindOf(const QString& path) {
+  const QFileInfo info(path);
+  if (info.isDir()) return FileKind::kRecording;
+  const QString suffix = info.suffix().toLower();
+  if (sceneSuffixes().contains(suffix)) return FileKind::kScene;
+  if (recordingSuffixes().contains(suffix)) return FileKind::kRecording;
+  return FileKind::kUnknown;
+}
+
+QString sceneFilter() {
+  return withAll(QCoreApplication::translate("file_kinds", "Scenes"), sceneSuffixes());
+}
+QString recordingFilter() {
+  return withAll(QCoreApplication::translate("file_kinds", "Recordings"), recordingSuffixes());
+}
+
+}  // namespace abstand::ui
