@@ -5,7 +5,7 @@
 #include "humanmodel/anthropometry.hpp"
 #include "humanmodel/body_plan.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum PartShape;
@@ -68,4 +68,4 @@ BodyPlan anthropometricPlan(double height, double mass, std::optional<Sex> sex) 
   return plan;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 /// A mean of men and of women.
@@ -104,4 +104,4 @@ BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex) {
   return m;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -3,7 +3,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Body mass index of the mean person of ANSUR II, kg/m^2; without sex the mean of both.
 double meanBodyMassIndex(std::optional<Sex> sex);
@@ -28,4 +28,4 @@ struct BodyMeasures {
 /// rest of the body follows as the .cpp says. `height` m, `mass` kg, both in range.
 BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -1,7 +1,7 @@
 // Names and neighbours of the fourteen parts.
 #include "humanmodel/body_part.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr std::array<std::string_view, kBodyPartCount> kNames{
@@ -45,4 +45,4 @@ std::optional<BodyPart> parsePart(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

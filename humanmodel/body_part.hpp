@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// A parent stands before its children, so a walk in this order builds a body from the torso outwards.
 enum class BodyPart : std::uint8_t {
@@ -53,4 +53,4 @@ const std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1>& adjacentPar
 std::string_view partName(BodyPart part);
 std::optional<BodyPart> parsePart(std::string_view name);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -6,7 +6,7 @@
 #include "humanmodel/cross_section.hpp"
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Size of a part. Lengths in m.
 struct Segment {
@@ -41,4 +41,4 @@ BodyPlan anthropometricPlan(double height, double mass, std::optional<Sex> sex);
 /// The segment with the user's wishes; `name` is for messages. Throws UsageError.
 Segment overridden(const Segment& segment, const PartOverride& wish, std::string_view name);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

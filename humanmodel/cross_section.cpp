@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 double contourOf(PartShape shape, double breadth, double depth) {
   if (shape == PartShape::kCuboid) return 2.0 * (breadth + depth);
@@ -26,4 +26,4 @@ double extentFor(PartShape shape, double contour, double extent) {
   return high;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -1,7 +1,7 @@
 // Cross-sections of parts: breadth, depth and the contour around them.
 #pragma once
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 enum class PartShape { kEllipsoid, kCuboid };
 
@@ -13,4 +13,4 @@ double contourOf(PartShape shape, double breadth, double depth);
 /// 2 extent, that of a strip without thickness.
 double extentFor(PartShape shape, double contour, double extent);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

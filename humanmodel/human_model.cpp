@@ -7,7 +7,7 @@
 #include "humanmodel/rest_pose.hpp"
 #include "humanmodel/segment_inertia.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 void checkRange(double value, double low, double high, const std::string& what, const char* unit) {
@@ -55,4 +55,4 @@ HumanModel makeHuman(const HumanOptions& options) {
   return model;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -9,7 +9,7 @@
 #include "humanmodel/body_part.hpp"
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 enum class Sex { kFemale, kMale };
 enum class HumanPreset { kThesis, kAnthropometric };
@@ -37,7 +37,7 @@ struct HumanOptions {
 /// The torso hangs from the neck (proximal) to the pelvis (distal), the head from the vertex to the neck.
 struct HumanPart {
   BodyPart part{};
-  Shape shape;  ///< Ellipsoid or Cuboid
+  geometry::Shape shape;  ///< Ellipsoid or Cuboid
   /// m, along the segment: from joint to joint for arms and legs, wrist to finger tip, heel to toe, neck to
   /// vertex, the whole trunk. The thesis's shapes are exactly so long. An anthropometric ellipsoid reaches
   /// past its joints, since at a wrist or a knee a body has thickness where an ellipsoid would end in a
@@ -71,4 +71,4 @@ struct HumanModel {
 /// (body mass index outside 8 to 100 kg/m^2).
 HumanModel makeHuman(const HumanOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -1,6 +1,6 @@
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr std::array<std::string_view, kJointCount> kJointNames{
@@ -19,4 +19,4 @@ std::optional<Joint> parseJoint(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -8,7 +8,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Joint centres. kHead is the middle of the head, kHeadTop the vertex; kHand the tip of the middle finger's
 /// knuckle or the end of the hand; kToe the ball of the foot or the toe tip.
@@ -67,4 +67,4 @@ struct SkeletonFrame {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -5,7 +5,7 @@
 #include "core/base/number.hpp"
 #include "humanmodel/body_plan.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 // No part of a person between 0.5 and 2.5 m is outside; a value in mm or cm is.
@@ -57,4 +57,4 @@ Segment overridden(const Segment& segment, const PartOverride& wish, std::string
   return s;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

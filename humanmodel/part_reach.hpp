@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// m/s; no part of a person is taken to be faster, where the scene says nothing: a hand [ISO 13855].
 inline constexpr double kPersonSpeed = 2.0;
@@ -26,4 +26,4 @@ inline double partReach(double age, double spread, double speed = kPersonSpeed) 
   return known ? reach : kInfinity;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -6,7 +6,7 @@
 
 #include "humanmodel/recording_lengths.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 // m; farther away a number is broken, whatever it says.
@@ -189,4 +189,4 @@ double Poser::liftOf(double hip_height, const SkeletonFrame& frame) {
   return model_ankle_ + leg_ratio_ * (recorded - recorded_ankle_) - recorded;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -7,7 +7,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// How a part's pose came about. none: never seen, the pose means nothing. held: its joints were missing, the
 /// last pose stands (stale, never safe). inferred: the tracker guessed a joint, or a rule filled one in.
@@ -104,4 +104,4 @@ class Poser {
   double last_t_{kNaN};
 };
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

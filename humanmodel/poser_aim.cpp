@@ -5,7 +5,7 @@
 #include "humanmodel/segment_frame.hpp"
 #include "humanmodel/torso_frame.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -111,4 +111,4 @@ Poser::MaybeAim Poser::aimFoot(BodyPart part, const SkeletonFrame& frame) const 
   return Aim{frameAlong(kZ, z_calf, y), JointState::kInferred};
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -6,7 +6,7 @@
 
 #include "humanmodel/torso_frame.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -173,4 +173,4 @@ HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const S
   return fitted;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -7,7 +7,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Median distance of two joints over at most 200 frames taken evenly, m. Nothing when they are never both
 /// there.
@@ -55,4 +55,4 @@ std::optional<LengthFit> fitLengths(const HumanOptions& options, std::span<const
 /// joint. Throws UsageError for options that makeHuman() refuses.
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

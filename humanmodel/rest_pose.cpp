@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -72,9 +72,9 @@ HumanPart makePart(const BuiltBody& body, BodyPart part) {
     made.p_distal = {0.0, 0.0, axis.z_distal};
   }
   if (s.shape == PartShape::kCuboid)
-    made.shape = Cuboid{size};
+    made.shape = geometry::Cuboid{size};
   else
-    made.shape = Ellipsoid{0.5 * size};
+    made.shape = geometry::Ellipsoid{0.5 * size};
   return made;
 }
 
@@ -125,4 +125,4 @@ SkeletonFrame restPose(const BuiltBody& body, const std::vector<HumanPart>& part
   return rest;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

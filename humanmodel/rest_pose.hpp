@@ -3,7 +3,7 @@
 
 #include "humanmodel/body_plan.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Body plan with every part's own segment, overrides included.
 struct BuiltBody {
@@ -18,4 +18,4 @@ HumanPart makePart(const BuiltBody& body, BodyPart part);
 /// Joints of the standing person. With legs of different length the longer one stands on the floor.
 SkeletonFrame restPose(const BuiltBody& body, const std::vector<HumanPart>& parts);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

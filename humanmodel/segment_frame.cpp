@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr double kShortest = 1e-6;  // m; nearer joints have no direction
@@ -54,4 +54,4 @@ Matrix3d frameAlong(const Vector3d& a_P, const Vector3d& b_W, const Vector3d& y_
   return to * from.transpose();
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

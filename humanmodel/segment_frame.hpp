@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Unit vector from a to b; nothing when they coincide. All vectors in one frame.
 std::optional<Vector3d> directionFrom(const Vector3d& a, const Vector3d& b);
@@ -25,4 +25,4 @@ Vector3d turnedToHinge(const Vector3d& y_W, const Vector3d& b_W, const Vector3d&
 /// a_P is at right angles to P's y; y_W is not along b_W.
 Matrix3d frameAlong(const Vector3d& a_P, const Vector3d& b_W, const Vector3d& y_W);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -1,7 +1,7 @@
 // The table of de Leva 1996 and its mapping into part frames.
 #include "humanmodel/segment_inertia.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 /// Shares of body mass and of segment length; centre of mass from the proximal end.
@@ -66,4 +66,4 @@ void assignInertia(double mass, std::optional<Sex> sex, std::vector<HumanPart>& 
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

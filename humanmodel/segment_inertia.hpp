@@ -3,7 +3,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// Fills mass, com and inertia of every part. The body mass is shared out exactly; `parts` need their joints
 /// and lengths. Source: de Leva 1996, Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters, J.
@@ -15,4 +15,4 @@ namespace abstand {
 /// about y).
 void assignInertia(double mass, std::optional<Sex> sex, std::vector<HumanPart>& parts);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

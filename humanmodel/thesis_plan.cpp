@@ -2,7 +2,7 @@
 #include "core/math/transform.hpp"
 #include "humanmodel/body_plan.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 /// One row of the table: shares of the height.
@@ -62,4 +62,4 @@ BodyPlan thesisPlan(double height) {
   return plan;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -5,7 +5,7 @@
 
 #include "humanmodel/segment_frame.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -92,4 +92,4 @@ std::optional<TorsoView> viewTorso(const SkeletonFrame& frame, const HumanModel&
   return view;
 }
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

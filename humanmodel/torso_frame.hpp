@@ -5,7 +5,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 
 /// The torso as a frame shows it.
 struct TorsoView {
@@ -27,4 +27,4 @@ std::optional<Vector3d> hipCentre(const SkeletonFrame& frame);
 std::optional<TorsoView> viewTorso(const SkeletonFrame& frame, const HumanModel& model,
                                    const std::optional<Matrix3d>& R_last);
 
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -165,13 +165,13 @@ void MainWindow::setSession(SessionPort* session) {
   selection_->clear();
   snapshot_ = {};
   samples_.clear();
-  static const SceneOutline kNothing;
-  const SceneOutline& outline = session_ ? session_->outline() : kNothing;
+  static const view::SceneOutline kNothing;
+  const view::SceneOutline& outline = session_ ? session_->outline() : kNothing;
   if (session_) session_->takeSnapshot(snapshot_);
 
   history_->open(outline);
   std::vector<double> margins;
-  for (const ObjectSnapshot& object : snapshot_.objects) margins.push_back(object.margin);
+  for (const view::ObjectSnapshot& object : snapshot_.objects) margins.push_back(object.margin);
   tree_model_->open(outline);
   pairs_->open(outline);
   margins_->open(outline, margins);
@@ -183,7 +183,7 @@ void MainWindow::setSession(SessionPort* session) {
                     outline.end);
   plots_->setJoints(outline.joints);
   groups_->open(outline);
-  static const std::vector<SceneNote> kNoNotes;
+  static const std::vector<scene::SceneNote> kNoNotes;
   notes_->open(session_ ? session_->notes() : kNoNotes);
   docks_[7]->setWindowTitle(notes_->title());
   playback_->setPort(session_);
@@ -228,7 +228,7 @@ void MainWindow::pull() {
 
 void MainWindow::refreshSlow() {
   if (!session_) return;
-  const SceneOutline& outline = session_->outline();
+  const view::SceneOutline& outline = session_->outline();
   if (std::exchange(news_, false)) {
     pairs_->refresh(snapshot_);
     tree_model_->refresh(outline, snapshot_);

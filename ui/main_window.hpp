@@ -93,8 +93,8 @@ class MainWindow : public QMainWindow {
 
   std::unique_ptr<RunHistory> history_;
   SessionPort* session_{nullptr};
-  SceneSnapshot snapshot_;
-  std::vector<PlotSample> samples_;
+  view::SceneSnapshot snapshot_;
+  std::vector<view::PlotSample> samples_;
 
   Actions* actions_;
   Playback* playback_;

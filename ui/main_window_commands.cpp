@@ -122,7 +122,7 @@ void MainWindow::connectPanels() {
   connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
     if (session_) session_->setMargin(object, metres);
   });
-  connect(groups_, &GroupPanel::stateWanted, this, [this](int group, PairGroupState state) {
+  connect(groups_, &GroupPanel::stateWanted, this, [this](int group, view::PairGroupState state) {
     if (session_) session_->setGroup(group, state);
   });
   connect(groups_, &GroupPanel::addWanted, this, [this](int group, int pair) {

@@ -6,7 +6,7 @@
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
 
-namespace abstand {
+namespace abstand::bench {
 namespace {
 
 void readScenarioJson(const std::filesystem::path& folder, Scenario& scenario) {
@@ -69,4 +69,4 @@ Scenario loadScenario(const std::filesystem::path& folder) {
   return scenario;
 }
 
-}  // namespace abstand
+}  // namespace abstand::bench

@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::bench {
 
 /// A folder with `scenario.json` ({"name", "dt", "objects": [{"name", "mesh", "scale"}], "pairs": [[i, j],
 /// ...]}) and `poses.csv` (no header; a row a frame, 12 numbers an object: the row-major 3x4 [R|t], object in
@@ -31,4 +31,4 @@ struct Scenario {
 /// Throws ParseError.
 Scenario loadScenario(const std::filesystem::path& folder);
 
-}  // namespace abstand
+}  // namespace abstand::bench

@@ -38,7 +38,7 @@ double highWaterMb() {
 }
 
 /// "hV" or "hVpP": V and P are the voxel size and the point spacing in mm.
-HapticOptions variantOptions(const std::string& variant) {
+structure::HapticOptions variantOptions(const std::string& variant) {
   double voxel = 0.0, point = 0.0;
   int read = 0;
   const bool named = variant == "h1" || variant == "h2" || variant == "h4";
@@ -49,7 +49,7 @@ HapticOptions variantOptions(const std::string& variant) {
     throw UsageError("--variant: found '" + variant +
                      "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm "
                      "apart; -rest and a share behind it: pairs may rest");
-  HapticOptions o;
+  structure::HapticOptions o;
   o.voxel_size = 1e-3 * (named ? variant[1] - '0' : voxel);
   o.point_spacing = variant == "h2" ? 0.003 : 1e-3 * (named ? variant[1] - '0' : point);
   return o;
@@ -70,18 +70,18 @@ double takeRest(std::string& variant) {
   return share;
 }
 
-using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
+using Structures = std::vector<std::shared_ptr<const structure::HapticStructure>>;
 
-bool same(const TriangleMesh& a, const TriangleMesh& b) {
+bool same(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
 /// Bodies with equal meshes have one structure together.
-Structures build(const Scenario& scenario, const HapticOptions& options) {
+Structures build(const bench::Scenario& scenario, const structure::HapticOptions& options) {
   const std::size_t n = scenario.bodies.size();
-  std::vector<TriangleMesh> meshes(n);
+  std::vector<geometry::TriangleMesh> meshes(n);
   parallelFor(0, n, [&](std::size_t i) {
-    meshes[i] = loadMesh(scenario.bodies[i].mesh, scenario.bodies[i].scale).mesh;
+    meshes[i] = mesh_file::loadMesh(scenario.bodies[i].mesh, scenario.bodies[i].scale).mesh;
   });
   std::vector<std::size_t> first(n), order;
   for (std::size_t i = 0; i < n; ++i) {
@@ -92,35 +92,35 @@ Structures build(const Scenario& scenario, const HapticOptions& options) {
   }
   // The largest first, so that none is left over at the end.
   std::vector<double> area(n, 0.0);
-  for (const std::size_t i : order) area[i] = surfaceArea(meshes[i]);
+  for (const std::size_t i : order) area[i] = geometry::surfaceArea(meshes[i]);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t k) { return area[i] > area[k]; });
   const int each = std::max(1, static_cast<int>(std::thread::hardware_concurrency() / order.size()));
   Structures structures(n);
   parallelFor(0, order.size(), [&](std::size_t k) {
     const std::size_t i = order[k];
-    structures[i] =
-        buildHapticStructure(scenario.bodies[i].name, makeSurface(std::move(meshes[i])), options, each);
+    structures[i] = structure::buildHapticStructure(
+        scenario.bodies[i].name, geometry::makeSurface(std::move(meshes[i])), options, each);
   });
   for (std::size_t i = 0; i < n; ++i) structures[i] = structures[first[i]];
   return structures;
 }
 
 double structuresMb(const Structures& structures) {
-  std::set<const HapticStructure*> distinct;
+  std::set<const structure::HapticStructure*> distinct;
   double bytes = 0.0;
   for (const auto& structure : structures)
     if (distinct.insert(structure.get()).second) bytes += static_cast<double>(structure->memoryBytes());
   return bytes / 1e6;
 }
 
-PairSet makePairs(const Scenario& scenario, const Structures& structures) {
-  std::vector<const HapticStructure*> bodies;
+query::PairSet makePairs(const bench::Scenario& scenario, const Structures& structures) {
+  std::vector<const structure::HapticStructure*> bodies;
   for (const auto& structure : structures) bodies.push_back(structure.get());
-  std::vector<PairSet::Bodies> pairs;
+  std::vector<query::PairSet::Bodies> pairs;
   for (const auto& [a, b] : scenario.pairs)
     pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
-  return PairSet(std::move(bodies), std::move(pairs));
+  return query::PairSet(std::move(bodies), std::move(pairs));
 }
 
 /// What the harness takes for: not computed.
@@ -129,29 +129,29 @@ constexpr float kNotComputed = 1e9f;
 /// Answers one frame in the way of a mode: the values that the harness wants of each pair.
 using Ask = std::function<void(std::span<const Transform>)>;
 
-Ask asker(const std::string& mode, PairSet& pairs, std::vector<float>& answers) {
+Ask asker(const std::string& mode, query::PairSet& pairs, std::vector<float>& answers) {
   if (mode == "distance" || mode == "both")
-    return [&pairs, &answers, results = std::vector<PairResult>(pairs.size())](auto X_WB) mutable {
+    return [&pairs, &answers, results = std::vector<query::PairResult>(pairs.size())](auto X_WB) mutable {
       pairs.distances(X_WB, {}, results);
       for (std::size_t i = 0; i < results.size(); ++i) answers[i] = static_cast<float>(results[i].distance);
     };
   if (mode == "dmin")
     return [&pairs, &answers](auto X_WB) {
       std::fill(answers.begin(), answers.end(), kNotComputed);
-      const PairSet::Nearest& nearest = pairs.nearest(X_WB, {});
+      const query::PairSet::Nearest& nearest = pairs.nearest(X_WB, {});
       answers[nearest.pair] = static_cast<float>(nearest.result.distance);
     };
   const bool depth = mode == "contact";
   return [&pairs, &answers, depth](auto X_WB) {
     std::fill(answers.begin(), answers.end(), 0.0f);
-    for (const PairSet::Touch& touch : pairs.contacts(X_WB, {}))
+    for (const query::PairSet::Touch& touch : pairs.contacts(X_WB, {}))
       answers[touch.pair] = depth ? static_cast<float>(touch.penalty.depth) : 1.0f;
   };
 }
 
 /// A scene whose pairs remember and rest, as those of a user's scene do.
-Scene makeScene(const Scenario& scenario, const Structures& structures, double rest) {
-  Scene scene;
+scene::Scene makeScene(const bench::Scenario& scenario, const Structures& structures, double rest) {
+  scene::Scene scene;
   std::vector<ObjectId> ids;
   for (std::size_t i = 0; i < structures.size(); ++i)
     ids.push_back(scene.addObject({scenario.bodies[i].name, "objects", structures[i]}));
@@ -162,7 +162,7 @@ Scene makeScene(const Scenario& scenario, const Structures& structures, double r
   return scene;
 }
 
-Ask resting(Scene& scene, double dt, std::vector<float>& answers) {
+Ask resting(scene::Scene& scene, double dt, std::vector<float>& answers) {
   return [&scene, &answers, dt, t = 0.0](auto X_WB) mutable {
     for (std::size_t i = 0; i < X_WB.size(); ++i)
       scene.setPose(ObjectId(static_cast<std::uint32_t>(i)), X_WB[i], t);
@@ -204,7 +204,7 @@ void writeDump(std::ostream& out, const std::vector<std::int32_t>& frames, std::
 }  // namespace
 
 int benchScenario(const BenchScenario& args) {
-  const Scenario scenario = loadScenario(args.scenario);
+  const bench::Scenario scenario = bench::loadScenario(args.scenario);
   const double before = highWaterMb();
   const auto build_begin = Clock::now();
   std::string variant = args.variant;
@@ -214,8 +214,8 @@ int benchScenario(const BenchScenario& args) {
   const Structures structures = build(scenario, variantOptions(variant));
   const double build_s = secondsSince(build_begin);
 
-  std::optional<PairSet> pairs;
-  std::optional<Scene> scene;
+  std::optional<query::PairSet> pairs;
+  std::optional<scene::Scene> scene;
   std::vector<float> answers(scenario.pairs.size());
   const Ask ask = rest > 0.0
                       ? resting(scene.emplace(makeScene(scenario, structures, rest)), scenario.dt, answers)

@@ -14,25 +14,26 @@ nlohmann::ordered_json placeOrNull(const Vector3d& p) {
 
 std::string place(const Vector3d& p) { return format("(%.3f, %.3f, %.3f)", p.x(), p.y(), p.z()); }
 
-std::vector<HapticOptions> rowsFor(const HapticOptions& asked) {
-  std::vector<HapticOptions> rows{asked};
+std::vector<structure::HapticOptions> rowsFor(const structure::HapticOptions& asked) {
+  std::vector<structure::HapticOptions> rows{asked};
   for (const double pitch : kTable) {
     if (asked.voxel_size == pitch && asked.point_spacing == pitch) continue;
-    HapticOptions o = asked;
+    structure::HapticOptions o = asked;
     o.voxel_size = o.point_spacing = pitch;
     rows.push_back(o);
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const HapticOptions& l, const HapticOptions& r) {
-    return std::max(l.voxel_size, l.point_spacing) > std::max(r.voxel_size, r.point_spacing);
-  });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const structure::HapticOptions& l, const structure::HapticOptions& r) {
+                     return std::max(l.voxel_size, l.point_spacing) > std::max(r.voxel_size, r.point_spacing);
+                   });
   return rows;
 }
 
-bool same(const HapticOptions& l, const HapticOptions& r) {
+bool same(const structure::HapticOptions& l, const structure::HapticOptions& r) {
   return l.voxel_size == r.voxel_size && l.point_spacing == r.point_spacing;
 }
 
-nlohmann::ordered_json rowJson(const ResolutionEstimate& e, bool asked) {
+nlohmann::ordered_json rowJson(const store::ResolutionEstimate& e, bool asked) {
   nlohmann::ordered_json j{
       {"voxel", e.options.voxel_size}, {"point", e.options.point_spacing}, {"asked", asked}};
   j["refused"] = e.refused.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(e.refused);
@@ -46,7 +47,7 @@ nlohmann::ordered_json rowJson(const ResolutionEstimate& e, bool asked) {
   return j;
 }
 
-std::string rowText(const ResolutionEstimate& e, bool asked) {
+std::string rowText(const store::ResolutionEstimate& e, bool asked) {
   const std::string pitch =
       format("%c %6.2f %6.2f", asked ? '*' : ' ', 1e3 * e.options.voxel_size, 1e3 * e.options.point_spacing);
   if (!e.refused.empty()) return pitch + "  cannot be built: " + e.refused + "\n";
@@ -56,7 +57,7 @@ std::string rowText(const ResolutionEstimate& e, bool asked) {
 
 }  // namespace
 
-Said sayReport(const BuildReport& r) {
+Said sayReport(const store::BuildReport& r) {
   Said said;
   said.json["leaks"] = {{"open_edges", r.open_edges},
                         {"non_manifold_edges", r.non_manifold_edges},
@@ -90,19 +91,20 @@ Said sayReport(const BuildReport& r) {
   return said;
 }
 
-Said explain(const std::string& name, std::shared_ptr<const Surface> surface, const HapticOptions& asked,
-             const BuildMonitor& monitor) {
+Said explain(const std::string& name, std::shared_ptr<const geometry::Surface> surface,
+             const structure::HapticOptions& asked, const structure::BuildMonitor& monitor) {
   const Vector3d extent = surface->bounds().extent();
   const double area = surface->area(), volume = surface->massProperties().volume;
   Said said;
   said.json = {{"name", name}, {"extent", toJson(extent)}, {"area", area}, {"volume", volume}};
-  said.text = format("%s: %.3f x %.3f x %.3f m, %.4f m^2, %.6f m^3, field %s\n", name.c_str(), extent.x(),
-                     extent.y(), extent.z(), area, volume, std::string(fieldName(asked.field)).c_str());
+  said.text =
+      format("%s: %.3f x %.3f x %.3f m, %.4f m^2, %.6f m^3, field %s\n", name.c_str(), extent.x(), extent.y(),
+             extent.z(), area, volume, std::string(structure::fieldName(asked.field)).c_str());
   said.text += "   voxel  point  error bound      memory    points    building    distance     contact\n";
-  ResolutionProbe probe(std::move(surface));
+  store::ResolutionProbe probe(std::move(surface));
   auto rows = nlohmann::ordered_json::array();
-  for (const HapticOptions& o : rowsFor(asked)) {
-    const ResolutionEstimate e = probe.estimate(o, monitor);
+  for (const structure::HapticOptions& o : rowsFor(asked)) {
+    const store::ResolutionEstimate e = probe.estimate(o, monitor);
     rows.push_back(rowJson(e, same(o, asked)));
     said.text += rowText(e, same(o, asked));
   }

@@ -14,11 +14,11 @@ struct Said {
 };
 
 /// Lines only for what is worth a thought.
-Said sayReport(const BuildReport& report);
+Said sayReport(const store::BuildReport& report);
 
 /// `--explain`: the asked resolution among coarser and finer ones.
-Said explain(const std::string& name, std::shared_ptr<const Surface> surface, const HapticOptions& asked,
-             const BuildMonitor& monitor);
+Said explain(const std::string& name, std::shared_ptr<const geometry::Surface> surface,
+             const structure::HapticOptions& asked, const structure::BuildMonitor& monitor);
 
 /// How the numbers of explain() come about.
 nlohmann::ordered_json explainRules();

@@ -8,14 +8,14 @@
 namespace abstand::cli {
 namespace {
 
-Chessboard boardOf(const CalibrateArguments& args) {
-  Chessboard board;
+tracking::Chessboard boardOf(const CalibrateArguments& args) {
+  tracking::Chessboard board;
   const std::string_view text = args.squares;
   const std::size_t cross = std::min(text.find('x'), text.size());
   board.columns = parseInt(text.substr(0, cross)).value_or(0);
   board.rows = parseInt(text.substr(std::min(cross + 1, text.size()))).value_or(0);
-  if (std::min(board.columns, board.rows) < Chessboard::kMinSquares ||
-      std::max(board.columns, board.rows) > Chessboard::kMaxSquares)
+  if (std::min(board.columns, board.rows) < tracking::Chessboard::kMinSquares ||
+      std::max(board.columns, board.rows) > tracking::Chessboard::kMaxSquares)
     throw UsageError("--squares: found '" + args.squares +
                      "', expected the squares along both sides, 4 to 40 each, like 8x5");
   if (board.columns == board.rows)
@@ -34,10 +34,11 @@ Transform placeOf(const std::string& text) {
 }
 
 /// Where somebody counted inner corners, or squares as corners.
-std::string hintOf(const GreyImage& image, const Chessboard& board) {
+std::string hintOf(const tracking::GreyImage& image, const tracking::Chessboard& board) {
   for (const int more : {1, -1}) {
-    const Chessboard other{board.columns + more, board.rows + more, board.square};
-    if (std::min(other.columns, other.rows) >= Chessboard::kMinSquares && findChessboard(image, other))
+    const tracking::Chessboard other{board.columns + more, board.rows + more, board.square};
+    if (std::min(other.columns, other.rows) >= tracking::Chessboard::kMinSquares &&
+        tracking::findChessboard(image, other))
       return "it shows one of " + std::to_string(other.columns) + " x " + std::to_string(other.rows) +
              " squares; --squares counts squares, not inner corners";
   }
@@ -45,16 +46,16 @@ std::string hintOf(const GreyImage& image, const Chessboard& board) {
 }
 
 /// The corners in each image, all of one size.
-std::vector<BoardCorners> cornersIn(const CalibrateArguments& args, const Chessboard& board, int& width,
-                                    int& height) {
-  std::vector<BoardCorners> views;
+std::vector<tracking::BoardCorners> cornersIn(const CalibrateArguments& args,
+                                              const tracking::Chessboard& board, int& width, int& height) {
+  std::vector<tracking::BoardCorners> views;
   for (const std::filesystem::path& file : args.images) {
-    const GreyImage image = loadGreyPng(file);
+    const tracking::GreyImage image = tracking::loadGreyPng(file);
     if (width == 0) width = image.width, height = image.height;
     if (image.width != width || image.height != height)
       throw ParseError({file.string()}, format("found %d x %d pixels, expected the camera's %d x %d",
                                                image.width, image.height, width, height));
-    auto corners = findChessboard(image, board);
+    auto corners = tracking::findChessboard(image, board);
     if (!corners)
       throw ParseError(
           {file.string()},
@@ -66,13 +67,14 @@ std::vector<BoardCorners> cornersIn(const CalibrateArguments& args, const Chessb
 }
 
 /// Each view with the place of its board: one place for all, or one for each of the first views.
-std::vector<PlacedBoard> placed(const CalibrateArguments& args, const std::vector<BoardCorners>& views) {
+std::vector<tracking::PlacedBoard> placed(const CalibrateArguments& args,
+                                          const std::vector<tracking::BoardCorners>& views) {
   const std::size_t places = args.boards.size();
   if (places > views.size() || (!args.intrinsics && places != 1 && places != views.size()))
     throw UsageError(format("--board: found %zu places for %zu images, expected one for all or one for each",
                             places, views.size()));
   const std::size_t count = args.intrinsics ? places : views.size();
-  std::vector<PlacedBoard> boards;
+  std::vector<tracking::PlacedBoard> boards;
   for (std::size_t i = 0; i < count; ++i)
     boards.push_back({views[i], placeOf(args.boards[places == 1 ? 0 : i])});
   return boards;
@@ -87,20 +89,20 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
     throw UsageError("--chessboard: found neither --board nor --intrinsics, expected one or both");
   if (args.camera.empty() && !args.intrinsics)
     throw UsageError("--camera: found none, expected a camera file, or --intrinsics");
-  const Chessboard board = boardOf(args);
-  DepthCamera camera;
+  const tracking::Chessboard board = boardOf(args);
+  tracking::DepthCamera camera;
   int width = 0, height = 0;
   if (!args.camera.empty()) {
-    camera = loadDepthCamera(args.camera);
+    camera = tracking::loadDepthCamera(args.camera);
     width = camera.width;
     height = camera.height;
   }
-  const std::vector<BoardCorners> views = cornersIn(args, board, width, height);
+  const std::vector<tracking::BoardCorners> views = cornersIn(args, board, width, height);
   nlohmann::ordered_json document{{"images", views.size()}, {"corners", views.size() * board.corners()}};
   std::string text = format("%zu images, %zu corners\n", views.size(), views.size() * board.corners());
   if (args.intrinsics) {
-    const IntrinsicsFit fit = fitIntrinsics(board, views, width, height);
-    const DepthCamera& c = fit.camera;
+    const tracking::IntrinsicsFit fit = tracking::fitIntrinsics(board, views, width, height);
+    const tracking::DepthCamera& c = fit.camera;
     camera.width = c.width;
     camera.height = c.height;
     camera.fx = c.fx;
@@ -119,7 +121,7 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
                    c.fx, c.fy, c.cx, c.cy, fit.rms, 100.0 * fit.focal_spread);
   }
   if (!args.boards.empty()) {
-    const BoardFit fit = fitBoardPose(camera, board, placed(args, views));
+    const tracking::BoardFit fit = tracking::fitBoardPose(camera, board, placed(args, views));
     camera.X_WC = fit.X_WC;
     camera.spread = fit.spread;
     document["T_WC"] = rowsOf(fit.X_WC);
@@ -135,7 +137,7 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
         fit.rms, fit.depth, fit.worst, args.images[fit.worst_view].filename().string().c_str(), p.x(), p.y(),
         p.z(), 1e3 * fit.spread);
   }
-  if (!args.out.empty()) writeFile(args.out, describeDepthCamera(camera));
+  if (!args.out.empty()) writeFile(args.out, tracking::describeDepthCamera(camera));
   line.print(document, text);
   return kDone;
 }

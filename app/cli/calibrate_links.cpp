@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t kMaxImages = 8;
 
 /// Evenly spread over the recording.
-std::vector<DepthFrame> imagesOf(DepthStream& stream) {
-  std::vector<DepthFrame> frames;
+std::vector<tracking::DepthFrame> imagesOf(tracking::DepthStream& stream) {
+  std::vector<tracking::DepthFrame> frames;
   const std::size_t count = std::min(kMaxImages, stream.size());
   for (std::size_t i = 0; i < count; ++i) {
     stream.seek(count > 1 ? i * (stream.size() - 1) / (count - 1) : 0);
-    DepthFrame frame;
+    tracking::DepthFrame frame;
     if (stream.next(frame)) frames.push_back(std::move(frame));
   }
   return frames;
@@ -26,27 +26,31 @@ std::vector<DepthFrame> imagesOf(DepthStream& stream) {
 }  // namespace
 
 int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
-  DepthStreamOptions stream_options;
+  tracking::DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
-  const auto stream = openDepthStream(args.links, stream_options);
+  const auto stream = tracking::openDepthStream(args.links, stream_options);
   if (!stream->facts().pose_known)
     throw UsageError(
         "--links: found a recording that does not say how the camera stands, expected a camera file with a "
         "rough "
         "T_WC (--camera)");
-  SessionOptions session_options;
+  session::SessionOptions session_options;
   session_options.cache = line.cache;
   session_options.monitor = buildMonitor(line);
-  CalibrationLinks links(loadScene(args.input, args.packages), args.robot, session_options);
-  std::vector<SurfaceView> views;
-  for (DepthFrame& frame : imagesOf(*stream)) views.push_back({std::move(frame.image), links.at(frame.t)});
+  depth::CalibrationLinks links(scene_file::loadScene(args.input, args.packages), args.robot,
+                                session_options);
+  std::vector<tracking::SurfaceView> views;
+  for (tracking::DepthFrame& frame : imagesOf(*stream))
+    views.push_back({std::move(frame.image), links.at(frame.t)});
   if (views.empty()) throw ParseError({args.links.string()}, "found no image, expected one or more");
-  const SurfaceFit fit = fitPoseToSurfaces(stream->camera(), links.surfaces(), views, args.seed);
+  const tracking::SurfaceFit fit =
+      tracking::fitPoseToSurfaces(stream->camera(), links.surfaces(), views, args.seed);
   if (!args.out.empty()) {
-    DepthCamera camera = args.camera.empty() ? stream->camera() : loadDepthCamera(args.camera);
+    tracking::DepthCamera camera =
+        args.camera.empty() ? stream->camera() : tracking::loadDepthCamera(args.camera);
     camera.X_WC = fit.X_WC;
     camera.spread = fit.spread;
-    writeFile(args.out, describeDepthCamera(camera));
+    writeFile(args.out, tracking::describeDepthCamera(camera));
   }
   const nlohmann::ordered_json document{{"robot", links.robot()},
                                         {"links", links.surfaces().size()},

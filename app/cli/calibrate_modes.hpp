@@ -15,7 +15,7 @@ struct CalibrateArguments {
   bool intrinsics{false};
   std::filesystem::path links;  ///< a depth recording
   std::string robot;
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
   std::uint64_t seed{1};
 };
 

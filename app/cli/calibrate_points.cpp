@@ -7,12 +7,13 @@
 namespace abstand::cli {
 
 int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args) {
-  DepthCamera camera = loadDepthCamera(args.camera);
-  const std::vector<MatchedPoint> points = readMatchedPoints(readFile(args.input), args.input.string());
-  const PoseFit fit = fitPose(points);
+  tracking::DepthCamera camera = tracking::loadDepthCamera(args.camera);
+  const std::vector<tracking::MatchedPoint> points =
+      tracking::readMatchedPoints(readFile(args.input), args.input.string());
+  const tracking::PoseFit fit = tracking::fitPose(points);
   camera.X_WC = fit.X_WC;
   camera.spread = fit.spread;
-  if (!args.out.empty()) writeFile(args.out, describeDepthCamera(camera));
+  if (!args.out.empty()) writeFile(args.out, tracking::describeDepthCamera(camera));
 
   const nlohmann::ordered_json document{
       {"points", points.size()}, {"T_WC", rowsOf(fit.X_WC)},          {"rms", fit.rms},

@@ -28,14 +28,14 @@ constexpr int kFkSamples = 2000;
 
 nlohmann::ordered_json benchFk() {
   using Steady = std::chrono::steady_clock;
-  const Mechanism chain = loadMechanism(dataFolder() / "scenes" / "chain.mech");
-  MechanismState state;
+  const mechanism::Mechanism chain = robot_file::loadMechanism(dataFolder() / "scenes" / "chain.mech");
+  mechanism::MechanismState state;
   const std::vector<double> q(static_cast<std::size_t>(chain.dof), 0.3);
-  forward(chain, q, state);
-  CycleStatistics statistics(kInfinity);
+  mechanism::forward(chain, q, state);
+  scene::CycleStatistics statistics(kInfinity);
   for (int i = 0; i < kFkSamples; ++i) {
     const auto begin = Steady::now();
-    for (int k = 0; k < kFkBatch; ++k) forward(chain, q, state);
+    for (int k = 0; k < kFkBatch; ++k) mechanism::forward(chain, q, state);
     statistics.add(std::chrono::duration<double>(Steady::now() - begin).count() / kFkBatch);
   }
   return {{"name", "fk"},
@@ -45,16 +45,17 @@ nlohmann::ordered_json benchFk() {
 }
 
 nlohmann::ordered_json benchScene(const CommandLine& line, const Benchmark& benchmark) {
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
   options.monitor = buildMonitor(line);
-  const auto opened = openSession(loadScene(dataFolder() / "scenes" / benchmark.scene), options);
-  Session& session = *opened;
-  RunOptions run;
+  const auto opened =
+      depth::openSession(scene_file::loadScene(dataFolder() / "scenes" / benchmark.scene), options);
+  session::Session& session = *opened;
+  run::RunOptions run;
   run.progress = progressBar(line, benchmark.name);
   run.interrupted = interrupted;
-  const RunSummary s = runScene(session, run);
+  const run::RunSummary s = run::runScene(session, run);
   return {{"name", benchmark.name},     {"what", benchmark.what},         {"pairs", s.pairs},
           {"frames", s.frames},         {"median_ns", 1e3 * s.median_us}, {"p99_ns", 1e3 * s.p99_us},
           {"p999_ns", 1e3 * s.p999_us}, {"build_ms", s.build_ms},         {"memory_bytes", s.memory_bytes}};

@@ -21,26 +21,27 @@ struct BuildArguments {
   std::string voxel{"0.005"}, point{"0.005"}, scale{"1"}, field{"mixed"}, out;
   int outer_layers{20};
   bool explain{false};
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
 };
 
 struct Body {
   std::string name;
-  std::shared_ptr<const Surface> surface;
+  std::shared_ptr<const geometry::Surface> surface;
   std::vector<std::string> remarks;
 };
 
-Body load(const std::string& text, double scale, const PackagePaths& packages, StructureCache& cache) {
-  if (const auto shape = parseShape(text)) return {text, makeSurface(*shape), {}};
+Body load(const std::string& text, double scale, const robot_file::PackagePaths& packages,
+          store::StructureCache& cache) {
+  if (const auto shape = geometry::parseShape(text)) return {text, geometry::makeSurface(*shape), {}};
   const std::filesystem::path file = meshArgument(text, packages);
-  LoadedMesh mesh = loadMesh(file, scale);
+  mesh_file::LoadedMesh mesh = mesh_file::loadMesh(file, scale);
   Body body{file.stem().string(), nullptr, mesh.report.remarks};
-  body.surface = makeSurface(cache, std::move(mesh.mesh));
+  body.surface = store::makeSurface(cache, std::move(mesh.mesh));
   return body;
 }
 
 /// Shell points with inward normals and areas, for any viewer of PLY files.
-void writeShell(const Pointshell& shell, const std::filesystem::path& file) {
+void writeShell(const shell::Pointshell& shell, const std::filesystem::path& file) {
   OutputFile out(file);
   out.stream() << "ply\nformat ascii 1.0\ncomment pointshell: inward normals, area in m^2\nelement vertex "
                << shell.size();
@@ -54,16 +55,16 @@ void writeShell(const Pointshell& shell, const std::filesystem::path& file) {
   out.commit();
 }
 
-void writeStructure(const HapticStructure& s, OutputFolder& folder) {
+void writeStructure(const structure::HapticStructure& s, OutputFolder& folder) {
   std::string stem = s.name;
   for (char& c : stem)
     if (c == ':' || c == ',' || c == '/') c = '_';
-  saveMesh(s.surface->mesh(kDrawingSagitta), folder.place(stem + ".stl"));
+  mesh_file::saveMesh(s.surface->mesh(kDrawingSagitta), folder.place(stem + ".stl"));
   writeShell(s.shell, folder.place(stem + ".shell.ply"));
 }
 
-nlohmann::ordered_json structureJson(const MadeStructure& made, const Body& body) {
-  const HapticStructure& s = *made.structure;
+nlohmann::ordered_json structureJson(const store::MadeStructure& made, const Body& body) {
+  const structure::HapticStructure& s = *made.structure;
   return {{"name", s.name},
           {"triangles", s.triangles},
           {"watertight", s.surface->watertight()},
@@ -78,21 +79,21 @@ nlohmann::ordered_json structureJson(const MadeStructure& made, const Body& body
           {"made_ms", made.made_ms},
           {"error_bound", s.errorBound()},
           {"covering_radius", s.shell.covering_radius},
-          {"field", fieldName(s.options.field)},
+          {"field", structure::fieldName(s.options.field)},
           {"volume", s.mass_properties.volume},
           {"remarks", body.remarks}};
 }
 
-std::string timeText(const MadeStructure& made) {
+std::string timeText(const store::MadeStructure& made) {
   if (!made.cached) return format("built in %.0f ms", made.structure->build_ms);
   return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
 }
 
 /// A body of an odd size may be in another unit: that is the hint where it cannot be built.
-MadeStructure build(const CommandLine& line, const Body& body, const HapticOptions& options,
-                    StructureCache& cache) {
+store::MadeStructure build(const CommandLine& line, const Body& body, const structure::HapticOptions& options,
+                           store::StructureCache& cache) {
   try {
-    return makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
+    return store::makeHapticStructure(cache, body.name, body.surface, options, 0, buildMonitor(line));
   } catch (const UsageError& e) {
     for (const auto& remark : body.remarks)
       if (remark.find("probably") != std::string::npos)
@@ -102,8 +103,8 @@ MadeStructure build(const CommandLine& line, const Body& body, const HapticOptio
 }
 
 /// Builds one body, or explains it; both add to the document and the text.
-void make(const CommandLine& line, const BuildArguments& args, const HapticOptions& options,
-          const std::string& name, StructureCache& cache, OutputFolder* folder,
+void make(const CommandLine& line, const BuildArguments& args, const structure::HapticOptions& options,
+          const std::string& name, store::StructureCache& cache, OutputFolder* folder,
           nlohmann::ordered_json& document, std::string& text) {
   const Body body = load(name, number(args.scale, "--scale"), args.packages, cache);
   Said said;
@@ -112,10 +113,10 @@ void make(const CommandLine& line, const BuildArguments& args, const HapticOptio
     document["explained"].push_back(said.json);
     text += said.text;
   } else {
-    const MadeStructure made = build(line, body, options, cache);
-    const HapticStructure& s = *made.structure;
+    const store::MadeStructure made = build(line, body, options, cache);
+    const structure::HapticStructure& s = *made.structure;
     if (folder) writeStructure(s, *folder);
-    said = sayReport(reportOn(s));
+    said = sayReport(store::reportOn(s));
     document["structures"].push_back(structureJson(made, body));
     document["structures"].back()["report"] = said.json;
     text += format("%s: %d x %d x %d voxels, %zu points, %zu triangles%s, error bound %.2f mm, %.1f MB, %s\n",
@@ -128,14 +129,14 @@ void make(const CommandLine& line, const BuildArguments& args, const HapticOptio
 }
 
 int runBuild(const CommandLine& line, const BuildArguments& args) {
-  HapticOptions options;
+  structure::HapticOptions options;
   options.voxel_size = number(args.voxel, "--voxel");
   options.point_spacing = number(args.point, "--point");
   options.outer_layers = args.outer_layers;
-  options.field = *parseFieldKind(args.field);
+  options.field = *structure::parseFieldKind(args.field);
   options.validate();
 
-  StructureCache cache(line.cache ? userCacheFolder() : std::filesystem::path());
+  store::StructureCache cache(line.cache ? store::userCacheFolder() : std::filesystem::path());
   nlohmann::ordered_json document;
   document[args.explain ? "explained" : "structures"] = nlohmann::ordered_json::array();
   if (args.explain) document["rules"] = explainRules();

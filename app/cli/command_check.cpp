@@ -22,12 +22,12 @@ struct CheckArguments {
   std::string poses, react{"on"};
   WarmStartArguments warm_start;
   bool dry_run{false}, strict{false}, swept{false}, cut_things{false};
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
 };
 
-int dryRun(const CommandLine& line, const SceneDescription& scene) {
+int dryRun(const CommandLine& line, const scene_file::SceneDescription& scene) {
   for (const auto& remark : scene.remarks) line.warn(remark);
-  const std::string text = describeScene(scene);
+  const std::string text = scene_file::describeScene(scene);
   // A file to read back, not a report: not a byte of it is changed.
   if (line.json)
     line.print({{"passed", true}, {"scene", text}}, "");
@@ -36,7 +36,7 @@ int dryRun(const CommandLine& line, const SceneDescription& scene) {
   return kDone;
 }
 
-nlohmann::ordered_json violationJson(const Violation& v) {
+nlohmann::ordered_json violationJson(const run::Violation& v) {
   nlohmann::ordered_json j{
       {"a", v.a},        {"b", v.b}, {"start", v.start}, {"end", v.end}, {"min_distance", v.min_distance},
       {"limit", v.limit}};
@@ -53,7 +53,7 @@ std::string widened(double reach) {
 }
 
 /// "2 limits broken, 1 reservation (refused_pose)".
-std::string whyNot(const CheckResult& result, bool strict) {
+std::string whyNot(const run::CheckResult& result, bool strict) {
   const auto counted = [](std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
   };
@@ -64,8 +64,8 @@ std::string whyNot(const CheckResult& result, bool strict) {
     add(counted(result.unproven.size(), "pair not proven", "pairs not proven"));
   std::string kinds;
   std::size_t failed = 0;
-  for (const Reservation& r : result.reservations) {
-    if (!failing(r, strict)) continue;
+  for (const run::Reservation& r : result.reservations) {
+    if (!run::failing(r, strict)) continue;
     ++failed;
     if (kinds.find(r.kind) == std::string::npos) kinds += (kinds.empty() ? "" : ", ") + r.kind;
   }
@@ -75,7 +75,7 @@ std::string whyNot(const CheckResult& result, bool strict) {
 
 /// All that was checked, of one recording after the other.
 struct Judged {
-  CheckResult all;
+  run::CheckResult all;
   nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
   nlohmann::ordered_json joint_limits = nlohmann::ordered_json::array();
   nlohmann::ordered_json warm_start;
@@ -83,9 +83,9 @@ struct Judged {
   bool interrupted{false};
 };
 
-void judge(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene, double limit,
-           const std::string& recording, Judged& judged) {
-  SessionOptions options;
+void judge(const CommandLine& line, const CheckArguments& args, const scene_file::SceneDescription& scene,
+           double limit, const std::string& recording, Judged& judged) {
+  session::SessionOptions options;
   options.recording = recording;
   options.cut_things = args.cut_things;
   options.poses = args.poses;
@@ -95,16 +95,16 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
   // The gate leaves nothing out, whatever the scene allows.
   options.rest = 0.0;
   options.horizon = options.budget = kInfinity;
-  const auto opened = openSession(scene, options);
-  Session& session = *opened;
-  if (!args.margins.empty()) applyMargins(session.scene(), args.margins);
-  DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
-  RunOptions run;
+  const auto opened = depth::openSession(scene, options);
+  session::Session& session = *opened;
+  if (!args.margins.empty()) run::applyMargins(session.scene(), args.margins);
+  run::DistanceCheck check(session.scene(), limit, !args.margins.empty(), args.swept, recording);
+  run::RunOptions run;
   run.progress = progressBar(line, recording.empty() ? "check" : recording);
   run.interrupted = interrupted;
   run.react = args.react == "on";
-  run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
-  const RunSummary summary = runScene(session, run);
+  run.on_cycle = [&](double t, const std::vector<query::PairResult>& results) { check.frame(t, results); };
+  const run::RunSummary summary = run::runScene(session, run);
   check.finish(summary, judged.all);
   judged.warm_start = warmStartJson(summary);
   if (summary.cycles > 0) {
@@ -119,8 +119,8 @@ void judge(const CommandLine& line, const CheckArguments& args, const SceneDescr
 }
 
 /// What an interrupt leaves out fails the check, and the rest is reported.
-Judged judgeAll(const CommandLine& line, const CheckArguments& args, const SceneDescription& scene,
-                double limit) {
+Judged judgeAll(const CommandLine& line, const CheckArguments& args,
+                const scene_file::SceneDescription& scene, double limit) {
   Judged judged;
   std::vector<std::string> recordings = args.recordings;
   if (recordings.empty()) recordings.emplace_back();
@@ -129,7 +129,7 @@ Judged judgeAll(const CommandLine& line, const CheckArguments& args, const Scene
     if (begun) {
       try {
         judge(line, args, scene, limit, recording, judged);
-      } catch (const BuildCancelled&) {
+      } catch (const structure::BuildCancelled&) {
         begun = false;
       } catch (const Interrupted&) {
         begun = false;
@@ -137,28 +137,28 @@ Judged judgeAll(const CommandLine& line, const CheckArguments& args, const Scene
     }
     if (begun) continue;
     judged.interrupted = true;
-    Reservation r = interruptedReservation(0, 0, {});
+    run::Reservation r = run::interruptedReservation(0, 0, {});
     r.recording = recording;
-    addReservations(judged.all.reservations, {r});
+    run::addReservations(judged.all.reservations, {r});
   }
   return judged;
 }
 
 int runCheck(const CommandLine& line, const CheckArguments& args) {
-  const SceneDescription scene = loadScene(args.scene, args.packages);
+  const scene_file::SceneDescription scene = scene_file::loadScene(args.scene, args.packages);
   if (args.dry_run) return dryRun(line, scene);
   if (args.min_distance.empty()) throw UsageError("--min-distance is required (or --dry-run)");
   const double limit = number(args.min_distance, "--min-distance");
   const Judged judged = judgeAll(line, args, scene, limit);
-  const CheckResult& all = judged.all;
-  const bool ok = passed(all, args.strict);
+  const run::CheckResult& all = judged.all;
+  const bool ok = run::passed(all, args.strict);
   nlohmann::ordered_json document{{"passed", ok}, {"min_distance_limit", limit}, {"frames", all.frames}};
   document["min_distance"] = extremeJson(all.min_distance);
   document["min_distance_by_class"] = byClassJson(all.min_distance_by_class);
   std::string text = closestText(all.min_distance_by_class);
   for (const auto* list : {&all.violations, &all.unproven}) {
     auto rows = nlohmann::ordered_json::array();
-    for (const Violation& v : *list) {
+    for (const run::Violation& v : *list) {
       rows.push_back(violationJson(v));
       text += format("%s: %s to %s, %.3f s to %.3f s, %.1f mm (limit %.1f mm%s)\n",
                      list == &all.violations ? "broken" : "not proven", v.a.c_str(), v.b.c_str(), v.start,
@@ -176,8 +176,8 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
   text += judged.robots_text;
   text += reservationsText(all.reservations) +
           (ok ? "passed\n" : "not passed: " + whyNot(all, args.strict) + "\n");
-  if (!args.junit.empty()) writeJunit(all, args.scene, args.strict, args.junit);
-  if (!args.report.empty()) writeHtmlReport(all, args.scene, limit, args.strict, args.report);
+  if (!args.junit.empty()) run::writeJunit(all, args.scene, args.strict, args.junit);
+  if (!args.report.empty()) run::writeHtmlReport(all, args.scene, limit, args.strict, args.report);
   line.print(document, text);
   if (judged.interrupted) return kInterrupted;
   return ok ? kDone : kLimitBroken;

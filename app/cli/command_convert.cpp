@@ -19,12 +19,12 @@ constexpr double kExact = 1e-9;
 struct ConvertArguments {
   std::filesystem::path in, out;
   int postures{1000};
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
 };
 
 /// The names of meshes as they must be in a file in another folder.
-void rebase(Robot& robot, const ConvertArguments& args, std::vector<std::string>& warnings) {
-  MeshFinder finder(args.in, args.packages);
+void rebase(robot_file::Robot& robot, const ConvertArguments& args, std::vector<std::string>& warnings) {
+  robot_file::MeshFinder finder(args.in, args.packages);
   std::error_code ec;
   const auto folder =
       std::filesystem::weakly_canonical(std::filesystem::absolute(args.out, ec), ec).parent_path();
@@ -43,23 +43,24 @@ void rebase(Robot& robot, const ConvertArguments& args, std::vector<std::string>
 
 struct Written {
   std::string text;
-  Robot robot;                ///< as the text reads back
+  robot_file::Robot robot;    ///< as the text reads back
   std::vector<double> scale;  ///< of its joint values; empty: all 1
   std::size_t extra_frames{0};
-  PostureResidual residual;
+  robot_file::PostureResidual residual;
 };
 
-Written writeMech(const Robot& robot, const ConvertArguments& args, const DhTolerance& tolerance) {
+Written writeMech(const robot_file::Robot& robot, const ConvertArguments& args,
+                  const robot_file::DhTolerance& tolerance) {
   Written w;
-  const Robot table = toDh(robot, tolerance);
+  const robot_file::Robot table = robot_file::toDh(robot, tolerance);
   w.extra_frames = table.mechanism.frames.size() - robot.mechanism.frames.size();
-  w.text = mechText(table);
-  w.robot = parseMech(w.text, args.out.string());
-  w.residual = postureResidual(robot.mechanism, w.robot.mechanism, args.postures);
+  w.text = robot_file::mechText(table);
+  w.robot = robot_file::parseMech(w.text, args.out.string());
+  w.residual = robot_file::postureResidual(robot.mechanism, w.robot.mechanism, args.postures);
   return w;
 }
 
-Written write(const Robot& robot, const ConvertArguments& args) {
+Written write(const robot_file::Robot& robot, const ConvertArguments& args) {
   const std::string extension = args.out.extension().string();
   if (extension == ".mech") {
     Written w = writeMech(robot, args, {});
@@ -70,16 +71,16 @@ Written write(const Robot& robot, const ConvertArguments& args) {
   if (extension != ".urdf")
     throw UsageError("found the file " + args.out.string() + ", expected the extension .mech or .urdf");
   Written w;
-  UrdfWritten urdf = urdfText(robot);
+  robot_file::UrdfWritten urdf = robot_file::urdfText(robot);
   w.text = std::move(urdf.text);
   w.scale = std::move(urdf.scale);
-  w.robot = parseUrdf(w.text, args.out.string());
-  w.residual = postureResidual(robot.mechanism, w.robot.mechanism, args.postures, w.scale);
+  w.robot = robot_file::parseUrdf(w.text, args.out.string());
+  w.residual = robot_file::postureResidual(robot.mechanism, w.robot.mechanism, args.postures, w.scale);
   return w;
 }
 
 /// The joints whose acceleration limits a URDF cannot hold, as a warning; empty: none.
-std::string lostAccelerations(const Mechanism& mechanism) {
+std::string lostAccelerations(const mechanism::Mechanism& mechanism) {
   std::string joints;
   for (const auto& f : mechanism.frames)
     if (std::isfinite(f.limits.acceleration))
@@ -88,7 +89,7 @@ std::string lostAccelerations(const Mechanism& mechanism) {
 }
 
 int runConvert(const CommandLine& line, const ConvertArguments& args) {
-  Robot robot = loadRobot(args.in);
+  robot_file::Robot robot = robot_file::loadRobot(args.in);
   std::vector<std::string> warnings = robot.warnings;
   rebase(robot, args, warnings);
   const Written w = write(robot, args);

@@ -25,19 +25,19 @@ struct DynamicsArguments {
   std::string mechanism, q, qd, qdd, gravity, motion, out;
   double rate{1000.0};
   std::vector<std::string> solids, wrenches, effective;
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
 };
 
-int frameNamed(const Mechanism& mechanism, const std::string& name, const std::string& option) {
+int frameNamed(const mechanism::Mechanism& mechanism, const std::string& name, const std::string& option) {
   for (std::size_t i = 0; i < mechanism.frames.size(); ++i)
     if (mechanism.frames[i].name == name) return static_cast<int>(i);
   throw UsageError(option + ": the mechanism has no frame '" + name + "'");
 }
 
 /// FRAME:n,n,...
-std::pair<int, std::vector<double>> frameAndNumbers(const Mechanism& mechanism, const std::string& text,
-                                                    const std::string& option, std::size_t count,
-                                                    const std::string& form) {
+std::pair<int, std::vector<double>> frameAndNumbers(const mechanism::Mechanism& mechanism,
+                                                    const std::string& text, const std::string& option,
+                                                    std::size_t count, const std::string& form) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) throw UsageError(option + ": found '" + text + "', expected " + form);
   const auto v = numberList(text.substr(colon + 1), option);
@@ -48,7 +48,8 @@ std::pair<int, std::vector<double>> frameAndNumbers(const Mechanism& mechanism, 
 }
 
 /// FRAME:MESH:DENSITY: the mesh, in the frame, of that density (kg/m^3), is added to the frame's mass.
-void addSolid(Mechanism& mechanism, const std::string& text, const PackagePaths& packages) {
+void addSolid(mechanism::Mechanism& mechanism, const std::string& text,
+              const robot_file::PackagePaths& packages) {
   const std::size_t first = text.find(':'), last = text.rfind(':');
   if (first == std::string::npos || first == last)
     throw UsageError("--solid: found '" + text + "', expected FRAME:MESH:DENSITY");
@@ -58,11 +59,12 @@ void addSolid(Mechanism& mechanism, const std::string& text, const PackagePaths&
   if (!(density > 0.0))
     throw UsageError("--solid: found a density of " + text.substr(last + 1) +
                      ", expected more than 0 kg/m^3");
-  const MassProperties solid = massProperties(loadMesh(meshArgument(file, packages)).mesh);
+  const geometry::MassProperties solid =
+      geometry::massProperties(mesh_file::loadMesh(meshArgument(file, packages)).mesh);
   if (solid.volume <= 0.0)
     throw ParseError({file}, "the mesh bounds no solid, expected a closed surface for a density");
   auto& inertia = mechanism.frames[static_cast<std::size_t>(frame)].inertia;
-  inertia = together(inertia, inertiaOfSolid(solid, density, Transform::Identity()));
+  inertia = mechanism::together(inertia, mechanism::inertiaOfSolid(solid, density, Transform::Identity()));
 }
 
 std::vector<double> jointNumbers(const std::string& text, const std::string& option, int dof) {
@@ -74,12 +76,12 @@ std::vector<double> jointNumbers(const std::string& text, const std::string& opt
   return v;
 }
 
-Mechanism robotWithMasses(const DynamicsArguments& args) {
-  Mechanism mechanism = loadRobot(args.mechanism).mechanism;
+mechanism::Mechanism robotWithMasses(const DynamicsArguments& args) {
+  mechanism::Mechanism mechanism = robot_file::loadRobot(args.mechanism).mechanism;
   for (const auto& text : args.solids) addSolid(mechanism, text, args.packages);
   double mass = 0.0;
   for (const auto& f : mechanism.frames) {
-    const std::string fault = inertiaFault(f.inertia);
+    const std::string fault = mechanism::inertiaFault(f.inertia);
     if (!fault.empty()) throw ParseError({args.mechanism}, "frame '" + f.name + "': " + fault);
     mass += f.inertia.mass;
   }
@@ -96,7 +98,7 @@ nlohmann::ordered_json massJson(const Eigen::MatrixXd& M) {
   return rows;
 }
 
-nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) {
+nlohmann::ordered_json linksJson(const mechanism::Mechanism& mechanism, std::string& text) {
   auto links = nlohmann::ordered_json::array();
   double sum = 0.0;
   for (const auto& f : mechanism.frames) {
@@ -113,10 +115,10 @@ nlohmann::ordered_json linksJson(const Mechanism& mechanism, std::string& text) 
 }
 
 /// Efforts along a motion: their peaks, and every row in --out.
-nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanism& mechanism,
-                                   const RigidTree& tree, const Vector3d& gravity_B, JointLimitWatch& watch,
-                                   std::string& text) {
-  const SmoothMotion motion(loadMotion(args.motion, mechanism.dof));
+nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const mechanism::Mechanism& mechanism,
+                                   const mechanism::RigidTree& tree, const Vector3d& gravity_B,
+                                   mechanism::JointLimitWatch& watch, std::string& text) {
+  const mechanism::SmoothMotion motion(mechanism::loadMotion(args.motion, mechanism.dof));
   const auto n = static_cast<std::size_t>(mechanism.dof);
   const double rows = std::floor((motion.end() - motion.start()) * args.rate + 1e-9) + 1.0;
   if (!(rows <= static_cast<double>(kMaxRows)))
@@ -130,12 +132,12 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanis
       for (std::size_t k = 0; k < n; ++k) out->stream() << "," << name << k;
     out->stream() << "\n";
   }
-  TreeState state;
+  mechanism::TreeState state;
   std::vector<double> q(n), qd(n), qdd(n), efforts(n), peak(n, 0.0), peak_t(n, motion.start());
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
     const double t = motion.start() + static_cast<double>(row) / args.rate;
     motion.at(t, q, qd, qdd);
-    inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, efforts);
+    mechanism::inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, efforts);
     watch.look(t, q, qd, qdd, efforts);
     for (std::size_t k = 0; k < n; ++k) {
       if (std::abs(efforts[k]) <= peak[k]) continue;
@@ -153,7 +155,7 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanis
   auto peaks = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < n; ++k) {
     // Of mimic joints the first has the motor.
-    const auto b = std::find_if(tree.bodies.begin(), tree.bodies.end(), [&](const TreeBody& body) {
+    const auto b = std::find_if(tree.bodies.begin(), tree.bodies.end(), [&](const mechanism::TreeBody& body) {
       return static_cast<std::size_t>(body.dof) == k;
     });
     if (b == tree.bodies.end()) continue;
@@ -169,20 +171,20 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const Mechanis
 }
 
 int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
-  const Mechanism mechanism = robotWithMasses(args);
-  const RigidTree tree = makeRigidTree(mechanism);
+  const mechanism::Mechanism mechanism = robotWithMasses(args);
+  const mechanism::RigidTree tree = mechanism::makeRigidTree(mechanism);
   const int dof = mechanism.dof;
   const auto q = jointNumbers(args.q, "--q", dof), qd = jointNumbers(args.qd, "--qd", dof),
              qdd = jointNumbers(args.qdd, "--qdd", dof);
-  Vector3d gravity_B = kGravity;
+  Vector3d gravity_B = mechanism::kGravity;
   if (!args.gravity.empty()) {
     const auto v = numberList(args.gravity, "--gravity");
     if (v.size() != 3) throw UsageError("--gravity: found " + args.gravity + ", expected x,y,z in m/s^2");
     gravity_B = Vector3d(v[0], v[1], v[2]);
   }
 
-  ForwardState state;
-  placeBodies(tree, q, state.tree);
+  mechanism::ForwardState state;
+  mechanism::placeBodies(tree, q, state.tree);
   std::vector<Wrench> external(tree.bodies.size());
   for (const auto& text : args.wrenches) {
     const auto [frame, v] = frameAndNumbers(mechanism, text, "--wrench", 6, "FRAME:fx,fy,fz,tx,ty,tz");
@@ -190,30 +192,31 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
     if (body < 0) continue;
     const Wrench w{Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])};
     external[static_cast<std::size_t>(body)] +=
-        aboutOrigin(w, poseOfFrame(tree, state.tree, frame).translation());
+        mechanism::aboutOrigin(w, mechanism::poseOfFrame(tree, state.tree, frame).translation());
   }
 
   std::string text = format("%s: %d degrees of freedom\n", args.mechanism.c_str(), dof);
   nlohmann::ordered_json document{{"dof", dof}};
   document["links"] = linksJson(mechanism, text);
   std::vector<double> efforts(q.size()), gravity(q.size()), bias(q.size());
-  gravityEfforts(tree, q, gravity_B, state.tree, gravity);
-  biasEfforts(tree, q, qd, gravity_B, state.tree, bias);
-  inverseDynamics(tree, q, qd, qdd, gravity_B, external, state.tree, efforts);
-  massMatrix(tree, state.tree, state.mass);
+  mechanism::gravityEfforts(tree, q, gravity_B, state.tree, gravity);
+  mechanism::biasEfforts(tree, q, qd, gravity_B, state.tree, bias);
+  mechanism::inverseDynamics(tree, q, qd, qdd, gravity_B, external, state.tree, efforts);
+  mechanism::massMatrix(tree, state.tree, state.mass);
   for (std::size_t k = 0; k < q.size(); ++k)
     text += format("dof %zu: effort %.6g, of that gravity %.6g\n", k, efforts[k], gravity[k]);
   document["efforts"] = efforts;
   document["gravity_efforts"] = gravity;
   document["bias_efforts"] = bias;
   document["mass_matrix"] = massJson(state.mass.M);
-  TreeState energy_state;
-  const MechanicalEnergy energy = mechanicalEnergy(tree, q, qd, gravity_B, energy_state);
+  mechanism::TreeState energy_state;
+  const mechanism::MechanicalEnergy energy =
+      mechanism::mechanicalEnergy(tree, q, qd, gravity_B, energy_state);
   document["kinetic_energy"] = energy.kinetic;
   document["potential_energy"] = energy.potential;
 
   if (!args.effective.empty()) {
-    if (const int massless = factor(state.mass); massless >= 0)
+    if (const int massless = mechanism::factor(state.mass); massless >= 0)
       throw ParseError({args.mechanism}, "dof " + std::to_string(massless) +
                                              " moves no mass, expected a mass on or beyond each joint");
     auto rows = nlohmann::ordered_json::array();
@@ -222,8 +225,9 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
       const auto [frame, v] = frameAndNumbers(mechanism, option, "--effective", 3, "FRAME:nx,ny,nz");
       const Vector3d n_B = Vector3d(v[0], v[1], v[2]).normalized();
       if (!(n_B.norm() > 0.5)) throw UsageError("--effective: found no direction in '" + option + "'");
-      const double mass = effectiveMass(tree, state.tree, state.mass, frame,
-                                        poseOfFrame(tree, state.tree, frame).translation(), n_B, work);
+      const double mass =
+          mechanism::effectiveMass(tree, state.tree, state.mass, frame,
+                                   mechanism::poseOfFrame(tree, state.tree, frame).translation(), n_B, work);
       const auto& name = mechanism.frames[static_cast<std::size_t>(frame)].name;
       rows.push_back({{"frame", name}, {"direction", toJson(n_B)}});
       rows.back()["mass"] = numberOrNull(mass);
@@ -232,12 +236,12 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
     }
     document["effective_masses"] = rows;
   }
-  JointLimitWatch watch(dofLimits(mechanism));
+  mechanism::JointLimitWatch watch(mechanism::dofLimits(mechanism));
   if (args.motion.empty())
     watch.look(kNaN, q, qd, qdd, efforts);
   else
     document["peaks"] = alongMotion(args, mechanism, tree, gravity_B, watch, text);
-  const auto limits = reportsOf("", mechanism, watch.breaches(), true);
+  const auto limits = run::reportsOf("", mechanism, watch.breaches(), true);
   document["joint_limits"] = jointLimitsJson(limits);
   text += jointLimitsText(limits);
   line.print(document, text);

@@ -15,12 +15,12 @@ struct FkArguments {
   std::string mechanism, q;
   std::vector<std::string> wrenches;
   int repeat{0};
-  PackagePaths packages;  ///< accepted like everywhere; frames need no meshes
+  robot_file::PackagePaths packages;  ///< accepted like everywhere; frames need no meshes
 };
 
 /// FRAME:fx,fy,fz,tx,ty,tz; adds the joint efforts that it causes.
-void addWrench(const Mechanism& mechanism, const MechanismState& state, const std::string& text,
-               std::vector<double>& efforts) {
+void addWrench(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state,
+               const std::string& text, std::vector<double>& efforts) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
     throw UsageError("--wrench: found '" + text + "', expected FRAME:fx,fy,fz,tx,ty,tz");
@@ -30,23 +30,24 @@ void addWrench(const Mechanism& mechanism, const MechanismState& state, const st
     throw UsageError("--wrench: found " + std::to_string(v.size()) + " numbers, expected six");
   for (std::size_t i = 0; i < mechanism.frames.size(); ++i) {
     if (mechanism.frames[i].name != name) continue;
-    addJointEfforts(mechanism, state, static_cast<int>(i), state.X_BF[i].translation(),
-                    {Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])}, efforts);
+    mechanism::addJointEfforts(mechanism, state, static_cast<int>(i), state.X_BF[i].translation(),
+                               {Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])}, efforts);
     return;
   }
   throw UsageError("--wrench: the mechanism has no frame '" + name + "'");
 }
 
-nlohmann::ordered_json timings(const Mechanism& mechanism, const std::vector<double>& q, int repeat) {
+nlohmann::ordered_json timings(const mechanism::Mechanism& mechanism, const std::vector<double>& q,
+                               int repeat) {
   using Steady = std::chrono::steady_clock;
-  MechanismState state;
-  forward(mechanism, q, state);
+  mechanism::MechanismState state;
+  mechanism::forward(mechanism, q, state);
   // A call is shorter than the clock is sharp, so a sample is the mean of a hundred.
   constexpr int kBatch = 100;
-  CycleStatistics statistics(kInfinity);
+  scene::CycleStatistics statistics(kInfinity);
   for (int i = 0; i < repeat; ++i) {
     const auto begin = Steady::now();
-    for (int k = 0; k < kBatch; ++k) forward(mechanism, q, state);
+    for (int k = 0; k < kBatch; ++k) mechanism::forward(mechanism, q, state);
     statistics.add(std::chrono::duration<double>(Steady::now() - begin).count() / kBatch);
   }
   return {{"median", 1e6 * statistics.median()},
@@ -55,16 +56,16 @@ nlohmann::ordered_json timings(const Mechanism& mechanism, const std::vector<dou
 }
 
 int runFk(const CommandLine& line, const FkArguments& args) {
-  const Robot robot = loadRobot(args.mechanism);
+  const robot_file::Robot robot = robot_file::loadRobot(args.mechanism);
   for (const auto& warning : robot.warnings) line.warn(warning);
-  const Mechanism& mechanism = robot.mechanism;
+  const mechanism::Mechanism& mechanism = robot.mechanism;
   std::vector<double> q(static_cast<std::size_t>(mechanism.dof), 0.0);
   if (!args.q.empty()) q = numberList(args.q, "--q");
   if (q.size() != static_cast<std::size_t>(mechanism.dof))
     throw UsageError("--q: found " + std::to_string(q.size()) + " values, expected " +
                      std::to_string(mechanism.dof));
-  MechanismState state;
-  forward(mechanism, q, state);
+  mechanism::MechanismState state;
+  mechanism::forward(mechanism, q, state);
   std::vector<double> efforts(q.size(), 0.0);
   for (const auto& w : args.wrenches) addWrench(mechanism, state, w, efforts);
 
@@ -79,10 +80,10 @@ int runFk(const CommandLine& line, const FkArguments& args) {
     text += format("frame %s: %.6f %.6f %.6f m\n", frame.name.c_str(), p.x(), p.y(), p.z());
   }
   // Joint values beyond the limits, and, where a wrench acts, what the motors cannot hold.
-  JointLimitWatch watch(dofLimits(mechanism));
+  mechanism::JointLimitWatch watch(mechanism::dofLimits(mechanism));
   watch.look(kNaN, q, {}, {}, efforts);
-  const auto limits = reportsOf("", mechanism, watch.breaches(), false);
-  for (const JointLimitReport& r : limits) line.warn(describe(r));
+  const auto limits = run::reportsOf("", mechanism, watch.breaches(), false);
+  for (const run::JointLimitReport& r : limits) line.warn(run::describe(r));
   document["joint_limits"] = jointLimitsJson(limits);
   document["joint_efforts"] = efforts;
   for (std::size_t i = 0; i < efforts.size() && !args.wrenches.empty(); ++i)

@@ -17,22 +17,23 @@ struct HumanArguments {
 };
 
 /// PART.KEY=VALUE
-void applyOverride(HumanOptions& options, const std::string& text) {
+void applyOverride(humanmodel::HumanOptions& options, const std::string& text) {
   const std::size_t dot = text.find('.'), equals = text.find('=');
   if (dot == std::string::npos || equals == std::string::npos || equals < dot)
     throw UsageError("--set: found '" + text +
                      "', expected PART.contour=VALUE (or length, breadth, depth, shape)");
   const std::string part_name = text.substr(0, dot), key = text.substr(dot + 1, equals - dot - 1);
   const std::string value = text.substr(equals + 1);
-  const auto part = parsePart(part_name);
+  const auto part = humanmodel::parsePart(part_name);
   if (!part) {
     std::vector<std::string> known;
-    for (std::size_t i = 0; i < kBodyPartCount; ++i) known.emplace_back(partName(static_cast<BodyPart>(i)));
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      known.emplace_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
     const std::string near = nearestName(part_name, known);
     throw UsageError("--set: there is no part '" + part_name + "'" +
                      (near.empty() ? "" : ", did you mean '" + near + "'?"));
   }
-  PartOverride& o = options.overrides[*part];
+  humanmodel::PartOverride& o = options.overrides[*part];
   if (key == "shape")
     o.shape = value;
   else if (key == "length")
@@ -47,31 +48,32 @@ void applyOverride(HumanOptions& options, const std::string& text) {
     throw UsageError("--set: found '" + key + "', expected contour, length, breadth, depth or shape");
 }
 
-nlohmann::ordered_json partJson(const HumanPart& p) {
-  nlohmann::ordered_json j{{"name", partName(p.part)},
-                           {"shape", shapeName(p.shape)},
+nlohmann::ordered_json partJson(const humanmodel::HumanPart& p) {
+  nlohmann::ordered_json j{{"name", humanmodel::partName(p.part)},
+                           {"shape", geometry::shapeName(p.shape)},
                            {"length", p.length},
                            {"contour", p.contour}};
-  if (const auto* e = std::get_if<Ellipsoid>(&p.shape)) j["semi_axes"] = toJson(e->semi_axes);
-  if (const auto* c = std::get_if<Cuboid>(&p.shape)) j["size"] = toJson(c->size);
+  if (const auto* e = std::get_if<geometry::Ellipsoid>(&p.shape)) j["semi_axes"] = toJson(e->semi_axes);
+  if (const auto* c = std::get_if<geometry::Cuboid>(&p.shape)) j["size"] = toJson(c->size);
   j["mass"] = p.mass;
   j["com"] = toJson(p.com);
   j["inertia"] = toJson(p.inertia);
   j["proximal"] = toJson(p.p_proximal);
   j["distal"] = toJson(p.p_distal);
-  j["proximal_joint"] = jointName(p.proximal);
-  j["distal_joint"] = jointName(p.distal);
+  j["proximal_joint"] = humanmodel::jointName(p.proximal);
+  j["distal_joint"] = humanmodel::jointName(p.distal);
   return j;
 }
 
 int runHuman(const CommandLine& line, const HumanArguments& args) {
-  HumanOptions options;
+  humanmodel::HumanOptions options;
   options.height = number(args.height, "--height");
   if (!args.mass.empty()) options.mass = number(args.mass, "--mass");
-  if (!args.sex.empty()) options.sex = args.sex == "f" ? Sex::kFemale : Sex::kMale;
-  options.preset = args.preset == "thesis" ? HumanPreset::kThesis : HumanPreset::kAnthropometric;
+  if (!args.sex.empty()) options.sex = args.sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
+  options.preset =
+      args.preset == "thesis" ? humanmodel::HumanPreset::kThesis : humanmodel::HumanPreset::kAnthropometric;
   for (const auto& s : args.set) applyOverride(options, s);
-  const HumanModel human = makeHuman(options);
+  const humanmodel::HumanModel human = humanmodel::makeHuman(options);
 
   nlohmann::ordered_json document{{"height", human.height},
                                   {"mass", human.mass},
@@ -79,15 +81,16 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
                                   {"parts", nlohmann::ordered_json::array()}};
   std::string text = format("%.3f m, %.1f kg, preset %s\n%-14s %-10s %9s %9s %8s\n", human.height, human.mass,
                             args.preset.c_str(), "part", "shape", "length m", "contour m", "mass kg");
-  for (const HumanPart& p : human.parts) {
+  for (const humanmodel::HumanPart& p : human.parts) {
     document["parts"].push_back(partJson(p));
-    text += format("%-14s %-10s %9.4f %9.4f %8.2f\n", std::string(partName(p.part)).c_str(),
-                   std::string(shapeName(p.shape)).c_str(), p.length, p.contour, p.mass);
+    text += format("%-14s %-10s %9.4f %9.4f %8.2f\n", std::string(humanmodel::partName(p.part)).c_str(),
+                   std::string(geometry::shapeName(p.shape)).c_str(), p.length, p.contour, p.mass);
   }
   if (!args.out.empty()) {
     OutputFolder folder(args.out);
-    for (const HumanPart& p : human.parts)
-      saveMesh(tessellate(p.shape, kMeshSagitta), folder.place(std::string(partName(p.part)) + ".stl"));
+    for (const humanmodel::HumanPart& p : human.parts)
+      mesh_file::saveMesh(geometry::tessellate(p.shape, kMeshSagitta),
+                          folder.place(std::string(humanmodel::partName(p.part)) + ".stl"));
     folder.commit();
     text += "meshes: " + args.out + "\n";
   }

@@ -54,7 +54,7 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
   return command;
 }
 
-void addPackagePath(CLI::App* command, PackagePaths& packages) {
+void addPackagePath(CLI::App* command, robot_file::PackagePaths& packages) {
   command->add_option(
       "--package-path", packages.folders,
       "folders that hold ROS packages, before those of ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and "
@@ -123,8 +123,8 @@ std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& lin
       });
 }
 
-BuildMonitor buildMonitor(const CommandLine& line) {
-  BuildMonitor monitor;
+structure::BuildMonitor buildMonitor(const CommandLine& line) {
+  structure::BuildMonitor monitor;
   monitor.cancelled = interrupted;
   if (const auto bar = progressBar(line, "build")) {
     monitor.progress = [bar](double fraction, std::string_view) {

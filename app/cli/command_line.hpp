@@ -54,7 +54,7 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
                      const std::string& example);
 
 /// --package-path, for commands that read robot files.
-void addPackagePath(CLI::App* command, PackagePaths& packages);
+void addPackagePath(CLI::App* command, robot_file::PackagePaths& packages);
 
 /// --no-cache, for commands that need haptic structures.
 void addCacheFlag(CLI::App* command, CommandLine& line);
@@ -94,7 +94,7 @@ bool interrupted();
 std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label);
 
 /// Progress bar and Ctrl-C for the building of structures.
-BuildMonitor buildMonitor(const CommandLine& line);
+structure::BuildMonitor buildMonitor(const CommandLine& line);
 
 /// printf into a string.
 std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));

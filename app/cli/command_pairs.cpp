@@ -18,36 +18,36 @@ namespace {
 struct PairsArguments {
   std::filesystem::path file, out, srdf;
   std::string voxel{"0.005"}, clearance;
-  StudyOptions study;
-  PackagePaths packages;
+  study::StudyOptions study;
+  robot_file::PackagePaths packages;
 };
 
 /// A scene with nothing but the robot in it, under the name that the robot has.
-SceneDescription sceneOf(const std::filesystem::path& robot_file, const std::string& voxel,
-                         const PackagePaths& packages) {
-  const std::string name = loadRobot(robot_file).mechanism.name;
+scene_file::SceneDescription sceneOf(const std::filesystem::path& robot_file, const std::string& voxel,
+                                     const robot_file::PackagePaths& packages) {
+  const std::string name = robot_file::loadRobot(robot_file).mechanism.name;
   const auto text = [](const std::string& s) { return nlohmann::json(s).dump(); };
   std::error_code ec;
   const auto file = std::filesystem::absolute(robot_file, ec);
   const std::string scene = "abstand: 1\ndefaults: {voxel: " + voxel + ", point: " + voxel +
                             "}\nmechanisms:\n  - {name: " + text(name) + ", file: " + text(file.string()) +
                             "}\n";
-  return parseScene(scene, file.parent_path() / "scene.yaml", packages);
+  return scene_file::parseScene(scene, file.parent_path() / "scene.yaml", packages);
 }
 
-SceneDescription load(const PairsArguments& args) {
+scene_file::SceneDescription load(const PairsArguments& args) {
   const std::string extension = args.file.extension().string();
-  if (extension == ".yaml" || extension == ".yml") return loadScene(args.file, args.packages);
+  if (extension == ".yaml" || extension == ".yml") return scene_file::loadScene(args.file, args.packages);
   return sceneOf(args.file, args.voxel, args.packages);
 }
 
 /// Keeps what others wrote into the file.
-std::string srdfFor(const std::filesystem::path& file, const Srdf& srdf) {
+std::string srdfFor(const std::filesystem::path& file, const robot_file::Srdf& srdf) {
   const InputLogPause pause;
   std::error_code ec;
   if (!std::filesystem::is_regular_file(file, ec) || std::filesystem::file_size(file, ec) == 0)
-    return srdfText(srdf);
-  return mergedSrdfText(readFile(file, kMaxRobotBytes), file.string(), srdf);
+    return robot_file::srdfText(srdf);
+  return robot_file::mergedSrdfText(readFile(file, robot_file::kMaxRobotBytes), file.string(), srdf);
 }
 
 int runPairs(const CommandLine& line, PairsArguments& args) {
@@ -56,27 +56,27 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
   args.study.validate();
   args.study.progress = progressBar(line, "pairs");
   args.study.interrupted = interrupted;
-  SessionOptions options;
+  session::SessionOptions options;
   options.cache = line.cache;
   options.monitor = buildMonitor(line);
-  const auto opened = openSession(load(args), options);
-  Session& session = *opened;
+  const auto opened = depth::openSession(load(args), options);
+  session::Session& session = *opened;
   if (session.mechanisms().empty())
     throw UsageError("found a scene without a mechanism, expected at least one");
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto pairs = collisionPairs(session, args.study);
+  const auto pairs = run::collisionPairs(session, args.study);
   const double study_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   // What is not known of some pairs is no list to check by.
-  const bool incomplete = std::any_of(pairs.begin(), pairs.end(), [](const CollisionPair& p) {
-    return p.study.verdict == PairVerdict::kUndecided;
+  const bool incomplete = std::any_of(pairs.begin(), pairs.end(), [](const run::CollisionPair& p) {
+    return p.study.verdict == study::PairVerdict::kUndecided;
   });
   std::optional<OutputFile> list, srdf;
   if (!args.out.empty() && !incomplete)
-    list.emplace(args.out).stream() << pairsText(session, pairs, args.study);
+    list.emplace(args.out).stream() << run::pairsText(session, pairs, args.study);
   if (!args.srdf.empty() && !incomplete)
-    srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, srdfOf(session, pairs));
+    srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, run::srdfOf(session, pairs));
   for (auto* file : {&list, &srdf})
     if (*file) (*file)->finish();
   for (auto* file : {&list, &srdf})
@@ -89,8 +89,8 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
   std::string text;
   int found_by_search = 0;
   for (const auto& p : pairs) {
-    const StudiedPair& s = p.study;
-    const std::string verdict = verdictName(s.verdict);
+    const study::StudiedPair& s = p.study;
+    const std::string verdict = study::verdictName(s.verdict);
     const std::string &a = objects[static_cast<std::size_t>(s.a)].spec.name,
                       &b = objects[static_cast<std::size_t>(s.b)].spec.name;
     ++counts[verdict];
@@ -103,7 +103,7 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
                   {"hits", s.hits},
                   {"by_search", s.by_search},
                   {"posture", p.posture}});
-      if (s.verdict != PairVerdict::kSometimes && s.verdict != PairVerdict::kUndecided)
+      if (s.verdict != study::PairVerdict::kSometimes && s.verdict != study::PairVerdict::kUndecided)
         text +=
             format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
     }

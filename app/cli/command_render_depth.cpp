@@ -17,7 +17,7 @@ struct RenderDepthArguments {
   std::uint64_t seed{1}, body_seed{0};
   int width{640};
   bool room{false};
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
 };
 
 /// x,y,z
@@ -27,11 +27,11 @@ Vector3d point(const std::string& text, const std::string& option) {
   return {p[0], p[1], p[2]};
 }
 
-DepthCamera cameraOf(const RenderDepthArguments& args, Session& session) {
-  DepthCamera camera;
+tracking::DepthCamera cameraOf(const RenderDepthArguments& args, session::Session& session) {
+  tracking::DepthCamera camera;
   if (!args.camera.empty()) {
     if (args.width != 640) throw UsageError("--width: found beside --camera, expected one of them");
-    camera = loadDepthCamera(args.camera);
+    camera = tracking::loadDepthCamera(args.camera);
   } else {
     const double part = args.width / 640.0;
     camera.width = args.width;
@@ -41,15 +41,15 @@ DepthCamera cameraOf(const RenderDepthArguments& args, Session& session) {
     camera.cy = 0.5 * (camera.height - 1);
   }
   if (!args.eye.empty())
-    camera.X_WC = lookingAt(point(args.eye, "--eye"), point(args.look, "--look"));
+    camera.X_WC = tracking::lookingAt(point(args.eye, "--eye"), point(args.look, "--look"));
   else if (args.camera.empty())
-    camera.X_WC = usualView(session);
+    camera.X_WC = depth::usualView(session);
   return camera;
 }
 
-std::optional<SkinOptions> skinOf(const RenderDepthArguments& args) {
+std::optional<tracking::SkinOptions> skinOf(const RenderDepthArguments& args) {
   if (args.body == "skin") {
-    SkinOptions skin;
+    tracking::SkinOptions skin;
     if (!args.girth.empty()) skin.girth = number(args.girth, "--girth");
     if (!args.clothing.empty()) skin.clothing = number(args.clothing, "--clothing");
     skin.seed = args.body_seed;
@@ -60,46 +60,46 @@ std::optional<SkinOptions> skinOf(const RenderDepthArguments& args) {
   return std::nullopt;
 }
 
-SceneDescription sceneOf(const RenderDepthArguments& args) {
+scene_file::SceneDescription sceneOf(const RenderDepthArguments& args) {
   if (!args.scene.empty()) {
     if (!args.height.empty())
       throw UsageError(
           "--height: found beside a scene, which says its people's heights; expected one of them");
-    return loadScene(args.scene, args.packages);
+    return scene_file::loadScene(args.scene, args.packages);
   }
   if (args.recording.empty()) throw UsageError("found neither SCENE nor --recording, expected one or both");
   std::optional<double> height;
   if (!args.height.empty()) height = number(args.height, "--height");
-  return abstand::sceneOf(args.recording, height);
+  return abstand::depth::sceneOf(args.recording, height);
 }
 
 int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   if (args.eye.empty() != args.look.empty())
     throw UsageError("found one of --eye and --look, expected both or none");
-  DepthClipOptions options;
+  depth::DepthClipOptions options;
   options.rate = number(args.rate, "--rate");
   if (!(options.rate > 0.0 && options.rate <= 1000.0))
     throw UsageError("--rate: found " + args.rate + ", expected above 0, at most 1000 frames a second");
   if (!args.start.empty()) options.start = number(args.start, "--start");
   if (!args.end.empty()) options.end = number(args.end, "--end");
   options.seed = args.seed;
-  if (args.format == "freenect") options.format = ClipFormat::kFreenect;
+  if (args.format == "freenect") options.format = depth::ClipFormat::kFreenect;
   options.skin = skinOf(args);
   options.room = args.room;
   options.progress = progressBar(line, "frames");
   options.interrupted = interrupted;
 
-  SessionOptions session_options;
+  session::SessionOptions session_options;
   if (!args.scene.empty()) session_options.recording = args.recording;
   session_options.cache = line.cache;
   session_options.monitor = buildMonitor(line);
-  const auto opened = openSession(sceneOf(args), session_options);
-  Session& session = *opened;
+  const auto opened = depth::openSession(sceneOf(args), session_options);
+  session::Session& session = *opened;
   options.camera = cameraOf(args, session);
-  if (args.noise == "kinect") options.noise = kinectNoiseIn(options.camera);
+  if (args.noise == "kinect") options.noise = tracking::kinectNoiseIn(options.camera);
 
   const auto begin = std::chrono::steady_clock::now();
-  const DepthClipSummary summary = writeDepthClip(session, options, args.out);
+  const depth::DepthClipSummary summary = depth::writeDepthClip(session, options, args.out);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const nlohmann::ordered_json document{
       {"frames", summary.frames},        {"width", options.camera.width},

@@ -15,13 +15,13 @@ namespace {
 struct RunArguments {
   std::string scene, start, end, rate, rest, horizon, budget, mode{"lockstep"}, react{"on"};
   std::string gain, person_speed;
-  SessionOptions session;
+  session::SessionOptions session;
   WarmStartArguments warm_start;
-  RunOptions run;
-  PackagePaths packages;
+  run::RunOptions run;
+  robot_file::PackagePaths packages;
 };
 
-nlohmann::ordered_json skippingJson(const RunSummary& s) {
+nlohmann::ordered_json skippingJson(const run::RunSummary& s) {
   auto breaches = nlohmann::ordered_json::array();
   for (const auto& b : s.breaches)
     breaches.push_back({{"object", b.object}, {"t", b.t}, {"speed", b.speed}, {"bound", b.bound}});
@@ -34,7 +34,7 @@ nlohmann::ordered_json skippingJson(const RunSummary& s) {
           {"breaches", breaches}};
 }
 
-nlohmann::ordered_json timesJson(const CycleStatistics& s) {
+nlohmann::ordered_json timesJson(const scene::CycleStatistics& s) {
   return {{"median", 1e6 * s.median()},
           {"p99", 1e6 * s.p99()},
           {"p999", 1e6 * s.p999()},
@@ -42,14 +42,14 @@ nlohmann::ordered_json timesJson(const CycleStatistics& s) {
           {"overruns", s.overruns()}};
 }
 
-nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) {
+nlohmann::ordered_json summaryJson(const run::RunSummary& s, const session::Session& session) {
   nlohmann::ordered_json j{
       {"frames", s.frames},
       {"objects", s.objects},
       {"pairs", s.pairs},
       {"cycle_us", {{"median", s.median_us}, {"p99", s.p99_us}, {"p999", s.p999_us}, {"max", s.max_us}}},
       {"overruns", s.overruns},
-      {"period_us", RunSummary::kPeriodUs},
+      {"period_us", run::RunSummary::kPeriodUs},
       {"min_distance", extremeJson(s.min_distance)},
       {"min_distance_by_class", byClassJson(s.min_distance_by_class)},
       {"min_clearance", extremeJson(s.min_clearance)},
@@ -83,12 +83,12 @@ nlohmann::ordered_json summaryJson(const RunSummary& s, const Session& session) 
   return j;
 }
 
-std::string timesText(const char* what, const CycleStatistics& s) {
+std::string timesText(const char* what, const scene::CycleStatistics& s) {
   return format("%s: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", what,
                 1e6 * s.median(), 1e6 * s.p99(), 1e6 * s.p999(), 1e6 * s.max(), s.overruns());
 }
 
-std::string summaryText(const RunSummary& s, const Session& session) {
+std::string summaryText(const run::RunSummary& s, const session::Session& session) {
   std::string text = format("%zu frames, %zu objects, %zu pairs; structures %.0f ms, %.1f MB\n", s.frames,
                             s.objects, s.pairs, s.build_ms, static_cast<double>(s.memory_bytes) * 1e-6);
   if (s.cycles > 0) text += format("closed loop: %ld cycles of 1 ms\n", s.cycles);
@@ -127,7 +127,7 @@ std::string summaryText(const RunSummary& s, const Session& session) {
                    s.breaches.front().bound, s.breach_count);
   for (const auto& remark : session.remarks())
     if (std::none_of(s.reservations.begin(), s.reservations.end(),
-                     [&](const Reservation& r) { return r.text == remark; }))
+                     [&](const run::Reservation& r) { return r.text == remark; }))
       text += remark + "\n";
   text += reservationsText(s.reservations);
   return text;
@@ -146,22 +146,22 @@ int runRun(const CommandLine& line, RunArguments& args) {
   if (!args.budget.empty()) args.session.budget = number(args.budget, "--budget");
   args.warm_start.apply(args.session);
   args.run.react = args.react == "on";
-  args.run.mode = args.mode == "live" ? RunMode::kLive : RunMode::kLockstep;
+  args.run.mode = args.mode == "live" ? run::RunMode::kLive : run::RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
   args.run.interrupted = interrupted;
   args.session.cache = line.cache;
   args.session.monitor = buildMonitor(line);
   if (!args.person_speed.empty())
     args.session.person_speed = numberWithin(args.person_speed, "--person-speed", 0.01, 100.0, "");
-  SceneDescription scene = loadScene(args.scene, args.packages);
+  scene_file::SceneDescription scene = scene_file::loadScene(args.scene, args.packages);
   if (!args.gain.empty()) {
     const double gain = numberWithin(args.gain, "--gain", 0.0, 100.0, "");
     for (auto& m : scene.mechanisms)
-      if (m.reaction) scaleGains(*m.reaction, gain);
+      if (m.reaction) control::scaleGains(*m.reaction, gain);
   }
-  const auto opened = openSession(std::move(scene), args.session);
-  Session& session = *opened;
-  const RunSummary summary = runScene(session, args.run);
+  const auto opened = depth::openSession(std::move(scene), args.session);
+  session::Session& session = *opened;
+  const run::RunSummary summary = run::runScene(session, args.run);
   line.print(summaryJson(summary, session), summaryText(summary, session));
   return summary.interrupted ? kInterrupted : kDone;
 }

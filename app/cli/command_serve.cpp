@@ -17,22 +17,22 @@
 namespace abstand::cli {
 namespace {
 
-using namespace abstand::serve;
+using namespace serve;
 
 struct ServeArguments {
   std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
   std::size_t nearest{8};
   int threads{1};
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
   bool layout{false}, from_stdin{false};
 };
 
-ReactionDescription reactionOf(const ServeArguments& args) {
-  ReactionDescription reaction = usualReaction();
+control::ReactionDescription reactionOf(const ServeArguments& args) {
+  control::ReactionDescription reaction = serve::usualReaction();
   if (!args.reaction.empty()) {
     constexpr std::size_t kMaxBytes = 1u << 20;
-    const YamlNode document = parseYaml(readFile(args.reaction, kMaxBytes), args.reaction);
-    reaction = readReaction(document, args.reaction);
+    const config::YamlNode document = config::parseYaml(readFile(args.reaction, kMaxBytes), args.reaction);
+    reaction = control::readReaction(document, args.reaction);
   }
   if (args.reaction.empty() || !args.stale.empty()) {
     const double stale = args.stale.empty() ? 0.1 : numberWithin(args.stale, "--stale", 0.001, 3600.0, "s");
@@ -43,7 +43,7 @@ ReactionDescription reactionOf(const ServeArguments& args) {
   return reaction;
 }
 
-nlohmann::ordered_json layoutJson(const Layout& layout) {
+nlohmann::ordered_json layoutJson(const serve::Layout& layout) {
   auto packets = nlohmann::ordered_json::array();
   for (const auto& packet : layout.packets) {
     auto fields = nlohmann::ordered_json::array();
@@ -58,38 +58,38 @@ nlohmann::ordered_json layoutJson(const Layout& layout) {
           {"objects", layout.objects}};
 }
 
-nlohmann::ordered_json stopsJson(const ServedScene& scene) {
+nlohmann::ordered_json stopsJson(const serve::ServedScene& scene) {
   auto list = nlohmann::ordered_json::array();
   for (std::size_t m = 0; m < scene.robots().size(); ++m) {
-    const StopLog& log = scene.robots()[m]->stops();
+    const safety::StopLog& log = scene.robots()[m]->stops();
     for (std::size_t i = 0; i < log.kept(); ++i) {
-      const StopEntry& e = log.entry(i);
+      const safety::StopEntry& e = log.entry(i);
       list.push_back({{"mechanism", scene.format().mechanisms[m].name},
                       {"t", e.t},
-                      {"from", stateName(e.from)},
-                      {"to", stateName(e.to)},
-                      {"reason", reasonName(e.cause.reason)}});
+                      {"from", safety::stateName(e.from)},
+                      {"to", safety::stateName(e.to)},
+                      {"reason", safety::reasonName(e.cause.reason)}});
     }
   }
   return list;
 }
 
 /// What the joint values that came did against the limits of their robots.
-std::vector<JointLimitReport> limitsOf(const ServedScene& scene) {
-  std::vector<JointLimitReport> all;
+std::vector<run::JointLimitReport> limitsOf(const serve::ServedScene& scene) {
+  std::vector<run::JointLimitReport> all;
   for (std::size_t m = 0; m < scene.robots().size(); ++m) {
     const auto own =
-        reportsOf(scene.format().mechanisms[m].name, scene.session().mechanisms()[m]->mechanism(),
-                  scene.robots()[m]->limits().breaches(), false);
+        run::reportsOf(scene.format().mechanisms[m].name, scene.session().mechanisms()[m]->mechanism(),
+                       scene.robots()[m]->limits().breaches(), false);
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;
 }
 
-nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& scene) {
+nlohmann::ordered_json summaryJson(const serve::ServeSummary& s, const serve::ServedScene& scene) {
   nlohmann::ordered_json faults;
-  for (std::size_t i = 1; i < kPacketFaults; ++i)
-    faults[std::string(faultName(static_cast<PacketFault>(i)))] = s.faults[i];
+  for (std::size_t i = 1; i < serve::kPacketFaults; ++i)
+    faults[std::string(serve::faultName(static_cast<serve::PacketFault>(i)))] = s.faults[i];
   faults["foreign"] = s.streams.foreign;
   return {
       {"seconds", s.seconds},
@@ -113,7 +113,7 @@ nlohmann::ordered_json summaryJson(const ServeSummary& s, const ServedScene& sce
       {"interrupted", s.interrupted}};
 }
 
-std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
+std::string summaryText(const serve::ServeSummary& s, const serve::ServedScene& scene) {
   std::string text = format("%.1f s: %ld packets, %ld of joints, %ld skeletons; %ld answered, %ld unasked\n",
                             s.seconds, s.packets, s.joints, s.skeletons, s.answered, s.unasked);
   text += format("dropped: %ld bad, %ld late, %ld duplicates; %ld lost\n", s.bad, s.streams.late,
@@ -121,43 +121,44 @@ std::string summaryText(const ServeSummary& s, const ServedScene& scene) {
   text += format("cycle: median %.0f us, p99 %.0f, max %.0f\n", 1e6 * s.cycles.median(), 1e6 * s.cycles.p99(),
                  1e6 * s.cycles.max());
   for (std::size_t m = 0; m < scene.robots().size(); ++m) {
-    const StopLog& log = scene.robots()[m]->stops();
+    const safety::StopLog& log = scene.robots()[m]->stops();
     for (std::size_t i = 0; i < log.kept(); ++i)
-      text += scene.format().mechanisms[m].name + ": " + describe(log.entry(i)) + "\n";
+      text += scene.format().mechanisms[m].name + ": " + safety::describe(log.entry(i)) + "\n";
   }
   return text + jointLimitsText(limitsOf(scene));
 }
 
 int runServe(const CommandLine& line, const ServeArguments& args) {
   // Everything that can be wrong on the command line is seen before anything costly is built.
-  const Address bind = parseAddress(args.bind, "--bind");
-  ServedOptions served{
+  const serve::Address bind = serve::parseAddress(args.bind, "--bind");
+  serve::ServedOptions served{
       .reaction = reactionOf(args), .nearest = args.nearest, .scene_first = args.reaction.empty()};
-  ServeOptions options;
+  serve::ServeOptions options;
   options.stale = served.reaction.watch.input_age;
   options.interrupted = interrupted;
   if (args.from_stdin) options.lines_from = STDIN_FILENO;
   if (!args.rate.empty()) options.rate = numberWithin(args.rate, "--rate", 0.1, 1e5, "Hz");
   if (!args.duration.empty()) options.duration = numberWithin(args.duration, "--duration", 0.0, 1e9, "s");
-  SessionOptions session;
+  session::SessionOptions session;
   session.threads = args.threads;
   session.cache = line.cache;
   session.monitor = buildMonitor(line);
   session.remember = true;
   // Resting pairs rest on what the scene file says of speeds, and that speaks of its own motion.
   session.rest = 0.0;
-  ServedScene scene(openSession(loadScene(args.scene, args.packages), session), served);
+  serve::ServedScene scene(depth::openSession(scene_file::loadScene(args.scene, args.packages), session),
+                           served);
   for (const auto& remark : scene.remarks()) line.warn(remark);
   if (args.layout) {
     if (line.json)
-      line.print(layoutJson(layoutOf(scene.format(), scene.names(), scene.report())), "");
+      line.print(layoutJson(serve::layoutOf(scene.format(), scene.names(), scene.report())), "");
     else
-      writeStandardOutput(describeLayout(scene.format(), scene.names(), scene.report()));
+      writeStandardOutput(serve::describeLayout(scene.format(), scene.names(), scene.report()));
     return kDone;
   }
-  UdpSocket socket(bind);
-  ServeLoop loop(scene, socket, options);
-  if (!line.quiet) std::cerr << "serve: listening on " << describe(socket.address()) << std::endl;
+  serve::UdpSocket socket(bind);
+  serve::ServeLoop loop(scene, socket, options);
+  if (!line.quiet) std::cerr << "serve: listening on " << serve::describe(socket.address()) << std::endl;
   loop.run();
   line.print(summaryJson(loop.summary(), scene), summaryText(loop.summary(), scene));
   return loop.summary().interrupted ? kInterrupted : kDone;

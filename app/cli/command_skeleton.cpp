@@ -15,8 +15,8 @@ struct SkeletonArguments {
   std::string file, out, compact, filter;
   double fill{0.0};  ///< s
   bool doctor{false}, fit_lengths{false}, predict{false};
-  MotionBounds bounds{2.0, kInfinity, 0.0, 0.0};
-  RecordingOptions options;
+  safety::MotionBounds bounds{2.0, kInfinity, 0.0, 0.0};
+  tracking::RecordingOptions options;
 };
 
 /// A quantity that is positive where it is known; else null.
@@ -24,7 +24,7 @@ nlohmann::ordered_json known(double value) {
   return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
-nlohmann::ordered_json markersJson(const MarkerReport& m) {
+nlohmann::ordered_json markersJson(const tracking::MarkerReport& m) {
   nlohmann::ordered_json used = nlohmann::json::array(), ignored = nlohmann::json::array(),
                          swaps = nlohmann::json::array(), bones = nlohmann::ordered_json::object();
   for (const auto& u : m.used)
@@ -42,8 +42,8 @@ nlohmann::ordered_json markersJson(const MarkerReport& m) {
           {"frames_lost", m.lost}};
 }
 
-nlohmann::ordered_json reportJson(const Recording& recording) {
-  const RecordingReport& r = recording.report;
+nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
+  const tracking::RecordingReport& r = recording.report;
   return {{"format", r.format},
           {"frames", recording.frames.size()},
           {"rate", known(r.rate)},
@@ -69,10 +69,10 @@ nlohmann::ordered_json reportJson(const Recording& recording) {
           {"warnings", r.warnings}};
 }
 
-nlohmann::ordered_json lengthsJson(const LengthFit& fit) {
+nlohmann::ordered_json lengthsJson(const humanmodel::LengthFit& fit) {
   nlohmann::ordered_json bones = nlohmann::json::array();
   for (const auto& b : fit.bones)
-    bones.push_back({{"part", partName(b.part)},
+    bones.push_back({{"part", humanmodel::partName(b.part)},
                      {"length", b.median},
                      {"spread", b.spread},
                      {"model", b.model},
@@ -83,14 +83,14 @@ nlohmann::ordered_json lengthsJson(const LengthFit& fit) {
           {"bones", bones}};
 }
 
-std::string lengthsText(const LengthFit& fit) {
+std::string lengthsText(const humanmodel::LengthFit& fit) {
   std::string text =
       format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
              fit.stature, fit.stature_spread, 1e3 * fit.rms);
   for (const auto& b : fit.bones)
     text += format("  %-14s %6.1f mm (5 %% to 95 %%: %5.1f mm), model %6.1f mm, %+6.1f mm\n",
-                   std::string(partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread, 1e3 * b.model,
-                   1e3 * b.residual);
+                   std::string(humanmodel::partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread,
+                   1e3 * b.model, 1e3 * b.residual);
   return text;
 }
 
@@ -100,7 +100,7 @@ std::string join(const std::vector<std::string>& words) {
   return s;
 }
 
-std::string markersText(const MarkerReport& m) {
+std::string markersText(const tracking::MarkerReport& m) {
   if (m.reason.empty()) return {};
   if (m.set.empty()) return "marker set: none: " + m.reason + " (--marker-set)\n";
   std::string text = "marker set: " + m.set + ": " + m.reason + " (--marker-set)\n";
@@ -116,8 +116,8 @@ std::string markersText(const MarkerReport& m) {
   return text + "\n";
 }
 
-std::string reportText(const Recording& recording, const std::string& file) {
-  const RecordingReport& r = recording.report;
+std::string reportText(const tracking::Recording& recording, const std::string& file) {
+  const tracking::RecordingReport& r = recording.report;
   const std::string rate = r.rate > 0.0 ? format("at %.6g Hz", r.rate) : "at a rate that is not known";
   std::string text = format("%s: %s, %zu frames %s, %.2f s\n", file.c_str(), r.format.c_str(),
                             recording.frames.size(), rate.c_str(), r.duration);
@@ -139,37 +139,37 @@ std::string reportText(const Recording& recording, const std::string& file) {
 }
 
 int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
-  Recording recording = openRecording(args.file, args.options);
+  tracking::Recording recording = tracking::openRecording(args.file, args.options);
   auto json = reportJson(recording);
   std::string text = reportText(recording, args.file);
   if (args.doctor) {
-    const DoctorReport doctor = examine(recording);
+    const tracking::DoctorReport doctor = tracking::examine(recording);
     json["doctor"] = doctorJson(doctor);
     text += doctorText(doctor);
   }
   if (args.fit_lengths) {
-    const auto fit = fitLengths({}, recording.frames);
+    const auto fit = humanmodel::fitLengths({}, recording.frames);
     json["lengths"] = fit ? lengthsJson(*fit) : nlohmann::ordered_json();
     text += fit ? lengthsText(*fit) : "stature by the bones: not known, no bone has both ends\n";
   }
   if (args.predict) {
     constexpr double kAhead[] = {0.05, 0.1, 0.2, 0.5};
-    const auto trials = tryPredictions(recording, args.bounds, kAhead);
+    const auto trials = tracking::tryPredictions(recording, args.bounds, kAhead);
     json["prediction"] = predictionJson(trials, args.bounds);
     text += predictionText(trials, args.bounds);
   }
   if (args.fill > 0.0) {
-    const GapFill fill = fillGaps(recording.frames, args.fill);
+    const tracking::GapFill fill = tracking::fillGaps(recording.frames, args.fill);
     text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
     json["filled"] = fill.filled;
   }
   if (!args.filter.empty()) {
     if (!(recording.report.rate > 0.0))
       throw UsageError("filter: found a single frame, expected a recording");
-    smooth(recording.frames, recording.report.rate, *parseSmoothing(args.filter));
+    tracking::smooth(recording.frames, recording.report.rate, *tracking::parseSmoothing(args.filter));
   }
-  if (!args.out.empty()) writeSkeletonCsv(std::filesystem::path(args.out), recording);
-  if (!args.compact.empty()) writeCompact(std::filesystem::path(args.compact), recording);
+  if (!args.out.empty()) tracking::writeSkeletonCsv(std::filesystem::path(args.out), recording);
+  if (!args.compact.empty()) tracking::writeCompact(std::filesystem::path(args.compact), recording);
   line.print(json, text);
   return kDone;
 }
@@ -181,7 +181,7 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
                              "abstand skeleton boxing.bvh --out boxing.csv");
   auto args = std::make_shared<SkeletonArguments>();
   command->add_option("FILE", args->file, "the recording")->required();
-  command->add_option("--format", args->options.format, "auto, or " + join(recordingFormats()));
+  command->add_option("--format", args->options.format, "auto, or " + join(tracking::recordingFormats()));
   command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
   command->add_option("--up", args->options.up, "auto, x, y, z, -x, -y, -z");
   command->add_option("--rate", args->options.rate, "Hz: frame i lies at t = i / rate")

@@ -15,7 +15,7 @@ namespace {
 
 struct TrackArguments {
   std::filesystem::path depth, camera, out, pictures, scene;
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
   std::string height, rate, seconds, send, facing{"auto"};
   std::vector<std::string> names;
   int person{1};
@@ -30,13 +30,14 @@ double positive(const std::string& text, const std::string& option, double least
   return value;
 }
 
-void draw(const ClipMoment& moment, OutputFolder& folder) {
+void draw(const tracking::ClipMoment& moment, OutputFolder& folder) {
   const std::string name = format("person%d_%06zu.png", moment.id, moment.image);
-  saveColourPng(pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body), folder.place(name));
+  tracking::saveColourPng(tracking::pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body),
+                          folder.place(name));
 }
 
-int live(const CommandLine& line, const TrackArguments& args, const DepthStreamOptions& stream,
-         const ClipTrackerOptions& options) {
+int live(const CommandLine& line, const TrackArguments& args, const tracking::DepthStreamOptions& stream,
+         const tracking::ClipTrackerOptions& options) {
   if (!args.scene.empty())
     throw UsageError(
         "--scene: found with a camera that looks now, expected a recording, whose robots move "
@@ -58,11 +59,11 @@ int live(const CommandLine& line, const TrackArguments& args, const DepthStreamO
 }
 
 int runTrack(const CommandLine& line, const TrackArguments& args) {
-  DepthStreamOptions stream_options;
+  tracking::DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
   if (!args.rate.empty()) stream_options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
   stream_options.mirror = args.mirror;
-  ClipTrackerOptions options;
+  tracking::ClipTrackerOptions options;
   if (!args.height.empty()) options.person.height = positive(args.height, "--height", 0.5, 2.5);
   options.person.fit_body = !args.usual_body;
   options.person.seed = args.seed;
@@ -72,45 +73,45 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
   std::optional<OutputFolder> pictures;
   if (!args.pictures.empty()) {
     pictures.emplace(args.pictures);
-    options.watch = [&](const ClipMoment& moment) { draw(moment, *pictures); };
+    options.watch = [&](const tracking::ClipMoment& moment) { draw(moment, *pictures); };
   }
-  if (isLiveSource(args.depth.string())) {
+  if (tracking::isLiveSource(args.depth.string())) {
     const int code = live(line, args, stream_options, options);
     if (pictures) pictures->commit();
     return code;
   }
   if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
     throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
-  std::optional<RobotView> robots;
+  std::optional<depth::RobotView> robots;
   if (!args.scene.empty()) {
-    SessionOptions session_options;
+    session::SessionOptions session_options;
     session_options.cache = line.cache;
     session_options.monitor = buildMonitor(line);
-    robots.emplace(loadScene(args.scene, args.packages), session_options);
-    options.known = [&](double t, const DepthCamera& camera) { return &robots->at(t, camera); };
+    robots.emplace(scene_file::loadScene(args.scene, args.packages), session_options);
+    options.known = [&](double t, const tracking::DepthCamera& camera) { return &robots->at(t, camera); };
   }
-  const auto stream = openDepthStream(args.depth, stream_options);
+  const auto stream = tracking::openDepthStream(args.depth, stream_options);
   if (robots && !stream->facts().pose_known)
     throw UsageError(
         "--scene: found a recording that does not say how the camera stands, expected a camera file "
         "with T_WC (--camera)");
-  const ClipTrack track = trackClip(*stream, options);
+  const tracking::ClipTrack track = tracking::trackClip(*stream, options);
   // Who was not found yet may be in the images that were not looked at.
   const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
   if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
   if (track.people.empty())
     throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
-  const Recording recording = recordingOf(track, stream->facts(), chosen);
+  const tracking::Recording recording = tracking::recordingOf(track, stream->facts(), chosen);
   std::optional<OutputFile> csv;
   if (!args.out.empty()) {
-    writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
+    tracking::writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
     csv->finish();
   }
   if (pictures) pictures->commit();
   if (csv) csv->commit();
 
-  const ClipPerson& person = track.people[chosen];
-  const DepthFacts& facts = stream->facts();
+  const tracking::ClipPerson& person = track.people[chosen];
+  const tracking::DepthFacts& facts = stream->facts();
   const double fps = track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0;
   nlohmann::ordered_json document{{"format", facts.format},
                                   {"frames", track.images},
@@ -134,10 +135,10 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
   text += "world: " + track.world + "\n";
   text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
   text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
-  text += "height: " + statureReason(person.stature) + " (--height)\n";
+  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
   text += format("%.1f mm from the body on the mean, %.0f images a second of processor time\n",
                  1e3 * person.residual, fps);
-  text += facingReason(person.facing) + " (--facing)\n";
+  text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
   for (const std::string& warning : recording.report.warnings) line.warn(warning);
   line.print(document, text);

@@ -65,7 +65,7 @@ int runVerify(const CommandLine& line, const VerifyArguments& args) {
                    r.passed ? "passed" : "FAILED", r.poses, r.breaches, r.worst, r.limit);
   }
   text += cut_short ? "interrupted: not all was checked\n" : passed ? "passed\n" : "not passed\n";
-  if (!args.report.empty() && !cut_short) verify::writeReport(results, options, kVersion, args.report);
+  if (!args.report.empty() && !cut_short) report::writeReport(results, options, kVersion, args.report);
   line.print(document, text);
   if (cut_short) return kInterrupted;
   return passed ? kDone : kLimitBroken;

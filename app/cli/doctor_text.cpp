@@ -14,7 +14,7 @@ constexpr std::size_t kMaxLines = 10;
 
 }  // namespace
 
-nlohmann::ordered_json doctorJson(const DoctorReport& r) {
+nlohmann::ordered_json doctorJson(const tracking::DoctorReport& r) {
   using Json = nlohmann::ordered_json;
   Json bones = Json::array(), joints = Json::array(), jumps = Json::array(), filters = Json::array();
   for (const auto& b : r.bones)
@@ -46,7 +46,7 @@ nlohmann::ordered_json doctorJson(const DoctorReport& r) {
           {"unfillable", r.fill.left}};
 }
 
-std::string doctorText(const DoctorReport& r) {
+std::string doctorText(const tracking::DoctorReport& r) {
   std::string text = format("steps: median %.1f ms, longest %.1f ms, %zu more than 10 %% off\n", r.step * kMm,
                             r.longest_step * kMm, r.uneven_steps);
   text += "bone                 length   spread    drift (mm)\n";
@@ -60,7 +60,7 @@ std::string doctorText(const DoctorReport& r) {
   text += format("left and right change places: %zu times", r.swaps.size());
   for (std::size_t i = 0; i < r.swaps.size() && i < kMaxLines; ++i)
     text += format("%s%.3f s", i == 0 ? ": " : ", ", r.swaps[i]);
-  text += format("\njumps beyond %.0f m/s: %zu\n", kFastestJoint, r.jumps.size());
+  text += format("\njumps beyond %.0f m/s: %zu\n", tracking::kFastestJoint, r.jumps.size());
   for (std::size_t i = 0; i < r.jumps.size() && i < kMaxLines; ++i)
     text += format("  %-16s at %.3f s: %.1f m/s\n", r.jumps[i].joint.c_str(), r.jumps[i].t, r.jumps[i].speed);
   text +=
@@ -68,14 +68,14 @@ std::string doctorText(const DoctorReport& r) {
   for (const auto& f : r.filters)
     text += format("  %-22s %8.1f (%6.1f) %18.2f %7.2f %10.1f\n", f.name.c_str(), f.delay * kMm,
                    f.delay_at_rest * kMm, f.jitter_before * kMm, f.jitter_after * kMm, f.moved * kMm);
-  return text + format("gaps up to %.0f ms: %zu places can be filled, %zu cannot\n", kShortGap * kMm,
-                       r.fill.filled, r.fill.left);
+  return text + format("gaps up to %.0f ms: %zu places can be filled, %zu cannot\n",
+                       tracking::kShortGap * kMm, r.fill.filled, r.fill.left);
 }
 
-nlohmann::ordered_json predictionJson(const std::vector<PredictionTrial>& trials,
-                                      const MotionBounds& bounds) {
+nlohmann::ordered_json predictionJson(const std::vector<tracking::PredictionTrial>& trials,
+                                      const safety::MotionBounds& bounds) {
   auto list = nlohmann::ordered_json::array();
-  for (const PredictionTrial& t : trials)
+  for (const tracking::PredictionTrial& t : trials)
     list.push_back({{"ahead", t.ahead},
                     {"places", t.places},
                     {"still_mean", t.still_mean},
@@ -90,10 +90,11 @@ nlohmann::ordered_json predictionJson(const std::vector<PredictionTrial>& trials
           {"trials", list}};
 }
 
-std::string predictionText(const std::vector<PredictionTrial>& trials, const MotionBounds& bounds) {
+std::string predictionText(const std::vector<tracking::PredictionTrial>& trials,
+                           const safety::MotionBounds& bounds) {
   std::string text =
       "ahead     off where it was   off the guess (mean, 95 %, most)   beyond the bounds   bound needed\n";
-  for (const PredictionTrial& t : trials)
+  for (const tracking::PredictionTrial& t : trials)
     text += format("%4.0f ms %6.0f %6.0f mm %9.0f %6.0f %6.0f mm %12zu of %zu %10.1f m/s\n", t.ahead * kMm,
                    t.still_mean * kMm, t.still_p95 * kMm, t.guess_mean * kMm, t.guess_p95 * kMm,
                    t.guess_most * kMm, t.outside, t.places, t.speed_needed);

@@ -9,10 +9,12 @@
 
 namespace abstand::cli {
 
-nlohmann::ordered_json doctorJson(const DoctorReport& report);
-std::string doctorText(const DoctorReport& report);
+nlohmann::ordered_json doctorJson(const tracking::DoctorReport& report);
+std::string doctorText(const tracking::DoctorReport& report);
 
-nlohmann::ordered_json predictionJson(const std::vector<PredictionTrial>& trials, const MotionBounds& bounds);
-std::string predictionText(const std::vector<PredictionTrial>& trials, const MotionBounds& bounds);
+nlohmann::ordered_json predictionJson(const std::vector<tracking::PredictionTrial>& trials,
+                                      const safety::MotionBounds& bounds);
+std::string predictionText(const std::vector<tracking::PredictionTrial>& trials,
+                           const safety::MotionBounds& bounds);
 
 }  // namespace abstand::cli

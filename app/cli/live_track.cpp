@@ -23,22 +23,22 @@ double since(std::chrono::steady_clock::time_point then) {
 
 /// What became of the images, beside the track.
 struct LiveOutcome {
-  double seconds{0.0};                 ///< from the first image to the last
-  CycleStatistics latency{kInfinity};  ///< from the driver to the end of the work on the image
+  double seconds{0.0};                        ///< from the first image to the last
+  scene::CycleStatistics latency{kInfinity};  ///< from the driver to the end of the work on the image
   bool interrupted{false};
 };
 
-LiveOutcome follow(LiveDepth& camera, LiveTracker& tracker, serve::SkeletonSender* sender,
+LiveOutcome follow(tracking::LiveDepth& camera, tracking::LiveTracker& tracker, serve::SkeletonSender* sender,
                    const std::optional<double>& seconds) {
   LiveOutcome outcome;
-  LiveFrame live;
+  tracking::LiveFrame live;
   while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
     outcome.interrupted = interrupted();
     if (sender && sender->outputError() != 0) break;
-    const LiveDepth::Outcome next = camera.next(live, kLook);
-    if (next == LiveDepth::Outcome::kEnded) break;
-    if (next == LiveDepth::Outcome::kNothingYet) continue;
-    for (const LiveTracker::Seen& seen : tracker.see(live.frame))
+    const tracking::LiveDepth::Outcome next = camera.next(live, kLook);
+    if (next == tracking::LiveDepth::Outcome::kEnded) break;
+    if (next == tracking::LiveDepth::Outcome::kNothingYet) continue;
+    for (const tracking::LiveTracker::Seen& seen : tracker.see(live.frame))
       if (sender) sender->send(seen.id, live.frame.t, seen.body->frame);
     outcome.latency.add(since(live.came));
     outcome.seconds = live.frame.t;
@@ -53,18 +53,18 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (to_stdout && line.json) throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
-  LiveDepth camera(args.camera, args.stream);
-  const DepthFacts& facts = camera.facts();
+  tracking::LiveDepth camera(args.camera, args.stream);
+  const tracking::DepthFacts& facts = camera.facts();
   // A skeleton in a world that the camera made up would stand anywhere beside the robot.
   if (sender && !facts.pose_known)
     throw UsageError(
         "--send: found a camera that does not say how it stands, expected a camera file with T_WC "
         "(--camera; abstand calibrate makes one)");
-  LiveTracker tracker(camera.camera(), facts.pose_known,
-                      {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
+  tracking::LiveTracker tracker(camera.camera(), facts.pose_known,
+                                {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
   if (!line.quiet) std::cerr << "track: looking through " << args.camera << std::endl;
   const LiveOutcome outcome = follow(camera, tracker, sender ? &*sender : nullptr, args.seconds);
-  const ClipTrack track = tracker.track();
+  const tracking::ClipTrack track = tracker.track();
   const std::string ended = camera.ended();
   const ParseError end({args.camera}, ended);
   if (track.people.empty()) {
@@ -76,11 +76,12 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (args.chosen >= track.people.size())
     throw UsageError("--person: found " + std::to_string(track.people.size()) + " people, expected " +
                      std::to_string(args.chosen + 1) + " or more");
-  const ClipPerson& person = track.people[args.chosen];
-  if (!args.out.empty()) writeSkeletonCsv(args.out, recordingOf(track, facts, args.chosen));
+  const tracking::ClipPerson& person = track.people[args.chosen];
+  if (!args.out.empty())
+    tracking::writeSkeletonCsv(args.out, tracking::recordingOf(track, facts, args.chosen));
 
   const double rate = outcome.seconds > 0.0 ? static_cast<double>(track.images - 1) / outcome.seconds : 0.0;
-  const CycleStatistics& latency = outcome.latency;
+  const scene::CycleStatistics& latency = outcome.latency;
   nlohmann::ordered_json document{
       {"format", facts.format},
       {"frames", track.images},
@@ -102,7 +103,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
   text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
                  track.people.size(), static_cast<int>(args.chosen) + 1, person.found, 1e3 * person.residual);
-  text += "height: " + statureReason(person.stature) + " (--height)\n";
+  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
   text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
                  1e3 * latency.median(), 1e3 * latency.p99(), 1e3 * latency.max());
   if (sender) {
@@ -112,11 +113,11 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
                    sender->sent(), sender->refused(), sender->nameless());
   }
-  const std::vector<std::string> warnings = trackWarnings(person);
+  const std::vector<std::string> warnings = tracking::trackWarnings(person);
   document["warnings"] = warnings;
   addStature(document, person.stature);
   addFacing(document, person.facing);
-  text += facingReason(person.facing) + " (--facing)\n";
+  text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
   for (const std::string& warning : warnings) line.warn(warning);
   if (!to_stdout)

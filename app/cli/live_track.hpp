@@ -10,14 +10,14 @@ namespace abstand::cli {
 
 struct LiveTrackArguments {
   std::string camera;  ///< as kKinectSource
-  DepthStreamOptions stream;
-  TrackedPerson::Options person;
-  std::function<void(const ClipMoment&)> watch;  ///< may be empty
-  std::optional<double> seconds;                 ///< since the first image; none: Ctrl-C ends it
-  std::filesystem::path out;                     ///< CSV of one person; empty: none
-  std::size_t chosen{0};                         ///< who is written, 0: found in most images
-  std::string send;                              ///< HOST:PORT or "-"; empty: nowhere
-  std::vector<std::string> names;                ///< of people who are sent
+  tracking::DepthStreamOptions stream;
+  tracking::TrackedPerson::Options person;
+  std::function<void(const tracking::ClipMoment&)> watch;  ///< may be empty
+  std::optional<double> seconds;                           ///< since the first image; none: Ctrl-C ends it
+  std::filesystem::path out;                               ///< CSV of one person; empty: none
+  std::size_t chosen{0};                                   ///< who is written, 0: found in most images
+  std::string send;                                        ///< HOST:PORT or "-"; empty: nowhere
+  std::vector<std::string> names;                          ///< of people who are sent
 };
 
 /// The exit code. Throws ParseError and UsageError.

@@ -55,7 +55,7 @@ int runCommand(const CLI::App& app, const cli::CommandLine& line) {
       cli::checkOutputs(app, line);
       const int code = line.run();
       return code == cli::kInterrupted && !line.printed ? endInterrupted(line) : code;
-    } catch (const BuildCancelled&) {
+    } catch (const structure::BuildCancelled&) {
       return endInterrupted(line);
     } catch (const Interrupted&) {
       return endInterrupted(line);

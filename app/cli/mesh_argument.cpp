@@ -2,10 +2,10 @@
 
 namespace abstand::cli {
 
-std::filesystem::path meshArgument(const std::string& text, const PackagePaths& packages) {
+std::filesystem::path meshArgument(const std::string& text, const robot_file::PackagePaths& packages) {
   if (text.find("://") == std::string::npos) return text;
   std::error_code ec;
-  MeshFinder finder(std::filesystem::current_path(ec) / "arguments", packages);
+  robot_file::MeshFinder finder(std::filesystem::current_path(ec) / "arguments", packages);
   if (const auto file = finder.find(text)) return *file;
   throw ParseError({text}, "found no such file, expected it in a package",
                    "say where packages are with --package-path FOLDER, the folder that holds the package's");

@@ -11,15 +11,15 @@ namespace abstand::cli {
 
 /// [{kind, text, t0, t1, share, fails}]; null where a number does not apply; `recording` where there are
 /// several.
-nlohmann::ordered_json reservationsJson(const std::vector<Reservation>& reservations);
+nlohmann::ordered_json reservationsJson(const std::vector<run::Reservation>& reservations);
 
 /// A line each: "reservation (KIND): TEXT".
-std::string reservationsText(const std::vector<Reservation>& reservations);
+std::string reservationsText(const std::vector<run::Reservation>& reservations);
 
 /// {a, b, t, value}, or null.
-nlohmann::ordered_json extremeJson(const std::optional<RunSummary::Extreme>& extreme);
+nlohmann::ordered_json extremeJson(const std::optional<run::RunSummary::Extreme>& extreme);
 
-using ByClass = std::array<std::optional<RunSummary::Extreme>, kPairClasses.size()>;
+using ByClass = std::array<std::optional<run::RunSummary::Extreme>, run::kPairClasses.size()>;
 
 /// {person_robot, person_thing, robot_robot, robot_thing}, each {a, b, t, value} or null: no such pair.
 nlohmann::ordered_json byClassJson(const ByClass& least);

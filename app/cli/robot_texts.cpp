@@ -8,22 +8,24 @@
 namespace abstand::cli {
 namespace {
 
-nlohmann::ordered_json extremeJson(const std::optional<ReactionReport::Extreme>& e) {
+nlohmann::ordered_json extremeJson(const std::optional<loop::ReactionReport::Extreme>& e) {
   if (!e) return nullptr;
   return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
 }
 
 /// How far inside, m; 0: they did not touch.
-double depthOf(const std::optional<ReactionReport::Extreme>& e) { return e ? std::max(0.0, -e->value) : 0.0; }
+double depthOf(const std::optional<loop::ReactionReport::Extreme>& e) {
+  return e ? std::max(0.0, -e->value) : 0.0;
+}
 
-nlohmann::ordered_json robotJson(const ReactionReport& r) {
+nlohmann::ordered_json robotJson(const loop::ReactionReport& r) {
   auto stops = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < r.stops.size(); ++i) {
-    const StopEntry& e = r.stops[i];
+    const safety::StopEntry& e = r.stops[i];
     stops.push_back({{"t", e.t},
-                     {"from", stateName(e.from)},
-                     {"to", stateName(e.to)},
-                     {"reason", reasonName(e.cause.reason)},
+                     {"from", safety::stateName(e.from)},
+                     {"to", safety::stateName(e.to)},
+                     {"reason", safety::reasonName(e.cause.reason)},
                      {"text", r.lines[i]}});
   }
   return {{"mechanism", r.name},
@@ -36,13 +38,13 @@ nlohmann::ordered_json robotJson(const ReactionReport& r) {
           {"behind_plan", r.record.lost_time},
           {"slowed", r.record.slowed},
           {"stopped", r.record.stopped},
-          {"state", stateName(r.state)},
+          {"state", safety::stateName(r.state)},
           {"constant_mass", !r.remark.empty()},
           {"stop_count", r.stop_count},
           {"stops", stops}};
 }
 
-std::string robotText(const ReactionReport& r) {
+std::string robotText(const loop::ReactionReport& r) {
   std::string text = r.name + ": ";
   if (r.nearest_person)
     text += format("closest to a person %.1f mm, %s to %s at %.3f s; deepest inside %.1f mm\n",
@@ -62,13 +64,13 @@ std::string robotText(const ReactionReport& r) {
 
 }  // namespace
 
-nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& reports) {
+nlohmann::ordered_json jointLimitsJson(const std::vector<run::JointLimitReport>& reports) {
   auto list = nlohmann::ordered_json::array();
-  for (const JointLimitReport& r : reports) {
+  for (const run::JointLimitReport& r : reports) {
     nlohmann::ordered_json j;
     if (!r.mechanism.empty()) j["mechanism"] = r.mechanism;
     j["joint"] = r.joint;
-    j["kind"] = limitName(r.worst.kind);
+    j["kind"] = mechanism::limitName(r.worst.kind);
     j["value"] = numberOrNull(r.worst.value);
     j["limit"] = numberOrNull(r.worst.limit);
     j["t"] = numberOrNull(r.worst.t);
@@ -80,21 +82,21 @@ nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& repo
   return list;
 }
 
-std::string jointLimitsText(const std::vector<JointLimitReport>& reports) {
+std::string jointLimitsText(const std::vector<run::JointLimitReport>& reports) {
   std::string text;
-  for (const JointLimitReport& r : reports) text += "beyond a joint limit: " + describe(r) + "\n";
+  for (const run::JointLimitReport& r : reports) text += "beyond a joint limit: " + run::describe(r) + "\n";
   return text;
 }
 
-nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots) {
+nlohmann::ordered_json robotsJson(const std::vector<loop::ReactionReport>& robots) {
   auto list = nlohmann::ordered_json::array();
-  for (const ReactionReport& r : robots) list.push_back(robotJson(r));
+  for (const loop::ReactionReport& r : robots) list.push_back(robotJson(r));
   return list;
 }
 
-std::string robotsText(const std::vector<ReactionReport>& robots) {
+std::string robotsText(const std::vector<loop::ReactionReport>& robots) {
   std::string text;
-  for (const ReactionReport& r : robots) text += robotText(r);
+  for (const loop::ReactionReport& r : robots) text += robotText(r);
   return text;
 }
 

@@ -11,13 +11,13 @@
 namespace abstand::cli {
 
 /// `robots` of the JSON document: an object each.
-nlohmann::ordered_json robotsJson(const std::vector<ReactionReport>& robots);
+nlohmann::ordered_json robotsJson(const std::vector<loop::ReactionReport>& robots);
 /// A few lines each.
-std::string robotsText(const std::vector<ReactionReport>& robots);
+std::string robotsText(const std::vector<loop::ReactionReport>& robots);
 
 /// `joint_limits` of the JSON document: an object each.
-nlohmann::ordered_json jointLimitsJson(const std::vector<JointLimitReport>& reports);
+nlohmann::ordered_json jointLimitsJson(const std::vector<run::JointLimitReport>& reports);
 /// A line each.
-std::string jointLimitsText(const std::vector<JointLimitReport>& reports);
+std::string jointLimitsText(const std::vector<run::JointLimitReport>& reports);
 
 }  // namespace abstand::cli

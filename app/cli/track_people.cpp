@@ -13,14 +13,14 @@ std::optional<bool> awayOf(const std::string& facing) {
   throw UsageError("--facing: found " + facing + ", expected camera, away or auto");
 }
 
-void addFacing(nlohmann::ordered_json& person, const Facing& facing) {
+void addFacing(nlohmann::ordered_json& person, const tracking::Facing& facing) {
   person["facing"] = facing.away ? "away" : "camera";
   person["facing_decided"] = facing.decided();
   person["facing_ratio"] =
       std::isnan(facing.ratio) ? nlohmann::ordered_json() : nlohmann::ordered_json(facing.ratio);
 }
 
-void addStature(nlohmann::ordered_json& person, const Stature& stature) {
+void addStature(nlohmann::ordered_json& person, const tracking::Stature& stature) {
   constexpr std::array kSources{"given", "measured", "interval"};
   const nlohmann::ordered_json unknown;
   person["height_estimate"] = stature.known() ? nlohmann::ordered_json(stature.used) : unknown;
@@ -29,13 +29,13 @@ void addStature(nlohmann::ordered_json& person, const Stature& stature) {
   person["height_used"] = stature.used > 0.0 ? nlohmann::ordered_json(stature.used) : unknown;
 }
 
-nlohmann::ordered_json peopleJson(const ClipTrack& track) {
+nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track) {
   auto people = nlohmann::ordered_json::array();
-  for (const ClipPerson& p : track.people) {
+  for (const tracking::ClipPerson& p : track.people) {
     people.push_back({{"id", p.id}, {"tracked", p.found}, {"residual_mm", 1e3 * p.residual}});
     addStature(people.back(), p.stature);
     addFacing(people.back(), p.facing);
-    people.back()["warnings"] = trackWarnings(p);
+    people.back()["warnings"] = tracking::trackWarnings(p);
   }
   return people;
 }

@@ -5,12 +5,12 @@
 
 namespace abstand::cli {
 
-void WarmStartArguments::apply(SessionOptions& session) const {
+void WarmStartArguments::apply(session::SessionOptions& session) const {
   if (cold && warm) throw UsageError("--cold and --remember contradict each other: expected one of them");
   if (cold) session.remember = false;
   if (warm) session.remember = true;
   if (!tolerance.empty())
-    session.far_tolerance = numberWithin(tolerance, "--tolerance", 0.0, kMaxFarTolerance, "");
+    session.far_tolerance = numberWithin(tolerance, "--tolerance", 0.0, scene::kMaxFarTolerance, "");
 }
 
 void addWarmStart(CLI::App& command, WarmStartArguments& args) {
@@ -22,18 +22,18 @@ void addWarmStart(CLI::App& command, WarmStartArguments& args) {
                      "start from their last answer (default: the scene's, else 0.002)");
 }
 
-nlohmann::ordered_json warmStartJson(const RunSummary& s) {
+nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
   if (!s.warm_start) return nullptr;
-  nlohmann::ordered_json j{{"block_frames", nullptr}, {"far_from_m", kFarFrom}};
+  nlohmann::ordered_json j{{"block_frames", nullptr}, {"far_from_m", query::kFarFrom}};
   if (s.warm_start->block > 0) j["block_frames"] = s.warm_start->block;
   j["far_tolerance"] = s.warm_start->far_tolerance;
   return j;
 }
 
-std::string warmStartText(const RunSummary& s) {
+std::string warmStartText(const run::RunSummary& s) {
   if (!s.warm_start) return {};
   return format(
-      "warm start: beyond %.1f m distances are at most %.3g %% above the smallest%s\n", kFarFrom,
+      "warm start: beyond %.1f m distances are at most %.3g %% above the smallest%s\n", query::kFarFrom,
       100.0 * s.warm_start->far_tolerance,
       s.warm_start->block > 0 ? format("; every %zu frames start cold", s.warm_start->block).c_str() : "");
 }

@@ -11,14 +11,14 @@ struct WarmStartArguments {
   bool cold{false}, warm{false};
   std::string tolerance;
   /// Throws UsageError.
-  void apply(SessionOptions& session) const;
+  void apply(session::SessionOptions& session) const;
 };
 
 void addWarmStart(CLI::App& command, WarmStartArguments& args);
 
 /// null: every frame started cold.
-nlohmann::ordered_json warmStartJson(const RunSummary& summary);
+nlohmann::ordered_json warmStartJson(const run::RunSummary& summary);
 /// A line, or nothing.
-std::string warmStartText(const RunSummary& summary);
+std::string warmStartText(const run::RunSummary& summary);
 
 }  // namespace abstand::cli

@@ -5,12 +5,12 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 namespace {
 
-std::string nameOf(const SceneDescription& scene, const std::string& robot) {
+std::string nameOf(const scene_file::SceneDescription& scene, const std::string& robot) {
   std::vector<std::string> names;
-  for (const MechanismDescription& m : scene.mechanisms) names.push_back(m.name);
+  for (const scene_file::MechanismDescription& m : scene.mechanisms) names.push_back(m.name);
   if (names.empty())
     throw UsageError("--robot: found a scene without a mechanism, expected one with a robot");
   if (robot.empty() && names.size() == 1) return names.front();
@@ -22,24 +22,24 @@ std::string nameOf(const SceneDescription& scene, const std::string& robot) {
 }
 
 /// Nobody asks for its distances, so nothing else of the scene is loaded, and no pairs.
-SceneDescription alone(SceneDescription scene, const std::string& robot) {
-  std::erase_if(scene.mechanisms, [&](const MechanismDescription& m) { return m.name != robot; });
+scene_file::SceneDescription alone(scene_file::SceneDescription scene, const std::string& robot) {
+  std::erase_if(scene.mechanisms, [&](const scene_file::MechanismDescription& m) { return m.name != robot; });
   scene.mechanisms.front().reaction.reset();
   scene.humans.clear();
   scene.objects.clear();
   scene.pairs = {};
-  scene.pairs.standard = PairDefault::kNone;
+  scene.pairs.standard = scene_file::PairDefault::kNone;
   scene.threads = {};
   return scene;
 }
 
 }  // namespace
 
-CalibrationLinks::CalibrationLinks(SceneDescription scene, const std::string& robot,
-                                   const SessionOptions& options)
+CalibrationLinks::CalibrationLinks(scene_file::SceneDescription scene, const std::string& robot,
+                                   const session::SessionOptions& options)
     : robot_(nameOf(scene, robot)),
-      session_(std::make_unique<Session>(alone(std::move(scene), robot_), options)) {
-  for (const Object& object : session_->scene().objects())
+      session_(std::make_unique<session::Session>(alone(std::move(scene), robot_), options)) {
+  for (const scene::Object& object : session_->scene().objects())
     surfaces_.push_back(object.spec.structure->surface.get());
   if (surfaces_.empty())
     throw UsageError("--robot: found no links of '" + robot_ + "', expected some with shapes or meshes");
@@ -48,8 +48,8 @@ CalibrationLinks::CalibrationLinks(SceneDescription scene, const std::string& ro
 std::vector<Transform> CalibrationLinks::at(double t) {
   session_->applyMotion(t);
   std::vector<Transform> X_WB;
-  for (const Object& object : session_->scene().objects()) X_WB.push_back(object.X_WB);
+  for (const scene::Object& object : session_->scene().objects()) X_WB.push_back(object.X_WB);
   return X_WB;
 }
 
-}  // namespace abstand
+}  // namespace abstand::depth

@@ -5,24 +5,25 @@
 
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 
 /// Owns a session of that robot alone.
 class CalibrationLinks {
  public:
   /// `robot`: name of a mechanism of the scene; empty where it has one alone. Throws UsageError where there
   /// is no such robot, or it has no links, and ParseError for its files.
-  CalibrationLinks(SceneDescription scene, const std::string& robot, const SessionOptions& options);
+  CalibrationLinks(scene_file::SceneDescription scene, const std::string& robot,
+                   const session::SessionOptions& options);
 
   const std::string& robot() const { return robot_; }
-  const std::vector<const Surface*>& surfaces() const { return surfaces_; }
+  const std::vector<const geometry::Surface*>& surfaces() const { return surfaces_; }
   /// Poses of surfaces() at time t (s) of the scene, in world.
   std::vector<Transform> at(double t);
 
  private:
   std::string robot_;
-  std::unique_ptr<Session> session_;
-  std::vector<const Surface*> surfaces_;
+  std::unique_ptr<session::Session> session_;
+  std::vector<const geometry::Surface*> surfaces_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::depth

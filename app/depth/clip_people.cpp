@@ -8,22 +8,22 @@
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 namespace {
 
-using enum Joint;
+using enum humanmodel::Joint;
 
 /// Structures that nobody asks for distances are built in the shortest time: coarse, with so many points that
 /// they are not balanced.
 constexpr double kCoarse = 0.01, kManyPoints = 0.006;  // m
 
 /// z of the lowest skin of each of some frames.
-std::vector<double> lowestSkin(const Recording& recording, double stature) {
-  const SkinBody skin(stature, {});
+std::vector<double> lowestSkin(const tracking::Recording& recording, double stature) {
+  const tracking::SkinBody skin(stature, {});
   std::vector<double> lowest;
-  for (const std::size_t i : sampleIndices(recording.frames.size())) {
-    Bounds all;
-    for (const SkinPart& part : skin.wrap(recording.frames[i]))
+  for (const std::size_t i : tracking::sampleIndices(recording.frames.size())) {
+    geometry::Bounds all;
+    for (const tracking::SkinPart& part : skin.wrap(recording.frames[i]))
       for (const Vector3d& p : part.mesh.vertices) all.add(p);
     if (std::isfinite(all.lower.z())) lowest.push_back(all.lower.z());
   }
@@ -32,42 +32,42 @@ std::vector<double> lowestSkin(const Recording& recording, double stature) {
 
 }  // namespace
 
-ClipPeople::ClipPeople(const Session& session) {
+ClipPeople::ClipPeople(const session::Session& session) {
   for (std::size_t i = 0; i < session.humans().size(); ++i) {
-    const RecordingDescription& d = session.description().humans[i].recording;
+    const scene_file::RecordingDescription& d = session.description().humans[i].recording;
     people_.push_back({session.humans()[i].get(), fromXyzRpy(d.place_xyz, Vector3d(0, 0, d.place_yaw))});
   }
 }
 
-SkeletonFrame ClipPeople::at(std::size_t person, double t) const {
+humanmodel::SkeletonFrame ClipPeople::at(std::size_t person, double t) const {
   const auto& [driver, X_WR] = people_[person];
-  SkeletonFrame frame = driver->recording() ? driver->recording()->at(t) : driver->model().rest;
+  humanmodel::SkeletonFrame frame = driver->recording() ? driver->recording()->at(t) : driver->model().rest;
   frame.t = t;
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    if (frame.has(static_cast<Joint>(j))) frame.p[j] = X_WR * frame.p[j];
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (frame.has(static_cast<humanmodel::Joint>(j))) frame.p[j] = X_WR * frame.p[j];
   return frame;
 }
 
 double ClipPeople::stature(std::size_t person) const {
-  const HumanDriver& driver = *people_[person].driver;
+  const session::HumanDriver& driver = *people_[person].driver;
   const double height = driver.model().height;
-  return driver.recording() ? statureOfLegs(driver.recording()->frames).value_or(height) : height;
+  return driver.recording() ? tracking::statureOfLegs(driver.recording()->frames).value_or(height) : height;
 }
 
-SceneDescription sceneOf(const std::filesystem::path& file, std::optional<double> height) {
-  HumanDescription human;
+scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::optional<double> height) {
+  scene_file::HumanDescription human;
   human.name = "person";
   human.pos = {file.string()};
   human.recording.file = file;
-  Recording recording = openRecording(file);
-  const std::optional<double> legs = statureOfLegs(recording.frames);
+  tracking::Recording recording = tracking::openRecording(file);
+  const std::optional<double> legs = tracking::statureOfLegs(recording.frames);
   human.height = height.value_or(legs.value_or(human.height));
   if (height && legs) {
-    RecordingOptions options;
+    tracking::RecordingOptions options;
     options.units = human.recording.units = formatDouble(recording.report.scale * *height / *legs);
-    recording = openRecording(file, options);
+    recording = tracking::openRecording(file, options);
   }
-  for (const SkeletonFrame& f : recording.frames) {
+  for (const humanmodel::SkeletonFrame& f : recording.frames) {
     if (!f.has(kHipLeft) || !f.has(kHipRight)) continue;
     const Vector3d left = f[kHipLeft] - f[kHipRight];
     const Vector3d middle = 0.5 * (f[kHipLeft] + f[kHipRight]);
@@ -78,16 +78,16 @@ SceneDescription sceneOf(const std::filesystem::path& file, std::optional<double
     break;
   }
   const std::vector<double> lowest = lowestSkin(recording, human.height);
-  if (!lowest.empty()) human.recording.place_xyz.z() = -quantile(lowest, 0.1);
+  if (!lowest.empty()) human.recording.place_xyz.z() = -tracking::quantile(lowest, 0.1);
 
-  SceneDescription scene;
+  scene_file::SceneDescription scene;
   scene.file = file;
   scene.defaults.haptic.voxel_size = kCoarse;
   scene.defaults.haptic.point_spacing = kManyPoints;
   scene.defaults.haptic.outer_layers = 1;
-  scene.pairs.standard = PairDefault::kNone;
+  scene.pairs.standard = scene_file::PairDefault::kNone;
   scene.humans.push_back(std::move(human));
   return scene;
 }
 
-}  // namespace abstand
+}  // namespace abstand::depth

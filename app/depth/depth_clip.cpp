@@ -13,20 +13,20 @@
 #include "tracking/depth/formats/freenect_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 namespace {
 
 constexpr double kUsualDistance = 2.8;  // m
 constexpr double kWallBehind = 1.5;     // m
 constexpr double kWallHeight = 3.0, kRoomBreadth = 8.0;
 
-TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+geometry::TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
 /// Floor and back wall, in world.
-std::vector<TriangleMesh> roomFor(const DepthCamera& camera, const ClipPeople& people,
-                                  std::span<const double> times) {
+std::vector<geometry::TriangleMesh> roomFor(const tracking::DepthCamera& camera, const ClipPeople& people,
+                                            std::span<const double> times) {
   const Vector3d eye = camera.X_WC.translation();
   Vector3d ahead = camera.X_WC.linear().col(2);
   ahead.z() = 0.0;
@@ -48,9 +48,10 @@ std::vector<TriangleMesh> roomFor(const DepthCamera& camera, const ClipPeople& p
 
 void writeTruth(const ClipPeople& people, std::span<const double> times, OutputFolder& folder) {
   for (std::size_t i = 0; i < people.size(); ++i) {
-    Recording truth;
+    tracking::Recording truth;
     for (const double t : times) truth.frames.push_back(people.at(i, t));
-    writeSkeletonCsv(folder.place(i == 0 ? "truth.csv" : "truth_" + std::to_string(i + 1) + ".csv"), truth);
+    tracking::writeSkeletonCsv(folder.place(i == 0 ? "truth.csv" : "truth_" + std::to_string(i + 1) + ".csv"),
+                               truth);
   }
 }
 
@@ -60,17 +61,17 @@ class ClipFiles {
   ClipFiles(ClipFormat form, double depth_scale, OutputFolder& folder)
       : format_{form}, depth_scale_{depth_scale}, folder_{folder} {}
 
-  void add(double t, const DepthImage& image) {
+  void add(double t, const tracking::DepthImage& image) {
     char name[64], line[96];
     if (format_ == ClipFormat::kFreenect) {
       const auto stamp = static_cast<std::uint32_t>(std::llround(1e6 * t));
       std::snprintf(name, sizeof name, "d-%.6f-%u.pgm", t, static_cast<unsigned>(stamp));
       std::snprintf(line, sizeof line, "%s\n", name);
-      writeFile(folder_.place(name), freenectDump(image));
+      writeFile(folder_.place(name), tracking::freenectDump(image));
     } else {
       std::snprintf(name, sizeof name, "depth_%06zu.png", count_);
       std::snprintf(line, sizeof line, "%.6f %s\n", t, name);
-      saveDepthPng(image, depth_scale_, folder_.place(name));
+      tracking::saveDepthPng(image, depth_scale_, folder_.place(name));
     }
     list_ += line;
     ++count_;
@@ -90,8 +91,8 @@ class ClipFiles {
   std::size_t count_{0};
 };
 
-void checkFreenect(const DepthCamera& camera, std::span<const double> times) {
-  if (camera.width != kKinectWidth || camera.height != kKinectHeight)
+void checkFreenect(const tracking::DepthCamera& camera, std::span<const double> times) {
+  if (camera.width != tracking::kKinectWidth || camera.height != tracking::kKinectHeight)
     throw UsageError("--format freenect: found a camera of " + std::to_string(camera.width) + " x " +
                      std::to_string(camera.height) + " pixels, expected 640 x 480, those of its driver");
   if (!camera.distortion.isZero(0.0))
@@ -103,25 +104,25 @@ void checkFreenect(const DepthCamera& camera, std::span<const double> times) {
 
 }  // namespace
 
-DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
+DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder_name) {
-  DepthRender render(options.camera);
+  tracking::DepthRender render(options.camera);
   const std::vector<double> times =
-      timesBetween(session.frameTimes(options.rate), options.start, options.end);
+      session::timesBetween(session.frameTimes(options.rate), options.start, options.end);
   if (options.format == ClipFormat::kFreenect) checkFreenect(options.camera, times);
   OutputFolder folder(folder_name);
-  writeFile(folder.place("camera.yaml"), describeDepthCamera(options.camera));
+  writeFile(folder.place("camera.yaml"), tracking::describeDepthCamera(options.camera));
 
   const SceneThings things(session, !options.skin);
   const ClipPeople people(session);
-  std::vector<SkinBody> skins;
+  std::vector<tracking::SkinBody> skins;
   for (std::size_t i = 0; options.skin && i < people.size(); ++i) {
-    SkinOptions own = *options.skin;
+    tracking::SkinOptions own = *options.skin;
     if (own.seed != 0) own.seed += i;
     skins.emplace_back(people.stature(i), own);
   }
-  const std::vector<TriangleMesh> room =
-      options.room ? roomFor(options.camera, people, times) : std::vector<TriangleMesh>{};
+  const std::vector<geometry::TriangleMesh> room =
+      options.room ? roomFor(options.camera, people, times) : std::vector<geometry::TriangleMesh>{};
   const Transform X_CW = options.camera.X_WC.inverse();
   DepthClipSummary summary;
   std::size_t measured = 0;
@@ -135,11 +136,12 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
     render.clear();
     things.draw(X_CW, render);
     for (std::size_t k = 0; k < skins.size(); ++k)
-      for (const SkinPart& part : skins[k].wrap(people.at(k, times[i]))) render.draw(part.mesh, X_CW);
-    for (const TriangleMesh& wall : room) render.draw(wall, X_CW);
-    const DepthImage image =
-        options.noise ? seenByKinect(render.image(), options.camera, *options.noise, options.seed, i)
-                      : render.image();
+      for (const tracking::SkinPart& part : skins[k].wrap(people.at(k, times[i])))
+        render.draw(part.mesh, X_CW);
+    for (const geometry::TriangleMesh& wall : room) render.draw(wall, X_CW);
+    const tracking::DepthImage image = options.noise ? tracking::seenByKinect(render.image(), options.camera,
+                                                                              *options.noise, options.seed, i)
+                                                     : render.image();
     for (const float z : image.z) measured += z > 0.0f;
     files.add(times[i], image);
     ++summary.frames;
@@ -153,16 +155,16 @@ DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& option
   return summary;
 }
 
-Transform usualView(Session& session) {
+Transform usualView(session::Session& session) {
   session.applyMotion(session.frameTimes().front());
   const std::string group = session.humans().empty() ? "" : session.description().humans.front().name;
-  Bounds bounds;
-  for (const Object& object : session.scene().objects()) {
+  geometry::Bounds bounds;
+  for (const scene::Object& object : session.scene().objects()) {
     if (!group.empty() && object.spec.group != group) continue;
     bounds.add(object.X_WB * object.spec.structure->bounding_sphere.centre);
   }
   const Vector3d middle = bounds.centre();
-  return lookingAt(middle + Vector3d(kUsualDistance, 0, 0), middle);
+  return tracking::lookingAt(middle + Vector3d(kUsualDistance, 0, 0), middle);
 }
 
-}  // namespace abstand
+}  // namespace abstand::depth

@@ -10,7 +10,7 @@
 #include "tracking/depth/simulator/kinect_noise.hpp"
 #include "tracking/depth/simulator/skin_body.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 
 /// How the images of a clip lie on disk.
 enum class ClipFormat : std::uint8_t {
@@ -20,10 +20,11 @@ enum class ClipFormat : std::uint8_t {
 
 struct DepthClipOptions {
   ClipFormat format{ClipFormat::kPng};
-  DepthCamera camera;
-  std::optional<SkinOptions> skin;   ///< people are bodies of smooth skin; none: their parts in the scene
-  bool room{false};                  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
-  std::optional<KinectNoise> noise;  ///< none: an ideal camera
+  tracking::DepthCamera camera;
+  std::optional<tracking::SkinOptions>
+      skin;          ///< people are bodies of smooth skin; none: their parts in the scene
+  bool room{false};  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
+  std::optional<tracking::KinectNoise> noise;  ///< none: an ideal camera
   std::uint64_t seed{1};
   double rate{30.0};                 ///< frames a second
   std::optional<double> start, end;  ///< s
@@ -44,11 +45,11 @@ struct DepthClipSummary {
 /// `truth.csv`, a table of the joints that were shown (world, m); of the others `truth_2.csv` and so on.
 /// They appear together: of an interrupted clip those of the images so far, after an error none. Throws
 /// UsageError and WriteError.
-DepthClipSummary writeDepthClip(Session& session, const DepthClipOptions& options,
+DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder);
 
 /// A camera 2.8 m before the first person (of a scene without one: the middle of all objects), level with its
 /// middle, along world x; the bodies are where they are at the session's first frame.
-Transform usualView(Session& session);
+Transform usualView(session::Session& session);
 
-}  // namespace abstand
+}  // namespace abstand::depth

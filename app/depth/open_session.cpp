@@ -2,18 +2,19 @@
 
 #include "app/depth/scene_things.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 
-std::unique_ptr<Session> openSession(SceneDescription scene, SessionOptions options) {
-  SessionOptions same;
+std::unique_ptr<session::Session> openSession(scene_file::SceneDescription scene,
+                                              session::SessionOptions options) {
+  session::SessionOptions same;
   same.cache = options.cache;
   same.monitor = options.monitor;
   std::unique_ptr<RobotView> things;
-  options.known = [&](double t, const DepthCamera& camera) {
+  options.known = [&](double t, const tracking::DepthCamera& camera) {
     if (!things) things = std::make_unique<RobotView>(scene, same);
     return &things->at(t, camera);
   };
-  return std::make_unique<Session>(scene, options);
+  return std::make_unique<session::Session>(scene, options);
 }
 
-}  // namespace abstand
+}  // namespace abstand::depth

@@ -1,23 +1,23 @@
 #include "app/depth/scene_things.hpp"
 
-namespace abstand {
+namespace abstand::depth {
 namespace {
 
 constexpr double kSagitta = 5e-4;  // m, of the meshes of shapes
 
-SceneDescription thingsAlone(SceneDescription scene) {
+scene_file::SceneDescription thingsAlone(scene_file::SceneDescription scene) {
   scene.humans.clear();
   scene.threads.clear();
   scene.pairs = {};
-  scene.pairs.standard = PairDefault::kNone;
+  scene.pairs.standard = scene_file::PairDefault::kNone;
   return scene;
 }
 
 }  // namespace
 
-SceneThings::SceneThings(const Session& session, bool with_people) : scene_(session.scene()) {
+SceneThings::SceneThings(const session::Session& session, bool with_people) : scene_(session.scene()) {
   for (std::size_t k = 0; k < scene_.objects().size(); ++k) {
-    const Object& object = scene_.objects()[k];
+    const scene::Object& object = scene_.objects()[k];
     bool is_person = false;
     for (const auto& human : session.description().humans) is_person |= human.name == object.spec.group;
     if (is_person && !with_people) continue;
@@ -25,14 +25,14 @@ SceneThings::SceneThings(const Session& session, bool with_people) : scene_(sess
   }
 }
 
-void SceneThings::draw(const Transform& X_CW, DepthRender& render) const {
+void SceneThings::draw(const Transform& X_CW, tracking::DepthRender& render) const {
   for (const auto& [k, mesh] : meshes_) render.draw(mesh, X_CW * scene_.objects()[k].X_WB);
 }
 
-RobotView::RobotView(SceneDescription scene, const SessionOptions& options)
+RobotView::RobotView(scene_file::SceneDescription scene, const session::SessionOptions& options)
     : session_(thingsAlone(std::move(scene)), options), things_(session_, false) {}
 
-const DepthImage& RobotView::at(double t, const DepthCamera& camera) {
+const tracking::DepthImage& RobotView::at(double t, const tracking::DepthCamera& camera) {
   if (!render_) render_.emplace(camera);
   session_.applyMotion(t);
   render_->clear();
@@ -40,4 +40,4 @@ const DepthImage& RobotView::at(double t, const DepthCamera& camera) {
   return render_->image();
 }
 
-}  // namespace abstand
+}  // namespace abstand::depth

@@ -6,16 +6,16 @@
 #include "core/mechanism/link_inertia.hpp"
 #include "core/query/penalty_force.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
-ClosedLoop::ClosedLoop(Session& session, double t) : session_(session), start_(t), t_(t) {
-  const Scene& scene = session.scene();
-  const std::vector<bool> people = partsOfPeople(scene, session.humans());
+ClosedLoop::ClosedLoop(session::Session& session, double t) : session_(session), start_(t), t_(t) {
+  const scene::Scene& scene = session.scene();
+  const std::vector<bool> people = session::partsOfPeople(scene, session.humans());
   bodies_.resize(scene.objectCount());
   pushed_.resize(scene.objectCount());
   for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
-    const MechanismDescription& description = session.description().mechanisms[m];
-    MechanismDriver& driver = *session.mechanisms()[m];
+    const scene_file::MechanismDescription& description = session.description().mechanisms[m];
+    session::MechanismDriver& driver = *session.mechanisms()[m];
     auto& robot = robots_.emplace_back();
     if (!description.reaction) continue;
     robot = std::make_unique<ReactingRobot>(driver, description, scene, people, world_, t);
@@ -30,16 +30,17 @@ ClosedLoop::ClosedLoop(Session& session, double t) : session_(session), start_(t
 }
 
 void ClosedLoop::addThings() {
-  Scene& scene = session_.scene();
-  for (const ObjectDescription& d : session_.description().objects) {
+  scene::Scene& scene = session_.scene();
+  for (const scene_file::ObjectDescription& d : session_.description().objects) {
     ObjectId id(0);
-    const Object* const object = scene.find(d.name, &id);
+    const scene::Object* const object = scene.find(d.name, &id);
     if (!d.mass || session_.posed(id)) continue;
-    const MassProperties& solid = object->spec.structure->mass_properties;
+    const geometry::MassProperties& solid = object->spec.structure->mass_properties;
     if (!(solid.volume > 0.0))
       throw ParseError(d.pos, "found a `mass` for '" + d.name + "', whose mesh encloses no volume",
                        "a thing that moves needs a solid");
-    const LinkInertia body = inertiaOfSolid(solid, *d.mass / solid.volume, Transform::Identity());
+    const mechanism::LinkInertia body =
+        mechanism::inertiaOfSolid(solid, *d.mass / solid.volume, Transform::Identity());
     const int number = world_.addFreeBody(body, d.X_WB);
     things_.push_back({id, number});
     bodies_[id.index()] = {-1, number};
@@ -48,23 +49,24 @@ void ClosedLoop::addThings() {
 }
 
 void ClosedLoop::push(PairId id) {
-  Scene& scene = session_.scene();
-  const Pair& pair = scene.pairs()[id.index()];
+  scene::Scene& scene = session_.scene();
+  const scene::Pair& pair = scene.pairs()[id.index()];
   const std::size_t a = pair.a.index(), b = pair.b.index();
   if (!(pair.result.distance < 0.0) || !(pushed_[a] || pushed_[b])) return;
-  const Object &object_a = scene.object(pair.a), &object_b = scene.object(pair.b);
-  const PairResult& r = pair.result;
-  PenaltyForce bare{r.force_a, r.torque_a, r.torque_b, r.contacts, r.depth};
+  const scene::Object &object_a = scene.object(pair.a), &object_b = scene.object(pair.b);
+  const query::PairResult& r = pair.result;
+  query::PenaltyForce bare{r.force_a, r.torque_a, r.torque_b, r.contacts, r.depth};
   if (pair.options.margin > 0.0) {
-    PairOptions options = pair.options;
+    query::PairOptions options = pair.options;
     options.margin = 0.0;
-    bare = penaltyForce(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure, object_b.X_WB,
-                        options, scratch_);
+    bare = query::penaltyForce(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure,
+                               object_b.X_WB, options, scratch_);
   }
   if (bare.contacts == 0) return;
-  Contact contact{bare.force_a, bare.torque_a, object_a.p_WCom(), 0.5 * (r.witness_a + r.witness_b), {}};
+  physics::Contact contact{
+      bare.force_a, bare.torque_a, object_a.p_WCom(), 0.5 * (r.witness_a + r.witness_b), {}};
   // What the physics does not move has the velocity of its poses.
-  const auto carry = [&](const Object& o, double sign) {
+  const auto carry = [&](const scene::Object& o, double sign) {
     contact.carried.linear +=
         sign * (o.velocity.linear + o.velocity.angular.cross(Vector3d(contact.near - o.p_WCom())));
     contact.carried.angular += sign * o.velocity.angular;
@@ -75,7 +77,7 @@ void ClosedLoop::push(PairId id) {
 }
 
 void ClosedLoop::move() {
-  Scene& scene = session_.scene();
+  scene::Scene& scene = session_.scene();
   for (const auto& human : session_.humans()) human->glide(t_, scene);
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     if (robots_[m])
@@ -91,7 +93,7 @@ void ClosedLoop::react(double age) {
   session_.sumEfforts();
   double person_age = 0.0;
   for (const auto& human : session_.humans()) person_age = std::max(person_age, human->missing());
-  const Scene& scene = session_.scene();
+  const scene::Scene& scene = session_.scene();
   for (const auto& robot : robots_)
     if (robot) robot->react({t_, kStep, person_age, age}, scene);
   for (const PairId id : scene.touching()) push(id);
@@ -124,7 +126,7 @@ void ClosedLoop::setTorques(bool on) {
     if (robot) robot->setTorques(on);
 }
 
-void ClosedLoop::capture(SceneSnapshot& out) const {
+void ClosedLoop::capture(view::SceneSnapshot& out) const {
   out.loop_start = start_;
   std::size_t n = 0;
   for (const auto& robot : robots_) n += robot ? 1 : 0;
@@ -132,8 +134,8 @@ void ClosedLoop::capture(SceneSnapshot& out) const {
   n = 0;
   for (const auto& robot : robots_) {
     if (!robot) continue;
-    const StopMachine& stops = robot->stops();
-    RobotSnapshot& r = out.robots[n++];
+    const safety::StopMachine& stops = robot->stops();
+    view::RobotSnapshot& r = out.robots[n++];
     r.state = stops.state();
     r.cause = stops.cause();
     r.since = stops.since();
@@ -145,4 +147,4 @@ void ClosedLoop::capture(SceneSnapshot& out) const {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::loop

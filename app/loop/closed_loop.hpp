@@ -4,7 +4,7 @@
 #include "app/loop/reacting_robot.hpp"
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 /// One cycle at time t:
 ///   people and things to where they are at t, links to where the physics put them -> pairs
@@ -19,7 +19,7 @@ class ClosedLoop {
   static constexpr double kStep = 1e-3;  ///< s
 
   /// Robots start on their plans at `t`. Throws ParseError, UsageError. The session must outlive it.
-  ClosedLoop(Session& session, double t);
+  ClosedLoop(session::Session& session, double t);
 
   /// The cycle at time().
   void step();
@@ -36,12 +36,12 @@ class ClosedLoop {
   /// Whether the torques of the reactions reach the motors, from the next cycle on.
   void setTorques(bool on);
   /// Fills robots and loop_start. No allocation once `out` has its sizes.
-  void capture(SceneSnapshot& out) const;
+  void capture(view::SceneSnapshot& out) const;
   double start() const { return start_; }  ///< s, of the first cycle
   double time() const { return t_; }       ///< s, of the next cycle
   /// A null for a mechanism without a reaction; in the order of the session.
   const std::vector<std::unique_ptr<ReactingRobot>>& robots() const { return robots_; }
-  const Session& session() const { return session_; }
+  const session::Session& session() const { return session_; }
 
   /// Things that the physics moves.
   std::size_t freeThings() const { return things_.size(); }
@@ -55,16 +55,16 @@ class ClosedLoop {
   void addThings();
   void push(PairId id);
 
-  Session& session_;
-  PhysicsWorld world_;
+  session::Session& session_;
+  physics::PhysicsWorld world_;
   std::vector<std::unique_ptr<ReactingRobot>> robots_;
   std::vector<Thing> things_;
-  std::vector<PhysicsObject> bodies_;  ///< of each object of the scene
-  std::vector<bool> pushed_;           ///< of each object: it is a body of the physics
+  std::vector<physics::PhysicsObject> bodies_;  ///< of each object of the scene
+  std::vector<bool> pushed_;                    ///< of each object: it is a body of the physics
   double start_, t_;
   long cycles_{0};
-  ContactOptions contact_;
-  PairScratch scratch_;
+  physics::ContactOptions contact_;
+  kernels::PairScratch scratch_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-namespace abstand {
+namespace abstand::loop {
 
 /// Loop thread only.
 class LiveClock {
@@ -25,4 +25,4 @@ class SteadyLiveClock final : public LiveClock {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

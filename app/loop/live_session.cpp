@@ -5,7 +5,7 @@
 
 #include "core/scene/cycle_statistics.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
@@ -22,8 +22,8 @@ struct Overload : Ts... {
 template <class... Ts>
 Overload(Ts...) -> Overload<Ts...>;
 
-SceneSnapshot sized(const Session& session) {
-  SceneSnapshot s;
+view::SceneSnapshot sized(const session::Session& session) {
+  view::SceneSnapshot s;
   session.capture(0.0, s);
   s.robots.resize(session.description().mechanisms.size());
   s.joint_torques.resize(session.jointEfforts().size());
@@ -35,14 +35,15 @@ SceneSnapshot sized(const Session& session) {
 }  // namespace
 
 struct LiveSession::Timing {
-  CycleStatistics statistics{kPeriod};
+  scene::CycleStatistics statistics{kPeriod};
   double last_s{0.0};
   long cycles{0}, overruns{0};  // while playing, since it began or its speed changed
   int periods{1};
   void restart() { cycles = overruns = 0; }
 };
 
-LiveSession::LiveSession(std::unique_ptr<Session> session, double t, std::unique_ptr<LiveClock> clock)
+LiveSession::LiveSession(std::unique_ptr<session::Session> session, double t,
+                         std::unique_ptr<LiveClock> clock)
     : clock_(clock ? std::move(clock) : std::make_unique<SteadyLiveClock>()),
       session_(std::move(session)),
       outline_(session_->outline()),
@@ -65,7 +66,7 @@ LiveSession::LiveSession(std::unique_ptr<Session> session, double t, std::unique
 
 LiveSession::~LiveSession() { stop_ = true; }
 
-bool LiveSession::takeSnapshot(SceneSnapshot& out) {
+bool LiveSession::takeSnapshot(view::SceneSnapshot& out) {
   if (!snapshots_.fresh()) return false;
   out = snapshots_.latest();
   return true;
@@ -163,7 +164,7 @@ void LiveSession::findTorques() {
   std::size_t first = 0;
   for (std::size_t m = 0; m < torques_of_.size(); ++m) {
     const auto n = static_cast<std::size_t>(session_->mechanisms()[m]->dof());
-    const std::span<TorqueParts> own = std::span(joint_torques_).subspan(first, n);
+    const std::span<view::TorqueParts> own = std::span(joint_torques_).subspan(first, n);
     const ReactingRobot* robot = closed_ ? closed_->robots()[m].get() : nullptr;
     if (robot)
       torques_of_[m].update(robot->qd(), robot->qdd(), own);
@@ -188,7 +189,7 @@ void LiveSession::stepFrames(int frames, Timing& timing) {
 }
 
 void LiveSession::publish(const Timing& timing) {
-  SceneSnapshot& s = snapshots_.back();
+  view::SceneSnapshot& s = snapshots_.back();
   session_->capture(t_, s);
   if (closed_) {
     closed_->capture(s);
@@ -236,15 +237,15 @@ void LiveSession::timed(Timing& timing, Work work) {
   ++step_;
   dirty_ = false;
   fresh_ = true;
-  PlotSample sample;
+  view::PlotSample sample;
   sample.t = t_;
   sample.min_distance = kInfinity;
-  const Scene& scene = session_->scene();
+  const scene::Scene& scene = session_->scene();
   if (const auto nearest = scene.nearest()) sample.min_distance = scene.result(*nearest).distance;
   for (const PairId id : scene.touching())
     sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
   findTorques();
-  for (const TorqueParts& joint : joint_torques_) {
+  for (const view::TorqueParts& joint : joint_torques_) {
     const auto raise = [](double& most, double value) { most = std::fmax(most, std::abs(value)); };
     raise(sample.peak_torque.contact, joint.contact);
     raise(sample.peak_torque.reaction, joint.reaction);
@@ -323,4 +324,4 @@ void LiveSession::loop(Timing& timing) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::loop

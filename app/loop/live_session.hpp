@@ -13,7 +13,7 @@
 #include "core/base/spsc_ring.hpp"
 #include "core/base/triple_buffer.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 /// Wishes to the loop, as values.
 namespace command {
@@ -45,7 +45,7 @@ struct Torques {
 };
 struct SetGroup {
   int group;
-  PairGroupState state;
+  view::PairGroupState state;
 };
 struct AddPair {
   int group, pair;
@@ -71,14 +71,15 @@ class LiveSession {
  public:
   /// Starts paused at `t`, reacting, with a first snapshot there. Where a robot cannot react,
   /// outline().cannot_react says why, and nothing does. `clock`: null for the machine's.
-  LiveSession(std::unique_ptr<Session> session, double t, std::unique_ptr<LiveClock> clock = nullptr);
+  LiveSession(std::unique_ptr<session::Session> session, double t,
+              std::unique_ptr<LiveClock> clock = nullptr);
   ~LiveSession();
 
-  const SceneOutline& outline() const { return outline_; }
+  const view::SceneOutline& outline() const { return outline_; }
   /// False when the loop is so far behind that the command was dropped.
   bool send(const Command& command) { return commands_.push(command); }
-  bool takeSnapshot(SceneSnapshot& out);
-  void drainPlot(std::vector<PlotSample>& out) { plot_.drainInto(out); }
+  bool takeSnapshot(view::SceneSnapshot& out);
+  void drainPlot(std::vector<view::PlotSample>& out) { plot_.drainInto(out); }
   /// Plot samples that found no room.
   long samplesLost() const { return samples_lost_.load(std::memory_order_relaxed); }
 
@@ -104,11 +105,11 @@ class LiveSession {
   void publish(const Timing& timing);
 
   std::unique_ptr<LiveClock> clock_;
-  std::unique_ptr<Session> session_;
-  SceneOutline outline_;
+  std::unique_ptr<session::Session> session_;
+  view::SceneOutline outline_;
   SpscRing<Command, 256> commands_;
-  TripleBuffer<SceneSnapshot> snapshots_;
-  SpscRing<PlotSample, 16384> plot_;
+  TripleBuffer<view::SceneSnapshot> snapshots_;
+  SpscRing<view::PlotSample, 16384> plot_;
   std::atomic<long> samples_lost_{0};
   std::atomic<bool> stop_{false};
 
@@ -118,9 +119,9 @@ class LiveSession {
   std::vector<Command> pending_;
   double t_{0.0}, speed_{1.0};
   PlayPace pace_;
-  PairControl control_;
-  std::vector<JointTorques> torques_of_;    ///< of each mechanism
-  std::vector<TorqueParts> joint_torques_;  ///< of all joints
+  session::PairControl control_;
+  std::vector<session::JointTorques> torques_of_;  ///< of each mechanism
+  std::vector<view::TorqueParts> joint_torques_;   ///< of all joints
   bool torques_on_{true};
   bool playing_{false}, looping_{true};
   bool dirty_{true};  ///< t_ is not what the scene shows
@@ -131,4 +132,4 @@ class LiveSession {
   std::jthread thread_;  // last: joined before the rest dies
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -7,7 +7,7 @@
 
 #include "app/loop/closed_loop.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 struct ReactionReport {
   struct Extreme {
@@ -18,14 +18,14 @@ struct ReactionReport {
   bool positioned{false};
   std::optional<Extreme> nearest, nearest_person;  ///< m, as in RobotRecord
   RobotRecord record;
-  std::vector<StopEntry> stops;    ///< the last ones
-  std::vector<std::string> lines;  ///< the same as sentences
-  std::size_t stop_count{0};       ///< ever
-  StopState state{StopState::kRunning};
+  std::vector<safety::StopEntry> stops;  ///< the last ones
+  std::vector<std::string> lines;        ///< the same as sentences
+  std::size_t stop_count{0};             ///< ever
+  safety::StopState state{safety::StopState::kRunning};
   std::string remark;  ///< massRemark(); empty: its own inertia served
 };
 
 /// Of the robots that react, in the order of the session.
 std::vector<ReactionReport> reportOf(const ClosedLoop& loop);
 
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -1,8 +1,8 @@
 #include "app/loop/motion_clock.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
-MotionClock::MotionClock(const MotionTable* motion, std::span<const double> q, double start)
+MotionClock::MotionClock(const mechanism::MotionTable* motion, std::span<const double> q, double start)
     : q_(q.begin(), q.end()), qd_(q.size(), 0.0), qdd_(q.size(), 0.0), full_(q.size(), 0.0), time_(start) {
   if (motion) motion_.emplace(*motion);
   look(1.0);
@@ -22,4 +22,4 @@ void MotionClock::look(double scale) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::loop

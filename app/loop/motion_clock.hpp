@@ -7,7 +7,7 @@
 #include "core/control/hold.hpp"
 #include "core/mechanism/smooth_motion.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 /// The motion of a mechanism, made smooth, or rest at its joint values. Its clock runs at the speed scale, so
 /// a robot that was slowed down or stopped goes on where it was. One thread; no allocation after
@@ -15,12 +15,12 @@ namespace abstand {
 class MotionClock {
  public:
   /// `motion`: null for rest at `q`.
-  MotionClock(const MotionTable* motion, std::span<const double> q, double start);
+  MotionClock(const mechanism::MotionTable* motion, std::span<const double> q, double start);
 
   /// Goes on by `dt` seconds at the share `scale` (0 to 1) of the planned speed.
   void advance(double dt, double scale);
   /// Where the robot should be, at the present share of the planned speed: qd and qdd are those of its time.
-  PlannedMotion now() const { return {q_, qd_, qdd_}; }
+  control::PlannedMotion now() const { return {q_, qd_, qdd_}; }
   /// rad/s or m/s, at full speed.
   std::span<const double> fullSpeed() const { return full_; }
   double time() const { return time_; }  ///< s, on its own clock
@@ -28,9 +28,9 @@ class MotionClock {
  private:
   void look(double scale);
 
-  std::optional<SmoothMotion> motion_;
+  std::optional<mechanism::SmoothMotion> motion_;
   std::vector<double> q_, qd_, qdd_, full_;
   double time_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -3,7 +3,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 /// Scene time is due as wall time passes, times the speed; nothing is due twice and nothing is dropped, but
 /// for a lag of more than kMaxLag of wall time, which is given up as a whole: then play is slower than asked
@@ -48,4 +48,4 @@ class PlayPace {
   double factor_{kNaN};
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

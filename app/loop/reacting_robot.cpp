@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 // Of more joints our own forward dynamics is cheaper than ODE's joints (docs/architecture.md).
@@ -14,10 +14,11 @@ constexpr double kBrake = 1e5;
 // rad or m, of a position-controlled joint: nearer, it is where it should be.
 constexpr double kThere = 1e-12;
 
-MechanismSolver solverOf(const RigidTree& tree) {
+physics::MechanismSolver solverOf(const mechanism::RigidTree& tree) {
   const bool weightless = std::any_of(tree.bodies.begin(), tree.bodies.end(),
-                                      [](const TreeBody& body) { return body.mass == 0.0; });
-  return tree.dof > kMaxJointed || weightless ? MechanismSolver::kReduced : MechanismSolver::kJointed;
+                                      [](const mechanism::TreeBody& body) { return body.mass == 0.0; });
+  return tree.dof > kMaxJointed || weightless ? physics::MechanismSolver::kReduced
+                                              : physics::MechanismSolver::kJointed;
 }
 
 void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {
@@ -26,24 +27,25 @@ void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {
 
 }  // namespace
 
-ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription& description,
-                             const Scene& scene, const std::vector<bool>& people, PhysicsWorld& world,
-                             double t)
+ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
+                             const scene_file::MechanismDescription& description, const scene::Scene& scene,
+                             const std::vector<bool>& people, physics::PhysicsWorld& world, double t)
     : driver_(driver),
       world_(world),
       hold_(description.reaction->hold),
-      reaction_(*description.reaction, driver.dof(), scene.pairs().size(), dofLimits(driver.mechanism())),
+      reaction_(*description.reaction, driver.dof(), scene.pairs().size(),
+                mechanism::dofLimits(driver.mechanism())),
       pairs_(driver, scene, people, *description.reaction),
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
-      tree_(makeRigidTree(driver.mechanism())),
-      gravity_B_(driver.X_WB().linear().transpose() * kGravity),
-      limits_(dofLimits(driver.mechanism())) {
+      tree_(mechanism::makeRigidTree(driver.mechanism())),
+      gravity_B_(driver.X_WB().linear().transpose() * mechanism::kGravity),
+      limits_(mechanism::dofLimits(driver.mechanism())) {
   if (description.reaction->braking)
     braking_.emplace(driver, scene, pairs_.own(), *description.reaction->braking);
-  if (const auto link = HeldLink::find(description, *description.reaction))
+  if (const auto link = session::HeldLink::find(description, *description.reaction))
     held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   const auto n = static_cast<std::size_t>(driver.dof());
-  const PlannedMotion plan = plan_.now();
+  const control::PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
   qd_.assign(plan.qd.begin(), plan.qd.end());
   // A plan that is faster than the robot begins at the robot's speed.
@@ -56,11 +58,11 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
   if (description.reaction->admittance) {
     wanted_ = last_wanted_ = q_;
     const bool weightless = std::any_of(tree_.bodies.begin(), tree_.bodies.end(),
-                                        [](const TreeBody& body) { return body.mass == 0.0; });
+                                        [](const mechanism::TreeBody& body) { return body.mass == 0.0; });
     if (!weightless) limiter_.emplace(limits_.limits());
     return;
   }
-  MechanismOptions options;
+  physics::MechanismOptions options;
   options.solver = solverOf(tree_);
   try {
     number_ = world.addMechanism(driver.mechanism(), driver.X_WB(), options);
@@ -71,12 +73,13 @@ ReactingRobot::ReactingRobot(MechanismDriver& driver, const MechanismDescription
   world.mechanism(number_).setState(q_, qd_);
 }
 
-void ReactingRobot::place(double t, Scene& scene) {
+void ReactingRobot::place(double t, scene::Scene& scene) {
   driver_.moveTo(q_, t, scene);
   if (held_) held_->place(t, scene);
 }
 
-void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene) {
+void ReactingRobot::look(double t, double h, std::span<const control::ReactionPair> pairs,
+                         const scene::Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairId id = pairs_.own()[i].id;
     if (scene.pairs()[id.index()].paused) continue;  // what it says is stale
@@ -92,10 +95,10 @@ void ReactingRobot::look(double t, double h, std::span<const ReactionPair> pairs
   if (scale_ < 1.0) record_.slowed += h;
 }
 
-void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
+void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
   const double h = cycle.h;
   h_ = h;
-  ReactionInput input;
+  control::ReactionInput input;
   input.t = cycle.t;
   input.dt = h;
   input.q = q_;
@@ -108,14 +111,14 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   if (held_) held_->addEfforts(efforts_);
   if (held_) input.held = &held_->look(scene);
   input.efforts = efforts_;
-  const std::optional<StopCause> cause = braking_ ? braking_->look(scene, q_, qd_) : std::nullopt;
+  const std::optional<safety::StopCause> cause = braking_ ? braking_->look(scene, q_, qd_) : std::nullopt;
   if (cause) input.causes = {&*cause, 1};
   input.reset = std::exchange(reset_, false);
   look(cycle.t, h, input.pairs, scene);
 
-  placeBodies(tree_, q_, tree_state_);
-  massMatrix(tree_, tree_state_, mass_);
-  const ReactionOutput out = reaction_.update(input, mass_.M);
+  mechanism::placeBodies(tree_, q_, tree_state_);
+  mechanism::massMatrix(tree_, tree_state_, mass_);
+  const control::ReactionOutput out = reaction_.update(input, mass_.M);
   std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
   for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
   scale_ = out.speed_scale;
@@ -131,29 +134,29 @@ void ReactingRobot::react(const Cycle& cycle, const Scene& scene) {
   plan_.advance(h, scale_);
 }
 
-void ReactingRobot::drive(const ReactionOutput& out) {
+void ReactingRobot::drive(const control::ReactionOutput& out) {
   brake(out.brakes);
   if (braked_) return;
-  hold(hold_, plan_.now(), q_, qd_, acceleration_);
-  inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  control::hold(hold_, plan_.now(), q_, qd_, acceleration_);
+  mechanism::inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
   for (std::size_t i = 0; i < q_.size(); ++i)
     world_.setJointEffort(number_, static_cast<int>(i), hold_efforts_[i] + torque_[i]);
 }
 
 /// The next joint values: where plan and offset say, or, where the joints cannot be there in a cycle, on the
 /// way there, slowly enough to stop in time.
-void ReactingRobot::position(const ReactionOutput& out, double h) {
-  const PlannedMotion plan = plan_.now();
+void ReactingRobot::position(const control::ReactionOutput& out, double h) {
+  const control::PlannedMotion plan = plan_.now();
   std::swap(wanted_, last_wanted_);
   for (std::size_t i = 0; i < q_.size(); ++i) {
     wanted_[i] = out.brakes ? q_[i] : plan.q[i] + out.offset[i];
     if (out.brakes) last_wanted_[i] = q_[i];
     const double behind = last_wanted_[i] - q_[i];
-    DofLimits reach;
+    mechanism::DofLimits reach;
     reach.upper = std::abs(behind);
     const double braking = limiter_ ? limiter_->braking(mass_, bias_, i) : limits_.limits()[i].acceleration;
     next_qd_[i] = (wanted_[i] - last_wanted_[i]) / h +
-                  std::copysign(velocityBounds(reach, 0.0, 0.0, braking, h).upper, behind);
+                  std::copysign(mechanism::velocityBounds(reach, 0.0, 0.0, braking, h).upper, behind);
   }
   limitPosition(h);
   for (std::size_t i = 0; i < q_.size(); ++i) {
@@ -164,18 +167,19 @@ void ReactingRobot::position(const ReactionOutput& out, double h) {
 
 void ReactingRobot::limitPosition(double h) {
   const auto& limits = limits_.limits();
-  const bool weighed = limiter_ && factor(mass_) < 0;
+  const bool weighed = limiter_ && mechanism::factor(mass_) < 0;
   if (!weighed) {
     for (std::size_t i = 0; i < q_.size(); ++i) {
-      const VelocityBounds b = velocityBounds(limits[i], q_[i], qd_[i], limits[i].acceleration, h);
+      const mechanism::VelocityBounds b =
+          mechanism::velocityBounds(limits[i], q_[i], qd_[i], limits[i].acceleration, h);
       next_qd_[i] = std::clamp(next_qd_[i], b.lower, b.upper);
     }
     return;
   }
   // What its motors would have to give, what they can, and where that leads.
   for (std::size_t i = 0; i < q_.size(); ++i) acceleration_[i] = (next_qd_[i] - qd_[i]) / h;
-  inverseDynamics(tree_, q_, qd_, {}, gravity_B_, {}, tree_state_, bias_);
-  inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  mechanism::inverseDynamics(tree_, q_, qd_, {}, gravity_B_, {}, tree_state_, bias_);
+  mechanism::inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
   bool able = true;
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const double most = limits[i].effort;
@@ -184,7 +188,7 @@ void ReactingRobot::limitPosition(double h) {
   }
   if (!able) {
     for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] = h * (hold_efforts_[i] - bias_[i]);
-    solveMass(mass_, next_qd_);
+    mechanism::solveMass(mass_, next_qd_);
     for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] += qd_[i];
   }
   limiter_->limit(mass_, {h, q_, qd_, bias_, hold_efforts_, next_qd_, applied_});
@@ -195,7 +199,7 @@ void ReactingRobot::brake(bool on) {
   braked_ = on;
   for (int dof = 0; dof < driver_.dof(); ++dof) {
     double most = 0.0;
-    for (const MechanismFrame& f : driver_.mechanism().frames)
+    for (const mechanism::MechanismFrame& f : driver_.mechanism().frames)
       if (on && f.dof == dof)
         most = std::isfinite(f.limits.effort) ? std::max(most, f.limits.effort) : kBrake;
     world_.setMotor(number_, dof, 0.0, most);
@@ -216,4 +220,4 @@ void ReactingRobot::follow() {
   std::copy(qd.begin(), qd.end(), qd_.begin());
 }
 
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -9,7 +9,7 @@
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/physics_world.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 
 /// What a robot went through, so far. Of the cycles in which somebody could look.
 struct RobotRecord {
@@ -35,66 +35,67 @@ class ReactingRobot {
  public:
   /// Starts on its plan at `t`, moving as planned. Throws ParseError for a mechanism that the physics cannot
   /// move. Driver, scene and world must outlive it.
-  ReactingRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
-                const std::vector<bool>& people, PhysicsWorld& world, double t);
+  ReactingRobot(session::MechanismDriver& driver, const scene_file::MechanismDescription& description,
+                const scene::Scene& scene, const std::vector<bool>& people, physics::PhysicsWorld& world,
+                double t);
 
   /// A person lets it go on, in the next react().
   void reset() { reset_ = true; }
   /// Whether the torques of its reaction reach its motors.
   void setTorques(bool on) { reaction_.setTorques(on); }
   /// Puts the links where they are now.
-  void place(double t, Scene& scene);
+  void place(double t, scene::Scene& scene);
   /// A cycle: its time and how long it lasts, and how old (s) the person least known and the oldest result of
   /// a pair are.
   struct Cycle {
     double t, h, person_age, result_age;
   };
   /// After the scene's step: looks at its pairs, and tells its motors what to do until the next cycle.
-  void react(const Cycle& cycle, const Scene& scene);
+  void react(const Cycle& cycle, const scene::Scene& scene);
   /// After the world's step.
   void follow();
 
-  const RobotPairs& pairs() const { return pairs_; }
+  const session::RobotPairs& pairs() const { return pairs_; }
   const RobotRecord& record() const { return record_; }
-  const StopMachine& stops() const { return reaction_.stops(); }
+  const safety::StopMachine& stops() const { return reaction_.stops(); }
   /// What position, velocity, acceleration and effort did against the robot's limits, in every cycle.
-  const JointLimitWatch& limits() const { return limits_; }
+  const mechanism::JointLimitWatch& limits() const { return limits_; }
   /// N m or N, of the motors in the last cycle: all laws together, within the joints' limits. Of a
   /// position-controlled robot without masses 0.
   std::span<const double> applied() const { return applied_; }
   bool positioned() const { return number_ < 0; }  ///< position-controlled
   int number() const { return number_; }           ///< in the world
-  const HeldLink* held() const { return held_ ? &*held_ : nullptr; }
+  const session::HeldLink* held() const { return held_ ? &*held_ : nullptr; }
   std::span<const double> q() const { return q_; }
   std::span<const double> qd() const { return qd_; }
   std::span<const double> qdd() const { return qdd_; }        ///< rad/s^2 or m/s^2, over the last cycle
   std::span<const double> torque() const { return torque_; }  ///< of the reaction, before the joint's limit
   std::span<const double> planned() const { return plan_.now().q; }
   double speedScale() const { return scale_; }
-  MechanismDriver& driver() const { return driver_; }
+  session::MechanismDriver& driver() const { return driver_; }
 
  private:
-  void look(double t, double h, std::span<const ReactionPair> pairs, const Scene& scene);
-  void drive(const ReactionOutput& out);
-  void position(const ReactionOutput& out, double h);
+  void look(double t, double h, std::span<const control::ReactionPair> pairs, const scene::Scene& scene);
+  void drive(const control::ReactionOutput& out);
+  void position(const control::ReactionOutput& out, double h);
   void limitPosition(double h);
   void brake(bool on);
 
-  MechanismDriver& driver_;
-  PhysicsWorld& world_;
-  HoldOptions hold_;
-  Reaction reaction_;
-  RobotPairs pairs_;
-  std::optional<BrakingWatch> braking_;
-  std::optional<HeldLink> held_;
+  session::MechanismDriver& driver_;
+  physics::PhysicsWorld& world_;
+  control::HoldOptions hold_;
+  control::Reaction reaction_;
+  session::RobotPairs pairs_;
+  std::optional<session::BrakingWatch> braking_;
+  std::optional<session::HeldLink> held_;
   MotionClock plan_;
-  RigidTree tree_;
-  TreeState tree_state_;
-  MassMatrix mass_;
+  mechanism::RigidTree tree_;
+  mechanism::TreeState tree_state_;
+  mechanism::MassMatrix mass_;
   Vector3d gravity_B_;
   int number_{-1};
-  JointLimitWatch limits_;
-  std::optional<JointLimiter> limiter_;  ///< of a position-controlled robot with masses
+  mechanism::JointLimitWatch limits_;
+  std::optional<physics::JointLimiter> limiter_;  ///< of a position-controlled robot with masses
   std::vector<double> q_, qd_, qdd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
   std::vector<double> applied_, bias_, wanted_, last_wanted_;
   double t_next_{0.0};  ///< s, of follow()
@@ -104,4 +105,4 @@ class ReactingRobot {
   RobotRecord record_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::loop

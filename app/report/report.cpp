@@ -7,7 +7,7 @@
 #include "core/base/output_file.hpp"
 #include "core/verify/check_tools.hpp"
 
-namespace abstand::verify {
+namespace abstand::report {
 namespace {
 
 // Colours: Okabe and Ito's, which colour-blind readers tell apart; dashes tell them apart in print.
@@ -40,24 +40,24 @@ std::string verdict(bool passed) {
   return passed ? "<span class=\"passed\">passed</span>" : "<span class=\"failed\">failed</span>";
 }
 
-std::string link(const CheckResult& r) {
+std::string link(const verify::CheckResult& r) {
   return "<a href=\"#" + escaped(r.name) + "\">" + escaped(r.name) + "</a>";
 }
 
-std::string summary(const std::vector<CheckResult>& results) {
+std::string summary(const std::vector<verify::CheckResult>& results) {
   std::string html = "<div class=\"wide\"><table><tr>";
   for (const char* name : {"check", "poses", "worst", "p50", "p99", "limit", "breaches", ""})
     html += cell(name, "th");
   html += "</tr>\n";
-  for (const CheckResult& r : results) {
+  for (const verify::CheckResult& r : results) {
     html += "<tr><td>" + link(r) + "</td>" + cell(std::to_string(r.poses));
-    for (const double v : {r.worst, r.p50, r.p99, r.limit}) html += cell(shortNumber(v));
+    for (const double v : {r.worst, r.p50, r.p99, r.limit}) html += cell(verify::shortNumber(v));
     html += cell(std::to_string(r.breaches)) + "<td>" + verdict(r.passed) + "</td></tr>\n";
   }
   return html + "</table></div>\n";
 }
 
-std::string table(const Table& table) {
+std::string table(const verify::Table& table) {
   if (table.rows.empty()) return {};
   std::string html = "<div class=\"wide\"><table><tr>";
   for (const std::string& name : table.header) html += cell(name, "th");
@@ -70,20 +70,20 @@ std::string table(const Table& table) {
   return html + "</table></div>\n";
 }
 
-std::string section(const CheckResult& r) {
+std::string section(const verify::CheckResult& r) {
   std::string html = "<h2 id=\"" + escaped(r.name) + "\">" + escaped(r.name) + " " + verdict(r.passed) +
                      "</h2>\n<p>" + escaped(r.what) + "</p>\n<p class=\"soft\">" + escaped(r.quantity) +
-                     ": worst " + shortNumber(r.worst) + ", limit " + shortNumber(r.limit) + ". " +
-                     escaped(r.reason) + "</p>\n" + table(r.table);
-  for (const Plot& plot : r.plots) html += svgPlot(plot);
+                     ": worst " + verify::shortNumber(r.worst) + ", limit " + verify::shortNumber(r.limit) +
+                     ". " + escaped(r.reason) + "</p>\n" + table(r.table);
+  for (const verify::Plot& plot : r.plots) html += svgPlot(plot);
   return html;
 }
 
 }  // namespace
 
-void writeReport(const std::vector<CheckResult>& results, const VerifyOptions& options,
+void writeReport(const std::vector<verify::CheckResult>& results, const verify::VerifyOptions& options,
                  const std::string& version, const std::filesystem::path& file) {
-  const auto failed = std::ranges::count_if(results, [](const CheckResult& r) { return !r.passed; });
+  const auto failed = std::ranges::count_if(results, [](const verify::CheckResult& r) { return !r.passed; });
   OutputFile out(file);
   out.stream() << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
                   "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
@@ -95,7 +95,7 @@ void writeReport(const std::vector<CheckResult>& results, const VerifyOptions& o
                << ". Each number is a measurement per pose; a check passes when none is beyond its limit. "
                   "docs/verification.md says how to read and repeat them.</p>\n"
                << summary(results);
-  for (const CheckResult& r : results) out.stream() << section(r);
+  for (const verify::CheckResult& r : results) out.stream() << section(r);
   out.stream() << "<p class=\"soft\">Made by <code>abstand verify --poses " << options.poses << " --seed "
                << options.seed << (options.quick ? " --quick" : "") << "</code>, version " << escaped(version)
                << ". The numbers do not depend on the number of threads. An analysis tool, not a safety "
@@ -103,4 +103,4 @@ void writeReport(const std::vector<CheckResult>& results, const VerifyOptions& o
   out.commit();
 }
 
-}  // namespace abstand::verify
+}  // namespace abstand::report

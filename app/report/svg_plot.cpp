@@ -6,7 +6,7 @@
 
 #include "core/verify/check_tools.hpp"
 
-namespace abstand::verify {
+namespace abstand::report {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 320;
@@ -78,7 +78,7 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
          escaped(text) + "</text>";
 }
 
-std::string polyline(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
+std::string polyline(const verify::Series& series, const Axis& x, const Axis& y, std::size_t colour) {
   std::string points;
   const std::size_t stride = series.x.size() / kMaxPoints + 1;
   for (std::size_t i = 0; i < series.x.size(); i += stride) {
@@ -108,9 +108,9 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string svgPlot(const Plot& plot) {
+std::string svgPlot(const verify::Plot& plot) {
   Axis x(plot.log_x, kLeft, kWidth - kRight), y(plot.log_y, kHeight - kBottom, kTop);
-  for (const Series& series : plot.series) {
+  for (const verify::Series& series : plot.series) {
     for (const double v : series.x) x.include(v);
     for (const double v : series.y) y.include(v);
   }
@@ -123,10 +123,10 @@ std::string svgPlot(const Plot& plot) {
                     label(left, top - 10, "start", plot.title) + "\n";
   for (const double v : x.ticks())
     svg += line(x.pixel(v), top, x.pixel(v), bottom, "grid") +
-           label(x.pixel(v), bottom + 16, "middle", shortNumber(v)) + "\n";
+           label(x.pixel(v), bottom + 16, "middle", verify::shortNumber(v)) + "\n";
   for (const double v : y.ticks())
     svg += line(left, y.pixel(v), right, y.pixel(v), "grid") +
-           label(left - 6, y.pixel(v) + 4, "end", shortNumber(v)) + "\n";
+           label(left - 6, y.pixel(v) + 4, "end", verify::shortNumber(v)) + "\n";
   svg += line(left, bottom, right, bottom, "axis") + line(left, top, left, bottom, "axis");
   svg += label(0.5 * (left + right), kHeight - 8, "middle", plot.x_label);
   const double middle = 0.5 * (top + bottom);
@@ -143,4 +143,4 @@ std::string svgPlot(const Plot& plot) {
   return svg + "</svg>\n";
 }
 
-}  // namespace abstand::verify
+}  // namespace abstand::report

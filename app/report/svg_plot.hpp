@@ -5,13 +5,13 @@
 
 #include "core/verify/check.hpp"
 
-namespace abstand::verify {
+namespace abstand::report {
 
 /// Lines with axes, ticks and a legend; colours come from the page's style (classes s0 to s8, axis, grid), so
 /// that it follows light and dark. No reference to anything outside.
-std::string svgPlot(const Plot& plot);
+std::string svgPlot(const verify::Plot& plot);
 
 /// `text` with <, >, & and " escaped for HTML.
 std::string escaped(const std::string& text);
 
-}  // namespace abstand::verify
+}  // namespace abstand::report

@@ -6,7 +6,7 @@
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 std::string escaped(const std::string& text) {
@@ -136,4 +136,4 @@ void writeHtmlReport(const CheckResult& result, const std::string& scene, double
   out.commit();
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -6,7 +6,7 @@
 
 #include "app/run/distance_check.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// JUnit XML: a failed test case for each violation, each pair not proven (`strict`) and each reservation
 /// that fails the check, with its reason, or a single passed one; all reservations as the suite's output.
@@ -18,4 +18,4 @@ void writeJunit(const CheckResult& result, const std::string& scene, bool strict
 void writeHtmlReport(const CheckResult& result, const std::string& scene, double limit, bool strict,
                      const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::run

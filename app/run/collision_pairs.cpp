@@ -8,14 +8,14 @@
 #include "core/base/number.hpp"
 #include "core/study/pairs_file.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 using IndexPair = std::pair<int, int>;
 
 struct Study {
-  std::vector<StudyMechanism> mechanisms;
-  std::vector<StudyBody> bodies;
+  std::vector<study::StudyMechanism> mechanisms;
+  std::vector<study::StudyBody> bodies;
   std::vector<int> objects;              ///< number of the session's object of each body
   std::vector<std::string> joint_names;  ///< of each dof
 };
@@ -27,13 +27,13 @@ std::string fitting(std::string name) {
   return name;
 }
 
-Study studyOf(const Session& session) {
+Study studyOf(const session::Session& session) {
   Study study;
   const auto& objects = session.scene().objects();
-  std::vector<StudyBody> by_object(objects.size());
+  std::vector<study::StudyBody> by_object(objects.size());
   std::vector<bool> takes_part(objects.size(), false);
   for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
-    const MechanismDriver& driver = *session.mechanisms()[m];
+    const session::MechanismDriver& driver = *session.mechanisms()[m];
     study.mechanisms.push_back({&driver.mechanism(), driver.X_WB()});
     std::vector<std::string> names(static_cast<std::size_t>(driver.dof()));
     for (const auto& f : driver.mechanism().frames)
@@ -61,7 +61,7 @@ Study studyOf(const Session& session) {
 }
 
 /// Pairs of objects that somebody took out.
-std::set<IndexPair> userPairs(const Session& session) {
+std::set<IndexPair> userPairs(const session::Session& session) {
   std::set<IndexPair> pairs;
   const auto add = [&](const std::string& a, const std::string& b) {
     ObjectId i(0), j(0);
@@ -74,7 +74,7 @@ std::set<IndexPair> userPairs(const Session& session) {
   return pairs;
 }
 
-std::string postureText(const StudiedPair& pair, const std::vector<std::string>& names) {
+std::string postureText(const study::StudiedPair& pair, const std::vector<std::string>& names) {
   std::string text;
   for (const int dof : pair.dofs)
     if (!pair.posture.empty())
@@ -85,7 +85,8 @@ std::string postureText(const StudiedPair& pair, const std::vector<std::string>&
 
 }  // namespace
 
-std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOptions& options) {
+std::vector<CollisionPair> collisionPairs(const session::Session& session,
+                                          const study::StudyOptions& options) {
   const Study study = studyOf(session);
   const std::set<IndexPair> adjacent(session.adjacentPairs().begin(), session.adjacentPairs().end());
   const std::set<IndexPair> user = userPairs(session);
@@ -103,16 +104,16 @@ std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOpt
       pair.study.b = study.objects[static_cast<std::size_t>(b)];
       const IndexPair objects(pair.study.a, pair.study.b);
       if (user.contains(objects)) {
-        pair.study.verdict = PairVerdict::kUser;
+        pair.study.verdict = study::PairVerdict::kUser;
       } else if (adjacent.contains(objects)) {
-        pair.study.verdict = PairVerdict::kAdjacent;
+        pair.study.verdict = study::PairVerdict::kAdjacent;
       } else {
         open.emplace_back(a, b);
         open_at.push_back(out.size());
       }
       out.push_back(std::move(pair));
     }
-  std::vector<StudiedPair> studied = studyPairs(study.mechanisms, study.bodies, open, options);
+  std::vector<study::StudiedPair> studied = study::studyPairs(study.mechanisms, study.bodies, open, options);
   for (std::size_t i = 0; i < open.size(); ++i) {
     CollisionPair& pair = out[open_at[i]];
     const int a = pair.study.a, b = pair.study.b;
@@ -124,9 +125,9 @@ std::vector<CollisionPair> collisionPairs(const Session& session, const StudyOpt
   return out;
 }
 
-std::string pairsText(const Session& session, const std::vector<CollisionPair>& pairs,
-                      const StudyOptions& options) {
-  std::map<PairVerdict, int> count;
+std::string pairsText(const session::Session& session, const std::vector<CollisionPair>& pairs,
+                      const study::StudyOptions& options) {
+  std::map<study::PairVerdict, int> count;
   for (const auto& p : pairs) ++count[p.study.verdict];
   std::string text =
       "# Which pairs can collide, as found by sampling the joint space; `abstand pairs` wrote this.\n"
@@ -135,12 +136,12 @@ std::string pairsText(const Session& session, const std::vector<CollisionPair>& 
       "# samples " +
       std::to_string(options.samples) + ", seed " + std::to_string(options.seed) + ", searches " +
       std::to_string(options.searches) + ", clearance " + formatDouble(options.clearance) + " m\n#";
-  for (const auto& [verdict, n] : count) text += " " + verdictName(verdict) + " " + std::to_string(n);
+  for (const auto& [verdict, n] : count) text += " " + study::verdictName(verdict) + " " + std::to_string(n);
   text += "\nverdict,a,b,distance,bound,samples,hits,search,posture\n";
   const auto& objects = session.scene().objects();
   for (const auto& p : pairs) {
-    const StudiedPair& s = p.study;
-    text += verdictName(s.verdict) + "," + objects[static_cast<std::size_t>(s.a)].spec.name + "," +
+    const study::StudiedPair& s = p.study;
+    text += study::verdictName(s.verdict) + "," + objects[static_cast<std::size_t>(s.a)].spec.name + "," +
             objects[static_cast<std::size_t>(s.b)].spec.name + ",";
     if (s.samples > 0)
       text += formatDouble(s.distance) + "," + formatDouble(s.bound) + "," + std::to_string(s.samples) + "," +
@@ -152,35 +153,36 @@ std::string pairsText(const Session& session, const std::vector<CollisionPair>& 
   return text;
 }
 
-Srdf srdfOf(const Session& session, const std::vector<CollisionPair>& pairs) {
+robot_file::Srdf srdfOf(const session::Session& session, const std::vector<CollisionPair>& pairs) {
   if (session.mechanisms().size() != 1)
     throw UsageError("--srdf: found " + std::to_string(session.mechanisms().size()) +
                      " mechanisms, expected one");
-  const MechanismDriver& driver = *session.mechanisms().front();
+  const session::MechanismDriver& driver = *session.mechanisms().front();
   std::map<int, int> frame_of;
   for (const auto& link : driver.links()) frame_of[static_cast<int>(link.object->index())] = link.frame;
   // The first verdict of two links' bodies that is not checked; none when one pair of bodies is.
-  std::map<IndexPair, const StudiedPair*> links;
+  std::map<IndexPair, const study::StudiedPair*> links;
   for (const auto& p : pairs) {
     const auto a = frame_of.find(p.study.a), b = frame_of.find(p.study.b);
     if (a == frame_of.end() || b == frame_of.end() || a->second == b->second) continue;
     const IndexPair key = std::minmax(a->second, b->second);
     const auto at = links.emplace(key, &p.study).first;
-    if (p.study.verdict == PairVerdict::kSometimes || p.study.verdict == PairVerdict::kUndecided)
+    if (p.study.verdict == study::PairVerdict::kSometimes ||
+        p.study.verdict == study::PairVerdict::kUndecided)
       at->second = nullptr;
   }
-  Srdf srdf;
+  robot_file::Srdf srdf;
   srdf.robot = driver.mechanism().name;
   const auto nameOf = [&](int frame) {
     return frame < 0 ? std::string("0") : driver.mechanism().frames[static_cast<std::size_t>(frame)].name;
   };
   for (const auto& [key, study] : links) {
     if (!study) continue;
-    std::string reason = verdictName(study->verdict);
+    std::string reason = study::verdictName(study->verdict);
     reason.front() = static_cast<char>(reason.front() - 'a' + 'A');
     srdf.disabled.push_back({nameOf(key.first), nameOf(key.second), reason, {}});
   }
   return srdf;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 /// `,value`, shortest digits that read back as the same double, in every locale.
@@ -32,7 +32,7 @@ std::unique_ptr<OutputFile> open(const std::filesystem::path& file, const std::s
 
 /// Of the robots that react: their plan, the torque of the reaction, the share of the planned speed, the
 /// state.
-std::string loopHeader(const ClosedLoop& loop) {
+std::string loopHeader(const loop::ClosedLoop& loop) {
   std::string header;
   for (std::size_t m = 0; m < loop.robots().size(); ++m) {
     if (!loop.robots()[m]) continue;
@@ -45,7 +45,7 @@ std::string loopHeader(const ClosedLoop& loop) {
   return header;
 }
 
-std::string jointsHeader(const Session& session, const ClosedLoop* loop) {
+std::string jointsHeader(const session::Session& session, const loop::ClosedLoop* loop) {
   std::string header = "t";
   for (const char* what : {"q", "effort"})
     for (std::size_t m = 0; m < session.mechanisms().size(); ++m)
@@ -56,7 +56,8 @@ std::string jointsHeader(const Session& session, const ClosedLoop* loop) {
 
 }  // namespace
 
-CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const ClosedLoop* loop, bool live)
+CsvOutputs::CsvOutputs(const CsvPaths& paths, const session::Session& session, const loop::ClosedLoop* loop,
+                       bool live)
     : loop_(loop),
       live_(live),
       pairs_(open(paths.pairs, std::string("t,a,b,distance,bound,fx,fy,fz,tx,ty,tz,contacts,") +
@@ -65,19 +66,19 @@ CsvOutputs::CsvOutputs(const CsvPaths& paths, const Session& session, const Clos
                     "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding,reach")),
       joints_(open(paths.joints, jointsHeader(session, loop))) {}
 
-void CsvOutputs::write(double t, double shown, const Session& session,
-                       const std::vector<PairResult>& results) {
+void CsvOutputs::write(double t, double shown, const session::Session& session,
+                       const std::vector<query::PairResult>& results) {
   if (pairs_) writePairs(t, shown, session, results);
   if (objects_) writeObjects(t, session);
   if (joints_) writeJoints(t, session);
 }
 
-void CsvOutputs::writePairs(double t, double shown, const Session& session,
-                            const std::vector<PairResult>& results) {
-  const Scene& scene = session.scene();
+void CsvOutputs::writePairs(double t, double shown, const session::Session& session,
+                            const std::vector<query::PairResult>& results) {
+  const scene::Scene& scene = session.scene();
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Pair& pair = scene.pairs()[i];
-    const PairResult& r = results[i];
+    const scene::Pair& pair = scene.pairs()[i];
+    const query::PairResult& r = results[i];
     startLine(line_, t);
     line_ += ',' + scene.object(pair.a).spec.name + ',' + scene.object(pair.b).spec.name;
     addNumber(line_, r.distance);
@@ -95,8 +96,8 @@ void CsvOutputs::writePairs(double t, double shown, const Session& session,
   }
 }
 
-void CsvOutputs::writeObjects(double t, const Session& session) {
-  for (const Object& o : session.scene().objects()) {
+void CsvOutputs::writeObjects(double t, const session::Session& session) {
+  for (const scene::Object& o : session.scene().objects()) {
     const Quaterniond q(o.X_WB.linear());
     startLine(line_, t);
     line_ += ',' + o.spec.name;
@@ -114,7 +115,7 @@ void CsvOutputs::writeObjects(double t, const Session& session) {
   }
 }
 
-void CsvOutputs::writeJoints(double t, const Session& session) {
+void CsvOutputs::writeJoints(double t, const session::Session& session) {
   startLine(line_, t);
   for (const auto& m : session.mechanisms())
     for (double q : m->q()) addNumber(line_, q);
@@ -126,7 +127,7 @@ void CsvOutputs::writeJoints(double t, const Session& session) {
       for (const double x : robot->torque()) addNumber(line_, x);
       addNumber(line_, robot->speedScale());
       line_ += ',';
-      line_ += stateName(robot->stops().state());
+      line_ += safety::stateName(robot->stops().state());
     }
   line_ += '\n';
   joints_->stream() << line_;
@@ -142,4 +143,4 @@ void CsvOutputs::commit() {
     if (*file) (*file)->commit();
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 double processorTime() {
@@ -30,4 +30,4 @@ void CycleProfile::end(double seconds) {
   empty_work_.add(processorTime() - ended);
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

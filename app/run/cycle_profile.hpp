@@ -3,7 +3,7 @@
 
 #include "core/scene/cycle_statistics.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// On a shared machine a cycle is late when somebody else has the core. Two measurements tell that apart: the
 /// processor time of the cycle, which does not go on while others run, and an empty loop that watches the
@@ -19,13 +19,13 @@ class CycleProfile {
   /// After the cycle, which took `seconds` by the wall clock; then the empty loop.
   void end(double seconds);
 
-  const CycleStatistics& work() const { return work_; }             ///< processor time
-  const CycleStatistics& empty() const { return empty_; }           ///< wall time of the empty loops
-  const CycleStatistics& emptyWork() const { return empty_work_; }  ///< their processor time
+  const scene::CycleStatistics& work() const { return work_; }             ///< processor time
+  const scene::CycleStatistics& empty() const { return empty_; }           ///< wall time of the empty loops
+  const scene::CycleStatistics& emptyWork() const { return empty_work_; }  ///< their processor time
 
  private:
-  CycleStatistics work_, empty_, empty_work_;
+  scene::CycleStatistics work_, empty_, empty_work_;
   double begun_{0.0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -4,7 +4,7 @@
 
 #include "app/run/cold_query.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 void takeLeast(std::optional<RunSummary::Extreme>& least, const std::optional<RunSummary::Extreme>& e) {
@@ -13,13 +13,13 @@ void takeLeast(std::optional<RunSummary::Extreme>& least, const std::optional<Ru
 
 }  // namespace
 
-DistanceCheck::DistanceCheck(const Scene& scene, double limit, bool with_margins, bool swept,
+DistanceCheck::DistanceCheck(const scene::Scene& scene, double limit, bool with_margins, bool swept,
                              std::string recording)
     : scene_(scene),
       recording_(std::move(recording)),
       broken_(scene.pairs().size()),
       unproven_(scene.pairs().size()) {
-  for (const Pair& pair : scene.pairs())
+  for (const scene::Pair& pair : scene.pairs())
     limits_.push_back(with_margins ? std::max(limit, pair.options.margin) : limit);
   if (swept) swept_.emplace(scene);
   reaches_.assign(limits_.size(), 0.0);
@@ -34,7 +34,7 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_
     return;
   }
   if (!open.active) {
-    const Pair& p = scene_.pairs()[pair];
+    const scene::Pair& p = scene_.pairs()[pair];
     open = {true,
             {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, t, t, distance, limits_[pair], reach,
              recording_}};
@@ -44,7 +44,7 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_
   open.violation.min_distance = std::min(open.violation.min_distance, distance);
 }
 
-void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
+void DistanceCheck::frame(double t, const std::vector<query::PairResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     const double reach = scene_.pairUncertainty(PairId(static_cast<std::uint32_t>(i)));
     widened_[i] = limits_[i] + std::max(reach, reaches_[i]);
@@ -67,7 +67,7 @@ void DistanceCheck::frame(double t, const std::vector<PairResult>& results) {
     // one's.
     if (scene_.culling().remember && !broken &&
         (!proven || d * (1.0 - scene_.culling().far_tolerance) < limit)) {
-      const PairResult cold = queryCold(scene_, scene_.pairs()[i], scratch_);
+      const query::PairResult cold = queryCold(scene_, scene_.pairs()[i], scratch_);
       if (cold.distance < d) d = cold.distance, when = t;
       broken = broken || !(cold.distance >= limit);
       const bool between_proven = between.empty() || between[i].lower >= widened_[i];
@@ -109,4 +109,4 @@ bool passed(const CheckResult& result, bool strict) {
                       [strict](const Reservation& r) { return failing(r, strict); });
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

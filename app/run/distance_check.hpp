@@ -8,7 +8,7 @@
 #include "app/run/run_scene.hpp"
 #include "app/run/swept_check.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// A stretch of frames in which a pair broke its limit. Times in s, distances in m.
 struct Violation {
@@ -39,9 +39,10 @@ class DistanceCheck {
  public:
   /// `with_margins`: a pair needs max(limit, sum of its two margins) instead of `limit` alone. `swept`:
   /// between frames too.
-  DistanceCheck(const Scene& scene, double limit, bool with_margins, bool swept, std::string recording);
+  DistanceCheck(const scene::Scene& scene, double limit, bool with_margins, bool swept,
+                std::string recording);
 
-  void frame(double t, const std::vector<PairResult>& results);
+  void frame(double t, const std::vector<query::PairResult>& results);
   /// Closes what is open and adds everything to `all`, in order of time.
   void finish(const RunSummary& summary, CheckResult& all);
 
@@ -53,8 +54,8 @@ class DistanceCheck {
   void watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t, double distance,
              double reach, bool broken);
 
-  const Scene& scene_;
-  PairScratch scratch_;
+  const scene::Scene& scene_;
+  kernels::PairScratch scratch_;
   std::string recording_;
   std::optional<SweptCheck> swept_;
   std::vector<double> limits_;
@@ -65,6 +66,6 @@ class DistanceCheck {
 };
 
 /// Reads `NAME: metres` lines (YAML map) and sets the objects' margins. Throws ParseError.
-void applyMargins(Scene& scene, const std::filesystem::path& file);
+void applyMargins(scene::Scene& scene, const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::run

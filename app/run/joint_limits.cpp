@@ -6,16 +6,16 @@
 
 #include "core/mechanism/motion_limits.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
-std::vector<LimitBreach> plannedBreaches(const MechanismDriver& driver, bool reacts, double start,
-                                         double end) {
+std::vector<mechanism::LimitBreach> plannedBreaches(const session::MechanismDriver& driver, bool reacts,
+                                                    double start, double end) {
   if (driver.motion())
-    return motionBreaches(driver.mechanism(), *driver.motion(),
-                          reacts ? MotionLine::kSmooth : MotionLine::kLinear, start, end,
-                          driver.X_WB().linear().transpose() * kGravity);
-  JointLimitWatch watch(dofLimits(driver.mechanism()));
+    return mechanism::motionBreaches(driver.mechanism(), *driver.motion(),
+                                     reacts ? mechanism::MotionLine::kSmooth : mechanism::MotionLine::kLinear,
+                                     start, end, driver.X_WB().linear().transpose() * mechanism::kGravity);
+  mechanism::JointLimitWatch watch(mechanism::dofLimits(driver.mechanism()));
   watch.look(start, driver.home(), {}, {}, {});
   return watch.breaches();
 }
@@ -30,27 +30,27 @@ std::string number(double x) {
 
 }  // namespace
 
-std::vector<JointLimitReport> reportsOf(const std::string& name, const Mechanism& mechanism,
-                                        const std::vector<LimitBreach>& breaches, bool planned) {
-  const std::vector<std::string> joints = dofNames(mechanism);
+std::vector<JointLimitReport> reportsOf(const std::string& name, const mechanism::Mechanism& mechanism,
+                                        const std::vector<mechanism::LimitBreach>& breaches, bool planned) {
+  const std::vector<std::string> joints = mechanism::dofNames(mechanism);
   std::vector<JointLimitReport> reports;
-  for (const LimitBreach& b : breaches) {
+  for (const mechanism::LimitBreach& b : breaches) {
     JointLimitReport& r = reports.emplace_back(
         JointLimitReport{name, joints[static_cast<std::size_t>(b.dof)], b, false, planned});
     for (const auto& f : mechanism.frames)
-      if (f.dof == b.dof && !f.mimic) r.slides = f.type == JointType::kPrismatic;
+      if (f.dof == b.dof && !f.mimic) r.slides = f.type == mechanism::JointType::kPrismatic;
   }
   return reports;
 }
 
-std::vector<JointLimitReport> jointLimitsOf(const Session& session, const ClosedLoop* loop, double start,
-                                            double end) {
+std::vector<JointLimitReport> jointLimitsOf(const session::Session& session, const loop::ClosedLoop* loop,
+                                            double start, double end) {
   std::vector<JointLimitReport> all;
   for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
-    const MechanismDriver& driver = *session.mechanisms()[m];
+    const session::MechanismDriver& driver = *session.mechanisms()[m];
     const std::string& name = session.description().mechanisms[m].name;
-    const ReactingRobot* const robot = loop ? loop->robots()[m].get() : nullptr;
-    const auto add = [&](const std::vector<LimitBreach>& breaches, bool planned) {
+    const loop::ReactingRobot* const robot = loop ? loop->robots()[m].get() : nullptr;
+    const auto add = [&](const std::vector<mechanism::LimitBreach>& breaches, bool planned) {
       const auto reports = reportsOf(name, driver.mechanism(), breaches, planned);
       all.insert(all.end(), reports.begin(), reports.end());
     };
@@ -67,23 +67,24 @@ std::vector<Reservation> reservationsOf(const std::vector<JointLimitReport>& rep
     one.kind = "joint_limit";
     one.text = "beyond a joint limit: " + describe(r);
     one.t0 = r.worst.since;
-    one.fails = Severity::kStrict;
+    one.fails = scene::Severity::kStrict;
   }
   return all;
 }
 
 std::string describe(const JointLimitReport& r) {
-  constexpr std::array<const char*, kLimitKinds> kTurns{"rad", "rad/s", "rad/s^2", "N m"};
-  constexpr std::array<const char*, kLimitKinds> kSlides{"m", "m/s", "m/s^2", "N"};
-  const LimitBreach& b = r.worst;
+  constexpr std::array<const char*, mechanism::kLimitKinds> kTurns{"rad", "rad/s", "rad/s^2", "N m"};
+  constexpr std::array<const char*, mechanism::kLimitKinds> kSlides{"m", "m/s", "m/s^2", "N"};
+  const mechanism::LimitBreach& b = r.worst;
   const auto kind = static_cast<std::size_t>(b.kind);
   std::string text = r.mechanism.empty() ? "" : r.mechanism + " ";
-  text += "joint " + r.joint + ": " + (r.planned ? "planned " : "") + std::string(limitName(b.kind)) + " " +
-          number(b.value) + " " + (r.slides ? kSlides : kTurns)[kind] + ", limit " + number(b.limit);
+  text += "joint " + r.joint + ": " + (r.planned ? "planned " : "") +
+          std::string(mechanism::limitName(b.kind)) + " " + number(b.value) + " " +
+          (r.slides ? kSlides : kTurns)[kind] + ", limit " + number(b.limit);
   if (std::isfinite(b.t)) text += ", at " + number(b.t) + " s";
   if (b.count > 1)
     text += ", beyond it in " + std::to_string(b.count) + " samples since " + number(b.since) + " s";
   return text;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -7,25 +7,25 @@
 #include "app/loop/closed_loop.hpp"
 #include "app/run/reservations.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// The worst of one joint against one kind of limit. SI.
 struct JointLimitReport {
   std::string mechanism, joint;
-  LimitBreach worst;
+  mechanism::LimitBreach worst;
   bool slides{false};  ///< the joint is prismatic: m, N; else rad, N m
   /// The scene's `q` or `motion` asks for it; without, a robot of the closed loop did it.
   bool planned{false};
 };
 
 /// Of one mechanism; `breaches` are its own.
-std::vector<JointLimitReport> reportsOf(const std::string& name, const Mechanism& mechanism,
-                                        const std::vector<LimitBreach>& breaches, bool planned);
+std::vector<JointLimitReport> reportsOf(const std::string& name, const mechanism::Mechanism& mechanism,
+                                        const std::vector<mechanism::LimitBreach>& breaches, bool planned);
 
 /// Of all mechanisms of the session, from `start` to `end` (s): what their plans ask for, and, of those that
 /// react, what they did in every cycle of `loop` (null: none reacts).
-std::vector<JointLimitReport> jointLimitsOf(const Session& session, const ClosedLoop* loop, double start,
-                                            double end);
+std::vector<JointLimitReport> jointLimitsOf(const session::Session& session, const loop::ClosedLoop* loop,
+                                            double start, double end);
 
 /// The robot that was judged does not exist: it is planned to be where, or as fast as, the real one cannot
 /// be, or it was pushed beyond its limits. With --strict that fails.
@@ -34,4 +34,4 @@ std::vector<Reservation> reservationsOf(const std::vector<JointLimitReport>& rep
 /// One sentence for people, without a line break.
 std::string describe(const JointLimitReport& report);
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -4,7 +4,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -15,17 +15,18 @@ double secondsSince(Clock::time_point begin) {
 
 }  // namespace
 
-void settle(PairThreads& threads, std::vector<PairResult>& results) {
+void settle(scene::PairThreads& threads, std::vector<query::PairResult>& results) {
   for (threads.collect(results); !threads.upToDate(); threads.collect(results))
     std::this_thread::sleep_for(std::chrono::microseconds(20));
 }
 
-LiveLoop::LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups, LivePace pace)
+LiveLoop::LiveLoop(session::Session& session, double t, std::vector<std::vector<PairId>> groups,
+                   LivePace pace)
     : session_(session),
       loop_(session, t),
       threads_(session.scene()),
       pace_(pace),
-      pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * ClosedLoop::kStep))) {
+      pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * loop::ClosedLoop::kStep))) {
   loop_.look();
   threads_.publishPoses(session.scene());
   for (auto& group : groups) threads_.start(threads_.addGroup(std::move(group)));
@@ -35,16 +36,16 @@ LiveLoop::LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> 
   }
   for (const PairId id : felt_) {
     if (threads_.resultTime(id) > -kInfinity) continue;
-    const Scene& scene = session.scene();
-    const Pair& pair = scene.pairs()[id.index()];
+    const scene::Scene& scene = session.scene();
+    const scene::Pair& pair = scene.pairs()[id.index()];
     throw UsageError("live: found pair `" + scene.object(pair.a).spec.name + "`, `" +
                      scene.object(pair.b).spec.name +
                      "` of a robot that reacts in no group of `threads`, expected it in one");
   }
 }
 
-double LiveLoop::cycle(std::vector<PairResult>& results) {
-  Scene& scene = session_.scene();
+double LiveLoop::cycle(std::vector<query::PairResult>& results) {
+  scene::Scene& scene = session_.scene();
   auto begin = Clock::now();
   loop_.move();
   threads_.publishPoses(scene);
@@ -62,4 +63,4 @@ double LiveLoop::cycle(std::vector<PairResult>& results) {
   return moving + secondsSince(begin);
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

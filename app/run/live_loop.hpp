@@ -5,7 +5,7 @@
 #include "core/base/pacer.hpp"
 #include "core/scene/pair_threads.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// What a cycle of live mode waits for before it takes the results.
 enum class LivePace {
@@ -13,7 +13,7 @@ enum class LivePace {
   kSettled,   ///< that every group has finished the present poses: no result is ever old
 };
 /// Collects until every group has finished the present poses; gives other threads the processor meanwhile.
-void settle(PairThreads& threads, std::vector<PairResult>& results);
+void settle(scene::PairThreads& threads, std::vector<query::PairResult>& results);
 
 /// A cycle takes a millisecond of wall time: everything goes to where it is, the groups of pairs have the
 /// rest of the millisecond for these poses, and robots react to the newest results that are there then. A
@@ -24,21 +24,21 @@ class LiveLoop {
   /// Robots start on their plans at `t`. Throws ParseError for a robot that cannot react, UsageError where a
   /// pair of one is in no group. The session must outlive it.
   /// `pace`: what a cycle waits for.
-  LiveLoop(Session& session, double t, std::vector<std::vector<PairId>> groups,
+  LiveLoop(session::Session& session, double t, std::vector<std::vector<PairId>> groups,
            LivePace pace = LivePace::kRealTime);
 
   /// The cycle at loop().time(); `results`: one a pair of the scene. Seconds that this thread worked.
-  double cycle(std::vector<PairResult>& results);
-  const ClosedLoop& loop() const { return loop_; }
-  StepCounts counts() const { return threads_.counts(); }
+  double cycle(std::vector<query::PairResult>& results);
+  const loop::ClosedLoop& loop() const { return loop_; }
+  scene::StepCounts counts() const { return threads_.counts(); }
 
  private:
-  Session& session_;
-  ClosedLoop loop_;
-  PairThreads threads_;
+  session::Session& session_;
+  loop::ClosedLoop loop_;
+  scene::PairThreads threads_;
   std::vector<PairId> felt_;  ///< pairs of robots that react
   LivePace pace_;
   Pacer pacer_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -7,7 +7,7 @@
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 1 << 20;
@@ -20,10 +20,10 @@ std::string trimmed(const std::string& s) {
 
 }  // namespace
 
-void applyMargins(Scene& scene, const std::filesystem::path& file) {
+void applyMargins(scene::Scene& scene, const std::filesystem::path& file) {
   std::istringstream in(readFile(file, kMaxBytes));
   std::vector<std::string> names;
-  for (const Object& o : scene.objects()) names.push_back(o.spec.name);
+  for (const scene::Object& o : scene.objects()) names.push_back(o.spec.name);
   int line = 0;
   for (std::string text; std::getline(in, text);) {
     ++line;
@@ -48,4 +48,4 @@ void applyMargins(Scene& scene, const std::filesystem::path& file) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

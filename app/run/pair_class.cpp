@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 enum class Side : std::uint8_t { kPerson, kRobot, kThing };
 
-Side sideOf(const SceneDescription& scene, const std::string& group) {
+Side sideOf(const scene_file::SceneDescription& scene, const std::string& group) {
   const auto named = [&](const auto& list) {
     return std::any_of(list.begin(), list.end(), [&](const auto& g) { return g.name == group; });
   };
@@ -57,13 +57,14 @@ const char* pairClassText(PairClass pair_class) {
   return "others";
 }
 
-std::vector<PairClass> pairClasses(const Session& session) {
-  const Scene& scene = session.scene();
+std::vector<PairClass> pairClasses(const session::Session& session) {
+  const scene::Scene& scene = session.scene();
   std::vector<Side> sides;
-  for (const Object& o : scene.objects()) sides.push_back(sideOf(session.description(), o.spec.group));
+  for (const scene::Object& o : scene.objects()) sides.push_back(sideOf(session.description(), o.spec.group));
   std::vector<PairClass> classes;
-  for (const Pair& p : scene.pairs()) classes.push_back(classOf(sides[p.a.index()], sides[p.b.index()]));
+  for (const scene::Pair& p : scene.pairs())
+    classes.push_back(classOf(sides[p.a.index()], sides[p.b.index()]));
   return classes;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

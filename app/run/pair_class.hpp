@@ -7,7 +7,7 @@
 
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// kOther: two people, two things, or parts of one person.
 enum class PairClass : std::uint8_t { kPersonRobot, kPersonThing, kRobotRobot, kRobotThing, kOther };
@@ -22,6 +22,6 @@ const char* pairClassKey(PairClass pair_class);
 const char* pairClassText(PairClass pair_class);
 
 /// Of each pair of the session's scene, in its order.
-std::vector<PairClass> pairClasses(const Session& session);
+std::vector<PairClass> pairClasses(const session::Session& session);
 
-}  // namespace abstand
+}  // namespace abstand::run

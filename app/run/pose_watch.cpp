@@ -4,7 +4,7 @@
 
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 /// Frames of two recordings need not agree better than this many of their steps.
@@ -26,28 +26,28 @@ void PoseWatch::Spell::note(bool holds, double t) noexcept {
   open = holds;
 }
 
-PoseWatch::PoseWatch(const Session& session) : session_(session) {
-  const Scene& scene = session.scene();
+PoseWatch::PoseWatch(const session::Session& session) : session_(session) {
+  const scene::Scene& scene = session.scene();
   std::vector<std::string> unmapped;
   const auto& humans = session.description().humans;
   for (std::size_t i = 0; i < humans.size(); ++i) {
-    const Recording* recording = session.humans()[i]->recording();
+    const tracking::Recording* recording = session.humans()[i]->recording();
     if (!recording) continue;
     for (const auto& part : recording->report.missing_parts) unmapped.push_back(humans[i].name + "/" + part);
     const double start = recording->frames.front().t, end = recording->frames.back().t;
     const double slack = kSteps * stepOf(start, end, recording->frames.size());
     Source source{humans[i].name, start - slack, end + slack, {}, {}, {}};
-    for (const Object& o : scene.objects())
+    for (const scene::Object& o : scene.objects())
       if (o.spec.group == humans[i].name)
         source.objects.push_back(static_cast<std::uint32_t>(&o - scene.objects().data()));
     sources_.push_back(std::move(source));
   }
-  if (const PosesTable* poses = session.poses()) {
+  if (const session::PosesTable* poses = session.poses()) {
     const double slack = kSteps * stepOf(poses->t.front(), poses->t.back(), poses->t.size());
     sources_.push_back({"the table of poses", poses->t.front() - slack, poses->t.back() + slack, {}, {}, {}});
   }
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i) {
-    const ObjectSpec& spec = scene.object(ObjectId(i)).spec;
+    const scene::ObjectSpec& spec = scene.object(ObjectId(i)).spec;
     if (scene.pairsOf(ObjectId(i)).empty()) continue;
     const bool none = std::find(unmapped.begin(), unmapped.end(), spec.name) != unmapped.end();
     bodies_.push_back({i, spec.name, spec.group, none, {}, {}, {}});
@@ -58,28 +58,28 @@ void PoseWatch::cycle(double t) noexcept {
   ++cycles_;
   const auto& objects = session_.scene().objects();
   for (Body& body : bodies_) {
-    const PoseState state = objects[body.object].pose_state;
-    body.refused.note(state == PoseState::kRejected, t);
-    body.stale.note(state == PoseState::kStale, t);
-    body.inferred.note(state == PoseState::kInferred, t);
+    const scene::PoseState state = objects[body.object].pose_state;
+    body.refused.note(state == scene::PoseState::kRejected, t);
+    body.stale.note(state == scene::PoseState::kStale, t);
+    body.inferred.note(state == scene::PoseState::kInferred, t);
   }
   for (Source& source : sources_) {
     source.outside.note(t < source.start || t > source.end, t);
     bool seen = source.objects.empty();
     for (const std::uint32_t i : source.objects)
-      seen =
-          seen || objects[i].pose_state == PoseState::kFresh || objects[i].pose_state == PoseState::kInferred;
+      seen = seen || objects[i].pose_state == scene::PoseState::kFresh ||
+             objects[i].pose_state == scene::PoseState::kInferred;
     source.absent.note(!seen, t);
   }
 }
 
 void PoseWatch::add(std::vector<Reservation>& out, const char* kind, const std::string& what,
-                    const Spell& spell, Severity fails) const {
+                    const Spell& spell, scene::Severity fails) const {
   if (spell.cycles == 0) return;
   const double share = static_cast<double>(spell.cycles) / static_cast<double>(cycles_);
-  std::string text = what + ", " + rounded(spell.t0, 3) + " s to " + rounded(spell.t1, 3) + " s";
+  std::string text = what + ", " + text::rounded(spell.t0, 3) + " s to " + text::rounded(spell.t1, 3) + " s";
   if (spell.stretches > 1) text += " in " + std::to_string(spell.stretches) + " stretches";
-  text += ", " + rounded(100.0 * share, 1) + " % of the time";
+  text += ", " + text::rounded(100.0 * share, 1) + " % of the time";
   out.push_back({kind, text, spell.t0, spell.t1, share, fails, {}});
 }
 
@@ -89,7 +89,7 @@ bool PoseWatch::wasAbsent(const Body& body, const Spell& spell) const {
 }
 
 void PoseWatch::addBodies(std::vector<Reservation>& out, const char* kind, const char* what,
-                          Spell Body::*spell, Severity fails) const {
+                          Spell Body::*spell, scene::Severity fails) const {
   std::vector<bool> told(bodies_.size(), false);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& first = bodies_[i];
@@ -109,16 +109,16 @@ void PoseWatch::addBodies(std::vector<Reservation>& out, const char* kind, const
 std::vector<Reservation> PoseWatch::reservations() const {
   std::vector<Reservation> out;
   addBodies(out, "refused_pose", ": the pose was refused (not finite, no rotation, or too far away)",
-            &Body::refused, Severity::kAlways);
+            &Body::refused, scene::Severity::kAlways);
   for (const Source& s : sources_)
-    add(out, "no_person", s.name + " was not seen at all", s.absent, Severity::kAlways);
+    add(out, "no_person", s.name + " was not seen at all", s.absent, scene::Severity::kAlways);
   for (const Source& s : sources_)
     add(out, "outside_recording", s.name + " is not recorded then and stands still", s.outside,
-        Severity::kAlways);
-  addBodies(out, "stale_pose", ": the pose was stale", &Body::stale, Severity::kAlways);
+        scene::Severity::kAlways);
+  addBodies(out, "stale_pose", ": the pose was stale", &Body::stale, scene::Severity::kAlways);
   addBodies(out, "inferred_pose", ": the pose was inferred, not measured", &Body::inferred,
-            Severity::kStrict);
+            scene::Severity::kStrict);
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

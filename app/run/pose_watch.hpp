@@ -6,13 +6,13 @@
 
 #include "app/run/reservations.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// Looks at the poses of a session cycle by cycle. Bodies that are in no pair do not count: no verdict rests
 /// on them. One thread. The session must outlive it.
 class PoseWatch {
  public:
-  explicit PoseWatch(const Session& session);
+  explicit PoseWatch(const session::Session& session);
   /// After each cycle, at its time (s). No allocation, no throw.
   void cycle(double t) noexcept;
   /// Of all cycles so far, those of bodies that shared their fate as one.
@@ -41,15 +41,15 @@ class PoseWatch {
     Spell absent, outside;
   };
   void add(std::vector<Reservation>& out, const char* kind, const std::string& what, const Spell& spell,
-           Severity fails) const;
+           scene::Severity fails) const;
   void addBodies(std::vector<Reservation>& out, const char* kind, const char* what, Spell Body::*spell,
-                 Severity fails) const;
+                 scene::Severity fails) const;
   bool wasAbsent(const Body& body, const Spell& spell) const;
 
-  const Session& session_;
+  const session::Session& session_;
   std::vector<Body> bodies_;
   std::vector<Source> sources_;
   long cycles_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -7,7 +7,7 @@
 #include "core/mechanism/joint_range.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 /// A foot nearer to the floor than this (m) stands on it.
@@ -27,7 +27,7 @@ double shareOf(std::size_t part, std::size_t all) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0.0;
 }
 
-void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
+void addMechanism(const scene_file::MechanismDescription& m, const session::MechanismDriver& driver,
                   std::vector<Reservation>& out) {
   if (m.no_geometry)
     out.push_back({"bodiless",
@@ -35,7 +35,7 @@ void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
                    {},
                    {},
                    {},
-                   Severity::kNote,
+                   scene::Severity::kNote,
                    {}});
   else if (m.links.empty())
     out.push_back({"no_body",
@@ -45,7 +45,7 @@ void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
                    {},
                    {},
                    {},
-                   Severity::kAlways,
+                   scene::Severity::kAlways,
                    {}});
   if (!m.bodiless.empty())
     out.push_back({"bodiless",
@@ -53,18 +53,18 @@ void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
                    {},
                    {},
                    {},
-                   Severity::kNote,
+                   scene::Severity::kNote,
                    {}});
   if (!m.missing.empty())
     out.push_back({"missing_body",
-                   missingBodiesText(m),
+                   scene_file::missingBodiesText(m),
                    {},
                    {},
                    shareOf(m.missing.size(), m.frames_with_geometry),
-                   Severity::kAlways,
+                   scene::Severity::kAlways,
                    {}});
 
-  const auto ranges = jointRanges(driver.mechanism());
+  const auto ranges = mechanism::jointRanges(driver.mechanism());
   const auto unlimited =
       std::count_if(ranges.begin(), ranges.end(), [](const auto& r) { return r.unlimited; });
   std::vector<bool> no_speed(ranges.size(), false);
@@ -80,33 +80,33 @@ void addMechanism(const MechanismDescription& m, const MechanismDriver& driver,
                    {},
                    {},
                    {},
-                   m.reaction ? Severity::kStrict : Severity::kNote,
+                   m.reaction ? scene::Severity::kStrict : scene::Severity::kNote,
                    {}});
 }
 
 /// Bodies that do not stand where the `link` environments of the mechanism's file have their centres.
-void addCenters(const MechanismDescription& m, const MechanismDriver& driver, const Scene& scene,
-                std::vector<Reservation>& out) {
+void addCenters(const scene_file::MechanismDescription& m, const session::MechanismDriver& driver,
+                const scene::Scene& scene, std::vector<Reservation>& out) {
   for (std::size_t i = 0; i < m.links.size(); ++i) {
-    const LinkDescription& link = m.links[i];
+    const scene_file::LinkDescription& link = m.links[i];
     const auto& object = driver.links()[i].object;
     if (!link.p_FC || !object) continue;
     const double off = (link.X_FL * scene.object(*object).spec.structure->com - *link.p_FC).norm();
     if (off <= kCenterDistance) continue;
     out.push_back({"link_center",
-                   link.name + ": its centre is " + rounded(off, 3) + " m from the one that " +
+                   link.name + ": its centre is " + text::rounded(off, 3) + " m from the one that " +
                        m.file.filename().string() + " gives (`link` environment), which does not act here" +
                        (link.posed ? "" : "; `pose: center` puts the mesh's origin there"),
                    {},
                    {},
                    {},
-                   link.posed ? Severity::kNote : Severity::kStrict,
+                   link.posed ? scene::Severity::kNote : scene::Severity::kStrict,
                    {}});
   }
 }
 
 /// Steps of time without a frame.
-void addSteps(const std::string& file, const Recording& recording, std::vector<Reservation>& out) {
+void addSteps(const std::string& file, const tracking::Recording& recording, std::vector<Reservation>& out) {
   const auto& frames = recording.frames;
   if (frames.size() < 3 || !(recording.report.rate > 0.0)) return;
   std::vector<double> steps;
@@ -119,18 +119,18 @@ void addSteps(const std::string& file, const Recording& recording, std::vector<R
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (steps[i] > kLongStep * usual)
       out.push_back({"gaps",
-                     file + ": no frame for " + rounded(steps[i], 3) + " s",
+                     file + ": no frame for " + text::rounded(steps[i], 3) + " s",
                      frames[i].t,
                      frames[i + 1].t,
                      duration > 0.0 ? std::optional(steps[i] / duration) : std::nullopt,
-                     Severity::kStrict,
+                     scene::Severity::kStrict,
                      {}});
 }
 
-void addRecording(const HumanDescription& d, const HumanDriver& driver, const Scene& scene,
-                  std::vector<Reservation>& out) {
-  const Recording& recording = *driver.recording();
-  const RecordingReport& r = recording.report;
+void addRecording(const scene_file::HumanDescription& d, const session::HumanDriver& driver,
+                  const scene::Scene& scene, std::vector<Reservation>& out) {
+  const tracking::Recording& recording = *driver.recording();
+  const tracking::RecordingReport& r = recording.report;
   const std::string file = d.recording.file.filename().string();
   const std::size_t frames = recording.frames.size();
   if (r.frames_missing > 0)
@@ -140,7 +140,7 @@ void addRecording(const HumanDescription& d, const HumanDriver& driver, const Sc
                    recording.frames.back().t,
                    {},
                    shareOf(r.frames_missing, frames + r.frames_missing),
-                   Severity::kAlways,
+                   scene::Severity::kAlways,
                    {}});
   if (r.gaps > 0)
     out.push_back({"gaps",
@@ -149,7 +149,7 @@ void addRecording(const HumanDescription& d, const HumanDriver& driver, const Sc
                    {},
                    {},
                    shareOf(r.gaps, frames),
-                   Severity::kStrict,
+                   scene::Severity::kStrict,
                    {}});
   addSteps(file, recording, out);
 
@@ -164,7 +164,7 @@ void addRecording(const HumanDescription& d, const HumanDriver& driver, const Sc
                    {},
                    {},
                    {},
-                   paired ? Severity::kAlways : Severity::kNote,
+                   paired ? scene::Severity::kAlways : scene::Severity::kNote,
                    {}});
   if (r.units_guessed)
     out.push_back({"units_guess",
@@ -173,7 +173,7 @@ void addRecording(const HumanDescription& d, const HumanDriver& driver, const Sc
                    {},
                    {},
                    {},
-                   Severity::kStrict,
+                   scene::Severity::kStrict,
                    {}});
   if (r.up_guessed)
     out.push_back({"up_guess",
@@ -182,42 +182,43 @@ void addRecording(const HumanDescription& d, const HumanDriver& driver, const Sc
                    {},
                    {},
                    {},
-                   Severity::kStrict,
+                   scene::Severity::kStrict,
                    {}});
   const double foot = r.lowest_foot + d.recording.place_xyz.z();
   if (std::abs(foot) > kFloorDistance)
     out.push_back({"floor",
-                   file + ": the lowest foot of " + d.name + " is at z = " + rounded(foot, 2) +
+                   file + ": the lowest foot of " + d.name + " is at z = " + text::rounded(foot, 2) +
                        " m, not on the floor at 0",
                    {},
                    {},
                    {},
-                   Severity::kStrict,
+                   scene::Severity::kStrict,
                    {}});
   for (std::size_t i = 0; i < r.warnings.size(); ++i)
     if (std::find(r.in_fields.begin(), r.in_fields.end(), i) == r.in_fields.end())
-      out.push_back({"recording", file + ": " + r.warnings[i], {}, {}, {}, Severity::kStrict, {}});
+      out.push_back({"recording", file + ": " + r.warnings[i], {}, {}, {}, scene::Severity::kStrict, {}});
 }
 
 }  // namespace
 
-const char* severityName(Severity severity) {
+const char* severityName(scene::Severity severity) {
   switch (severity) {
-    case Severity::kNote:
+    case scene::Severity::kNote:
       return "never";
-    case Severity::kStrict:
+    case scene::Severity::kStrict:
       return "strict";
-    case Severity::kAlways:
+    case scene::Severity::kAlways:
       return "always";
   }
   return "always";
 }
 
-std::vector<Reservation> reservationsOf(const Session& session) {
+std::vector<Reservation> reservationsOf(const session::Session& session) {
   std::vector<Reservation> out;
-  const SceneDescription& scene = session.description();
+  const scene_file::SceneDescription& scene = session.description();
   if (session.scene().pairs().empty())
-    out.push_back({"no_pairs", "no pair is checked: the scene has none", {}, {}, {}, Severity::kAlways, {}});
+    out.push_back(
+        {"no_pairs", "no pair is checked: the scene has none", {}, {}, {}, scene::Severity::kAlways, {}});
   for (std::size_t i = 0; i < scene.mechanisms.size(); ++i) {
     addMechanism(scene.mechanisms[i], *session.mechanisms()[i], out);
     addCenters(scene.mechanisms[i], *session.mechanisms()[i], session.scene(), out);
@@ -226,20 +227,20 @@ std::vector<Reservation> reservationsOf(const Session& session) {
     if (session.humans()[i]->recording())
       addRecording(scene.humans[i], *session.humans()[i], session.scene(), out);
   // Pieces and dropped triangles are no reason to doubt a closed mesh: they stay remarks.
-  for (const MeshRemark& remark : session.meshRemarks())
-    if (remark.doubtful) out.push_back({"mesh", remark.text, {}, {}, {}, Severity::kStrict, {}});
+  for (const session::MeshRemark& remark : session.meshRemarks())
+    if (remark.doubtful) out.push_back({"mesh", remark.text, {}, {}, {}, scene::Severity::kStrict, {}});
   return out;
 }
 
 Reservation interruptedReservation(std::size_t done, std::size_t all, std::optional<double> last) {
   Reservation r;
   r.kind = "interrupted";
-  r.text = last ? "interrupted at " + rounded(*last, 3) + " s: " + std::to_string(done) + " of " +
+  r.text = last ? "interrupted at " + text::rounded(*last, 3) + " s: " + std::to_string(done) + " of " +
                       std::to_string(all) + " frames were run"
                 : "interrupted before a frame was run";
   r.t0 = last;
   if (all > 0) r.share = 1.0 - shareOf(done, all);
-  r.fails = Severity::kAlways;
+  r.fails = scene::Severity::kAlways;
   return r;
 }
 
@@ -249,7 +250,7 @@ void addReservations(std::vector<Reservation>& all, const std::vector<Reservatio
 }
 
 bool failing(const Reservation& r, bool strict) {
-  return r.fails == Severity::kAlways || (strict && r.fails == Severity::kStrict);
+  return r.fails == scene::Severity::kAlways || (strict && r.fails == scene::Severity::kStrict);
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -8,7 +8,7 @@
 #include "app/session/session.hpp"
 #include "core/scene/scene_note.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// One reason to doubt a verdict.
 struct Reservation {
@@ -20,17 +20,17 @@ struct Reservation {
   std::string text;              ///< one line
   std::optional<double> t0, t1;  ///< s, where it holds for a time only
   std::optional<double> share;   ///< of the frames, 0 to 1
-  Severity fails{Severity::kStrict};
+  scene::Severity fails{scene::Severity::kStrict};
   std::string recording;  ///< of `check` over several; else empty
 
   bool operator==(const Reservation&) const = default;
 };
 
 /// "always", "strict" or "never".
-const char* severityName(Severity severity);
+const char* severityName(scene::Severity severity);
 
 /// What is known before a frame is run: of the scene, its robots, meshes and recordings.
-std::vector<Reservation> reservationsOf(const Session& session);
+std::vector<Reservation> reservationsOf(const session::Session& session);
 
 /// Of a run that was interrupted when `done` of `all` frames were run, the last one at `last` (s; nothing:
 /// none was).
@@ -42,4 +42,4 @@ void addReservations(std::vector<Reservation>& all, const std::vector<Reservatio
 /// Whether one of them fails the check.
 bool failing(const Reservation& reservation, bool strict);
 
-}  // namespace abstand
+}  // namespace abstand::run

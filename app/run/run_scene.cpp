@@ -13,7 +13,7 @@
 #include "core/scene/cycle_statistics.hpp"
 #include "core/scene/pair_threads.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -29,10 +29,10 @@ struct Frames {
   std::size_t first{0};
 };
 
-Frames framesOf(const Session& session, const RunOptions& options) {
+Frames framesOf(const session::Session& session, const RunOptions& options) {
   const std::vector<double> all = options.rate ? session.frameTimes(*options.rate) : session.frameTimes();
   Frames frames;
-  frames.times = timesBetween(all, options.start, options.end);
+  frames.times = session::timesBetween(all, options.start, options.end);
   const auto at = std::find(all.begin(), all.end(), frames.times.front());
   frames.first = static_cast<std::size_t>(at - all.begin());
   frames.before.assign(all.begin(), at);
@@ -42,15 +42,15 @@ Frames framesOf(const Session& session, const RunOptions& options) {
 /// Collects what a frame says of the extremes.
 class Extremes {
  public:
-  explicit Extremes(const Session& session)
+  explicit Extremes(const session::Session& session)
       : session_(session), touching_(session.scene().pairs().size(), false), classes_(pairClasses(session)) {}
 
   /// `renewed`: the pairs whose results may differ from the last frame's; all of them in the first frame.
-  void frame(double t, const std::vector<PairResult>& results, const std::vector<PairId>& renewed,
+  void frame(double t, const std::vector<query::PairResult>& results, const std::vector<PairId>& renewed,
              RunSummary& summary) {
     for (const PairId id : renewed) {
       const std::size_t i = id.index();
-      const PairResult& r = results[i];
+      const query::PairResult& r = results[i];
       const double age = session_.scene().ageOf(id, t);
       if (age > age_ || (age == age_ && t == age_t_ && i < age_pair_)) {
         age_ = age;
@@ -74,7 +74,7 @@ class Extremes {
     }
     summary.contacts += touching_count_;
     // What is not seen comes nearer although nothing was renewed.
-    const Scene& scene = session_.scene();
+    const scene::Scene& scene = session_.scene();
     for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
       if (scene.object(ObjectId(i)).reach > 0.0)
         for (const PairId id : scene.pairsOf(ObjectId(i)))
@@ -91,8 +91,8 @@ class Extremes {
   }
 
   RunSummary::Extreme extreme(std::size_t pair, double t, double value) const {
-    const Scene& scene = session_.scene();
-    const Pair& p = scene.pairs()[pair];
+    const scene::Scene& scene = session_.scene();
+    const scene::Pair& p = scene.pairs()[pair];
     return {scene.object(p.a).spec.name, scene.object(p.b).spec.name, t, value};
   }
 
@@ -114,7 +114,7 @@ class Extremes {
     clearance_.offer(distance - session_.scene().pairUncertainty(id), t, id.index());
   }
 
-  const Session& session_;
+  const session::Session& session_;
   std::vector<bool> touching_;
   long touching_count_{0};
   Least distance_, clearance_;
@@ -129,9 +129,10 @@ class Extremes {
 /// Times one pair a frame, in turn, outside the measured cycle.
 class PairClock {
  public:
-  explicit PairClock(const Scene& scene) : sum_us_(scene.pairs().size()), count_(scene.pairs().size()) {}
+  explicit PairClock(const scene::Scene& scene)
+      : sum_us_(scene.pairs().size()), count_(scene.pairs().size()) {}
 
-  void sample(const Scene& scene) {
+  void sample(const scene::Scene& scene) {
     if (sum_us_.empty()) return;
     const auto begin = Clock::now();
     result_ = queryCold(scene, scene.pairs()[next_], scratch_);
@@ -153,13 +154,13 @@ class PairClock {
   std::vector<double> sum_us_;
   std::vector<int> count_;
   std::size_t next_{0};
-  PairScratch scratch_;
-  PairResult result_;
+  kernels::PairScratch scratch_;
+  query::PairResult result_;
 };
 
 /// The groups of pairs that live mode runs: the scene file's with one for the rest, or one group a core.
-std::vector<std::vector<PairId>> liveGroups(const Session& session) {
-  const Scene& scene = session.scene();
+std::vector<std::vector<PairId>> liveGroups(const session::Session& session) {
+  const scene::Scene& scene = session.scene();
   std::vector<std::vector<PairId>> groups;
   if (session.description().threads.empty()) {
     groups.resize(std::max(1u, std::thread::hardware_concurrency()));
@@ -167,11 +168,11 @@ std::vector<std::vector<PairId>> liveGroups(const Session& session) {
       groups[i % groups.size()].push_back(PairId(static_cast<std::uint32_t>(i)));
     return groups;
   }
-  for (const PairGroup& group : session.pairGroups()) groups.push_back(group.pairs);
+  for (const session::PairGroup& group : session.pairGroups()) groups.push_back(group.pairs);
   return groups;
 }
 
-void add(const StepCounts& counts, RunSummary::Work& work) {
+void add(const scene::StepCounts& counts, RunSummary::Work& work) {
   work.checked += counts.checked;
   work.rested += counts.rested;
   work.beyond += counts.beyond;
@@ -179,7 +180,7 @@ void add(const StepCounts& counts, RunSummary::Work& work) {
   work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
 }
 
-std::vector<PairId> allPairs(const Scene& scene) {
+std::vector<PairId> allPairs(const scene::Scene& scene) {
   std::vector<PairId> all;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) all.emplace_back(i);
   return all;
@@ -189,10 +190,10 @@ std::vector<PairId> allPairs(const Scene& scene) {
 /// of each cycle up to a frame when it was and how many seconds it worked, and in `renewed`, the pairs whose
 /// results a cycle may have changed.
 template <class Cycle>
-void runFrames(const Session& session, const ClosedLoop* loop, const std::vector<double>& times,
-               const RunOptions& options, bool last, RunSummary& summary, CycleStatistics& statistics,
-               std::vector<PairResult>& results, const std::vector<PairId>& all,
-               const std::vector<PairId>& renewed, Cycle cycle) {
+void runFrames(const session::Session& session, const loop::ClosedLoop* loop,
+               const std::vector<double>& times, const RunOptions& options, bool last, RunSummary& summary,
+               scene::CycleStatistics& statistics, std::vector<query::PairResult>& results,
+               const std::vector<PairId>& all, const std::vector<PairId>& renewed, Cycle cycle) {
   const bool live = options.mode == RunMode::kLive;
   CsvOutputs csv(last ? options.csv : CsvPaths{}, session, loop, live);
   std::unique_ptr<SessionLog> log;
@@ -244,23 +245,23 @@ void runFrames(const Session& session, const ClosedLoop* loop, const std::vector
 
 }  // namespace
 
-RunSummary runScene(Session& session, const RunOptions& options) {
+RunSummary runScene(session::Session& session, const RunOptions& options) {
   const bool react = options.react && session.reacts();
   const Frames frames = framesOf(session, options);
   const std::vector<double>& times = frames.times;
-  Scene& scene = session.scene();
+  scene::Scene& scene = session.scene();
   RunSummary summary;
   summary.objects = scene.objectCount();
   summary.pairs = scene.pairs().size();
   summary.build_ms = session.buildMs();
   summary.memory_bytes = scene.memoryBytes();
-  std::vector<PairResult> results(summary.pairs);
+  std::vector<query::PairResult> results(summary.pairs);
   const std::vector<PairId> all = allPairs(scene);
   std::vector<bool> stale(summary.objects);
   const auto watch = [&] {
     for (std::size_t i = 0; i < stale.size(); ++i) {
-      const PoseState s = scene.objects()[i].pose_state;
-      if (s == PoseState::kStale || s == PoseState::kRejected) stale[i] = true;
+      const scene::PoseState s = scene.objects()[i].pose_state;
+      if (s == scene::PoseState::kStale || s == scene::PoseState::kRejected) stale[i] = true;
     }
   };
 
@@ -274,19 +275,19 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   if (scene.culling().remember && options.mode == RunMode::kLockstep)
     summary.warm_start = {passes ? kColdStart : 0, scene.culling().far_tolerance};
   for (const PairId id : all) results[id.index()] = scene.result(id);
-  CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
+  scene::CycleStatistics statistics(1e-6 * RunSummary::kPeriodUs);
   if (options.profile && options.mode == RunMode::kLockstep)
     summary.profile.emplace(1e-6 * RunSummary::kPeriodUs);
   for (int repeat = 0; repeat < options.repeat && !summary.interrupted; ++repeat) {
     const bool last = repeat + 1 == options.repeat;
     scene.startCold();
     if (react && options.mode == RunMode::kLockstep) {
-      ClosedLoop loop(session, times.front());
+      loop::ClosedLoop loop(session, times.front());
       summary.cycles = 0;
       runFrames(session, &loop, times, options, last, summary, statistics, results, all, scene.renewed(),
                 [&](double t, const auto& done) {
                   // The cycle nearest to the frame is the last one before it.
-                  while (loop.time() <= t + 0.5 * ClosedLoop::kStep) {
+                  while (loop.time() <= t + 0.5 * loop::ClosedLoop::kStep) {
                     const double at = loop.time();
                     if (summary.profile) summary.profile->begin();
                     const auto begin = Clock::now();
@@ -300,7 +301,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                     done(at, worked);
                   }
                 });
-      summary.robots = reportOf(loop);
+      summary.robots = loop::reportOf(loop);
     } else if (options.mode == RunMode::kLockstep) {
       std::size_t frame = frames.first;
       runFrames(session, nullptr, times, options, last, summary, statistics, results, all, scene.renewed(),
@@ -321,7 +322,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
       summary.cycles = 0;
       runFrames(session, &live.loop(), times, options, last, summary, statistics, results, all, all,
                 [&](double t, const auto& done) {
-                  while (live.loop().time() <= t + 0.5 * ClosedLoop::kStep) {
+                  while (live.loop().time() <= t + 0.5 * loop::ClosedLoop::kStep) {
                     const double at = live.loop().time();
                     const double worked = live.cycle(results);
                     watch();
@@ -330,10 +331,10 @@ RunSummary runScene(Session& session, const RunOptions& options) {
                   }
                 });
       add(live.counts(), summary.work);
-      summary.robots = reportOf(live.loop());
+      summary.robots = loop::reportOf(live.loop());
     } else {
       session.applyMotion(times.front());
-      PairThreads threads(scene);
+      scene::PairThreads threads(scene);
       for (auto& group : liveGroups(session)) threads.start(threads.addGroup(std::move(group)));
       const double period =
           times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
@@ -364,7 +365,7 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   summary.p999_us = 1e6 * statistics.p999();
   summary.max_us = 1e6 * statistics.max();
   summary.overruns = statistics.overruns();
-  for (const SpeedBreach& b : scene.speedWatch().listed())
+  for (const scene::SpeedBreach& b : scene.speedWatch().listed())
     if (b.t >= times.front())
       summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
   summary.breach_count = scene.speedWatch().count() - breaches_before;
@@ -373,4 +374,4 @@ RunSummary runScene(Session& session, const RunOptions& options) {
   return summary;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -14,7 +14,7 @@
 #include "app/run/reservations.hpp"
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 enum class RunMode { kLockstep, kLive };
 
@@ -35,7 +35,7 @@ struct RunOptions {
   std::function<bool()> interrupted;  ///< asked once a frame
   /// Called once a frame, in the closed loop once a cycle up to a frame, with the results in scene order; the
   /// last repeat only.
-  std::function<void(double t, const std::vector<PairResult>&)> on_cycle;
+  std::function<void(double t, const std::vector<query::PairResult>&)> on_cycle;
 };
 
 /// A pass over frames starts cold at frame 0 and every kColdStart frames from there on, so that a pass that
@@ -81,7 +81,7 @@ struct RunSummary {
   std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
   long breach_count{0};          ///< all of them
   long cycles{0};                ///< of the closed loop; 0: there was none
-  std::vector<ReactionReport> robots;          ///< those that reacted
+  std::vector<loop::ReactionReport> robots;    ///< those that reacted
   std::vector<JointLimitReport> joint_limits;  ///< position, velocity, acceleration and effort limits broken
   std::optional<CycleProfile> profile;
   double build_ms{0.0};
@@ -92,6 +92,6 @@ struct RunSummary {
 
 /// Throws UsageError for a range without a frame and for files that cannot be written; ParseError for a robot
 /// that cannot react.
-RunSummary runScene(Session& session, const RunOptions& options);
+RunSummary runScene(session::Session& session, const RunOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::run

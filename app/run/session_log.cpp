@@ -7,7 +7,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/write_error.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 constexpr hsize_t kChunkFrames = 256;
@@ -102,9 +102,9 @@ std::string systemReason() {
   return reason.empty() ? "the HDF5 library failed" : reason;
 }
 
-void writeNames(hid_t file, const Scene& scene) {
+void writeNames(hid_t file, const scene::Scene& scene) {
   std::vector<const char*> names;
-  for (const Object& o : scene.objects()) names.push_back(o.spec.name.c_str());
+  for (const scene::Object& o : scene.objects()) names.push_back(o.spec.name.c_str());
   const hid_t text = H5Tcopy(H5T_C_S1);
   H5Tset_size(text, H5T_VARIABLE);
   const hsize_t count = names.size();
@@ -119,9 +119,9 @@ void writeNames(hid_t file, const Scene& scene) {
   H5Tclose(text);
 }
 
-void writePairs(hid_t file, const Scene& scene) {
+void writePairs(hid_t file, const scene::Scene& scene) {
   std::vector<int> indices;
-  for (const Pair& p : scene.pairs()) {
+  for (const scene::Pair& p : scene.pairs()) {
     indices.push_back(static_cast<int>(p.a.index()));
     indices.push_back(static_cast<int>(p.b.index()));
   }
@@ -177,7 +177,7 @@ struct SessionLog::Impl {
   }
 };
 
-SessionLog::SessionLog(const std::filesystem::path& file, const Session& session, bool live)
+SessionLog::SessionLog(const std::filesystem::path& file, const session::Session& session, bool live)
     : impl_(std::make_unique<Impl>(file)) {
   startLibrary();
   impl_->handle = H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -204,8 +204,8 @@ SessionLog::~SessionLog() {
   if (impl_) impl_->close();
 }
 
-void SessionLog::write(double t, double shown, const Session& session,
-                       const std::vector<PairResult>& results) {
+void SessionLog::write(double t, double shown, const session::Session& session,
+                       const std::vector<query::PairResult>& results) {
   impl_->t->add(t);
   if (impl_->age)
     for (std::uint32_t i = 0; i < results.size(); ++i)
@@ -215,7 +215,7 @@ void SessionLog::write(double t, double shown, const Session& session,
     impl_->bound->add(r.bound);
     for (int i = 0; i < 3; ++i) impl_->force->add(r.force_a[i]);
   }
-  for (const Object& o : session.scene().objects()) impl_->reach->add(o.reach);
+  for (const scene::Object& o : session.scene().objects()) impl_->reach->add(o.reach);
   for (const auto& m : session.mechanisms())
     for (double q : m->q()) impl_->q->add(q);
   for (double e : session.jointEfforts()) impl_->effort->add(e);
@@ -235,4 +235,4 @@ void SessionLog::commit() {
   impl_->out.commit();
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

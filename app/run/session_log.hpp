@@ -7,7 +7,7 @@
 
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// Datasets, one row a frame: /t [s], /distance and /bound [m] (frame x pair), /force [N] (frame x pair x 3,
 /// on the first body), /q and /effort (frame x joint), in live mode /age [s] (frame x pair), with the names
@@ -15,10 +15,11 @@ namespace abstand {
 /// frames; renamed into place at commit().
 class SessionLog {
  public:
-  SessionLog(const std::filesystem::path& file, const Session& session, bool live);
+  SessionLog(const std::filesystem::path& file, const session::Session& session, bool live);
   ~SessionLog();
   /// `shown`: s, of the poses that the scene shows. Throws WriteError as soon as the disk refuses something.
-  void write(double t, double shown, const Session& session, const std::vector<PairResult>& results);
+  void write(double t, double shown, const session::Session& session,
+             const std::vector<query::PairResult>& results);
   /// Writes, closes and checks, so that commit() has only to rename. Throws WriteError.
   void finish();
   void commit();
@@ -28,4 +29,4 @@ class SessionLog {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -1,54 +1,55 @@
 #include "app/run/swept_check.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 // As near as the check wants to know; a limit is a whole number of millimetres in practice.
 constexpr double kTolerance = 1e-4;
 constexpr int kMaxSamples = 256;
 
-DistanceSample sampleOf(const PairResult& r) { return {r.distance - r.bound, r.distance}; }
+safety::DistanceSample sampleOf(const query::PairResult& r) { return {r.distance - r.bound, r.distance}; }
 
 }  // namespace
 
-void SweptCheck::begin(double t, const std::vector<PairResult>& results) {
+void SweptCheck::begin(double t, const std::vector<query::PairResult>& results) {
   t_ = t;
   poses_.clear();
   distances_.clear();
-  for (const Object& object : scene_.objects()) poses_.push_back(object.X_WB);
-  for (const PairResult& r : results) distances_.push_back(sampleOf(r));
+  for (const scene::Object& object : scene_.objects()) poses_.push_back(object.X_WB);
+  for (const query::PairResult& r : results) distances_.push_back(sampleOf(r));
   between_.assign(results.size(), {});
   memories_.resize(results.size());
 }
 
-std::span<const SweptCheck::Between> SweptCheck::frame(double t, const std::vector<PairResult>& results,
+std::span<const SweptCheck::Between> SweptCheck::frame(double t,
+                                                       const std::vector<query::PairResult>& results,
                                                        std::span<const double> limits) {
   if (!(t > t_)) {
     begin(t, results);
     return between_;
   }
   const double duration = t - t_;
-  const std::vector<Object>& objects = scene_.objects();
+  const std::vector<scene::Object>& objects = scene_.objects();
   motions_.clear();
   for (std::size_t i = 0; i < objects.size(); ++i)
     motions_.emplace_back(objects[i].spec.structure->bounding_sphere, poses_[i], objects[i].X_WB, duration);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Pair& pair = scene_.pairs()[i];
-    PoseSegment &a = motions_[pair.a.index()], &b = motions_[pair.b.index()];
-    const DistanceSample now = sampleOf(results[i]);
+    const scene::Pair& pair = scene_.pairs()[i];
+    safety::PoseSegment &a = motions_[pair.a.index()], &b = motions_[pair.b.index()];
+    const safety::DistanceSample now = sampleOf(results[i]);
     const double rate = a.speed(0.0, duration) + b.speed(0.0, duration);
     Between& between = between_[i];
-    between = {t, leastBetween(distances_[i].lower, now.lower, rate, duration),
+    between = {t, safety::leastBetween(distances_[i].lower, now.lower, rate, duration),
                std::min(distances_[i].upper, now.upper)};
     if (!(between.lower >= limits[i]) && rate > 0.0) {
-      SweptOptions options;
+      safety::SweptOptions options;
       options.tolerance = kTolerance;
       options.enough = limits[i];
       options.most_samples = kMaxSamples;
       scratch_.memory = memories_[i];
-      const HapticStructure &sa = *objects[pair.a.index()].spec.structure,
-                            &sb = *objects[pair.b.index()].spec.structure;
-      const SweptResult swept = sweptPair(sa, a, sb, b, duration, options, scratch_);
+      const structure::HapticStructure &sa = *objects[pair.a.index()].spec.structure,
+                                       &sb = *objects[pair.b.index()].spec.structure;
+      const safety::SweptResult swept = safety::sweptPair(sa, a, sb, b, duration, options, scratch_);
       memories_[i] = scratch_.memory;
       queries_ += swept.samples;
       between.lower = std::max(between.lower, swept.lower);
@@ -61,4 +62,4 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t, const std::vect
   return between_;
 }
 
-}  // namespace abstand
+}  // namespace abstand::run

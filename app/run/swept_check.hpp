@@ -8,7 +8,7 @@
 #include "core/safety/swept_pair.hpp"
 #include "core/scene/scene.hpp"
 
-namespace abstand {
+namespace abstand::run {
 
 /// Certified bounds on the distance of each pair over the time between two frames, in which every body goes
 /// from pose to pose with its centre on a line and turns about one axis at a constant rate (PoseSegment). So
@@ -17,7 +17,7 @@ namespace abstand {
 /// frames only.
 class SweptCheck {
  public:
-  explicit SweptCheck(const Scene& scene) : scene_(scene) {}
+  explicit SweptCheck(const scene::Scene& scene) : scene_(scene) {}
 
   /// Of one pair, between the last frame and this one. lower <= smallest distance <= upper, m.
   struct Between {
@@ -27,23 +27,23 @@ class SweptCheck {
   /// A new frame at `t` (s) with its results, in the scene's order. Nothing lies before the first one, nor
   /// between frames of the same or an earlier time: a jump back. `limits`: m, of each pair; what is certain
   /// to be above it is not looked at more closely.
-  std::span<const Between> frame(double t, const std::vector<PairResult>& results,
+  std::span<const Between> frame(double t, const std::vector<query::PairResult>& results,
                                  std::span<const double> limits);
   /// Pairs and times that were queried, so far.
   long queries() const { return queries_; }
 
  private:
-  void begin(double t, const std::vector<PairResult>& results);
+  void begin(double t, const std::vector<query::PairResult>& results);
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::vector<Between> between_;
-  std::vector<Transform> poses_;           ///< of the last frame
-  std::vector<DistanceSample> distances_;  ///< likewise
-  std::vector<PoseSegment> motions_;
-  SweptScratch scratch_;
-  std::vector<PairMemory> memories_;
+  std::vector<Transform> poses_;                   ///< of the last frame
+  std::vector<safety::DistanceSample> distances_;  ///< likewise
+  std::vector<safety::PoseSegment> motions_;
+  safety::SweptScratch scratch_;
+  std::vector<query::PairMemory> memories_;
   double t_{kNaN};
   long queries_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::run

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 class Bodies {
@@ -79,4 +79,4 @@ std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& 
   return pairs;
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

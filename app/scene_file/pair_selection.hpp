@@ -7,7 +7,7 @@
 
 #include "app/scene_file/scene_description.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 
 /// One body as the selection sees it.
 struct SelectableBody {
@@ -27,4 +27,4 @@ std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& 
                                              const PairsDescription& rules,
                                              const std::vector<std::pair<int, int>>& adjacent);
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <span>
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
-using LinkBodies = std::vector<const LinkGeometry*>;
+using LinkBodies = std::vector<const robot_file::LinkGeometry*>;
 
 constexpr std::size_t kMaxNames = 16;  // in one line
 
-std::string frameName(const Robot& robot, int frame) {
+std::string frameName(const robot_file::Robot& robot, int frame) {
   return frame < 0 ? "0" : robot.mechanism.frames[static_cast<std::size_t>(frame)].name;
 }
 
@@ -24,8 +24,8 @@ std::string joined(const std::vector<std::string>& names) {
 /// Chooses and finds the geometry of one frame after the other.
 class LinkChooser {
  public:
-  LinkChooser(const Robot& robot, const std::string& mechanism, GeometryUse wanted,
-              const PackagePaths& packages, const std::vector<std::string>& bodiless)
+  LinkChooser(const robot_file::Robot& robot, const std::string& mechanism, robot_file::GeometryUse wanted,
+              const robot_file::PackagePaths& packages, const std::vector<std::string>& bodiless)
       : robot_(robot),
         mechanism_(mechanism),
         wanted_(wanted),
@@ -36,12 +36,13 @@ class LinkChooser {
     const int frames = static_cast<int>(robot_.mechanism.frames.size());
     std::vector<LinkBodies> collisions(static_cast<std::size_t>(frames) + 1), visuals = collisions;
     for (const auto& g : robot_.geometry)
-      (g.use == GeometryUse::kCollision ? collisions : visuals)[static_cast<std::size_t>(g.frame + 1)]
+      (g.use == robot_file::GeometryUse::kCollision ? collisions
+                                                    : visuals)[static_cast<std::size_t>(g.frame + 1)]
           .push_back(&g);
     for (int frame = -1; frame < frames; ++frame)
       choose(frame, collisions[static_cast<std::size_t>(frame + 1)],
              visuals[static_cast<std::size_t>(frame + 1)]);
-    for (const UnreadGeometry& g : robot_.unread) addUnread(g);
+    for (const robot_file::UnreadGeometry& g : robot_.unread) addUnread(g);
     if (!missing_.empty()) refuse();
     if (!replaced_.empty())
       out_.remarks.push_back(robot_.file.string() + ": not all visual meshes are there, so the collision " +
@@ -53,10 +54,11 @@ class LinkChooser {
  private:
   void choose(int frame, const LinkBodies& collisions, const LinkBodies& visuals) {
     if (std::find(bodiless_.begin(), bodiless_.end(), frameName(robot_, frame)) != bodiless_.end()) return;
-    const bool take_visuals = collisions.empty() || (wanted_ == GeometryUse::kVisual && !visuals.empty());
+    const bool take_visuals =
+        collisions.empty() || (wanted_ == robot_file::GeometryUse::kVisual && !visuals.empty());
     if (take_visuals) {
       bool all = true;
-      for (const LinkGeometry* g : visuals) all = (g->shape || finder_.find(g->mesh)) && all;
+      for (const robot_file::LinkGeometry* g : visuals) all = (g->shape || finder_.find(g->mesh)) && all;
       if (!all && !collisions.empty()) {
         replaced_ += (replaced_.empty() ? "" : ", ") + frameName(robot_, frame);
         return place(frame, collisions);
@@ -68,7 +70,7 @@ class LinkChooser {
 
   void place(int frame, const LinkBodies& bodies) {
     int count = 0;
-    for (const LinkGeometry* g : bodies) {
+    for (const robot_file::LinkGeometry* g : bodies) {
       LinkDescription link;
       link.frame = frameName(robot_, frame);
       link.name = mechanism_ + "/" + (frame < 0 ? "base" : link.frame);
@@ -78,7 +80,7 @@ class LinkChooser {
       link.pos = g->pos;
       if (!g->shape) {
         const auto file = finder_.find(g->mesh);
-        if (!file && g->use == GeometryUse::kCollision) {
+        if (!file && g->use == robot_file::GeometryUse::kCollision) {
           missing_.push_back(g);
           continue;
         }
@@ -96,7 +98,7 @@ class LinkChooser {
   }
 
   /// A frame of which nothing but what cannot be read is known has no body.
-  void addUnread(const UnreadGeometry& g) {
+  void addUnread(const robot_file::UnreadGeometry& g) {
     const std::string name = frameName(robot_, g.frame);
     const auto is_it = [&](const auto& other) { return other.frame == name; };
     const bool has_body = std::any_of(out_.links.begin(), out_.links.end(), is_it);
@@ -107,7 +109,7 @@ class LinkChooser {
 
   [[noreturn]] void refuse() const {
     std::vector<std::string> names;
-    for (const LinkGeometry* g : missing_)
+    for (const robot_file::LinkGeometry* g : missing_)
       if (std::find(names.begin(), names.end(), g->mesh) == names.end()) names.push_back(g->mesh);
     std::string list;
     for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -118,28 +120,30 @@ class LinkChooser {
         "say where packages are with --package-path FOLDER, the folder that holds the package's");
   }
 
-  const Robot& robot_;
+  const robot_file::Robot& robot_;
   const std::string& mechanism_;
-  GeometryUse wanted_;
-  MeshFinder finder_;
+  robot_file::GeometryUse wanted_;
+  robot_file::MeshFinder finder_;
   const std::vector<std::string>& bodiless_;
   RobotLinks out_;
   std::string replaced_;  ///< frames whose collision geometry stands for their visual one
-  std::vector<const LinkGeometry*> missing_;
+  std::vector<const robot_file::LinkGeometry*> missing_;
 };
 
 }  // namespace
 
-RobotLinks robotLinks(const Robot& robot, const std::string& mechanism, GeometryUse wanted,
-                      const PackagePaths& packages, const std::vector<std::string>& bodiless) {
+RobotLinks robotLinks(const robot_file::Robot& robot, const std::string& mechanism,
+                      robot_file::GeometryUse wanted, const robot_file::PackagePaths& packages,
+                      const std::vector<std::string>& bodiless) {
   return LinkChooser(robot, mechanism, wanted, packages, bodiless).run();
 }
 
-std::vector<std::string> framesWithGeometry(const Robot& robot, const std::vector<std::string>& bodiless) {
+std::vector<std::string> framesWithGeometry(const robot_file::Robot& robot,
+                                            const std::vector<std::string>& bodiless) {
   std::vector<std::string> frames;
   std::vector<int> shown;
-  for (const LinkGeometry& g : robot.geometry) shown.push_back(g.frame);
-  for (const UnreadGeometry& g : robot.unread) shown.push_back(g.frame);
+  for (const robot_file::LinkGeometry& g : robot.geometry) shown.push_back(g.frame);
+  for (const robot_file::UnreadGeometry& g : robot.unread) shown.push_back(g.frame);
   for (const int frame : shown) {
     const std::string name = frameName(robot, frame);
     const auto among = [&](const auto& list) {
@@ -163,4 +167,4 @@ std::string missingBodiesText(const MechanismDescription& mechanism) {
          joined(reasons) + "); name the links that have none on purpose under `bodiless`";
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -7,7 +7,7 @@
 #include "app/scene_file/scene_description.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 
 struct RobotLinks {
   std::vector<LinkDescription> links;  ///< in the order of the frames
@@ -21,13 +21,15 @@ struct RobotLinks {
 /// not found are replaced by the frame's collision geometry, with a remark, or leave their frame among the
 /// `missing`; collision meshes that are not found are a ParseError that lists them all. The frames named in
 /// `bodiless` get no body and are never missing.
-RobotLinks robotLinks(const Robot& robot, const std::string& mechanism, GeometryUse wanted,
-                      const PackagePaths& packages, const std::vector<std::string>& bodiless = {});
+RobotLinks robotLinks(const robot_file::Robot& robot, const std::string& mechanism,
+                      robot_file::GeometryUse wanted, const robot_file::PackagePaths& packages,
+                      const std::vector<std::string>& bodiless = {});
 
 /// The frames that have geometry in the robot file, by name (0: the base), without `bodiless`.
-std::vector<std::string> framesWithGeometry(const Robot& robot, const std::vector<std::string>& bodiless);
+std::vector<std::string> framesWithGeometry(const robot_file::Robot& robot,
+                                            const std::vector<std::string>& bodiless);
 
 /// "14 of 16 links of kuka have no body: a, b, ... (found no file ...); ...", or empty where none is missing.
 std::string missingBodiesText(const MechanismDescription& mechanism);
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -10,52 +10,52 @@
 #include "core/control/reaction_reader.hpp"
 #include "core/robot_file/srdf_file.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr YamlRange kPositionRange{-1e4, 1e4, "m"};
-constexpr YamlRange kAngleRange{-1e3, 1e3, "rad"};
-constexpr YamlRange kJointRange{-1e6, 1e6};
-constexpr YamlRange kScaleRange{0.0, 1e6, "", true};
-constexpr YamlRange kStretchRange{-1e6, 1e6};
-constexpr YamlRange kSizeRange{0.0, 1e3, "m", true};
-constexpr YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
-constexpr YamlRange kHeightRange{0.5, 2.5, "m"};
-constexpr YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr config::YamlRange kPositionRange{-1e4, 1e4, "m"};
+constexpr config::YamlRange kAngleRange{-1e3, 1e3, "rad"};
+constexpr config::YamlRange kJointRange{-1e6, 1e6};
+constexpr config::YamlRange kScaleRange{0.0, 1e6, "", true};
+constexpr config::YamlRange kStretchRange{-1e6, 1e6};
+constexpr config::YamlRange kSizeRange{0.0, 1e3, "m", true};
+constexpr config::YamlRange kCapsuleLengthRange{0.0, 1e3, "m"};
+constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
+constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
 /// `key: true` or `key: false`; false where it is not there.
-bool flag(const YamlFields& fields, const char* key) {
+bool flag(const config::YamlFields& fields, const char* key) {
   return fields.choice(key, {"true", "false"}).value_or("false") == "true";
 }
 
-constexpr YamlRange kThingMassRange{0.0, 1e5, "kg", true};
-constexpr YamlRange kPartRange{0.0, 10.0, "m", true};
-constexpr YamlRange kRateRange{0.0, 1e6, "Hz", true};
-constexpr YamlRange kSpeedRange{0.0, 1e4, "m/s"};
+constexpr config::YamlRange kThingMassRange{0.0, 1e5, "kg", true};
+constexpr config::YamlRange kPartRange{0.0, 10.0, "m", true};
+constexpr config::YamlRange kRateRange{0.0, 1e6, "Hz", true};
+constexpr config::YamlRange kSpeedRange{0.0, 1e4, "m/s"};
 
-double needNumber(const YamlFields& fields, std::string_view key, const YamlRange& range) {
+double needNumber(const config::YamlFields& fields, std::string_view key, const config::YamlRange& range) {
   fields.need(key);
   return *fields.number(key, range);
 }
 
-Vector3d needVector(const YamlFields& fields, std::string_view key, const YamlRange& range) {
+Vector3d needVector(const config::YamlFields& fields, std::string_view key, const config::YamlRange& range) {
   fields.need(key);
   return *fields.vector(key, range);
 }
 
-Transform pose(const YamlFields& parent, std::string_view key) {
+Transform pose(const config::YamlFields& parent, std::string_view key) {
   const auto* node = parent.find(key);
   if (!node) return Transform::Identity();
-  const YamlFields fields(*node, parent.file(), "`" + std::string(key) + "`", {"xyz", "rpy"});
+  const config::YamlFields fields(*node, parent.file(), "`" + std::string(key) + "`", {"xyz", "rpy"});
   return fromXyzRpy(fields.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
                     fields.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
 }
 
 /// One number, or one for each axis of the mesh.
-Vector3d scale(const YamlFields& fields) {
+Vector3d scale(const config::YamlFields& fields) {
   const auto* node = fields.find("scale");
-  if (!node || node->kind != YamlNode::Kind::kList)
+  if (!node || node->kind != config::YamlNode::Kind::kList)
     return Vector3d::Constant(fields.number("scale", kScaleRange).value_or(1.0));
   const Vector3d s = *fields.vector("scale", kStretchRange);
   if ((s.array() == 0.0).any())
@@ -63,7 +63,7 @@ Vector3d scale(const YamlFields& fields) {
   return s;
 }
 
-BodySettings settings(const YamlFields& fields) {
+BodySettings settings(const config::YamlFields& fields) {
   BodySettings s;
   s.voxel = fields.number("voxel", kVoxelRange);
   s.point = fields.number("point", kVoxelRange);
@@ -73,31 +73,34 @@ BodySettings settings(const YamlFields& fields) {
   return s;
 }
 
-Shape shape(const YamlNode& node, const std::string& file) {
-  const YamlFields kinds(node, file, "`shape`", {"sphere", "ellipsoid", "cuboid", "cylinder", "capsule"});
+geometry::Shape shape(const config::YamlNode& node, const std::string& file) {
+  const config::YamlFields kinds(node, file, "`shape`",
+                                 {"sphere", "ellipsoid", "cuboid", "cylinder", "capsule"});
   if (node.keys.size() != 1)
     throw ParseError(kinds.pos(),
                      "found " + std::to_string(node.keys.size()) + " shapes in `shape`, expected one",
                      "for example {sphere: {radius: 0.05}}");
   const std::string kind = node.keys.front().text;
   const auto fields = [&](std::vector<std::string> keys) {
-    return YamlFields(node.items.front(), file, "`" + kind + "`", std::move(keys));
+    return config::YamlFields(node.items.front(), file, "`" + kind + "`", std::move(keys));
   };
-  if (kind == "sphere") return Sphere{needNumber(fields({"radius"}), "radius", kSizeRange)};
-  if (kind == "ellipsoid") return Ellipsoid{needVector(fields({"semi_axes"}), "semi_axes", kSizeRange)};
-  if (kind == "cuboid") return Cuboid{needVector(fields({"size"}), "size", kSizeRange)};
+  if (kind == "sphere") return geometry::Sphere{needNumber(fields({"radius"}), "radius", kSizeRange)};
+  if (kind == "ellipsoid")
+    return geometry::Ellipsoid{needVector(fields({"semi_axes"}), "semi_axes", kSizeRange)};
+  if (kind == "cuboid") return geometry::Cuboid{needVector(fields({"size"}), "size", kSizeRange)};
   const auto round = fields({"radius", "length"});
   const double radius = needNumber(round, "radius", kSizeRange);
-  if (kind == "cylinder") return Cylinder{radius, needNumber(round, "length", kSizeRange)};
-  return Capsule{radius, needNumber(round, "length", kCapsuleLengthRange)};
+  if (kind == "cylinder") return geometry::Cylinder{radius, needNumber(round, "length", kSizeRange)};
+  return geometry::Capsule{radius, needNumber(round, "length", kCapsuleLengthRange)};
 }
 
-HumanPartDescription humanPart(const YamlNode& node, const std::string& file, const std::string& name) {
-  const YamlFields fields(
+HumanPartDescription humanPart(const config::YamlNode& node, const std::string& file,
+                               const std::string& name) {
+  const config::YamlFields fields(
       node, file, "the part `" + name + "`",
       {"contour", "length", "breadth", "depth", "shape", "margin", "voxel", "point", "max_speed"});
   HumanPartDescription part;
-  const auto keep = [&](const char* key, const YamlRange& range) {
+  const auto keep = [&](const char* key, const config::YamlRange& range) {
     if (const auto value = fields.number(key, range)) part.numbers[key] = *value;
   };
   for (const char* key : {"contour", "length", "breadth", "depth"}) keep(key, kPartRange);
@@ -118,19 +121,19 @@ const std::vector<std::string>& humanPartNames() {
   return names;
 }
 
-std::string SceneBodyReader::newName(const YamlFields& fields, std::set<std::string>& taken,
+std::string SceneBodyReader::newName(const config::YamlFields& fields, std::set<std::string>& taken,
                                      const char* kind) {
-  const YamlNode& node = fields.need("name");
-  const std::string name = yamlText(node, file_, "`name`");
+  const config::YamlNode& node = fields.need("name");
+  const std::string name = config::yamlText(node, file_, "`name`");
   if (name.find_first_of(",\"") != std::string::npos || name.front() == ' ' || name.back() == ' ')
-    throw ParseError(
-        fields.pos(node),
-        "found " + yamlFound(node) + " for `name`, expected no comma, no quotation mark and no outer blanks",
-        "names stand in the headers of CSV files");
+    throw ParseError(fields.pos(node),
+                     "found " + config::yamlFound(node) +
+                         " for `name`, expected no comma, no quotation mark and no outer blanks",
+                     "names stand in the headers of CSV files");
   if (!taken.insert(name).second)
     throw ParseError(
         fields.pos(node),
-        "found the " + std::string(kind) + " name " + yamlFound(node) +
+        "found the " + std::string(kind) + " name " + config::yamlFound(node) +
             " that is taken already, expected a new one",
         name == "objects" && &taken == &groups_ ? "`objects` is the group of all single objects" : "");
   return name;
@@ -142,15 +145,15 @@ void SceneBodyReader::addBody(std::string name, const SourcePos& pos) {
   bodies_.push_back(std::move(name));
 }
 
-std::string SceneBodyReader::newBody(const YamlFields& fields) {
+std::string SceneBodyReader::newBody(const config::YamlFields& fields) {
   std::string name = newName(fields, body_names_, "body");
   addBody(name, fields.pos());
   return name;
 }
 
-fs::path SceneBodyReader::existingFile(const YamlNode& node, const std::string& label,
+fs::path SceneBodyReader::existingFile(const config::YamlNode& node, const std::string& label,
                                        const char* expected) const {
-  const std::string text = yamlText(node, file_, label);
+  const std::string text = config::yamlText(node, file_, label);
   const fs::path path = (folder_ / text).lexically_normal();
   std::error_code ec;
   const auto status = fs::status(path, ec);
@@ -166,7 +169,7 @@ fs::path SceneBodyReader::existingFile(const YamlNode& node, const std::string& 
 }
 
 template <class Body>
-void SceneBodyReader::meshOrShape(const YamlFields& fields, Body& body) const {
+void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) const {
   const auto* mesh = fields.find("mesh");
   const auto* shape_node = fields.find("shape");
   if (!mesh == !shape_node)
@@ -192,13 +195,14 @@ void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
 }
 
 /// `pose`, or the centre that the mechanism's file gives.
-void placeLink(const YamlFields& fields, const Mechanism& mechanism, LinkDescription& l) {
+void placeLink(const config::YamlFields& fields, const mechanism::Mechanism& mechanism, LinkDescription& l) {
   const int index = mechanism.indexOf(l.frame);
-  const MechanismFrame* frame = index < 0 ? nullptr : &mechanism.frames[static_cast<std::size_t>(index)];
+  const mechanism::MechanismFrame* frame =
+      index < 0 ? nullptr : &mechanism.frames[static_cast<std::size_t>(index)];
   const bool has_center = frame && frame->has_center;
   if (has_center) l.p_FC = frame->X_FC.translation();
   const auto* node = fields.find("pose");
-  const bool at_center = node && node->kind == YamlNode::Kind::kScalar && node->text == "center";
+  const bool at_center = node && node->kind == config::YamlNode::Kind::kScalar && node->text == "center";
   if (at_center && !has_center)
     throw ParseError(fields.pos(*node), "found `pose: center`, but the mechanism's file gives frame " +
                                             l.frame + " no centre, expected a `link` environment for it");
@@ -209,22 +213,22 @@ void placeLink(const YamlFields& fields, const Mechanism& mechanism, LinkDescrip
     l.X_FL = frame->X_FC;
 }
 
-LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mechanism) {
-  const YamlFields fields(node, file_, "a link",
-                          {"name", "frame", "mesh", "scale", "shape", "pose", "held", "voxel", "point",
-                           "outer_layers", "margin", "max_speed"});
+LinkDescription SceneBodyReader::link(const config::YamlNode& node, const mechanism::Mechanism& mechanism) {
+  const config::YamlFields fields(node, file_, "a link",
+                                  {"name", "frame", "mesh", "scale", "shape", "pose", "held", "voxel",
+                                   "point", "outer_layers", "margin", "max_speed"});
   LinkDescription l;
   l.pos = fields.pos();
   l.name = newBody(fields);
-  const YamlNode& frame = fields.need("frame");
-  l.frame = yamlText(frame, file_, "`frame`");
+  const config::YamlNode& frame = fields.need("frame");
+  l.frame = config::yamlText(frame, file_, "`frame`");
   if (mechanism.indexOf(l.frame) < 0 && l.frame != "0") {
     std::vector<std::string> names;
     for (const auto& f : mechanism.frames) names.push_back(f.name);
     throw ParseError(
         fields.pos(frame),
-        "found " + yamlFound(frame) + " for `frame`, expected 0 or a frame of the mechanism's file",
-        nearestHint(l.frame, names));
+        "found " + config::yamlFound(frame) + " for `frame`, expected 0 or a frame of the mechanism's file",
+        config::nearestHint(l.frame, names));
   }
   meshOrShape(fields, l);
   placeLink(fields, mechanism, l);
@@ -233,13 +237,13 @@ LinkDescription SceneBodyReader::link(const YamlNode& node, const Mechanism& mec
   return l;
 }
 
-ReactionDescription SceneBodyReader::reaction(const YamlNode& node, int dof) const {
-  ReactionDescription r = readReaction(node, file_);
+control::ReactionDescription SceneBodyReader::reaction(const config::YamlNode& node, int dof) const {
+  control::ReactionDescription r = control::readReaction(node, file_);
   const SourcePos pos{file_, node.line, node.column};
   if (dof == 0)
     throw ParseError(pos, "found `reaction` for a mechanism that nothing moves, expected one with a `dof`");
   try {
-    const Reaction fits(r, dof, 0);
+    const control::Reaction fits(r, dof, 0);
   } catch (const UsageError& e) {
     throw ParseError(pos, e.what());
   }
@@ -247,7 +251,7 @@ ReactionDescription SceneBodyReader::reaction(const YamlNode& node, int dof) con
 }
 
 /// The law `proxy` moves one held link.
-void requireHeld(const YamlFields& fields, const MechanismDescription& m) {
+void requireHeld(const config::YamlFields& fields, const MechanismDescription& m) {
   const LinkDescription* held = nullptr;
   for (const LinkDescription& l : m.links) {
     if (!l.held) continue;
@@ -260,35 +264,37 @@ void requireHeld(const YamlFields& fields, const MechanismDescription& m) {
 }
 
 /// `bodiless`: frames of the mechanism, or 0 for its base.
-std::vector<std::string> bodilessFrames(const YamlFields& fields, const Mechanism& mechanism) {
+std::vector<std::string> bodilessFrames(const config::YamlFields& fields,
+                                        const mechanism::Mechanism& mechanism) {
   std::vector<std::string> names, known{"0"};
   for (const auto& f : mechanism.frames) known.push_back(f.name);
   for (const auto& node : fields.list("bodiless")) {
-    names.push_back(yamlText(node, fields.file(), "`bodiless`"));
+    names.push_back(config::yamlText(node, fields.file(), "`bodiless`"));
     if (std::find(known.begin(), known.end(), names.back()) == known.end())
-      throw ParseError(
-          fields.pos(node),
-          "found " + yamlFound(node) + " in `bodiless`, expected 0 or a frame of the mechanism's file",
-          nearestHint(names.back(), known));
+      throw ParseError(fields.pos(node),
+                       "found " + config::yamlFound(node) +
+                           " in `bodiless`, expected 0 or a frame of the mechanism's file",
+                       config::nearestHint(names.back(), known));
   }
   return names;
 }
 
-MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
-  const YamlFields fields(node, file_, "a mechanism",
-                          {"name", "file", "base", "q", "motion", "links", "geometry", "bodiless", "srdf",
-                           "reaction", "voxel", "point", "outer_layers", "margin", "max_speed"});
+MechanismDescription SceneBodyReader::mechanism(const config::YamlNode& node) {
+  const config::YamlFields fields(
+      node, file_, "a mechanism",
+      {"name", "file", "base", "q", "motion", "links", "geometry", "bodiless", "srdf", "reaction", "voxel",
+       "point", "outer_layers", "margin", "max_speed"});
   MechanismDescription m;
   m.pos = fields.pos();
   m.name = newName(fields, groups_, "group");
   m.file = existingFile(fields.need("file"), "`file`", "a mechanism (.mech or .urdf)");
   m.X_WB = pose(fields, "base");
-  for (const auto& q : fields.list("q")) m.q.push_back(yamlNumber(q, file_, "`q`", kJointRange));
+  for (const auto& q : fields.list("q")) m.q.push_back(config::yamlNumber(q, file_, "`q`", kJointRange));
   if (const auto* motion = fields.find("motion"))
     m.motion = existingFile(*motion, "`motion`", "a CSV of joint values");
   m.settings = settings(fields);
   if (const auto* srdf = fields.find("srdf")) m.srdf = existingFile(*srdf, "`srdf`", "an SRDF");
-  const Robot robot = loadRobot(m.file);
+  const robot_file::Robot robot = robot_file::loadRobot(m.file);
   remarks_.insert(remarks_.end(), robot.warnings.begin(), robot.warnings.end());
   if (const auto* node_reaction = fields.find("reaction"))
     m.reaction = reaction(*node_reaction, robot.mechanism.dof);
@@ -312,9 +318,10 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
     return m;
   }
   if (m.no_geometry) return m;
-  RobotLinks links =
-      robotLinks(robot, m.name, geometry == "visual" ? GeometryUse::kVisual : GeometryUse::kCollision,
-                 packages_, m.bodiless);
+  RobotLinks links = robotLinks(
+      robot, m.name,
+      geometry == "visual" ? robot_file::GeometryUse::kVisual : robot_file::GeometryUse::kCollision,
+      packages_, m.bodiless);
   for (auto& l : links.links) takeBody(l.name, l.pos);
   m.links = std::move(links.links);
   m.missing = std::move(links.missing);
@@ -327,7 +334,7 @@ MechanismDescription SceneBodyReader::mechanism(const YamlNode& node) {
 /// Pairs of links become pairs of all bodies that hang on them.
 void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
   if (mechanism.srdf.empty()) return;
-  const Srdf srdf = loadSrdf(mechanism.srdf);
+  const robot_file::Srdf srdf = robot_file::loadSrdf(mechanism.srdf);
   std::map<std::string, std::vector<std::string>> bodies_on;
   for (const auto& link : mechanism.links) bodies_on[link.frame].push_back(link.name);
   for (const auto& pair : srdf.disabled)
@@ -335,8 +342,8 @@ void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
       for (const auto& b : bodies_on[pair.link2]) dropped_.push_back({a, b, pair.reason});
 }
 
-RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
-  const YamlFields fields(
+RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
+  const config::YamlFields fields(
       node, file_, "`recording`",
       {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place", "cut_things"});
   RecordingDescription r;
@@ -344,9 +351,9 @@ RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
   r.file = existingFile(fields.need("file"), "`file`", "a recording");
   r.format = fields.text("format").value_or(r.format);
   if (const auto* units = fields.find("units")) {
-    if (units->kind == YamlNode::Kind::kScalar && parseDouble(units->text))
-      yamlNumber(*units, file_, "`units`", kScaleRange);
-    r.units = yamlText(*units, file_, "`units`");
+    if (units->kind == config::YamlNode::Kind::kScalar && parseDouble(units->text))
+      config::yamlNumber(*units, file_, "`units`", kScaleRange);
+    r.units = config::yamlText(*units, file_, "`units`");
   }
   r.up = fields.choice("up", {"auto", "x", "y", "z", "-x", "-y", "-z"}).value_or(r.up);
   r.rate = fields.number("rate", kRateRange).value_or(r.rate);
@@ -354,23 +361,23 @@ RecordingDescription SceneBodyReader::recording(const YamlNode& node) {
   if (const auto* map = fields.find("joint_map"))
     r.joint_map = existingFile(*map, "`joint_map`", "a joint map");
   if (const auto* set = fields.find("marker_set")) {
-    r.marker_set = yamlText(*set, file_, "`marker_set`");
+    r.marker_set = config::yamlText(*set, file_, "`marker_set`");
     if (r.marker_set != "auto" && r.marker_set != "none")
       r.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
   }
   r.cut_things = flag(fields, "cut_things");
   if (const auto* place = fields.find("place")) {
-    const YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
+    const config::YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
     r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);
     r.place_yaw = p.number("yaw", kAngleRange).value_or(0.0);
   }
   return r;
 }
 
-HumanDescription SceneBodyReader::human(const YamlNode& node) {
-  const YamlFields fields(node, file_, "a human",
-                          {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
-                           "voxel", "point", "outer_layers", "margin", "max_speed"});
+HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
+  const config::YamlFields fields(node, file_, "a human",
+                                  {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
+                                   "voxel", "point", "outer_layers", "margin", "max_speed"});
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
@@ -388,7 +395,7 @@ HumanDescription SceneBodyReader::human(const YamlNode& node) {
   h.follow_lengths = fields.choice("lengths", {"model", "recording"}).value_or("model") == "recording";
   h.settings = settings(fields);
   if (const auto* parts = fields.find("parts")) {
-    const YamlFields known(*parts, file_, "`parts`", humanPartNames());
+    const config::YamlFields known(*parts, file_, "`parts`", humanPartNames());
     for (std::size_t i = 0; i < parts->keys.size(); ++i)
       h.parts[parts->keys[i].text] = humanPart(parts->items[i], file_, parts->keys[i].text);
   }
@@ -396,10 +403,10 @@ HumanDescription SceneBodyReader::human(const YamlNode& node) {
   return h;
 }
 
-ObjectDescription SceneBodyReader::object(const YamlNode& node) {
-  const YamlFields fields(node, file_, "an object",
-                          {"name", "mesh", "scale", "shape", "pose", "mass", "voxel", "point", "outer_layers",
-                           "margin", "max_speed"});
+ObjectDescription SceneBodyReader::object(const config::YamlNode& node) {
+  const config::YamlFields fields(node, file_, "an object",
+                                  {"name", "mesh", "scale", "shape", "pose", "mass", "voxel", "point",
+                                   "outer_layers", "margin", "max_speed"});
   ObjectDescription o;
   o.pos = fields.pos();
   o.name = newBody(fields);
@@ -410,4 +417,4 @@ ObjectDescription SceneBodyReader::object(const YamlNode& node) {
   return o;
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -9,11 +9,11 @@
 #include "app/scene_file/scene_description.hpp"
 #include "core/config/yaml_reader.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 
 /// Voxels, points and layers: as HapticOptions::validate, but with the place in the file.
-inline constexpr YamlRange kVoxelRange{1e-5, 10.0, "m"};
-inline constexpr YamlRange kMarginRange{0.0, 10.0, "m"};
+inline constexpr config::YamlRange kVoxelRange{1e-5, 10.0, "m"};
+inline constexpr config::YamlRange kMarginRange{0.0, 10.0, "m"};
 inline constexpr int kMaxOuterLayers = 10000;
 /// All pairs of more bodies would not fit into memory.
 inline constexpr std::size_t kMaxBodies = 1000;
@@ -22,16 +22,17 @@ inline constexpr std::size_t kMaxBodies = 1000;
 class SceneBodyReader {
  public:
   /// `folder`: what relative paths are relative to. The file's name and `packages` must outlive the reader.
-  SceneBodyReader(const std::string& file, std::filesystem::path folder, const PackagePaths& packages)
+  SceneBodyReader(const std::string& file, std::filesystem::path folder,
+                  const robot_file::PackagePaths& packages)
       : file_{file}, folder_{std::move(folder)}, packages_{packages} {}
 
-  MechanismDescription mechanism(const YamlNode& node);
-  HumanDescription human(const YamlNode& node);
-  ObjectDescription object(const YamlNode& node);
+  MechanismDescription mechanism(const config::YamlNode& node);
+  HumanDescription human(const config::YamlNode& node);
+  ObjectDescription object(const config::YamlNode& node);
 
   /// The pairs that SRDFs take out.
   const std::vector<DroppedPair>& dropped() const { return dropped_; }
-  std::filesystem::path existingFile(const YamlNode& node, const std::string& label,
+  std::filesystem::path existingFile(const config::YamlNode& node, const std::string& label,
                                      const char* expected) const;
 
   /// All bodies so far, in order: links and objects as written, parts of people as PERSON/PART.
@@ -41,19 +42,19 @@ class SceneBodyReader {
 
  private:
   void takeDisabled(const MechanismDescription& mechanism);
-  LinkDescription link(const YamlNode& node, const Mechanism& mechanism);
-  ReactionDescription reaction(const YamlNode& node, int dof) const;
-  RecordingDescription recording(const YamlNode& node);
-  std::string newName(const YamlFields& fields, std::set<std::string>& taken, const char* kind);
-  std::string newBody(const YamlFields& fields);
+  LinkDescription link(const config::YamlNode& node, const mechanism::Mechanism& mechanism);
+  control::ReactionDescription reaction(const config::YamlNode& node, int dof) const;
+  RecordingDescription recording(const config::YamlNode& node);
+  std::string newName(const config::YamlFields& fields, std::set<std::string>& taken, const char* kind);
+  std::string newBody(const config::YamlFields& fields);
   void addBody(std::string name, const SourcePos& pos);
   void takeBody(const std::string& name, const SourcePos& pos);
   template <class Body>
-  void meshOrShape(const YamlFields& fields, Body& body) const;
+  void meshOrShape(const config::YamlFields& fields, Body& body) const;
 
   const std::string& file_;
   std::filesystem::path folder_;
-  const PackagePaths& packages_;
+  const robot_file::PackagePaths& packages_;
   std::set<std::string> groups_{"objects"};
   std::set<std::string> body_names_;
   std::vector<std::string> bodies_;
@@ -64,4 +65,4 @@ class SceneBodyReader {
 /// Parts of a person, in the order of scene files.
 const std::vector<std::string>& humanPartNames();
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

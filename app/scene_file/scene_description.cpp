@@ -8,28 +8,28 @@
 #include "core/config/yaml_reader.hpp"
 #include "core/study/pairs_file.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr YamlRange kStiffnessRange{0.0, 1e15, "N/m^3", true};
-constexpr YamlRange kShareRange{0.0, 1.0};
-constexpr YamlRange kToleranceRange{0.0, kMaxFarTolerance};
-constexpr YamlRange kHorizonRange{0.0, 1e4, "m"};
-constexpr YamlRange kBudgetRange{0.0, 1e3, "s"};
+constexpr config::YamlRange kStiffnessRange{0.0, 1e15, "N/m^3", true};
+constexpr config::YamlRange kShareRange{0.0, 1.0};
+constexpr config::YamlRange kToleranceRange{0.0, scene::kMaxFarTolerance};
+constexpr config::YamlRange kHorizonRange{0.0, 1e4, "m"};
+constexpr config::YamlRange kBudgetRange{0.0, 1e3, "s"};
 
 using NamePair = std::pair<std::string, std::string>;
 
-SceneDefaults defaults(const YamlNode& node, const std::string& file) {
-  const YamlFields fields(node, file, "`defaults`",
-                          {"voxel", "point", "outer_layers", "field", "margin", "stiffness", "law"});
+SceneDefaults defaults(const config::YamlNode& node, const std::string& file) {
+  const config::YamlFields fields(node, file, "`defaults`",
+                                  {"voxel", "point", "outer_layers", "field", "margin", "stiffness", "law"});
   SceneDefaults d;
   d.haptic.voxel_size = fields.number("voxel", kVoxelRange).value_or(d.haptic.voxel_size);
   d.haptic.point_spacing = fields.number("point", kVoxelRange).value_or(d.haptic.point_spacing);
   d.haptic.outer_layers = fields.integer("outer_layers", 0, kMaxOuterLayers).value_or(d.haptic.outer_layers);
   if (const auto field = fields.choice("field", {"layered", "float", "mixed"}))
-    d.haptic.field = *parseFieldKind(*field);
+    d.haptic.field = *structure::parseFieldKind(*field);
   d.margin = fields.number("margin", kMarginRange).value_or(d.margin);
   d.stiffness = fields.number("stiffness", kStiffnessRange).value_or(d.stiffness);
   d.thesis_law = fields.choice("law", {"volume", "thesis"}).value_or("volume") == "thesis";
@@ -37,23 +37,23 @@ SceneDefaults defaults(const YamlNode& node, const std::string& file) {
 }
 
 /// [a, b] of two different bodies of the scene.
-NamePair namePair(const YamlNode& node, const std::string& file, const std::string& label,
+NamePair namePair(const config::YamlNode& node, const std::string& file, const std::string& label,
                   const std::vector<std::string>& bodies) {
   const SourcePos pos{file, node.line, node.column};
-  const auto& names = yamlList(node, file, "a pair of " + label);
+  const auto& names = config::yamlList(node, file, "a pair of " + label);
   if (names.size() != 2)
     throw ParseError(
         pos, "found a list of " + std::to_string(names.size()) + " in " + label + ", expected two names");
   for (const auto& name : names) {
-    const std::string text = yamlText(name, file, "a name in " + label);
+    const std::string text = config::yamlText(name, file, "a name in " + label);
     if (std::find(bodies.begin(), bodies.end(), text) == bodies.end())
       throw ParseError(
           {file, name.line, name.column},
-          "found " + yamlFound(name) + " in " + label + ", expected the name of a body of this scene",
-          nearestHint(text, bodies));
+          "found " + config::yamlFound(name) + " in " + label + ", expected the name of a body of this scene",
+          config::nearestHint(text, bodies));
   }
   if (names[0].text == names[1].text)
-    throw ParseError(pos, "found a pair of " + yamlFound(names[0]) + " with itself in " + label +
+    throw ParseError(pos, "found a pair of " + config::yamlFound(names[0]) + " with itself in " + label +
                               ", expected two different bodies");
   return {names[0].text, names[1].text};
 }
@@ -62,21 +62,23 @@ NamePair namePair(const YamlNode& node, const std::string& file, const std::stri
 void dropByFile(PairsDescription& p, const std::vector<std::string>& bodies) {
   const std::set<std::string> known(bodies.begin(), bodies.end());
   bool any = false;
-  for (const auto& row : loadPairs(p.file)) {
+  for (const auto& row : study::loadPairs(p.file)) {
     const bool both = known.contains(row.a) && known.contains(row.b);
     any = any || both;
-    if (both && row.verdict != PairVerdict::kSometimes)
+    if (both && row.verdict != study::PairVerdict::kSometimes)
       p.dropped.push_back(
-          {row.a, row.b, verdictName(row.verdict) + (row.evidence.empty() ? "" : ": " + row.evidence)});
+          {row.a, row.b,
+           study::verdictName(row.verdict) + (row.evidence.empty() ? "" : ": " + row.evidence)});
   }
   if (!any)
     throw ParseError({p.file.string()}, "found no pair of bodies of this scene, expected their names",
                      "`abstand pairs SCENE` names them like the scene");
 }
 
-PairsDescription pairRules(const YamlNode& node, const std::string& file, const SceneBodyReader& reader) {
-  const YamlFields fields(node, file, "`pairs`",
-                          {"default", "adjacent", "within_people", "file", "exclude", "include"});
+PairsDescription pairRules(const config::YamlNode& node, const std::string& file,
+                           const SceneBodyReader& reader) {
+  const config::YamlFields fields(node, file, "`pairs`",
+                                  {"default", "adjacent", "within_people", "file", "exclude", "include"});
   const auto& bodies = reader.bodies();
   PairsDescription p;
   if (const auto* pairs_file = fields.find("file")) {
@@ -100,18 +102,18 @@ PairsDescription pairRules(const YamlNode& node, const std::string& file, const 
   return p;
 }
 
-ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
+ThreadGroups threadGroups(const config::YamlNode& node, const std::string& file,
                           const std::vector<std::string>& bodies) {
-  if (node.kind == YamlNode::Kind::kScalar && node.text == "auto") return {};
-  if (node.kind != YamlNode::Kind::kList)
+  if (node.kind == config::YamlNode::Kind::kScalar && node.text == "auto") return {};
+  if (node.kind != config::YamlNode::Kind::kList)
     throw ParseError(
         {file, node.line, node.column},
-        "found " + yamlFound(node) + " for `threads`, expected `auto` or a list of groups of pairs");
+        "found " + config::yamlFound(node) + " for `threads`, expected `auto` or a list of groups of pairs");
   ThreadGroups groups;
   std::set<NamePair> seen;
   for (const auto& group : node.items) {
     auto& pairs = groups.emplace_back();
-    for (const auto& item : yamlList(group, file, "a group of `threads`")) {
+    for (const auto& item : config::yamlList(group, file, "a group of `threads`")) {
       const auto pair = namePair(item, file, "`threads`", bodies);
       if (!seen.insert(std::minmax(pair.first, pair.second)).second)
         throw ParseError({file, item.line, item.column},
@@ -125,9 +127,10 @@ ThreadGroups threadGroups(const YamlNode& node, const std::string& file,
   return groups;
 }
 
-QueryCulling skippingRules(const YamlNode& node, const std::string& file) {
-  const YamlFields fields(node, file, "`skipping`", {"rest", "horizon", "budget", "remember", "tolerance"});
-  QueryCulling s;
+scene::QueryCulling skippingRules(const config::YamlNode& node, const std::string& file) {
+  const config::YamlFields fields(node, file, "`skipping`",
+                                  {"rest", "horizon", "budget", "remember", "tolerance"});
+  scene::QueryCulling s;
   s.rest = fields.number("rest", kShareRange).value_or(s.rest);
   s.horizon = fields.number("horizon", kHorizonRange).value_or(s.horizon);
   s.budget = fields.number("budget", kBudgetRange).value_or(s.budget);
@@ -146,19 +149,20 @@ void BodySettings::fillFrom(const BodySettings& other) {
   if (!outer_layers) outer_layers = other.outer_layers;
 }
 
-SceneDescription parseScene(const std::string& text, const fs::path& path, const PackagePaths& packages) {
+SceneDescription parseScene(const std::string& text, const fs::path& path,
+                            const robot_file::PackagePaths& packages) {
   const std::string file = path.string();
-  const YamlNode root = parseYaml(text, file);
-  const YamlFields fields(
+  const config::YamlNode root = config::parseYaml(text, file);
+  const config::YamlFields fields(
       root, file, "the scene",
       {"abstand", "defaults", "mechanisms", "humans", "objects", "pairs", "threads", "skipping"});
   if (!fields.find("abstand"))
     throw ParseError(fields.pos(),
                      "found no `abstand` in the scene, expected the format version `abstand: 1`");
-  const YamlNode& version = fields.need("abstand");
-  if (version.kind != YamlNode::Kind::kScalar || version.quoted || version.text != "1")
+  const config::YamlNode& version = fields.need("abstand");
+  if (version.kind != config::YamlNode::Kind::kScalar || version.quoted || version.text != "1")
     throw ParseError(fields.pos(version),
-                     "found " + yamlFound(version) + " for `abstand`, expected format version 1");
+                     "found " + config::yamlFound(version) + " for `abstand`, expected format version 1");
 
   SceneDescription scene;
   std::error_code ec;
@@ -176,8 +180,8 @@ SceneDescription parseScene(const std::string& text, const fs::path& path, const
   return scene;
 }
 
-SceneDescription loadScene(const fs::path& file, const PackagePaths& packages) {
-  return parseScene(readFile(file, kMaxYamlBytes), file, packages);
+SceneDescription loadScene(const fs::path& file, const robot_file::PackagePaths& packages) {
+  return parseScene(readFile(file, config::kMaxYamlBytes), file, packages);
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -16,7 +16,7 @@
 #include "core/scene/query_culling.hpp"
 #include "core/structure/haptic_options.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 
 /// What a body of the scene may set for itself; what is not set follows `defaults`.
 struct BodySettings {
@@ -33,7 +33,7 @@ struct LinkDescription {
   std::string frame{"0"};      ///< name of the frame it moves with (in a .mech file its id); 0: the base
   std::filesystem::path mesh;  ///< absolute; empty when a shape is given
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
-  std::optional<Shape> shape;
+  std::optional<geometry::Shape> shape;
   /// Link in its frame: `pose`; without one, and with `pose: center`, that of the mechanism file's `link`
   /// environment for a shape, whose origin is its centre, else none.
   Transform X_FL{Transform::Identity()};
@@ -63,7 +63,7 @@ struct MechanismDescription {
   std::vector<std::string> bodiless;      ///< frames that have no body on purpose
   std::vector<BodilessLink> missing;      ///< frames that should have one, and have none or not all of it
   std::size_t frames_with_geometry{0};    ///< in the robot file, without `bodiless`
-  std::optional<ReactionDescription> reaction;  ///< none: it follows its motion whatever happens
+  std::optional<control::ReactionDescription> reaction;  ///< none: it follows its motion whatever happens
   SourcePos pos;
 };
 
@@ -106,7 +106,7 @@ struct ObjectDescription {
   std::string name;
   std::filesystem::path mesh;
   Vector3d scale{Vector3d::Ones()};
-  std::optional<Shape> shape;
+  std::optional<geometry::Shape> shape;
   Transform X_WB{Transform::Identity()};
   std::optional<double> mass;  ///< kg: in the closed loop it falls and is pushed; none: it stands
   BodySettings settings;
@@ -131,7 +131,7 @@ struct PairsDescription {
 };
 
 struct SceneDefaults {
-  HapticOptions haptic;
+  structure::HapticOptions haptic;
   double margin{0.0};
   double stiffness{1.0e6};  ///< N/m^3, or N/m with `law: thesis`
   bool thesis_law{false};
@@ -148,7 +148,7 @@ struct SceneDescription {
   std::vector<ObjectDescription> objects;
   PairsDescription pairs;
   ThreadGroups threads;
-  QueryCulling culling{.remember = true};
+  scene::QueryCulling culling{.remember = true};
   std::vector<std::string> remarks;  ///< what a user should know of the files that were read
 };
 
@@ -156,11 +156,11 @@ struct SceneDescription {
 /// Throws ParseError with file, line and column; unknown keys come with the nearest known one, missing files
 /// at their line. Robot files are read for their frames and links, SRDFs and files of pairs for their pairs;
 /// meshes only have to be there: `packages` says where those of packages are looked for.
-SceneDescription loadScene(const std::filesystem::path& file, const PackagePaths& packages = {});
+SceneDescription loadScene(const std::filesystem::path& file, const robot_file::PackagePaths& packages = {});
 SceneDescription parseScene(const std::string& text, const std::filesystem::path& file,
-                            const PackagePaths& packages = {});
+                            const robot_file::PackagePaths& packages = {});
 
 /// The scene as it was understood, as YAML that reads back the same.
 std::string describeScene(const SceneDescription& scene);
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -6,7 +6,7 @@
 #include "core/control/reaction_reader.hpp"
 #include "core/math/roll_pitch_yaw.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 std::string inDoubleQuotes(const std::string& text) {
@@ -42,15 +42,17 @@ std::string pose(const Transform& X) {
 }
 
 struct ShapeText {
-  std::string operator()(const Sphere& s) const {
+  std::string operator()(const geometry::Sphere& s) const {
     return "{sphere: {radius: " + formatDouble(s.radius) + "}}";
   }
-  std::string operator()(const Ellipsoid& s) const {
+  std::string operator()(const geometry::Ellipsoid& s) const {
     return "{ellipsoid: {semi_axes: " + vector(s.semi_axes) + "}}";
   }
-  std::string operator()(const Cuboid& s) const { return "{cuboid: {size: " + vector(s.size) + "}}"; }
-  std::string operator()(const Cylinder& s) const { return round("cylinder", s.radius, s.length); }
-  std::string operator()(const Capsule& s) const { return round("capsule", s.radius, s.length); }
+  std::string operator()(const geometry::Cuboid& s) const {
+    return "{cuboid: {size: " + vector(s.size) + "}}";
+  }
+  std::string operator()(const geometry::Cylinder& s) const { return round("cylinder", s.radius, s.length); }
+  std::string operator()(const geometry::Capsule& s) const { return round("capsule", s.radius, s.length); }
   static std::string round(const char* name, double radius, double length) {
     return std::string("{") + name + ": {radius: " + formatDouble(radius) +
            ", length: " + formatDouble(length) + "}}";
@@ -92,7 +94,7 @@ std::string mechanismText(const MechanismDescription& m) {
   if (!m.motion.empty()) s += "    motion: " + scalar(m.motion.string()) + "\n";
   s += settings(m.settings, "    ", "\n");
   if (!m.srdf.empty()) s += "    srdf: " + scalar(m.srdf.string()) + "\n";
-  if (m.reaction) s += "    reaction:\n" + describeReaction(*m.reaction, "      ");
+  if (m.reaction) s += "    reaction:\n" + control::describeReaction(*m.reaction, "      ");
   if (!m.bodiless.empty()) {
     s += "    bodiless: [";
     for (std::size_t i = 0; i < m.bodiless.size(); ++i) s += (i ? ", " : "") + frameText(m.bodiless[i]);
@@ -139,12 +141,12 @@ std::string humanText(const HumanDescription& h) {
 }
 
 /// What is not limited has no key.
-std::string skippingText(const QueryCulling& s) {
+std::string skippingText(const scene::QueryCulling& s) {
   std::string text = "skipping: {rest: " + formatDouble(s.rest);
   if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);
   if (s.limited()) text += ", budget: " + formatDouble(s.budget);
   if (!s.remember) text += ", remember: false";
-  if (s.far_tolerance != QueryCulling{}.far_tolerance)
+  if (s.far_tolerance != scene::QueryCulling{}.far_tolerance)
     text += ", tolerance: " + formatDouble(s.far_tolerance);
   return text + "}\n";
 }
@@ -163,7 +165,7 @@ std::string describeScene(const SceneDescription& scene) {
   std::string s = "abstand: 1\ndefaults: {voxel: " + formatDouble(d.haptic.voxel_size) +
                   ", point: " + formatDouble(d.haptic.point_spacing) +
                   ", outer_layers: " + std::to_string(d.haptic.outer_layers) +
-                  ", field: " + std::string(fieldName(d.haptic.field)) +
+                  ", field: " + std::string(structure::fieldName(d.haptic.field)) +
                   ", margin: " + formatDouble(d.margin) + ", stiffness: " + formatDouble(d.stiffness) +
                   ", law: " + (d.thesis_law ? "thesis" : "volume") + "}\n";
   if (!scene.mechanisms.empty()) s += "mechanisms:\n";
@@ -190,4 +192,4 @@ std::string describeScene(const SceneDescription& scene) {
   return s;
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -40,17 +40,17 @@ std::size_t writeGroups(const GroupsReport& report, const ReplyTo& to, std::span
 
 std::size_t writeGroupsJson(const GroupsReport& report, const ReplyTo& to, const PacketFormat& quoted_format,
                             std::span<std::byte> into) noexcept {
-  const PairControl& control = report.control;
+  const session::PairControl& control = report.control;
   JsonLine out(into);
   out.text("{\"type\":\"groups\",\"seq\":").number(to.sequence);
   out.text(",\"time_us\":").number(to.time_us);
   out.text(",\"server_us\":").number(report.time_us);
-  const bool done = report.outcome == PairControl::Outcome::kDone;
+  const bool done = report.outcome == session::PairControl::Outcome::kDone;
   out.text(",\"done\":").text(done ? "true" : "false").text(",\"reason\":");
   if (done)
     out.text("null");
   else
-    out.text("\"").text(outcomeName(report.outcome)).text("\"");
+    out.text("\"").text(session::outcomeName(report.outcome)).text("\"");
   out.text(",\"torques_on\":").text(report.torques_on ? "true" : "false");
   out.text(",\"no_group\":").number(control.withoutGroup());
   out.text(",\"groups\":").list(static_cast<std::size_t>(control.groups()), [&](std::size_t i) {

@@ -7,9 +7,9 @@
 namespace abstand::serve {
 
 struct GroupsReport {
-  const PairControl& control;
+  const session::PairControl& control;
   bool torques_on;
-  PairControl::Outcome outcome;
+  session::PairControl::Outcome outcome;
   std::uint64_t time_us;  ///< clock of the server
 };
 

@@ -57,13 +57,13 @@ void skeleton(Table& table, const PacketFormat& format) {
   for (std::size_t p = 0; p < format.people.size(); ++p)
     people += " " + std::to_string(p) + ": " + format.people[p];
   header(table, PacketType::kSkeleton, people, "flags, 0", skeletonBytes());
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     for (const char* axis : {" x, m", " y", " z"})
-      table.row(double{}, std::string(jointName(static_cast<Joint>(j))) + axis);
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    table.row(std::uint8_t{}, std::string(jointName(static_cast<Joint>(j))) +
+      table.row(double{}, std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + axis);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    table.row(std::uint8_t{}, std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) +
                                   (j == 0 ? ": 0 missing, 1 inferred, 2 tracked" : ""));
-  for (std::size_t j = kHeaderBytes + 25 * kJointCount; j < skeletonBytes(); ++j)
+  for (std::size_t j = kHeaderBytes + 25 * humanmodel::kJointCount; j < skeletonBytes(); ++j)
     table.row(std::uint8_t{}, "0");
 }
 
@@ -135,10 +135,10 @@ Layout layoutOf(const PacketFormat& format, const StateNames& names, const State
   });
   control(table);
   groups(table, format);
-  for (std::size_t i = 0; i < kStopStates; ++i)
-    layout.states.emplace_back(stateName(static_cast<StopState>(i)));
-  for (std::size_t i = 0; i < kStopReasons; ++i)
-    layout.reasons.emplace_back(reasonName(static_cast<StopReason>(i)));
+  for (std::size_t i = 0; i < safety::kStopStates; ++i)
+    layout.states.emplace_back(safety::stateName(static_cast<safety::StopState>(i)));
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i)
+    layout.reasons.emplace_back(safety::reasonName(static_cast<safety::StopReason>(i)));
   layout.groups = format.groups;
   layout.objects = names.objects;
   return layout;

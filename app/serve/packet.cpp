@@ -28,19 +28,19 @@ PacketFault readJoints(std::span<const std::byte> bytes, const PacketFormat& for
 PacketFault readSkeleton(std::span<const std::byte> bytes, const PacketFormat& format, Packet& out) {
   if (out.index >= format.people.size()) return PacketFault::kIndex;
   if (bytes.size() != skeletonBytes()) return PacketFault::kSize;
-  constexpr std::size_t kStates = kHeaderBytes + 24 * kJointCount;
+  constexpr std::size_t kStates = kHeaderBytes + 24 * humanmodel::kJointCount;
   out.skeleton.spread.fill(0.0);
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const auto state = load<std::uint8_t>(bytes, kStates + j);
-    if (state > static_cast<std::uint8_t>(JointState::kTracked)) return PacketFault::kNumber;
+    if (state > static_cast<std::uint8_t>(humanmodel::JointState::kTracked)) return PacketFault::kNumber;
     Vector3d p = Vector3d::Constant(kNaN);
-    if (state != static_cast<std::uint8_t>(JointState::kMissing)) {
+    if (state != static_cast<std::uint8_t>(humanmodel::JointState::kMissing)) {
       for (std::size_t k = 0; k < 3; ++k) {
         p[static_cast<Eigen::Index>(k)] = load<double>(bytes, kHeaderBytes + 24 * j + 8 * k);
         if (!isUsableCoordinate(p[static_cast<Eigen::Index>(k)])) return PacketFault::kNumber;
       }
     }
-    out.skeleton.set(static_cast<Joint>(j), p, static_cast<JointState>(state));
+    out.skeleton.set(static_cast<humanmodel::Joint>(j), p, static_cast<humanmodel::JointState>(state));
   }
   return PacketFault::kNone;
 }

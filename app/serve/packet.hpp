@@ -51,7 +51,9 @@ struct PacketFormat {
 
 /// Bytes of a packet with `dof` joint values, and of one with a skeleton.
 constexpr std::size_t jointsBytes(std::size_t dof) { return kHeaderBytes + 8 * dof; }
-constexpr std::size_t skeletonBytes() { return kHeaderBytes + 24 * kJointCount + (kJointCount + 7) / 8 * 8; }
+constexpr std::size_t skeletonBytes() {
+  return kHeaderBytes + 24 * humanmodel::kJointCount + (humanmodel::kJointCount + 7) / 8 * 8;
+}
 
 /// What a control packet asks for.
 enum class ControlOrder : std::uint32_t {
@@ -84,9 +86,9 @@ struct Packet {
   std::uint32_t index{0};    ///< of the mechanism (or kAllMechanisms) or of the person
   std::uint64_t time_us{0};  ///< clock of the sender
   bool reset{false};
-  std::vector<double> q;   ///< rad or m; room for all mechanisms
-  std::size_t values{0};   ///< how many of `q` are meant
-  SkeletonFrame skeleton;  ///< its t is not set
+  std::vector<double> q;               ///< rad or m; room for all mechanisms
+  std::size_t values{0};               ///< how many of `q` are meant
+  humanmodel::SkeletonFrame skeleton;  ///< its t is not set
   Control control;
 };
 Packet makePacket(const PacketFormat& format);

@@ -33,17 +33,17 @@ bool readValues(JsonScanner& in, Packet& out) {
 }
 
 /// [x, y, z], then perhaps "inferred" or "tracked", then perhaps the spread (m); or null.
-bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
+bool readJoint(JsonScanner& in, humanmodel::Joint joint, humanmodel::SkeletonFrame& out) {
   if (in.word("null")) return true;
   Vector3d p;
   if (!in.mark('[') || !in.number(p.x()) || !in.mark(',') || !in.number(p.y()) || !in.mark(',') ||
       !in.number(p.z()))
     return false;
-  JointState state = JointState::kTracked;
+  humanmodel::JointState state = humanmodel::JointState::kTracked;
   bool more = in.mark(',');
   if (std::string_view how; more && in.string(how)) {
     if (how == "inferred")
-      state = JointState::kInferred;
+      state = humanmodel::JointState::kInferred;
     else if (how != "tracked")
       return false;
     more = in.mark(',');
@@ -53,17 +53,17 @@ bool readJoint(JsonScanner& in, Joint joint, SkeletonFrame& out) {
   return in.mark(']');
 }
 
-bool readJoints(JsonScanner& in, SkeletonFrame& out) {
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    out.set(static_cast<Joint>(j), Vector3d::Constant(kNaN), JointState::kMissing);
+bool readJoints(JsonScanner& in, humanmodel::SkeletonFrame& out) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    out.set(static_cast<humanmodel::Joint>(j), Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
   out.spread.fill(0.0);
   if (!in.mark('{')) return false;
   if (in.mark('}')) return true;
-  std::array<bool, kJointCount> seen{};
+  std::array<bool, humanmodel::kJointCount> seen{};
   do {
     std::string_view name;
     if (!in.string(name) || !in.mark(':')) return false;
-    const auto joint = parseJoint(name);
+    const auto joint = humanmodel::parseJoint(name);
     if (!joint || seen[static_cast<std::size_t>(*joint)]) return false;
     seen[static_cast<std::size_t>(*joint)] = true;
     if (!readJoint(in, *joint, out)) return false;
@@ -128,8 +128,8 @@ PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Pac
   out.index = 0;
   while (out.index < format.people.size() && format.people[out.index] != *fields.person) ++out.index;
   if (out.index == format.people.size()) return PacketFault::kIndex;
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    if (out.skeleton.has(static_cast<Joint>(j)))
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (out.skeleton.has(static_cast<humanmodel::Joint>(j)))
       for (const double v : out.skeleton.p[j])
         if (!isUsableCoordinate(v)) return PacketFault::kNumber;
   for (const double spread : out.skeleton.spread)

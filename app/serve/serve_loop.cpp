@@ -38,7 +38,7 @@ ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& 
       packet_(makePacket(scene.format())),
       in_(kMaxPacketBytes),
       out_(kMaxPacketBytes),
-      states_(scene.robots().size(), StopState::kProtectiveStop),
+      states_(scene.robots().size(), safety::StopState::kProtectiveStop),
       start_(steady()) {
   const std::size_t bytes = stateBytes(scene.report());
   if (bytes > kMaxPacketBytes)
@@ -91,7 +91,7 @@ bool ServeLoop::tellChange() {
 /// Obeys packet_, and answers it; who sends joints hears of a stop that it causes.
 void ServeLoop::control(const Address& from, double t) {
   ++summary_.controls;
-  const PairControl::Outcome outcome = scene_.obey(packet_.control, t);
+  const session::PairControl::Outcome outcome = scene_.obey(packet_.control, t);
   cycle(t);
   const ReplyTo to{packet_.sequence, packet_.index, packet_.time_us, false};
   const GroupsReport report{scene_.control(), scene_.torquesOn(), outcome, scene_.report().time_us};

@@ -33,7 +33,7 @@ struct ServeSummary {
   std::array<long, kPacketFaults> faults{};
   long bad{0};  ///< the sum of the faults and of what came from foreign senders
   StreamCounts streams;
-  CycleStatistics cycles{kInfinity};  ///< of answered packets: from the datagram to the answer
+  scene::CycleStatistics cycles{kInfinity};  ///< of answered packets: from the datagram to the answer
   double seconds{0.0};
   bool interrupted{false};
 };
@@ -86,8 +86,8 @@ class ServeLoop {
     ReplyTo to;
     bool json{false};
   } last_;
-  std::vector<StopState> states_;  ///< as the last answer told them
-  double start_;                   ///< s on the steady clock
+  std::vector<safety::StopState> states_;  ///< as the last answer told them
+  double start_;                           ///< s on the steady clock
 };
 
 }  // namespace abstand::serve

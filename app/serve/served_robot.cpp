@@ -14,21 +14,22 @@ constexpr double kMinStep = 1e-5, kMaxStep = 10.0;
 
 }  // namespace
 
-ServedRobot::ServedRobot(MechanismDriver& driver, const MechanismDescription& description, const Scene& scene,
-                         const std::vector<bool>& people, const ReactionDescription& reaction)
+ServedRobot::ServedRobot(session::MechanismDriver& driver,
+                         const scene_file::MechanismDescription& description, const scene::Scene& scene,
+                         const std::vector<bool>& people, const control::ReactionDescription& reaction)
     : driver_(driver),
-      reaction_(reaction, driver.dof(), scene.pairs().size(), dofLimits(driver.mechanism())),
+      reaction_(reaction, driver.dof(), scene.pairs().size(), mechanism::dofLimits(driver.mechanism())),
       pairs_(driver, scene, people, reaction),
       mass_(driver.mechanism()),
-      limits_(dofLimits(driver.mechanism())) {
+      limits_(mechanism::dofLimits(driver.mechanism())) {
   if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
-  if (const auto link = HeldLink::find(description, reaction))
+  if (const auto link = session::HeldLink::find(description, reaction))
     held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   qd_.assign(static_cast<std::size_t>(driver.dof()), 0.0);
   efforts_.assign(qd_.size(), 0.0);
 }
 
-void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, Scene& scene) {
+void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, scene::Scene& scene) {
   const double by_stamp = stamp - last_stamp_;
   const bool timed = by_stamp >= kMinStep && by_stamp <= kMaxStep;
   const double dt = timed ? by_stamp : std::max(t - last_t_, kMinStep);
@@ -43,17 +44,17 @@ void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, Scen
   started_ = true;
 }
 
-void ServedRobot::placeHeld(double t, Scene& scene) {
+void ServedRobot::placeHeld(double t, scene::Scene& scene) {
   if (held_ && started_) held_->place(t, scene);
 }
 
-void ServedRobot::grow(double t, double stale, Scene& scene) {
+void ServedRobot::grow(double t, double stale, scene::Scene& scene) {
   if (stale_ || age(t) <= stale) return;
   driver_.lose(t, scene);
   stale_ = true;
 }
 
-void ServedRobot::react(double t, double person_age, const Scene& scene, RobotReport& report,
+void ServedRobot::react(double t, double person_age, const scene::Scene& scene, RobotReport& report,
                         std::span<double> torque, std::span<double> offset) {
   report.input_age = age(t);
   if (!started_) return;
@@ -61,7 +62,7 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   if (stale_) std::fill(qd_.begin(), qd_.end(), kNaN);
   driver_.efforts(scene, efforts_);
   if (held_) held_->addEfforts(efforts_);
-  ReactionInput input;
+  control::ReactionInput input;
   input.t = t;
   input.dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
   input.q = driver_.q();
@@ -71,19 +72,20 @@ void ServedRobot::react(double t, double person_age, const Scene& scene, RobotRe
   input.pairs = pairs_.gather(scene, qd_);
   input.input_age = std::max(age(t), pairs_.oldest(scene, t));
   input.person_age = person_age;
-  const std::optional<StopCause> cause = braking_ ? braking_->look(scene, driver_.q(), qd_) : std::nullopt;
+  const std::optional<safety::StopCause> cause =
+      braking_ ? braking_->look(scene, driver_.q(), qd_) : std::nullopt;
   if (cause) input.causes = {&*cause, 1};
   input.reset = std::exchange(reset_, false);
   last_react_ = t;
-  const ReactionOutput out = reaction_.update(input, mass_.at(driver_.q()));
+  const control::ReactionOutput out = reaction_.update(input, mass_.at(driver_.q()));
   for (std::size_t i = 0; i < torque.size(); ++i)
     torque[i] = stale_ || !std::isfinite(out.torque[i]) ? 0.0 : out.torque[i];
   if (!out.offset.empty() && !offset.empty()) std::copy(out.offset.begin(), out.offset.end(), offset.begin());
-  const StopMachine& stops = reaction_.stops();
+  const safety::StopMachine& stops = reaction_.stops();
   report.speed_scale = out.speed_scale;
   report.state = out.state;
   report.since = stops.since();
-  report.has_reason = out.state != StopState::kRunning;
+  report.has_reason = out.state != safety::StopState::kRunning;
   report.reason = stops.cause().reason;
   report.refusal = stops.refusal();
 }

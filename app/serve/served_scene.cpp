@@ -7,21 +7,21 @@
 
 namespace abstand::serve {
 
-ReactionDescription usualReaction() {
-  ReactionDescription reaction;
+control::ReactionDescription usualReaction() {
+  control::ReactionDescription reaction;
   reaction.torque.emplace();
   reaction.speed.emplace();
   return reaction;
 }
 
-ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& options)
+ServedScene::ServedScene(std::unique_ptr<session::Session> session, const ServedOptions& options)
     : session_(std::move(session)), control_(*session_), watch_(options.reaction.watch) {
-  const SceneDescription& d = session_->description();
-  Scene& scene = session_->scene();
+  const scene_file::SceneDescription& d = session_->description();
+  scene::Scene& scene = session_->scene();
   session_->step(0.0);
   std::vector<int> robot_of(scene.objectCount(), -1), person_of(scene.objectCount(), -1);
   for (std::size_t m = 0; m < d.mechanisms.size(); ++m) {
-    const MechanismDriver& driver = *session_->mechanisms()[m];
+    const session::MechanismDriver& driver = *session_->mechanisms()[m];
     format_.mechanisms.push_back({d.mechanisms[m].name, static_cast<std::size_t>(driver.dof())});
     for (const auto& link : driver.links()) {
       links_.push_back(*link.object);
@@ -30,23 +30,23 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
     driver.lose(0.0, scene);
   }
   for (std::size_t p = 0; p < d.humans.size(); ++p) {
-    const HumanDriver& driver = *session_->humans()[p];
+    const session::HumanDriver& driver = *session_->humans()[p];
     format_.people.push_back(d.humans[p].name);
-    for (std::size_t i = 0; i < kBodyPartCount; ++i)
-      if (const auto object = driver.object(static_cast<BodyPart>(i)))
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      if (const auto object = driver.object(static_cast<humanmodel::BodyPart>(i)))
         person_of[object->index()] = static_cast<int>(p);
     driver.lose(0.0, scene);
   }
   for (const ObjectId id : links_) names_.links.push_back(scene.object(id).spec.name);
-  for (const Object& o : scene.objects()) names_.objects.push_back(o.spec.name);
+  for (const scene::Object& o : scene.objects()) names_.objects.push_back(o.spec.name);
   format_.objects = names_.objects;
-  for (const PairGroup& group : session_->pairGroups()) format_.groups.push_back(group.name);
+  for (const session::PairGroup& group : session_->pairGroups()) format_.groups.push_back(group.name);
 
   std::vector<bool> people(scene.objectCount());
   for (std::size_t i = 0; i < people.size(); ++i) people[i] = person_of[i] >= 0;
   bool offsets = false;
   for (std::size_t m = 0; m < d.mechanisms.size(); ++m) {
-    ReactionDescription reaction = options.reaction;
+    control::ReactionDescription reaction = options.reaction;
     if (options.scene_first && d.mechanisms[m].reaction) {
       reaction = *d.mechanisms[m].reaction;
       reaction.watch.input_age = watch_.input_age;
@@ -56,14 +56,14 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
     }
     offsets = offsets || reaction.admittance;
     const std::string remark =
-        massRemark(d.mechanisms[m].name, session_->mechanisms()[m]->mechanism(), reaction);
+        session::massRemark(d.mechanisms[m].name, session_->mechanisms()[m]->mechanism(), reaction);
     if (!remark.empty()) remarks_.push_back(remark);
     robots_.push_back(std::make_unique<ServedRobot>(
         *session_->mechanisms()[m], session_->description().mechanisms[m], scene, people, reaction));
   }
   people_.resize(d.humans.size());
 
-  for (const Pair& pair : scene.pairs()) {
+  for (const scene::Pair& pair : scene.pairs()) {
     const auto a = pair.a.index(), b = pair.b.index();
     const int robot = std::max(robot_of[a], robot_of[b]), person = std::max(person_of[a], person_of[b]);
     separation_of_.push_back(robot < 0 || person < 0 ? -1
@@ -85,11 +85,12 @@ ServedScene::ServedScene(std::unique_ptr<Session> session, const ServedOptions& 
 void ServedScene::take(const Packet& packet, double t) {
   if (packet.type == PacketType::kSkeleton) {
     Person& person = people_[packet.index];
-    SkeletonFrame frame = packet.skeleton;
+    humanmodel::SkeletonFrame frame = packet.skeleton;
     frame.t = t;
     // A joint that the sender's tracker guessed without saying how well.
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (frame.state[j] == JointState::kInferred && frame.spread[j] == 0.0) frame.spread[j] = kGuessedSpread;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (frame.state[j] == humanmodel::JointState::kInferred && frame.spread[j] == 0.0)
+        frame.spread[j] = humanmodel::kGuessedSpread;
     session_->humans()[packet.index]->follow(frame, session_->scene());
     person.last_t = t;
     person.stale = false;
@@ -106,27 +107,27 @@ void ServedScene::take(const Packet& packet, double t) {
   }
 }
 
-PairControl::Outcome ServedScene::obey(const Control& control, double t) {
-  const auto to = [&](PairGroupState state) {
+session::PairControl::Outcome ServedScene::obey(const Control& control, double t) {
+  const auto to = [&](view::PairGroupState state) {
     if (control.group != kAllGroups) return control_.setState(static_cast<int>(control.group), state, t);
     control_.setAll(state, t);
-    return PairControl::Outcome::kDone;
+    return session::PairControl::Outcome::kDone;
   };
   const auto torques = [&](bool on) {
     for (const auto& robot : robots_) robot->setTorques(on);
     report_.torques_on = on;
-    return PairControl::Outcome::kDone;
+    return session::PairControl::Outcome::kDone;
   };
   const auto pair = control_.findPair(static_cast<int>(control.a), static_cast<int>(control.b));
   switch (control.order) {
     case ControlOrder::kReport:
-      return PairControl::Outcome::kDone;
+      return session::PairControl::Outcome::kDone;
     case ControlOrder::kRun:
-      return to(PairGroupState::kRunning);
+      return to(view::PairGroupState::kRunning);
     case ControlOrder::kPause:
-      return to(PairGroupState::kPaused);
+      return to(view::PairGroupState::kPaused);
     case ControlOrder::kStop:
-      return to(PairGroupState::kStopped);
+      return to(view::PairGroupState::kStopped);
     case ControlOrder::kAdd:
       return control_.add(static_cast<int>(control.group), pair, t);
     case ControlOrder::kRemove:
@@ -136,12 +137,12 @@ PairControl::Outcome ServedScene::obey(const Control& control, double t) {
     case ControlOrder::kTorquesOff:
       return torques(false);
   }
-  return PairControl::Outcome::kDone;
+  return session::PairControl::Outcome::kDone;
 }
 
 void ServedScene::growPeople(double t) {
   for (std::size_t p = 0; p < people_.size(); ++p) {
-    const HumanDriver& driver = *session_->humans()[p];
+    const session::HumanDriver& driver = *session_->humans()[p];
     report_.person_age[p] = driver.unseen(t);
     driver.widen(t, session_->scene());
     if (people_[p].stale || t - people_[p].last_t <= watch_.person_age) continue;
@@ -162,7 +163,7 @@ double ServedScene::nextStale() const {
 }
 
 void ServedScene::cycle(double t) {
-  Scene& scene = session_->scene();
+  scene::Scene& scene = session_->scene();
   growPeople(t);
   for (const auto& robot : robots_) {
     robot->grow(t, watch_.input_age, scene);
@@ -188,30 +189,30 @@ void ServedScene::cycle(double t) {
 
 void ServedScene::reportLinks() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Object& o = session_->scene().object(links_[i]);
+    const scene::Object& o = session_->scene().object(links_[i]);
     report_.links[i] = o.colliding ? o.contact : Wrench{};
   }
 }
 
 Trust ServedScene::trustOf(ObjectId id) const {
   switch (session_->scene().object(id).pose_state) {
-    case PoseState::kFresh:
+    case scene::PoseState::kFresh:
       return Trust::kFresh;
-    case PoseState::kInferred:
+    case scene::PoseState::kInferred:
       return Trust::kInferred;
-    case PoseState::kStale:
-    case PoseState::kRejected:
+    case scene::PoseState::kStale:
+    case scene::PoseState::kRejected:
       return Trust::kNone;
   }
   return Trust::kNone;
 }
 
-Trust ServedScene::trustOf(const Pair& pair) const {
+Trust ServedScene::trustOf(const scene::Pair& pair) const {
   return pair.paused ? Trust::kNone : std::min(trustOf(pair.a), trustOf(pair.b));
 }
 
 PairReport ServedScene::reportOf(PairId id) const {
-  const Pair& pair = session_->scene().pairs()[id.index()];
+  const scene::Pair& pair = session_->scene().pairs()[id.index()];
   PairReport out;
   out.a = static_cast<int>(pair.a.index());
   out.b = static_cast<int>(pair.b.index());
@@ -236,7 +237,7 @@ void ServedScene::addNearest(PairId id, double distance) {
 }
 
 void ServedScene::reportPairs() {
-  const Scene& scene = session_->scene();
+  const scene::Scene& scene = session_->scene();
   std::fill(separations_.begin(), separations_.end(), Separation{});
   nearest_count_ = 0;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) {

@@ -10,8 +10,8 @@
 namespace abstand::serve {
 
 struct ServedOptions {
-  ReactionDescription reaction;  ///< of every mechanism; its watch says when input is stale
-  std::size_t nearest{8};        ///< pairs that are reported one by one
+  control::ReactionDescription reaction;  ///< of every mechanism; its watch says when input is stale
+  std::size_t nearest{8};                 ///< pairs that are reported one by one
   /// A mechanism's own `reaction` of the scene goes before; when input is stale, and a finite resume_after,
   /// come from the one above.
   bool scene_first{false};
@@ -19,14 +19,14 @@ struct ServedOptions {
 
 /// What a robot does unless told otherwise: contact torques as they are, speed and separation by ISO/TS
 /// 15066.
-ReactionDescription usualReaction();
+control::ReactionDescription usualReaction();
 
 /// Robots and people follow packets alone; motions and recordings of the scene only say how it looks before.
 /// One thread; nothing allocates or throws but the constructor.
 class ServedScene {
  public:
   /// Throws UsageError.
-  ServedScene(std::unique_ptr<Session> session, const ServedOptions& options);
+  ServedScene(std::unique_ptr<session::Session> session, const ServedOptions& options);
 
   const PacketFormat& format() const { return format_; }
   const StateNames& names() const { return names_; }
@@ -34,8 +34,8 @@ class ServedScene {
   /// Takes a packet that parsePacket() accepted for format(). `t`: s, when it came; never falling.
   void take(const Packet& packet, double t);
   /// Obeys a control packet that parsePacket() accepted; from the cycle at `t` (s) on it holds.
-  PairControl::Outcome obey(const Control& control, double t);
-  const PairControl& control() const { return control_; }
+  session::PairControl::Outcome obey(const Control& control, double t);
+  const session::PairControl& control() const { return control_; }
   bool torquesOn() const { return report_.torques_on; }
   /// Poses, pairs, reactions at `t`.
   void cycle(double t);
@@ -45,7 +45,7 @@ class ServedScene {
   const StateReport& report() const { return report_; }
   StateReport& report() { return report_; }
   const std::vector<std::unique_ptr<ServedRobot>>& robots() const { return robots_; }
-  const Session& session() const { return *session_; }
+  const session::Session& session() const { return *session_; }
   /// What a user should know of the robots, a line each.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
@@ -65,12 +65,12 @@ class ServedScene {
   void reportPairs();
   PairReport reportOf(PairId id) const;
   Trust trustOf(ObjectId id) const;
-  Trust trustOf(const Pair& pair) const;
+  Trust trustOf(const scene::Pair& pair) const;
   void addNearest(PairId id, double distance);
 
-  std::unique_ptr<Session> session_;
-  PairControl control_;
-  WatchOptions watch_;
+  std::unique_ptr<session::Session> session_;
+  session::PairControl control_;
+  control::WatchOptions watch_;
   PacketFormat format_;
   StateNames names_;
   std::vector<std::unique_ptr<ServedRobot>> robots_;

@@ -16,7 +16,8 @@ bool isLineName(std::string_view name);
 
 /// What parsePacket() reads, without an end of line; joints that are missing are left out. `frame.t` is not
 /// looked at. The bytes that were written; 0 where `into` is too small. No allocation.
-std::size_t writeSkeletonLine(const SkeletonFrame& frame, std::string_view person, std::uint32_t sequence,
-                              std::uint64_t time_us, std::span<std::byte> into) noexcept;
+std::size_t writeSkeletonLine(const humanmodel::SkeletonFrame& frame, std::string_view person,
+                              std::uint32_t sequence, std::uint64_t time_us,
+                              std::span<std::byte> into) noexcept;
 
 }  // namespace abstand::serve

@@ -39,7 +39,7 @@ SkeletonSender::Name* SkeletonSender::nameOf(int id, double t) noexcept {
   return vacant;
 }
 
-void SkeletonSender::send(int id, double t, const SkeletonFrame& frame) noexcept {
+void SkeletonSender::send(int id, double t, const humanmodel::SkeletonFrame& frame) noexcept {
   Name* const name = nameOf(id, t);
   if (!name) {
     ++nameless_;

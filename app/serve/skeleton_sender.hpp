@@ -21,7 +21,7 @@ class SkeletonSender {
   SkeletonSender(const std::string& to, std::vector<std::string> names);
 
   /// One person of an image at `t` (s, rises), whose number stays the same while in view.
-  void send(int id, double t, const SkeletonFrame& frame) noexcept;
+  void send(int id, double t, const humanmodel::SkeletonFrame& frame) noexcept;
 
   /// Whether nobody reads standard output any more. (The caller ignores SIGPIPE.)
   bool isClosed() const { return output_error_ == EPIPE; }

@@ -39,7 +39,7 @@ void eachField(const StateReport& r, const ReplyTo& to, std::uint32_t bytes, Vis
   packet("its time stamp, us", to.time_us);
   std::uint32_t flags = to.unasked ? kFlagUnasked : 0;
   for (const RobotReport& m : r.robots)
-    if (m.refusal != ResetRefusal::kNone) flags |= kFlagRefused;
+    if (m.refusal != safety::ResetRefusal::kNone) flags |= kFlagRefused;
   if (!r.torques_on) flags |= kFlagTorquesOff;
   if (r.not_checked > 0) flags |= kFlagNotChecked;
   packet("flags; 2: unasked, 4: a reset was refused, 8: torques off, 16: pairs not checked", flags);

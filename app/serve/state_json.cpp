@@ -24,13 +24,13 @@ void writeRobot(JsonLine& out, const RobotReport& r, std::string_view name) {
   out.text(",\"speed_scale\":").number(r.speed_scale);
   out.text(",\"input_age\":").number(r.input_age);
   out.text(",\"since\":").number(r.since);
-  out.text(",\"state\":\"").text(stateName(r.state)).text("\",\"reason\":");
+  out.text(",\"state\":\"").text(safety::stateName(r.state)).text("\",\"reason\":");
   if (r.has_reason)
-    out.text("\"").text(reasonName(r.reason)).text("\"");
+    out.text("\"").text(safety::reasonName(r.reason)).text("\"");
   else
     out.text("null");
-  if (r.refusal != ResetRefusal::kNone)
-    out.text(",\"reset_refused\":\"").text(refusalName(r.refusal)).text("\"");
+  if (r.refusal != safety::ResetRefusal::kNone)
+    out.text(",\"reset_refused\":\"").text(safety::refusalName(r.refusal)).text("\"");
   out.text("}");
 }
 

@@ -17,10 +17,10 @@ struct RobotReport {
   double speed_scale{0.0};
   double input_age{kInfinity};  ///< s, of its joint values
   double since{0.0};            ///< s on the clock of the server, when the state of stop began
-  StopState state{StopState::kProtectiveStop};
+  safety::StopState state{safety::StopState::kProtectiveStop};
   bool has_reason{true};
-  StopReason reason{StopReason::kStaleInput};
-  ResetRefusal refusal{ResetRefusal::kNone};  ///< of a reset in this cycle
+  safety::StopReason reason{safety::StopReason::kStaleInput};
+  safety::ResetRefusal refusal{safety::ResetRefusal::kNone};  ///< of a reset in this cycle
 };
 
 /// The nearest pair of a person and a robot (then no pair of them is nearer than distance - bound), or one of

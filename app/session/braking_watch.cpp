@@ -5,15 +5,15 @@
 
 #include "core/mechanism/dof_limits.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 // Where so many queries of a pair do not decide, its certified bound as it is does.
 constexpr int kMaxSamples = 24;
 
-MotionBounds boundsOf(const Object& part, const BrakingLawOptions& o) {
-  MotionBounds bounds;
-  const EnclosingSphere& sphere = part.spec.structure->bounding_sphere;
+safety::MotionBounds boundsOf(const scene::Object& part, const control::BrakingLawOptions& o) {
+  safety::MotionBounds bounds;
+  const geometry::EnclosingSphere& sphere = part.spec.structure->bounding_sphere;
   const double turning =
       part.velocity.angular.norm() * ((sphere.centre - part.spec.structure->com).norm() + sphere.radius);
   bounds.speed = std::max(o.person_speed, part.velocity.linear.norm() + turning);
@@ -24,10 +24,10 @@ MotionBounds boundsOf(const Object& part, const BrakingLawOptions& o) {
 }
 
 /// No joint is said to brake harder than its robot's file allows.
-BrakingOptions withinLimits(BrakingOptions o, const Mechanism& mechanism) {
-  const std::vector<DofLimits> limits = dofLimits(mechanism);
-  o.deceleration = forJoints(BrakingOptions::kName, "deceleration", o.deceleration, mechanism.dof,
-                             BrakingOptions::kDecelerationRule);
+safety::BrakingOptions withinLimits(safety::BrakingOptions o, const mechanism::Mechanism& mechanism) {
+  const std::vector<mechanism::DofLimits> limits = mechanism::dofLimits(mechanism);
+  o.deceleration = config::forJoints(safety::BrakingOptions::kName, "deceleration", o.deceleration,
+                                     mechanism.dof, safety::BrakingOptions::kDecelerationRule);
   for (std::size_t k = 0; k < limits.size(); ++k)
     o.deceleration[k] = std::min(o.deceleration[k], limits[k].acceleration);
   return o;
@@ -35,10 +35,10 @@ BrakingOptions withinLimits(BrakingOptions o, const Mechanism& mechanism) {
 
 }  // namespace
 
-BrakingWatch::BrakingWatch(const MechanismDriver& driver, const Scene& scene,
-                           std::span<const RobotPairs::Own> own, const BrakingLawOptions& options)
+BrakingWatch::BrakingWatch(const MechanismDriver& driver, const scene::Scene& scene,
+                           std::span<const RobotPairs::Own> own, const control::BrakingLawOptions& options)
     : options_(options), path_(withinLimits(options.path, driver.mechanism()), driver.dof()) {
-  requireNumbers(options);
+  config::requireNumbers(options);
   std::vector<int> number(driver.links().size(), -1);
   for (const RobotPairs::Own& pair : own) {
     if (!pair.person) continue;
@@ -58,39 +58,42 @@ BrakingWatch::BrakingWatch(const MechanismDriver& driver, const Scene& scene,
   swept_.most_samples = kMaxSamples;
 }
 
-double BrakingWatch::least(Watched& w, const Scene& scene) noexcept {
-  const Pair& pair = scene.pairs()[w.id.index()];
-  const Object& part = scene.object(w.link_a ? pair.b : pair.a);
-  const Object& link = scene.object(w.link_a ? pair.a : pair.b);
+double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
+  const scene::Pair& pair = scene.pairs()[w.id.index()];
+  const scene::Object& part = scene.object(w.link_a ? pair.b : pair.a);
+  const scene::Object& link = scene.object(w.link_a ? pair.a : pair.b);
   const double duration = path_.stopTime();
-  const MotionBounds bounds = boundsOf(part, options_);
-  UnknownMotion person(part.X_WB, part.velocity.linear, bounds, duration);
+  const safety::MotionBounds bounds = boundsOf(part, options_);
+  safety::UnknownMotion person(part.X_WB, part.velocity.linear, bounds, duration);
   const double now = pair.result.distance - pair.result.bound - bounds.position_error;
   const double rate = speeds_[static_cast<std::size_t>(w.link)] + person.speed(0.0, duration);
   // Without time nothing moves, and 0 times infinity is no number.
   const double far = duration > 0.0 ? now - rate * duration : now;
   if (far >= options_.distance || duration == 0.0) return far;
   scratch_.memory = w.memory;
-  const SweptResult swept = sweptPair(*link.spec.structure, links_[static_cast<std::size_t>(w.link)],
-                                      *part.spec.structure, person, duration, swept_, scratch_);
+  const safety::SweptResult swept =
+      safety::sweptPair(*link.spec.structure, links_[static_cast<std::size_t>(w.link)], *part.spec.structure,
+                        person, duration, swept_, scratch_);
   w.memory = scratch_.memory;
   queries_ += swept.samples;
   return swept.lower;
 }
 
-std::optional<StopCause> BrakingWatch::look(const Scene& scene, std::span<const double> q,
-                                            std::span<const double> qd) noexcept {
+std::optional<safety::StopCause> BrakingWatch::look(const scene::Scene& scene, std::span<const double> q,
+                                                    std::span<const double> qd) noexcept {
   queries_ = 0;
   if (watched_.empty()) return std::nullopt;
-  std::optional<StopCause> worst;
-  if (!path_.start(q, qd)) return StopCause{StopReason::kBraking, -kInfinity, options_.distance, -1, -1};
+  std::optional<safety::StopCause> worst;
+  if (!path_.start(q, qd))
+    return safety::StopCause{safety::StopReason::kBraking, -kInfinity, options_.distance, -1, -1};
   for (std::size_t i = 0; i < links_.size(); ++i) speeds_[i] = links_[i].speed(0.0, path_.stopTime());
   for (Watched& w : watched_) {
     const double lower = least(w, scene);
     if (lower >= options_.distance || (worst && lower >= worst->value)) continue;
-    worst = StopCause{StopReason::kBraking, lower, options_.distance, static_cast<int>(w.id.index()), -1};
+    worst = safety::StopCause{safety::StopReason::kBraking, lower, options_.distance,
+                              static_cast<int>(w.id.index()), -1};
   }
   return worst;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

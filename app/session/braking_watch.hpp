@@ -6,7 +6,7 @@
 #include "core/safety/stop_reason.hpp"
 #include "core/safety/swept_pair.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 /// The law `braking`: from its present joint values and velocities the robot goes on for the reaction time
 /// and then brakes; every part of a person goes anywhere that the bounds on its speed and acceleration let it
@@ -21,13 +21,13 @@ class BrakingWatch {
  public:
   /// Of the pairs with people among `own`, RobotPairs::own(). Throws UsageError for options that do not fit
   /// the mechanism. Driver, scene and own must outlive it.
-  BrakingWatch(const MechanismDriver& driver, const Scene& scene, std::span<const RobotPairs::Own> own,
-               const BrakingLawOptions& options);
+  BrakingWatch(const MechanismDriver& driver, const scene::Scene& scene, std::span<const RobotPairs::Own> own,
+               const control::BrakingLawOptions& options);
 
   /// The worst cause, with the certified distance (m; -infinity where the joints are not known), or nothing.
   /// After the scene's step. `q`, `qd`: size dof.
-  std::optional<StopCause> look(const Scene& scene, std::span<const double> q,
-                                std::span<const double> qd) noexcept;
+  std::optional<safety::StopCause> look(const scene::Scene& scene, std::span<const double> q,
+                                        std::span<const double> qd) noexcept;
   /// Queries of pairs in the last look().
   int queries() const { return queries_; }
 
@@ -36,18 +36,18 @@ class BrakingWatch {
     PairId id;
     int link;     ///< index into links_
     bool link_a;  ///< the link is A of the pair
-    PairMemory memory;
+    query::PairMemory memory;
   };
-  double least(Watched& watched, const Scene& scene) noexcept;
+  double least(Watched& watched, const scene::Scene& scene) noexcept;
 
-  BrakingLawOptions options_;
-  BrakingPath path_;
-  std::vector<LinkMotion> links_;
+  control::BrakingLawOptions options_;
+  safety::BrakingPath path_;
+  std::vector<safety::LinkMotion> links_;
   std::vector<double> speeds_;  ///< m/s, of each of links_ on the present path
   std::vector<Watched> watched_;
-  SweptOptions swept_;
-  SweptScratch scratch_;
+  safety::SweptOptions swept_;
+  safety::SweptScratch scratch_;
   int queries_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::session

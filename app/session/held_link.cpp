@@ -2,10 +2,10 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
-std::optional<std::size_t> HeldLink::find(const MechanismDescription& description,
-                                          const ReactionDescription& reaction) {
+std::optional<std::size_t> HeldLink::find(const scene_file::MechanismDescription& description,
+                                          const control::ReactionDescription& reaction) {
   if (!reaction.proxy) return std::nullopt;
   for (std::size_t i = 0; i < description.links.size(); ++i)
     if (description.links[i].held) return i;
@@ -13,8 +13,8 @@ std::optional<std::size_t> HeldLink::find(const MechanismDescription& descriptio
                    "': found nothing that it holds, expected one of its `links` with `held: true`");
 }
 
-HeldLink::HeldLink(MechanismDriver& driver, std::size_t link, const Scene& scene,
-                   std::span<const RobotPairs::Own> own, Reaction& reaction)
+HeldLink::HeldLink(MechanismDriver& driver, std::size_t link, const scene::Scene& scene,
+                   std::span<const RobotPairs::Own> own, control::Reaction& reaction)
     : driver_(driver),
       reaction_(reaction),
       link_(link),
@@ -23,7 +23,7 @@ HeldLink::HeldLink(MechanismDriver& driver, std::size_t link, const Scene& scene
   const auto number = static_cast<int>(link);
   for (const RobotPairs::Own& pair : own)
     if (pair.link_a == number || pair.link_b == number) near_.push_back({pair.id, pair.link_a == number, {}});
-  constraints_.reserve(near_.size() * (ContactManifold::kMax + 1));
+  constraints_.reserve(near_.size() * (control::ContactManifold::kMax + 1));
   driver.setProxyControlled(link, true);
   reaction.hold(scene.object(object_).spec.structure->bounding_sphere, hand());
 }
@@ -36,20 +36,20 @@ Transform HeldLink::hand() const {
   return driver_.X_WB() * X_BF * driver_.links()[link_].X_FL;
 }
 
-void HeldLink::place(double t, Scene& scene) {
+void HeldLink::place(double t, scene::Scene& scene) {
   if (!started_) reaction_.proxy()->reset(hand());
   started_ = true;
   scene.setPose(object_, reaction_.proxy()->pose(), t);
 }
 
-const HeldObject& HeldLink::look(const Scene& scene) {
+const control::HeldObject& HeldLink::look(const scene::Scene& scene) {
   constraints_.clear();
   const Transform& X_WO = scene.object(object_).X_WB;
   for (Near& near : near_) {
-    const Pair& pair = scene.pairs()[near.id.index()];
+    const scene::Pair& pair = scene.pairs()[near.id.index()];
     const Transform& X_WB = scene.object(near.held_is_a ? pair.b : pair.a).X_WB;
     near.contacts.update(pair.result, near.held_is_a, X_WO, X_WB);
-    near.contacts.each(X_WO, X_WB, [&](const ContactConstraint& c) { constraints_.push_back(c); });
+    near.contacts.each(X_WO, X_WB, [&](const control::ContactConstraint& c) { constraints_.push_back(c); });
   }
   held_ = {hand(), constraints_};
   return held_;
@@ -59,7 +59,7 @@ void HeldLink::addEfforts(std::span<double> efforts) const {
   if (frame_ < 0) return;
   const Transform X_BW = driver_.X_WB().inverse();
   const Wrench w_B{X_BW.linear() * wrench().force, X_BW.linear() * wrench().torque};
-  addJointEfforts(driver_.mechanism(), driver_.state(), frame_, X_BW * point(), w_B, efforts);
+  mechanism::addJointEfforts(driver_.mechanism(), driver_.state(), frame_, X_BW * point(), w_B, efforts);
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

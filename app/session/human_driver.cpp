@@ -8,19 +8,20 @@
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
-HumanOptions optionsOf(const HumanDescription& d) {
-  HumanOptions o;
+humanmodel::HumanOptions optionsOf(const scene_file::HumanDescription& d) {
+  humanmodel::HumanOptions o;
   o.height = d.height;
   o.mass = d.mass;
-  if (d.sex) o.sex = *d.sex == "f" ? Sex::kFemale : Sex::kMale;
-  o.preset = d.preset == "thesis" ? HumanPreset::kThesis : HumanPreset::kAnthropometric;
+  if (d.sex) o.sex = *d.sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
+  o.preset =
+      d.preset == "thesis" ? humanmodel::HumanPreset::kThesis : humanmodel::HumanPreset::kAnthropometric;
   for (const auto& [name, part] : d.parts) {
-    const auto id = parsePart(name);
+    const auto id = humanmodel::parsePart(name);
     ABSTAND_CHECK(id.has_value());
-    PartOverride& p = o.overrides[*id];
+    humanmodel::PartOverride& p = o.overrides[*id];
     const auto take = [&, &numbers = part.numbers](const char* key, std::optional<double>& into) {
       if (const auto it = numbers.find(key); it != numbers.end()) into = it->second;
     };
@@ -33,9 +34,10 @@ HumanOptions optionsOf(const HumanDescription& d) {
   return o;
 }
 
-std::optional<Recording> recordingOf(const HumanDescription& d, const KnownThings& known) {
+std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescription& d,
+                                               const tracking::KnownThings& known) {
   if (d.recording.file.empty()) return std::nullopt;
-  RecordingOptions o;
+  tracking::RecordingOptions o;
   o.format = d.recording.format;
   o.units = d.recording.units;
   o.up = d.recording.up;
@@ -43,7 +45,7 @@ std::optional<Recording> recordingOf(const HumanDescription& d, const KnownThing
   o.mirror = d.recording.mirror;
   o.joint_map = d.recording.joint_map;
   o.marker_set = d.recording.marker_set;
-  Recording recording = openAnyRecording(d.recording.file, o, std::nullopt, known);
+  tracking::Recording recording = tracking::openAnyRecording(d.recording.file, o, std::nullopt, known);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
@@ -53,81 +55,82 @@ std::optional<Recording> recordingOf(const HumanDescription& d, const KnownThing
   return recording;
 }
 
-HumanModel modelOf(const HumanDescription& d, const std::optional<Recording>& recording) {
-  HumanOptions options = optionsOf(d);
+humanmodel::HumanModel modelOf(const scene_file::HumanDescription& d,
+                               const std::optional<tracking::Recording>& recording) {
+  humanmodel::HumanOptions options = optionsOf(d);
   try {
-    if (d.follow_lengths && recording) options = withRecordingLengths(options, recording->frames);
-    return makeHuman(options);
+    if (d.follow_lengths && recording) options = humanmodel::withRecordingLengths(options, recording->frames);
+    return humanmodel::makeHuman(options);
   } catch (const UsageError& e) {
     throw ParseError(d.pos, std::string(e.what()) + " (person '" + d.name + "')");
   }
 }
 
-PoseState poseState(PartState s) {
+scene::PoseState poseState(humanmodel::PartState s) {
   switch (s) {
-    case PartState::kTracked:
-      return PoseState::kFresh;
-    case PartState::kInferred:
-      return PoseState::kInferred;
-    case PartState::kHeld:
-    case PartState::kNone:
-      return PoseState::kStale;
+    case humanmodel::PartState::kTracked:
+      return scene::PoseState::kFresh;
+    case humanmodel::PartState::kInferred:
+      return scene::PoseState::kInferred;
+    case humanmodel::PartState::kHeld:
+    case humanmodel::PartState::kNone:
+      return scene::PoseState::kStale;
   }
-  return PoseState::kStale;
+  return scene::PoseState::kStale;
 }
 
 }  // namespace
 
-HumanDriver::HumanDriver(const HumanDescription& d, const KnownThings& known)
+HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::KnownThings& known)
     : recording_(recordingOf(d, known)),
       model_(modelOf(d, recording_)),
       poser_(model_, d.follow_lengths),
       X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {
   if (recording_) poser_.calibrate(recording_->frames);
-  Poser(model_).pose(model_.rest, standing_);
+  humanmodel::Poser(model_).pose(model_.rest, standing_);
 }
 
 Transform HumanDriver::poseOf(std::size_t part) const {
-  if (pose_.state[part] != PartState::kNone) return pose_.X_WP[part];
-  constexpr auto kTorso = static_cast<std::size_t>(BodyPart::kTorso);
-  if (pose_.state[kTorso] == PartState::kNone) return standing_.X_WP[part];
+  if (pose_.state[part] != humanmodel::PartState::kNone) return pose_.X_WP[part];
+  constexpr auto kTorso = static_cast<std::size_t>(humanmodel::BodyPart::kTorso);
+  if (pose_.state[kTorso] == humanmodel::PartState::kNone) return standing_.X_WP[part];
   return pose_.X_WP[kTorso] * standing_.X_WP[kTorso].inverse() * standing_.X_WP[part];
 }
 
-void HumanDriver::show(const SkeletonFrame& frame, double t, Scene& scene) {
+void HumanDriver::show(const humanmodel::SkeletonFrame& frame, double t, scene::Scene& scene) {
   if (t < last_t_) poser_.reset();
   last_t_ = t;
   poser_.pose(frame, pose_);
   place(t, scene);
 }
 
-void HumanDriver::apply(double t, Scene& scene) {
+void HumanDriver::apply(double t, scene::Scene& scene) {
   show(recording_ ? recording_->at(t) : model_.rest, t, scene);
 }
 
-void HumanDriver::glide(double t, Scene& scene) {
+void HumanDriver::glide(double t, scene::Scene& scene) {
   if (!recording_) return apply(t, scene);
-  const SkeletonFrame& before = recording_->at(t);
+  const humanmodel::SkeletonFrame& before = recording_->at(t);
   if (&before == &recording_->frames.back() || t < before.t) return show(before, t, scene);
-  const SkeletonFrame& after = *(&before + 1);
+  const humanmodel::SkeletonFrame& after = *(&before + 1);
   const double u = (t - before.t) / (after.t - before.t);
-  SkeletonFrame frame = before;
+  humanmodel::SkeletonFrame frame = before;
   frame.t = t;
-  for (std::size_t i = 0; i < kJointCount; ++i)
-    if (before.has(static_cast<Joint>(i)) && after.has(static_cast<Joint>(i)))
+  for (std::size_t i = 0; i < humanmodel::kJointCount; ++i)
+    if (before.has(static_cast<humanmodel::Joint>(i)) && after.has(static_cast<humanmodel::Joint>(i)))
       frame.p[i] += u * (after.p[i] - before.p[i]);
   show(frame, t, scene);
 }
 
 double HumanDriver::missing() const {
   double most = 0.0;
-  for (std::size_t i = 0; i < kBodyPartCount; ++i)
-    if (pose_.state[i] != PartState::kNone && std::isfinite(pose_.age[i]))
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+    if (pose_.state[i] != humanmodel::PartState::kNone && std::isfinite(pose_.age[i]))
       most = std::max(most, pose_.age[i]);
   return most;
 }
 
-void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {
+void HumanDriver::follow(const humanmodel::SkeletonFrame& frame, scene::Scene& scene) {
   if (!followed_) poser_.reset();
   followed_ = true;
   last_t_ = frame.t;
@@ -135,20 +138,21 @@ void HumanDriver::follow(const SkeletonFrame& frame, Scene& scene) {
   place(frame.t, scene);
 }
 
-void HumanDriver::lose(double t, Scene& scene) const {
+void HumanDriver::lose(double t, scene::Scene& scene) const {
   for (const auto& object : objects_)
-    if (object) scene.setPose(*object, scene.object(*object).X_WB, t, PoseState::kStale);
+    if (object) scene.setPose(*object, scene.object(*object).X_WB, t, scene::PoseState::kStale);
   widen(t, scene);
 }
 
-void HumanDriver::widen(double t, Scene& scene) const {
+void HumanDriver::widen(double t, scene::Scene& scene) const {
   const double since = std::max(0.0, t - last_t_);
-  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
     if (!objects_[i]) continue;
     const double bound = scene.object(*objects_[i]).max_speed;
     // A bound of 0 says of one who stands in the scene that nothing moves them, not of one who is followed.
-    const double speed = std::isfinite(bound) && bound > 0.0 ? bound : kPersonSpeed;
-    scene.setPoseUncertainty(*objects_[i], partReach(pose_.age[i] + since, pose_.spread[i], speed));
+    const double speed = std::isfinite(bound) && bound > 0.0 ? bound : humanmodel::kPersonSpeed;
+    scene.setPoseUncertainty(*objects_[i],
+                             humanmodel::partReach(pose_.age[i] + since, pose_.spread[i], speed));
   }
 }
 
@@ -157,10 +161,10 @@ double HumanDriver::unseen(double t) const {
   return *std::max_element(pose_.age.begin(), pose_.age.end()) + t - last_t_;
 }
 
-void HumanDriver::place(double t, Scene& scene) const {
-  for (std::size_t i = 0; i < kBodyPartCount; ++i)
+void HumanDriver::place(double t, scene::Scene& scene) const {
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
   widen(t, scene);
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -5,10 +5,12 @@
 #include "core/base/error.hpp"
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
-MechanismDriver::MechanismDriver(const MechanismDescription& description)
-    : mechanism_(loadRobot(description.file).mechanism), X_WB_(description.X_WB), home_(description.q) {
+MechanismDriver::MechanismDriver(const scene_file::MechanismDescription& description)
+    : mechanism_(robot_file::loadRobot(description.file).mechanism),
+      X_WB_(description.X_WB),
+      home_(description.q) {
   const auto dof = static_cast<std::size_t>(mechanism_.dof);
   if (home_.empty()) home_.assign(dof, 0.0);
   if (home_.size() != dof)
@@ -16,7 +18,7 @@ MechanismDriver::MechanismDriver(const MechanismDescription& description)
                                           description.name + "', expected " + std::to_string(dof) +
                                           ", one a degree of freedom");
   q_ = home_;
-  if (!description.motion.empty()) motion_ = loadMotion(description.motion, mechanism_.dof);
+  if (!description.motion.empty()) motion_ = mechanism::loadMotion(description.motion, mechanism_.dof);
   for (const auto& link : description.links) {
     const int frame = mechanism_.indexOf(link.frame);
     if (frame < 0 && link.frame != "0")
@@ -24,7 +26,7 @@ MechanismDriver::MechanismDriver(const MechanismDescription& description)
                                      "', expected a frame of " + description.file.string());
     links_.push_back({frame, link.X_FL, std::nullopt});
   }
-  forward(mechanism_, q_, state_);
+  mechanism::forward(mechanism_, q_, state_);
 }
 
 /// The frame whose joint moves `frame`, -1: none does.
@@ -58,7 +60,7 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
   return pairs;
 }
 
-void MechanismDriver::apply(double t, Scene& scene) {
+void MechanismDriver::apply(double t, scene::Scene& scene) {
   if (motion_)
     motion_->at(t, q_);
   else
@@ -66,19 +68,20 @@ void MechanismDriver::apply(double t, Scene& scene) {
   place(t, scene);
 }
 
-void MechanismDriver::moveTo(std::span<const double> q, double t, Scene& scene) {
+void MechanismDriver::moveTo(std::span<const double> q, double t, scene::Scene& scene) {
   ABSTAND_CHECK(q.size() == q_.size());
   std::copy(q.begin(), q.end(), q_.begin());
   place(t, scene);
 }
 
-void MechanismDriver::lose(double t, Scene& scene) const {
+void MechanismDriver::lose(double t, scene::Scene& scene) const {
   for (const Link& link : links_)
-    if (link.object) scene.setPose(*link.object, scene.object(*link.object).X_WB, t, PoseState::kStale);
+    if (link.object)
+      scene.setPose(*link.object, scene.object(*link.object).X_WB, t, scene::PoseState::kStale);
 }
 
-void MechanismDriver::place(double t, Scene& scene) {
-  forward(mechanism_, q_, state_);
+void MechanismDriver::place(double t, scene::Scene& scene) {
+  mechanism::forward(mechanism_, q_, state_);
   for (const Link& link : links_) {
     if (!link.object || link.loose) continue;
     const Transform X_WF = link.frame < 0 ? X_WB_ : X_WB_ * state_.X_BF[static_cast<std::size_t>(link.frame)];
@@ -86,16 +89,16 @@ void MechanismDriver::place(double t, Scene& scene) {
   }
 }
 
-void MechanismDriver::efforts(const Scene& scene, std::span<double> out) const {
+void MechanismDriver::efforts(const scene::Scene& scene, std::span<double> out) const {
   std::fill(out.begin(), out.end(), 0.0);
   const Transform X_BW = X_WB_.inverse();
   for (const Link& link : links_) {
     if (!link.object || link.frame < 0 || link.loose) continue;
-    const Object& object = scene.object(*link.object);
+    const scene::Object& object = scene.object(*link.object);
     if (!object.colliding) continue;
     const Wrench w_B{X_BW.linear() * object.contact.force, X_BW.linear() * object.contact.torque};
-    addJointEfforts(mechanism_, state_, link.frame, X_BW * object.p_WCom(), w_B, out);
+    mechanism::addJointEfforts(mechanism_, state_, link.frame, X_BW * object.p_WCom(), w_B, out);
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -9,13 +9,13 @@
 #include "core/mechanism/motion_file.hpp"
 #include "core/scene/scene.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 /// One mechanism of a session. Loop thread only.
 class MechanismDriver {
  public:
   /// Reads the mechanism and its motion. Throws ParseError.
-  explicit MechanismDriver(const MechanismDescription& description);
+  explicit MechanismDriver(const scene_file::MechanismDescription& description);
 
   /// Says which object is the description's link number `link`.
   void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
@@ -27,13 +27,13 @@ class MechanismDriver {
 
   /// Joint values at time t (home() without a motion), forward kinematics, poses of all links. No allocation,
   /// no throw.
-  void apply(double t, Scene& scene);
+  void apply(double t, scene::Scene& scene);
   /// The same for joint values from outside (rad, m; size dof()).
-  void moveTo(std::span<const double> q, double t, Scene& scene);
+  void moveTo(std::span<const double> q, double t, scene::Scene& scene);
   /// Says of all links that where they are is no longer known.
-  void lose(double t, Scene& scene) const;
+  void lose(double t, scene::Scene& scene) const;
   /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
-  void efforts(const Scene& scene, std::span<double> out) const;
+  void efforts(const scene::Scene& scene, std::span<double> out) const;
 
   struct Link {
     int frame;  ///< index into the mechanism's frames, -1: the base
@@ -44,22 +44,22 @@ class MechanismDriver {
   const std::vector<Link>& links() const { return links_; }
   const Transform& X_WB() const { return X_WB_; }  ///< base in world
   int dof() const { return mechanism_.dof; }
-  const Mechanism& mechanism() const { return mechanism_; }
+  const mechanism::Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
   const std::vector<double>& home() const { return home_; }  ///< as the scene says
-  const std::optional<MotionTable>& motion() const { return motion_; }
-  const MechanismState& state() const { return state_; }  ///< at q()
+  const std::optional<mechanism::MotionTable>& motion() const { return motion_; }
+  const mechanism::MechanismState& state() const { return state_; }  ///< at q()
 
  private:
   int rigidBody(int frame) const;
-  void place(double t, Scene& scene);
+  void place(double t, scene::Scene& scene);
 
-  Mechanism mechanism_;
-  MechanismState state_;
+  mechanism::Mechanism mechanism_;
+  mechanism::MechanismState state_;
   Transform X_WB_;
   std::vector<double> home_, q_;
-  std::optional<MotionTable> motion_;
+  std::optional<mechanism::MotionTable> motion_;
   std::vector<Link> links_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::session

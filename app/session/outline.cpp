@@ -3,15 +3,15 @@
 
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr double kDrawingSagitta = 5e-4;  // m: finer than anyone sees in the window
 
 }  // namespace
 
-SceneOutline Session::outline() const {
-  SceneOutline outline;
+view::SceneOutline Session::outline() const {
+  view::SceneOutline outline;
   std::set<std::string> people, movers;
   for (const auto& h : description_.humans) {
     people.insert(h.name);
@@ -25,21 +25,21 @@ SceneOutline Session::outline() const {
   for (const auto& o : description_.objects)
     if (o.mass) falling.insert(o.name);
   outline.falls = !falling.empty();
-  for (const Object& o : scene_.objects()) {
+  for (const scene::Object& o : scene_.objects()) {
     outline.objects.push_back({o.spec.name, o.spec.group, people.contains(o.spec.group),
                                movers.contains(o.spec.group) || falling.contains(o.spec.name)});
     outline.meshes.push_back(o.spec.structure->surface->mesh(kDrawingSagitta));
   }
   for (const PairGroup& group : pair_groups_) outline.pair_groups.push_back(group.name);
-  for (const Pair& p : scene_.pairs())
+  for (const scene::Pair& p : scene_.pairs())
     outline.pairs.emplace_back(static_cast<int>(p.a.index()), static_cast<int>(p.b.index()));
   for (std::size_t m = 0; m < mechanisms_.size(); ++m) {
-    const Mechanism& mechanism = mechanisms_[m]->mechanism();
-    std::vector<SceneOutline::JointInfo> joints(static_cast<std::size_t>(mechanism.dof));
+    const mechanism::Mechanism& mechanism = mechanisms_[m]->mechanism();
+    std::vector<view::SceneOutline::JointInfo> joints(static_cast<std::size_t>(mechanism.dof));
     for (const auto& frame : mechanism.frames)
       if (frame.dof >= 0)
         joints[static_cast<std::size_t>(frame.dof)] = {description_.mechanisms[m].name, frame.name,
-                                                       frame.type == JointType::kPrismatic};
+                                                       frame.type == mechanism::JointType::kPrismatic};
     outline.joints.insert(outline.joints.end(), joints.begin(), joints.end());
   }
   const auto times = frameTimes();
@@ -51,4 +51,4 @@ SceneOutline Session::outline() const {
   return outline;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr std::array<std::string_view, 5> kOutcomes{
@@ -17,7 +17,7 @@ std::string_view outcomeName(PairControl::Outcome outcome) {
 
 PairControl::PairControl(Session& session) : session_(session) {
   const auto& groups = session.pairGroups();
-  states_.assign(groups.size(), PairGroupState::kRunning);
+  states_.assign(groups.size(), view::PairGroupState::kRunning);
   group_of_.assign(session.scene().pairs().size(), kNoGroup);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     sizes_.push_back(groups[g].pairs.size());
@@ -32,10 +32,10 @@ const std::string& PairControl::name(int group) const {
 
 void PairControl::apply(PairId pair, double t) {
   const int group = group_of_[pair.index()];
-  session_.scene().setPaused(pair, group == kNoGroup || state(group) != PairGroupState::kRunning, t);
+  session_.scene().setPaused(pair, group == kNoGroup || state(group) != view::PairGroupState::kRunning, t);
 }
 
-PairControl::Outcome PairControl::setState(int group, PairGroupState state, double t) {
+PairControl::Outcome PairControl::setState(int group, view::PairGroupState state, double t) {
   if (group < 0 || group >= groups()) return Outcome::kNoGroup;
   states_[static_cast<std::size_t>(group)] = state;
   for (std::uint32_t i = 0; i < group_of_.size(); ++i)
@@ -43,7 +43,7 @@ PairControl::Outcome PairControl::setState(int group, PairGroupState state, doub
   return Outcome::kDone;
 }
 
-void PairControl::setAll(PairGroupState state, double t) {
+void PairControl::setAll(view::PairGroupState state, double t) {
   std::fill(states_.begin(), states_.end(), state);
   for (std::uint32_t i = 0; i < group_of_.size(); ++i) apply(PairId(i), t);
 }
@@ -78,20 +78,20 @@ int PairControl::find(std::string_view name) const {
 }
 
 std::optional<PairId> PairControl::findPair(int a, int b) const {
-  const Scene& scene = session_.scene();
+  const scene::Scene& scene = session_.scene();
   if (a < 0 || b < 0 || a >= static_cast<int>(scene.objectCount())) return std::nullopt;
   for (const PairId id : scene.pairsOf(ObjectId(static_cast<std::uint32_t>(a)))) {
-    const Pair& pair = scene.pairs()[id.index()];
+    const scene::Pair& pair = scene.pairs()[id.index()];
     const auto x = static_cast<int>(pair.a.index()), y = static_cast<int>(pair.b.index());
     if ((x == a && y == b) || (x == b && y == a)) return id;
   }
   return std::nullopt;
 }
 
-void PairControl::capture(SceneSnapshot& out) const {
+void PairControl::capture(view::SceneSnapshot& out) const {
   out.groups.resize(states_.size());
   for (std::size_t g = 0; g < states_.size(); ++g) out.groups[g] = {states_[g], sizes_[g]};
   out.pair_group.assign(group_of_.begin(), group_of_.end());
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

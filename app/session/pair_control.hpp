@@ -6,7 +6,7 @@
 
 #include "app/session/session.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 /// What is not running is stale: Scene::setPaused. A pair that was removed belongs to no group and stays
 /// stale until it is added to one. At first every group of Session::pairGroups() runs. One thread, that of
@@ -28,16 +28,16 @@ class PairControl {
   };
 
   /// `t`: s, from which on it holds.
-  Outcome setState(int group, PairGroupState state, double t);
+  Outcome setState(int group, view::PairGroupState state, double t);
   /// All groups at once.
-  void setAll(PairGroupState state, double t);
+  void setAll(view::PairGroupState state, double t);
   /// A pair is in one group at most; in a running one it is queried in the next cycle.
   Outcome add(int group, std::optional<PairId> pair, double t);
   Outcome remove(std::optional<PairId> pair, double t);
 
   int groups() const { return static_cast<int>(states_.size()); }
   const std::string& name(int group) const;
-  PairGroupState state(int group) const { return states_[static_cast<std::size_t>(group)]; }
+  view::PairGroupState state(int group) const { return states_[static_cast<std::size_t>(group)]; }
   std::size_t size(int group) const { return sizes_[static_cast<std::size_t>(group)]; }  ///< pairs in it
   int groupOf(PairId pair) const { return group_of_[pair.index()]; }
   std::size_t withoutGroup() const { return without_group_; }
@@ -46,13 +46,13 @@ class PairControl {
   /// The pair of the scene with these two objects, in either order.
   std::optional<PairId> findPair(int a, int b) const;
   /// Fills groups and pair_group. No allocation once `out` has its sizes.
-  void capture(SceneSnapshot& out) const;
+  void capture(view::SceneSnapshot& out) const;
 
  private:
   void apply(PairId pair, double t);
 
   Session& session_;
-  std::vector<PairGroupState> states_;
+  std::vector<view::PairGroupState> states_;
   std::vector<std::size_t> sizes_;
   std::vector<int> group_of_;  ///< of each pair
   std::size_t without_group_{0};
@@ -61,4 +61,4 @@ class PairControl {
 /// In English, for messages and protocols: "done", "no such group" ...
 std::string_view outcomeName(PairControl::Outcome outcome);
 
-}  // namespace abstand
+}  // namespace abstand::session

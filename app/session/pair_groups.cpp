@@ -3,34 +3,34 @@
 #include <algorithm>
 #include <map>
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr const char* kRest = "rest";
 
 using PairIndex = std::map<std::pair<std::string, std::string>, PairId>;
 
-PairIndex indexOf(const Scene& scene) {
+PairIndex indexOf(const scene::Scene& scene) {
   PairIndex index;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) {
-    const Pair& pair = scene.pairs()[i];
+    const scene::Pair& pair = scene.pairs()[i];
     const auto [a, b] = std::minmax(scene.object(pair.a).spec.name, scene.object(pair.b).spec.name);
     index.emplace(std::pair(a, b), PairId(i));
   }
   return index;
 }
 
-std::string nameOf(const Scene& scene, PairId id) {
-  const Pair& pair = scene.pairs()[id.index()];
+std::string nameOf(const scene::Scene& scene, PairId id) {
+  const scene::Pair& pair = scene.pairs()[id.index()];
   return "`" + scene.object(pair.a).spec.name + "`, `" + scene.object(pair.b).spec.name + "`";
 }
 
 /// In the order in which the scene has their first pairs.
-std::vector<PairGroup> groupsByBodies(const Scene& scene) {
+std::vector<PairGroup> groupsByBodies(const scene::Scene& scene) {
   std::vector<PairGroup> groups;
   std::map<std::string, std::size_t> place;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) {
-    const Pair& pair = scene.pairs()[i];
+    const scene::Pair& pair = scene.pairs()[i];
     const auto [a, b] = std::minmax({pair.a.index(), pair.b.index()});
     const std::string name = scene.objects()[a].spec.group + " - " + scene.objects()[b].spec.group;
     const auto [it, fresh] = place.emplace(name, groups.size());
@@ -42,7 +42,7 @@ std::vector<PairGroup> groupsByBodies(const Scene& scene) {
 
 }  // namespace
 
-std::vector<PairGroup> makePairGroups(const Scene& scene, const ThreadGroups& threads,
+std::vector<PairGroup> makePairGroups(const scene::Scene& scene, const scene_file::ThreadGroups& threads,
                                       std::vector<std::string>& remarks) {
   if (threads.empty()) return groupsByBodies(scene);
   const PairIndex index = indexOf(scene);
@@ -78,4 +78,4 @@ std::vector<PairGroup> makePairGroups(const Scene& scene, const ThreadGroups& th
   return groups;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -7,7 +7,7 @@
 #include "app/scene_file/scene_description.hpp"
 #include "core/scene/scene.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 struct PairGroup {
   std::string name;  ///< unique
@@ -18,7 +18,7 @@ struct PairGroup {
 /// and so on, and, where it leaves pairs out, the group "rest". Without: a group for each two groups of
 /// bodies that have pairs, "left_arm - operator". Remarks say which pairs are in "rest" and which named pairs
 /// the scene does not check.
-std::vector<PairGroup> makePairGroups(const Scene& scene, const ThreadGroups& threads,
+std::vector<PairGroup> makePairGroups(const scene::Scene& scene, const scene_file::ThreadGroups& threads,
                                       std::vector<std::string>& remarks);
 
-}  // namespace abstand
+}  // namespace abstand::session

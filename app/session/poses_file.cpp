@@ -9,7 +9,7 @@
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr std::array<std::string_view, 12> kSuffixes{"r00", "r01", "r02", "tx",  "r10", "r11",
@@ -105,4 +105,4 @@ PosesTable loadPoses(const std::filesystem::path& file) {
   return table;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

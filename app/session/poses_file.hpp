@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 /// The table of a `--poses` CSV: header `t,NAME.r00,NAME.r01,NAME.r02,NAME.tx,NAME.r10,...,NAME.tz,...`; one
 /// row a frame. A pose that is not finite or no rotation is kept as it is written: the scene refuses and
@@ -25,4 +25,4 @@ struct PosesTable {
 /// Throws ParseError with line and column.
 PosesTable loadPoses(const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::session

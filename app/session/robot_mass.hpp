@@ -6,12 +6,12 @@
 #include "core/control/reaction_description.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 /// The mass matrix of a mechanism. One thread; at() does not allocate or throw.
 class RobotMass {
  public:
-  explicit RobotMass(const Mechanism& mechanism);
+  explicit RobotMass(const mechanism::Mechanism& mechanism);
 
   /// Every dof moves a mass. Where not, the laws take constant masses.
   bool known() const { return known_; }
@@ -19,15 +19,15 @@ class RobotMass {
   const Eigen::MatrixXd& at(std::span<const double> q) noexcept;
 
  private:
-  RigidTree tree_;
-  TreeState state_;
-  MassMatrix mass_;
+  mechanism::RigidTree tree_;
+  mechanism::TreeState state_;
+  mechanism::MassMatrix mass_;
   Eigen::MatrixXd none_;
   bool known_{false};
 };
 
 /// What a user should know of a robot without inertia; empty: nothing.
-std::string massRemark(const std::string& name, const Mechanism& mechanism,
-                       const ReactionDescription& reaction);
+std::string massRemark(const std::string& name, const mechanism::Mechanism& mechanism,
+                       const control::ReactionDescription& reaction);
 
-}  // namespace abstand
+}  // namespace abstand::session

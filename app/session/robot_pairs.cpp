@@ -5,18 +5,20 @@
 #include "app/session/human_driver.hpp"
 #include "core/control/pair_direction.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
-std::vector<bool> partsOfPeople(const Scene& scene, const std::vector<std::unique_ptr<HumanDriver>>& humans) {
+std::vector<bool> partsOfPeople(const scene::Scene& scene,
+                                const std::vector<std::unique_ptr<HumanDriver>>& humans) {
   std::vector<bool> people(scene.objectCount());
   for (const auto& human : humans)
-    for (std::size_t i = 0; i < kBodyPartCount; ++i)
-      if (const auto object = human->object(static_cast<BodyPart>(i))) people[object->index()] = true;
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      if (const auto object = human->object(static_cast<humanmodel::BodyPart>(i)))
+        people[object->index()] = true;
   return people;
 }
 
-RobotPairs::RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
-                       const ReactionDescription& reaction)
+RobotPairs::RobotPairs(const MechanismDriver& driver, const scene::Scene& scene,
+                       const std::vector<bool>& people, const control::ReactionDescription& reaction)
     : driver_(driver),
       reach_(reaction.repulsion ? reaction.repulsion->range : -kInfinity),
       people_rows_(reaction.speed.has_value()) {
@@ -41,49 +43,50 @@ void RobotPairs::moveLinks(std::span<const double> rates) {
     const int frame = driver_.links()[i].frame;
     twists_[i] = Twist{};
     if (frame < 0) continue;
-    jacobian(driver_.mechanism(), driver_.state(), frame, J_);
+    mechanism::jacobian(driver_.mechanism(), driver_.state(), frame, J_);
     twists_[i] = {R_WB * (J_.topRows<3>().lazyProduct(qd)), R_WB * (J_.bottomRows<3>().lazyProduct(qd))};
   }
 }
 
-double RobotPairs::otherRate(const Object& other, const Vector3d& p_W, const Vector3d& n_W,
+double RobotPairs::otherRate(const scene::Object& other, const Vector3d& p_W, const Vector3d& n_W,
                              double sign) const {
   const Vector3d v = other.velocity.linear + other.velocity.angular.cross(Vector3d(p_W - other.p_WCom()));
   return sign * n_W.dot(v);
 }
 
-double RobotPairs::spread(const Own& own, const Scene& scene, const Vector3d& n_W) const {
-  const Pair& pair = scene.pairs()[own.id.index()];
+double RobotPairs::spread(const Own& own, const scene::Scene& scene, const Vector3d& n_W) const {
+  const scene::Pair& pair = scene.pairs()[own.id.index()];
   const bool is_a = own.link_a >= 0;
   const auto link = static_cast<std::size_t>(is_a ? own.link_a : own.link_b);
   const int frame = driver_.links()[link].frame;
   if (frame < 0) return 0.0;
-  const Object& body = scene.object(is_a ? pair.a : pair.b);
+  const scene::Object& body = scene.object(is_a ? pair.a : pair.b);
   const Vector3d towards = is_a ? Vector3d(-n_W) : n_W;
   const Vector3d p_W = is_a ? pair.result.witness_a : pair.result.witness_b;
   const Vector3d o_W = driver_.X_WB() * driver_.state().X_BF[static_cast<std::size_t>(frame)].translation();
   Twist at_p = twists_[link];
   at_p.linear += at_p.angular.cross(Vector3d(p_W - o_W));
-  EnclosingSphere sphere = body.spec.structure->bounding_sphere;
+  geometry::EnclosingSphere sphere = body.spec.structure->bounding_sphere;
   sphere.centre = body.X_WB * sphere.centre;
-  return fastestAlong(towards, at_p, p_W, sphere) - towards.dot(at_p.linear);
+  return control::fastestAlong(towards, at_p, p_W, sphere) - towards.dot(at_p.linear);
 }
 
-double RobotPairs::oldest(const Scene& scene, double t) const {
+double RobotPairs::oldest(const scene::Scene& scene, double t) const {
   double age = 0.0;
   for (const Own& own : own_) age = std::max(age, scene.ageOf(own.id, t));
   return age;
 }
 
-std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<const double> planned) {
+std::span<const control::ReactionPair> RobotPairs::gather(const scene::Scene& scene,
+                                                          std::span<const double> planned) {
   const Transform X_BW = driver_.X_WB().inverse();
   const auto n = static_cast<std::size_t>(driver_.dof());
   if (people_rows_) moveLinks(planned);
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const Own& own = own_[i];
-    const Pair& pair = scene.pairs()[own.id.index()];
-    const PairResult& r = pair.result;
-    ReactionPair& out = pairs_[i];
+    const scene::Pair& pair = scene.pairs()[own.id.index()];
+    const query::PairResult& r = pair.result;
+    control::ReactionPair& out = pairs_[i];
     out = {static_cast<int>(own.id.index()), r.distance - r.bound, {}, 0.0, 0.0, own.person};
     // Of a stale pair nothing is known: no distance, no direction, no rate.
     if (pair.paused) out.distance = out.other_rate = kNaN;
@@ -93,16 +96,16 @@ std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<c
     std::fill(row.begin(), row.end(), 0.0);
     out.row = row;
     if (pair.paused) continue;
-    const Vector3d n_W = partingDirection(r);
+    const Vector3d n_W = control::partingDirection(r);
     if (!(n_W.squaredNorm() > 0.0)) continue;  // no direction is known, so no joint has to do with it
     const Vector3d n_B = X_BW.linear() * n_W;
     const auto frameOf = [&](int link) { return driver_.links()[static_cast<std::size_t>(link)].frame; };
     if (own.link_a >= 0)
-      addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_a), X_BW * r.witness_a, n_B, 1.0,
-                     row);
+      control::addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_a), X_BW * r.witness_a,
+                              n_B, 1.0, row);
     if (own.link_b >= 0)
-      addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_b), X_BW * r.witness_b, n_B, -1.0,
-                     row);
+      control::addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_b), X_BW * r.witness_b,
+                              n_B, -1.0, row);
     if (own.link_b < 0) out.other_rate = otherRate(scene.object(pair.b), r.witness_b, n_W, -1.0);
     if (own.link_a < 0) out.other_rate = otherRate(scene.object(pair.a), r.witness_a, n_W, 1.0);
     if (own.person && people_rows_) out.spread = spread(own, scene, n_W);
@@ -110,4 +113,4 @@ std::span<const ReactionPair> RobotPairs::gather(const Scene& scene, std::span<c
   return pairs_;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

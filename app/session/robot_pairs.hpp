@@ -8,12 +8,13 @@
 #include "app/session/mechanism_driver.hpp"
 #include "core/control/reaction.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 class HumanDriver;
 
 /// Of each object of the scene, whether it is a part of a person.
-std::vector<bool> partsOfPeople(const Scene& scene, const std::vector<std::unique_ptr<HumanDriver>>& humans);
+std::vector<bool> partsOfPeople(const scene::Scene& scene,
+                                const std::vector<std::unique_ptr<HumanDriver>>& humans);
 
 /// Distances, rows and rates of all pairs of the scene with a link of the mechanism. One thread; nothing
 /// allocates or throws but the constructor.
@@ -28,29 +29,29 @@ class RobotPairs {
 
   /// `people`: partsOfPeople(). `reaction`: who asks; pairs that none of its laws looks at get no row. The
   /// driver's links are bound. Driver and scene must outlive it.
-  RobotPairs(const MechanismDriver& driver, const Scene& scene, const std::vector<bool>& people,
-             const ReactionDescription& reaction);
+  RobotPairs(const MechanismDriver& driver, const scene::Scene& scene, const std::vector<bool>& people,
+             const control::ReactionDescription& reaction);
 
   /// After the scene's step. `planned`: qd (rad/s or m/s; NaN: not known) for ReactionPair::spread. In the
   /// order of own(); holds until the next call.
-  std::span<const ReactionPair> gather(const Scene& scene, std::span<const double> planned);
+  std::span<const control::ReactionPair> gather(const scene::Scene& scene, std::span<const double> planned);
   const std::vector<Own>& own() const { return own_; }
   /// s, age at time `t` of the oldest result of its pairs (Scene::ageOf); 0 without pairs.
-  double oldest(const Scene& scene, double t) const;
+  double oldest(const scene::Scene& scene, double t) const;
 
  private:
   void moveLinks(std::span<const double> rates);
-  double otherRate(const Object& other, const Vector3d& p_W, const Vector3d& n_W, double sign) const;
-  double spread(const Own& pair, const Scene& scene, const Vector3d& n_W) const;
+  double otherRate(const scene::Object& other, const Vector3d& p_W, const Vector3d& n_W, double sign) const;
+  double spread(const Own& pair, const scene::Scene& scene, const Vector3d& n_W) const;
 
   const MechanismDriver& driver_;
   double reach_;      ///< m: nearer pairs have rows
   bool people_rows_;  ///< pairs with people have them at any distance
   std::vector<Own> own_;
-  std::vector<ReactionPair> pairs_;
+  std::vector<control::ReactionPair> pairs_;
   std::vector<double> rows_;   ///< a number a dof and pair
   std::vector<Twist> twists_;  ///< of each link as planned, at its frame's origin, world axes
   Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::session

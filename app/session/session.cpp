@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/message_line.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr double kMotionRate = 1000.0;  // Hz, where only joint motion sets the pace
@@ -14,18 +14,18 @@ constexpr double kMotionRate = 1000.0;  // Hz, where only joint motion sets the 
 // s, of a scene in which nothing is recorded and things fall.
 constexpr double kFallTime = 5.0;
 
-bool somethingFalls(const SceneDescription& scene) {
+bool somethingFalls(const scene_file::SceneDescription& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const ObjectDescription& o) { return o.mass.has_value(); });
+                     [](const scene_file::ObjectDescription& o) { return o.mass.has_value(); });
 }
 
 std::string fileName(const std::filesystem::path& p) { return p.filename().string(); }
 
 }  // namespace
 
-Session::Session(SceneDescription description, const SessionOptions& options)
+Session::Session(scene_file::SceneDescription description, const SessionOptions& options)
     : description_(std::move(description)),
-      library_(options.cache ? userCacheFolder() : std::filesystem::path()),
+      library_(options.cache ? store::userCacheFolder() : std::filesystem::path()),
       remarks_(description_.remarks) {
   if (!options.recording.empty() && description_.humans.empty())
     throw UsageError(description_.file.string() + ": found no person whom " + options.recording.string() +
@@ -42,7 +42,7 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   planHumans(plan, options);
   planObjects(plan);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
-  QueryCulling& culling = description_.culling;
+  scene::QueryCulling& culling = description_.culling;
   culling.rest = options.rest.value_or(culling.rest);
   culling.horizon = options.horizon.value_or(culling.horizon);
   culling.budget = options.budget.value_or(culling.budget);
@@ -65,13 +65,13 @@ Session::Session(SceneDescription description, const SessionOptions& options)
   std::size_t dof = 0;
   for (const auto& m : mechanisms_) dof += static_cast<std::size_t>(m->dof());
   joint_efforts_.assign(dof, 0.0);
-  scene_.setForceLaw(description_.defaults.thesis_law ? ForceLaw::kThesis : ForceLaw::kVolume,
+  scene_.setForceLaw(description_.defaults.thesis_law ? query::ForceLaw::kThesis : query::ForceLaw::kVolume,
                      description_.defaults.stiffness);
   scene_.setThreads(options.threads);
 }
 
-HapticOptions Session::hapticOptions(const BodySettings& settings) const {
-  HapticOptions o = description_.defaults.haptic;
+structure::HapticOptions Session::hapticOptions(const scene_file::BodySettings& settings) const {
+  structure::HapticOptions o = description_.defaults.haptic;
   o.voxel_size = settings.voxel.value_or(o.voxel_size);
   o.point_spacing = settings.point.value_or(o.point_spacing);
   o.outer_layers = settings.outer_layers.value_or(o.outer_layers);
@@ -85,9 +85,9 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
     const int first = static_cast<int>(plan.size());
     for (std::size_t i = 0; i < d.links.size(); ++i) {
       const auto& link = d.links[i];
-      BodySettings settings = link.settings;
+      scene_file::BodySettings settings = link.settings;
       settings.fillFrom(d.settings);
-      const HapticOptions options = hapticOptions(settings);
+      const structure::HapticOptions options = hapticOptions(settings);
       const auto key = link.shape ? library_.request(*link.shape, options)
                                   : library_.request(link.mesh, link.scale, options);
       plan.push_back({link.name, d.name, key, settings.margin.value_or(description_.defaults.margin),
@@ -102,12 +102,12 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
 void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& options) {
   for (const auto& d : description_.humans) {
     humans_.push_back(
-        std::make_unique<HumanDriver>(d, d.recording.cut_things ? options.known : KnownThings()));
+        std::make_unique<HumanDriver>(d, d.recording.cut_things ? options.known : tracking::KnownThings()));
     HumanDriver* driver = humans_.back().get();
     const int first = static_cast<int>(plan.size());
-    for (const HumanPart& part : driver->model().parts) {
-      const std::string part_name{partName(part.part)};
-      BodySettings settings = d.settings;
+    for (const humanmodel::HumanPart& part : driver->model().parts) {
+      const std::string part_name{humanmodel::partName(part.part)};
+      scene_file::BodySettings settings = d.settings;
       if (const auto it = d.parts.find(part_name); it != d.parts.end()) {
         const auto& numbers = it->second.numbers;
         if (const auto n = numbers.find("margin"); n != numbers.end()) settings.margin = n->second;
@@ -120,11 +120,11 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
                       driver->recording() ? kHandSpeed : 0.0,
                       [driver, id = part.part](ObjectId object) { driver->bind(id, object); }});
     }
-    for (const auto& [a, b] : adjacentParts()) {
+    for (const auto& [a, b] : humanmodel::adjacentParts()) {
       const int i = first + static_cast<int>(a), j = first + static_cast<int>(b);
       adjacent_.emplace_back(std::min(i, j), std::max(i, j));
     }
-    if (const Recording* r = driver->recording()) {
+    if (const tracking::Recording* r = driver->recording()) {
       const auto& report = r->report;
       const std::string stature =
           report.stature > 0.0 ? std::to_string(report.stature).substr(0, 4) + " m" : "not known";
@@ -137,7 +137,7 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
 
 void Session::planObjects(std::vector<Planned>& plan) {
   for (const auto& d : description_.objects) {
-    const HapticOptions options = hapticOptions(d.settings);
+    const structure::HapticOptions options = hapticOptions(d.settings);
     const auto key =
         d.shape ? library_.request(*d.shape, options) : library_.request(d.mesh, d.scale, options);
     plan.push_back({d.name, "objects", key, d.settings.margin.value_or(description_.defaults.margin),
@@ -147,14 +147,14 @@ void Session::planObjects(std::vector<Planned>& plan) {
 }
 
 void Session::selectAndAddPairs() {
-  std::vector<SelectableBody> bodies;
+  std::vector<scene_file::SelectableBody> bodies;
   const auto is_person = [&](const std::string& group) {
     return std::any_of(description_.humans.begin(), description_.humans.end(),
-                       [&](const HumanDescription& h) { return h.name == group; });
+                       [&](const scene_file::HumanDescription& h) { return h.name == group; });
   };
-  for (const Object& o : scene_.objects())
+  for (const scene::Object& o : scene_.objects())
     bodies.push_back({o.spec.name, o.spec.group, is_person(o.spec.group)});
-  for (const auto& [a, b] : selectPairs(bodies, description_.pairs, adjacent_))
+  for (const auto& [a, b] : scene_file::selectPairs(bodies, description_.pairs, adjacent_))
     scene_.addPair(ObjectId(static_cast<std::uint32_t>(a)), ObjectId(static_cast<std::uint32_t>(b)));
 }
 
@@ -163,7 +163,7 @@ void Session::bindPoses(const std::filesystem::path& file) {
     ObjectId id(0);
     if (!scene_.find(name, &id)) {
       std::vector<std::string> known;
-      for (const Object& o : scene_.objects()) known.push_back(o.spec.name);
+      for (const scene::Object& o : scene_.objects()) known.push_back(o.spec.name);
       const std::string near = nearestName(name, known);
       throw ParseError({file.string(), 1},
                        "found '" + name + "', expected the name of an object of the scene",
@@ -206,7 +206,7 @@ bool Session::posed(ObjectId id) const {
 
 bool Session::reacts() const {
   return std::any_of(description_.mechanisms.begin(), description_.mechanisms.end(),
-                     [](const MechanismDescription& m) { return m.reaction.has_value(); }) ||
+                     [](const scene_file::MechanismDescription& m) { return m.reaction.has_value(); }) ||
          somethingFalls(description_);
 }
 
@@ -259,8 +259,8 @@ std::vector<double> Session::frameTimes(double rate) const {
   return t;
 }
 
-void Session::capture(double t, SceneSnapshot& out) const {
-  abstand::capture(scene_, out);
+void Session::capture(double t, view::SceneSnapshot& out) const {
+  abstand::view::capture(scene_, out);
   out.t = t;
   out.joint_efforts = joint_efforts_;
   out.joint_positions.resize(joint_efforts_.size());
@@ -269,4 +269,4 @@ void Session::capture(double t, SceneSnapshot& out) const {
     for (double q : m->q()) out.joint_positions[i++] = q;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

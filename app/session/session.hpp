@@ -12,7 +12,7 @@
 #include "app/session/structure_library.hpp"
 #include "core/view/snapshot.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 struct SessionOptions {
   std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
@@ -21,10 +21,10 @@ struct SessionOptions {
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
-  BuildMonitor monitor;             ///< of the structures; its word is the name of one
+  structure::BuildMonitor monitor;  ///< of the structures; its word is the name of one
   /// Hears how many structures there will be, before the first is looked for or built.
   std::function<void(std::size_t structures)> planned;
-  KnownThings known;  ///< what a camera sees of the robots, for depth recordings that ask for it
+  tracking::KnownThings known;  ///< what a camera sees of the robots, for depth recordings that ask for it
   std::optional<double> rest, horizon, budget;  ///< instead of the scene's `skipping`, as in QueryCulling
   std::optional<bool> remember;                 ///< likewise
   std::optional<double> far_tolerance;          ///< likewise
@@ -38,7 +38,7 @@ inline constexpr double kHandSpeed = 2.0;
 class Session {
  public:
   /// Throws ParseError, UsageError.
-  Session(SceneDescription description, const SessionOptions& options);
+  Session(scene_file::SceneDescription description, const SessionOptions& options);
 
   /// One cycle at simulation time t: kinematics, poses, pairs, totals, joint efforts. After the first call no
   /// allocation and no throw.
@@ -56,9 +56,9 @@ class Session {
   /// The same range at a fixed rate (Hz).
   std::vector<double> frameTimes(double rate) const;
 
-  Scene& scene() { return scene_; }
-  const Scene& scene() const { return scene_; }
-  const SceneDescription& description() const { return description_; }
+  scene::Scene& scene() { return scene_; }
+  const scene::Scene& scene() const { return scene_; }
+  const scene_file::SceneDescription& description() const { return description_; }
   /// `--poses` moves this object.
   bool posed(ObjectId id) const;
   /// Some mechanism has a `reaction`, or some thing a `mass`.
@@ -80,9 +80,9 @@ class Session {
   const std::vector<MeshRemark>& meshRemarks() const { return library_.meshRemarks(); }
   /// Null without `--poses`.
   const PosesTable* poses() const { return poses_ ? &*poses_ : nullptr; }
-  SceneOutline outline() const;
+  view::SceneOutline outline() const;
   /// Fills everything but the timing. No allocation once `out` has its sizes.
-  void capture(double t, SceneSnapshot& out) const;
+  void capture(double t, view::SceneSnapshot& out) const;
 
  private:
   /// A body before its structure is built; `placed` hears which object it became.
@@ -100,10 +100,10 @@ class Session {
   void selectAndAddPairs();
   void bindPoses(const std::filesystem::path& file);
   void setSpeeds(const std::vector<Planned>& plan);
-  HapticOptions hapticOptions(const BodySettings& settings) const;
+  structure::HapticOptions hapticOptions(const scene_file::BodySettings& settings) const;
 
-  SceneDescription description_;
-  Scene scene_;
+  scene_file::SceneDescription description_;
+  scene::Scene scene_;
   StructureLibrary library_;
   std::vector<std::unique_ptr<MechanismDriver>> mechanisms_;
   std::vector<std::unique_ptr<HumanDriver>> humans_;
@@ -115,4 +115,4 @@ class Session {
   std::vector<std::string> remarks_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -10,20 +10,20 @@
 #include "core/base/parallel.hpp"
 #include "core/mesh_file/mesh_file.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
-std::string shapeText(const Shape& shape) {
+std::string shapeText(const geometry::Shape& shape) {
   const auto numbers = [](auto... v) { return ((":" + formatDouble(v)) + ...); };
   return std::visit(
       [&](const auto& s) -> std::string {
         using T = std::decay_t<decltype(s)>;
-        const std::string name{shapeName(s)};
-        if constexpr (std::is_same_v<T, Sphere>)
+        const std::string name{geometry::shapeName(s)};
+        if constexpr (std::is_same_v<T, geometry::Sphere>)
           return name + numbers(s.radius);
-        else if constexpr (std::is_same_v<T, Ellipsoid>)
+        else if constexpr (std::is_same_v<T, geometry::Ellipsoid>)
           return name + numbers(s.semi_axes.x(), s.semi_axes.y(), s.semi_axes.z());
-        else if constexpr (std::is_same_v<T, Cuboid>)
+        else if constexpr (std::is_same_v<T, geometry::Cuboid>)
           return name + numbers(s.size.x(), s.size.y(), s.size.z());
         else
           return name + numbers(s.radius, s.length);
@@ -31,20 +31,20 @@ std::string shapeText(const Shape& shape) {
       shape);
 }
 
-std::string optionsText(const HapticOptions& o) {
+std::string optionsText(const structure::HapticOptions& o) {
   return "|" + formatDouble(o.voxel_size) + "|" + formatDouble(o.point_spacing) + "|" +
-         std::to_string(o.outer_layers) + "|" + std::string(fieldName(o.field));
+         std::to_string(o.outer_layers) + "|" + std::string(structure::fieldName(o.field));
 }
 
-LoadedMesh loadScaled(const std::filesystem::path& mesh, const Vector3d& scale) {
-  if (scale.x() > 0.0 && scale == Vector3d::Constant(scale.x())) return loadMesh(mesh, scale.x());
-  LoadedMesh loaded = loadMesh(mesh);
-  stretch(loaded.mesh, scale);
+mesh_file::LoadedMesh loadScaled(const std::filesystem::path& mesh, const Vector3d& scale) {
+  if (scale.x() > 0.0 && scale == Vector3d::Constant(scale.x())) return mesh_file::loadMesh(mesh, scale.x());
+  mesh_file::LoadedMesh loaded = mesh_file::loadMesh(mesh);
+  geometry::stretch(loaded.mesh, scale);
   return loaded;
 }
 
 /// Of this size a mesh may be in another unit than metres; MeshReport::remarks says so of these sizes.
-bool oddSize(const MeshReport& report) {
+bool oddSize(const mesh_file::MeshReport& report) {
   const double size = report.extent.maxCoeff();
   return size >= 20.0 || size < 1e-3;
 }
@@ -52,14 +52,14 @@ bool oddSize(const MeshReport& report) {
 /// One bar for structures that are built side by side.
 class SharedProgress {
  public:
-  SharedProgress(const BuildMonitor& monitor, const std::vector<double>& work)
+  SharedProgress(const structure::BuildMonitor& monitor, const std::vector<double>& work)
       : monitor_(monitor), work_(work), done_(work.size(), 0.0) {
     for (const double w : work) all_ += w;
   }
 
   /// For structure number i.
-  BuildMonitor part(std::size_t i, const std::string& name) {
-    BuildMonitor part;
+  structure::BuildMonitor part(std::size_t i, const std::string& name) {
+    structure::BuildMonitor part;
     part.cancelled = monitor_.cancelled;
     if (monitor_.progress)
       part.progress = [this, i, name](double fraction, std::string_view) { tell(i, fraction, name); };
@@ -75,7 +75,7 @@ class SharedProgress {
     monitor_.progress(std::min(1.0, sum / all_), name);
   }
 
-  const BuildMonitor& monitor_;
+  const structure::BuildMonitor& monitor_;
   const std::vector<double>& work_;
   std::vector<double> done_;
   double all_{0.0};
@@ -85,27 +85,29 @@ class SharedProgress {
 }  // namespace
 
 StructureLibrary::Key StructureLibrary::add(const std::string& identity, std::string name,
-                                            std::shared_ptr<Body> body, const HapticOptions& options) {
+                                            std::shared_ptr<Body> body,
+                                            const structure::HapticOptions& options) {
   options.validate();
   const auto [it, fresh] = by_identity_.try_emplace(identity + optionsText(options), entries_.size());
   if (fresh) entries_.push_back({std::move(name), std::move(body), options, nullptr});
   return it->second;
 }
 
-StructureLibrary::Key StructureLibrary::request(const Shape& shape, const HapticOptions& options) {
+StructureLibrary::Key StructureLibrary::request(const geometry::Shape& shape,
+                                                const structure::HapticOptions& options) {
   const std::string identity = shapeText(shape);
   auto& body = bodies_[identity];
-  if (!body) body = std::make_shared<Body>(Body{{}, makeSurface(shape), {}});
+  if (!body) body = std::make_shared<Body>(Body{{}, geometry::makeSurface(shape), {}});
   return add(identity, identity, body, options);
 }
 
 StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mesh, const Vector3d& scale,
-                                                const HapticOptions& options) {
+                                                const structure::HapticOptions& options) {
   const std::string identity = mesh.string() + "*" + formatDouble(scale.x()) + "*" + formatDouble(scale.y()) +
                                "*" + formatDouble(scale.z());
   auto& body = bodies_[identity];
   if (!body) {
-    LoadedMesh loaded = loadScaled(mesh, scale);
+    mesh_file::LoadedMesh loaded = loadScaled(mesh, scale);
     const bool doubtful = !loaded.report.watertight || oddSize(loaded.report);
     for (const auto& remark : loaded.report.remarks) {
       remarks_.push_back(mesh.string() + ": " + remark);
@@ -127,11 +129,12 @@ void StructureLibrary::makeSurfaces(int threads) {
   std::stable_sort(missing.begin(), missing.end(), [](const Body* l, const Body* r) {
     return l->mesh.triangles.size() > r->mesh.triangles.size();
   });
-  parallelFor(threads, missing.size(),
-              [&](std::size_t i) { missing[i]->surface = makeSurface(cache_, std::move(missing[i]->mesh)); });
+  parallelFor(threads, missing.size(), [&](std::size_t i) {
+    missing[i]->surface = store::makeSurface(cache_, std::move(missing[i]->mesh));
+  });
 }
 
-void StructureLibrary::build(int threads, const BuildMonitor& monitor) {
+void StructureLibrary::build(int threads, const structure::BuildMonitor& monitor) {
   const auto begin = std::chrono::steady_clock::now();
   makeSurfaces(threads);
   std::vector<Entry*> missing;
@@ -153,8 +156,8 @@ void StructureLibrary::build(int threads, const BuildMonitor& monitor) {
   parallelFor(threads, missing.size(), [&](std::size_t i) {
     Entry& e = *missing[i];
     try {
-      const MadeStructure made =
-          makeHapticStructure(cache_, e.name, e.body->surface, e.options, each, progress.part(i, e.name));
+      const store::MadeStructure made = store::makeHapticStructure(cache_, e.name, e.body->surface, e.options,
+                                                                   each, progress.part(i, e.name));
       e.structure = made.structure;
       if (made.cached) ++cached;
     } catch (const UsageError& error) {
@@ -167,4 +170,4 @@ void StructureLibrary::build(int threads, const BuildMonitor& monitor) {
   build_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

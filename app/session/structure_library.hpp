@@ -10,7 +10,7 @@
 #include "core/mesh_file/mesh_report.hpp"
 #include "core/store/structure_cache.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 struct MeshRemark {
   std::string text;      ///< "FILE: ..."
@@ -25,15 +25,16 @@ class StructureLibrary {
   /// Structures are looked for and kept in the folder; empty: none.
   explicit StructureLibrary(std::filesystem::path cache_folder) : cache_(std::move(cache_folder)) {}
 
-  Key request(const Shape& shape, const HapticOptions& options);
+  Key request(const geometry::Shape& shape, const structure::HapticOptions& options);
   /// Reads the mesh at once; `scale`: metres per unit along its axes. Throws ParseError for a file that is no
   /// mesh.
-  Key request(const std::filesystem::path& mesh, const Vector3d& scale, const HapticOptions& options);
+  Key request(const std::filesystem::path& mesh, const Vector3d& scale,
+              const structure::HapticOptions& options);
 
   /// On `threads` threads (0: all cores); the result does not depend on the number. Throws UsageError for a
   /// mesh without area and for options that do not fit a body, and BuildCancelled.
-  void build(int threads = 0, const BuildMonitor& monitor = {});
-  std::shared_ptr<const HapticStructure> get(Key key) const { return entries_[key].structure; }
+  void build(int threads = 0, const structure::BuildMonitor& monitor = {});
+  std::shared_ptr<const structure::HapticStructure> get(Key key) const { return entries_[key].structure; }
   /// Wall time of build().
   double buildMs() const { return build_ms_; }
   /// How many structures the cache had, and how many are there.
@@ -46,22 +47,22 @@ class StructureLibrary {
 
  private:
   struct Body {
-    TriangleMesh mesh;  ///< until the surface is made
-    std::shared_ptr<const Surface> surface;
+    geometry::TriangleMesh mesh;  ///< until the surface is made
+    std::shared_ptr<const geometry::Surface> surface;
     std::string doubt;  ///< that its unit may be another one; empty: none
   };
   struct Entry {
     std::string name;
     std::shared_ptr<Body> body;
-    HapticOptions options;
-    std::shared_ptr<const HapticStructure> structure;
+    structure::HapticOptions options;
+    std::shared_ptr<const structure::HapticStructure> structure;
     double work{0.0};  ///< grows with the time that building takes; no unit
   };
   Key add(const std::string& identity, std::string name, std::shared_ptr<Body> body,
-          const HapticOptions& options);
+          const structure::HapticOptions& options);
   void makeSurfaces(int threads);
 
-  StructureCache cache_;
+  store::StructureCache cache_;
   std::vector<Entry> entries_;
   std::map<std::string, Key> by_identity_;
   std::map<std::string, std::shared_ptr<Body>> bodies_;
@@ -71,4 +72,4 @@ class StructureLibrary {
   std::size_t cached_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::session

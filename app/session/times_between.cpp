@@ -2,7 +2,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::session {
 
 std::vector<double> timesBetween(std::vector<double> times, std::optional<double> start,
                                  std::optional<double> end) {
@@ -13,4 +13,4 @@ std::vector<double> timesBetween(std::vector<double> times, std::optional<double
   return times;
 }
 
-}  // namespace abstand
+}  // namespace abstand::session

@@ -38,7 +38,7 @@ int fail(int code, const QString& text) {
 
 struct Arguments {
   QString scene, recording, screenshot;
-  PackagePaths packages;
+  robot_file::PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
   double at{0.0};
@@ -142,7 +142,7 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using abstand::Studio;
+  using abstand::studio::Studio;
   // So that writes to a closed pipe or beyond a limit fail instead of ending the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

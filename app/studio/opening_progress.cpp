@@ -1,6 +1,6 @@
 #include "app/studio/opening_progress.hpp"
 
-namespace abstand {
+namespace abstand::studio {
 namespace {
 
 constexpr std::chrono::milliseconds kPause{50};
@@ -22,4 +22,4 @@ void OpeningProgress::hear(double fraction, std::string_view name) {
   show_(opening_);
 }
 
-}  // namespace abstand
+}  // namespace abstand::studio

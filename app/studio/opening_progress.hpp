@@ -9,7 +9,7 @@
 
 #include "ui/panels/status_panel.hpp"
 
-namespace abstand {
+namespace abstand::studio {
 
 /// Counts structures by name, and passes on what is new to see, at most some 20 times a second. A structure
 /// of the cache is reported once; one that is reported again is being built. One thread at a time, as the
@@ -29,4 +29,4 @@ class OpeningProgress {
   std::chrono::steady_clock::time_point shown_{};
 };
 
-}  // namespace abstand
+}  // namespace abstand::studio

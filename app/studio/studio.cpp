@@ -9,17 +9,17 @@
 #include "core/base/error.hpp"
 #include "ui/panels/status_panel.hpp"
 
-namespace abstand {
+namespace abstand::studio {
 
 struct Studio::Loaded {
   int request{0};
   QString scene;
-  std::unique_ptr<LiveSession> live;
-  std::vector<SceneNote> notes;
+  std::unique_ptr<loop::LiveSession> live;
+  std::vector<scene::SceneNote> notes;
   QString problem;
 };
 
-Studio::Studio(ui::MainWindow& window, PackagePaths packages)
+Studio::Studio(ui::MainWindow& window, robot_file::PackagePaths packages)
     : window_(window), packages_(std::move(packages)) {
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
@@ -47,7 +47,7 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
     loaded->request = request;
     loaded->scene = scene;
     try {
-      SessionOptions options;
+      session::SessionOptions options;
       options.recording = recording.toStdString();
       OpeningProgress progress([this, request](const ui::Opening& opening) {
         QMetaObject::invokeMethod(
@@ -62,9 +62,9 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
         progress.hear(fraction, name);
       };
       options.monitor.cancelled = [this] { return cancelled_.load(); };
-      auto session = openSession(loadScene(scene.toStdString(), packages_), options);
-      loaded->notes = notesOf(*session);
-      loaded->live = std::make_unique<LiveSession>(std::move(session), t);
+      auto session = depth::openSession(scene_file::loadScene(scene.toStdString(), packages_), options);
+      loaded->notes = run::notesOf(*session);
+      loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
     }
@@ -97,4 +97,4 @@ void Studio::take(std::shared_ptr<Loaded> loaded) {
   Q_EMIT ready();
 }
 
-}  // namespace abstand
+}  // namespace abstand::studio

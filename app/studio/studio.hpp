@@ -12,7 +12,7 @@
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 
-namespace abstand {
+namespace abstand::studio {
 
 /// Owns the session that the window shows. Loading runs on a thread of its own, so that the window stays
 /// alive and shows how far it is; a file that cannot be read leaves what was there before. A newer request,
@@ -22,7 +22,7 @@ class Studio : public QObject {
 
  public:
   /// `packages`: where the robots of all scenes have their meshes.
-  explicit Studio(ui::MainWindow& window, PackagePaths packages = {});
+  explicit Studio(ui::MainWindow& window, robot_file::PackagePaths packages = {});
   ~Studio() override;
 
   /// Begins to load; ready() or failed() follows. An empty recording: as the scene says.
@@ -40,7 +40,7 @@ class Studio : public QObject {
   void take(std::shared_ptr<Loaded> loaded);
 
   ui::MainWindow& window_;
-  const PackagePaths packages_;
+  const robot_file::PackagePaths packages_;
   std::unique_ptr<LivePort> port_;
   QString scene_;
   std::future<void> loading_;
@@ -48,4 +48,4 @@ class Studio : public QObject {
   int request_{0};  ///< number of the newest request; answers to older ones are dropped
 };
 
-}  // namespace abstand
+}  // namespace abstand::studio

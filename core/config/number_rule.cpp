@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::config {
 namespace {
 
 std::string place(const char* owner, const char* name) { return std::string(owner) + "." + name; }
@@ -31,4 +31,4 @@ JointNumbers forJoints(const char* owner, const char* name, const JointNumbers& 
                    " numbers, expected one, or one for each of " + std::to_string(dof) + " joints");
 }
 
-}  // namespace abstand
+}  // namespace abstand::config

@@ -6,7 +6,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::config {
 
 /// Allowed numbers: least <= x <= most, or least < x with `above`. Never NaN.
 struct NumberRule {
@@ -37,4 +37,4 @@ void requireNumbers(const Options& options) {
   });
 }
 
-}  // namespace abstand
+}  // namespace abstand::config

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <unordered_map>
 
-namespace abstand {
+namespace abstand::config {
 namespace {
 
 SourcePos posOf(const std::string& file, const YAML::Mark& mark) {
@@ -199,4 +199,4 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
   return std::move(*builder.root);
 }
 
-}  // namespace abstand
+}  // namespace abstand::config

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::config {
 
 /// One node. Lines and columns count from 1.
 struct YamlNode {
@@ -34,4 +34,4 @@ inline constexpr int kMaxYamlDepth = 32;
 inline constexpr int kMaxYamlNodes = 200000;
 YamlNode parseYaml(const std::string& text, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::config

@@ -4,7 +4,7 @@
 
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::config {
 namespace {
 
 /// Long texts of strangers are cut in messages.
@@ -173,4 +173,4 @@ const std::vector<YamlNode>& YamlFields::list(std::string_view key) const {
   return value ? yamlList(*value, file_, label(key)) : none;
 }
 
-}  // namespace abstand
+}  // namespace abstand::config

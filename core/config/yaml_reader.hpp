@@ -9,7 +9,7 @@
 #include "core/config/yaml_document.hpp"
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::config {
 
 /// Allowed numbers: least <= x <= most, or least < x with `above`.
 struct YamlRange {
@@ -67,4 +67,4 @@ const std::vector<YamlNode>& yamlList(const YamlNode& node, const std::string& f
 /// "did you mean `x`?" for the nearest known name, or empty.
 std::string nearestHint(const std::string& name, const std::vector<std::string>& known);
 
-}  // namespace abstand
+}  // namespace abstand::config

@@ -5,19 +5,19 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 Admittance::Admittance(const AdmittanceOptions& options, int dof)
     : joints_(static_cast<std::size_t>(dof)), velocity_(joints_.size(), 0.0), offset_(joints_.size(), 0.0) {
   double Joint::*const members[] = {&Joint::inertia, &Joint::damping, &Joint::stiffness, &Joint::velocity,
                                     &Joint::offset};
   std::size_t next = 0;
-  AdmittanceOptions::eachList(
-      options, [&](const char* name, const JointNumbers& numbers, const NumberRule& rule) {
-        const JointNumbers all = forJoints(AdmittanceOptions::kName, name, numbers, dof, rule);
-        for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].*members[next] = all[i];
-        ++next;
-      });
+  AdmittanceOptions::eachList(options, [&](const char* name, const config::JointNumbers& numbers,
+                                           const config::NumberRule& rule) {
+    const config::JointNumbers all = config::forJoints(AdmittanceOptions::kName, name, numbers, dof, rule);
+    for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i].*members[next] = all[i];
+    ++next;
+  });
 }
 
 void Admittance::hold() noexcept { std::fill(velocity_.begin(), velocity_.end(), 0.0); }
@@ -28,7 +28,7 @@ void Admittance::reset() noexcept {
 }
 
 void Admittance::update(std::span<const double> efforts, double dt,
-                        std::span<const VelocityBounds> bounds) noexcept {
+                        std::span<const mechanism::VelocityBounds> bounds) noexcept {
   ABSTAND_CHECK(efforts.size() == joints_.size() && (bounds.empty() || bounds.size() == joints_.size()));
   if (!(dt > 0.0)) return;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -44,4 +44,4 @@ void Admittance::update(std::span<const double> efforts, double dt,
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

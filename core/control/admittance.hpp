@@ -7,26 +7,26 @@
 #include "core/config/number_rule.hpp"
 #include "core/mechanism/dof_limits.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// One number for all joints, or one a joint.
 struct AdmittanceOptions {
   static constexpr const char* kName = "admittance";
-  JointNumbers inertia{1.0};     ///< kg m^2 or kg
-  JointNumbers damping{10.0};    ///< N m s/rad or N s/m
-  JointNumbers stiffness{20.0};  ///< N m/rad or N/m; 0: the offset stays where it was pushed
-  JointNumbers velocity{1.0};    ///< rad/s or m/s, the most, of its size
-  JointNumbers offset{0.5};      ///< rad or m, the most, of its size
+  config::JointNumbers inertia{1.0};     ///< kg m^2 or kg
+  config::JointNumbers damping{10.0};    ///< N m s/rad or N s/m
+  config::JointNumbers stiffness{20.0};  ///< N m/rad or N/m; 0: the offset stays where it was pushed
+  config::JointNumbers velocity{1.0};    ///< rad/s or m/s, the most, of its size
+  config::JointNumbers offset{0.5};      ///< rad or m, the most, of its size
 
   template <class Self, class Visit>
   static void eachNumber(Self&, Visit) {}
   template <class Self, class Visit>
   static void eachList(Self& o, Visit visit) {
-    visit("inertia", o.inertia, NumberRule{0.0, 1e6, "kg m^2 or kg", true});
-    visit("damping", o.damping, NumberRule{0.0, 1e6, "N m s/rad or N s/m"});
-    visit("stiffness", o.stiffness, NumberRule{0.0, 1e6, "N m/rad or N/m"});
-    visit("velocity", o.velocity, NumberRule{0.0, 1e3, "rad/s or m/s"});
-    visit("offset", o.offset, NumberRule{0.0, 1e3, "rad or m"});
+    visit("inertia", o.inertia, config::NumberRule{0.0, 1e6, "kg m^2 or kg", true});
+    visit("damping", o.damping, config::NumberRule{0.0, 1e6, "N m s/rad or N s/m"});
+    visit("stiffness", o.stiffness, config::NumberRule{0.0, 1e6, "N m/rad or N/m"});
+    visit("velocity", o.velocity, config::NumberRule{0.0, 1e3, "rad/s or m/s"});
+    visit("offset", o.offset, config::NumberRule{0.0, 1e3, "rad or m"});
   }
 };
 
@@ -48,7 +48,7 @@ class Admittance {
   /// @param dt       s; not above 0: nothing changes
   /// @param bounds   rad/s or m/s, within which its velocity stays besides; empty: none
   void update(std::span<const double> efforts, double dt,
-              std::span<const VelocityBounds> bounds = {}) noexcept;
+              std::span<const mechanism::VelocityBounds> bounds = {}) noexcept;
   std::span<const double> velocity() const { return velocity_; }  ///< rad/s or m/s, to be added
   std::span<const double> offset() const { return offset_; }      ///< rad or m, to be added
 
@@ -60,4 +60,4 @@ class Admittance {
   std::vector<double> velocity_, offset_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -4,12 +4,12 @@
 #include "core/safety/braking_path.hpp"
 #include "core/safety/reach_set.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// How the robot brakes, and what is taken for granted of people meanwhile. SI.
 struct BrakingLawOptions {
   static constexpr const char* kName = "braking";
-  BrakingOptions path;
+  safety::BrakingOptions path;
   double distance{0.0};  ///< m, that has to be left at every moment until it stands
   /// m/s; who was seen faster is taken to go on at most that fast [ISO 13855: 2 m/s for a hand].
   double person_speed{2.0};
@@ -17,15 +17,15 @@ struct BrakingLawOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    BrakingOptions::eachNumber(o.path, visit);
-    visit("distance", o.distance, NumberRule{-10.0, 10.0, "m"});
-    visit("person_speed", o.person_speed, NumberRule{0.0, 100.0, "m/s"});
-    visit("person_acceleration", o.person_acceleration, NumberRule{0.0, kInfinity, "m/s^2"});
+    safety::BrakingOptions::eachNumber(o.path, visit);
+    visit("distance", o.distance, config::NumberRule{-10.0, 10.0, "m"});
+    visit("person_speed", o.person_speed, config::NumberRule{0.0, 100.0, "m/s"});
+    visit("person_acceleration", o.person_acceleration, config::NumberRule{0.0, kInfinity, "m/s^2"});
   }
   template <class Self, class Visit>
   static void eachList(Self& o, Visit visit) {
-    visit("deceleration", o.path.deceleration, BrakingOptions::kDecelerationRule);
+    visit("deceleration", o.path.deceleration, safety::BrakingOptions::kDecelerationRule);
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -1,6 +1,6 @@
 #include "core/control/contact_manifold.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 ContactConstraint ContactManifold::constraint(const Point& point, const Transform& X_WO,
                                               const Transform& X_WB) {
@@ -8,7 +8,7 @@ ContactConstraint ContactManifold::constraint(const Point& point, const Transfor
   return {p_W, n_W, n_W.dot(p_W - X_WB * point.q_B)};
 }
 
-void ContactManifold::update(const PairResult& result, bool object_is_a, const Transform& X_WO,
+void ContactManifold::update(const query::PairResult& result, bool object_is_a, const Transform& X_WO,
                              const Transform& X_WB) noexcept {
   for (std::size_t i = 0; i < count_;) {
     const ContactConstraint c = constraint(points_[i], X_WO, X_WB);
@@ -36,4 +36,4 @@ void ContactManifold::update(const PairResult& result, bool object_is_a, const T
     points_[count_++] = fresh;
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

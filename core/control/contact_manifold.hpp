@@ -6,7 +6,7 @@
 
 #include "core/control/god_object.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// The nearest points of the last queries of one pair, kept with the bodies while they still face each other:
 /// a query gives one, and a held object that is kept off by one corner alone turns into the wall about it.
@@ -24,7 +24,7 @@ class ContactManifold {
   void clear() noexcept { count_ = 0; }
   std::size_t size() const { return count_; }
   /// A query of the pair with the object at X_WO and the other body at X_WB.
-  void update(const PairResult& result, bool object_is_a, const Transform& X_WO,
+  void update(const query::PairResult& result, bool object_is_a, const Transform& X_WO,
               const Transform& X_WB) noexcept;
   /// Calls visit(constraint) for the newest point, whose gap is the distance itself, and for all that are
   /// kept.
@@ -46,4 +46,4 @@ class ContactManifold {
   std::optional<ContactConstraint> newest_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

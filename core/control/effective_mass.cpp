@@ -4,7 +4,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 EffectiveMass::EffectiveMass(int dof)
     : mass_{Eigen::MatrixXd::Identity(dof, dof), Eigen::MatrixXd::Identity(dof, dof)},
@@ -14,14 +14,14 @@ bool EffectiveMass::take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
   known_ = M.rows() == mass_.M.rows() && M.cols() == mass_.M.cols() && M.allFinite();
   if (!known_) return false;
   mass_.M = M;
-  return known_ = factor(mass_) < 0;
+  return known_ = mechanism::factor(mass_) < 0;
 }
 
 double EffectiveMass::mass(std::span<const double> row) noexcept {
   if (!known_) return kNaN;
   ABSTAND_CHECK(row.size() == solved_.size());
   std::copy(row.begin(), row.end(), solved_.begin());
-  return 1.0 / mobilityOf(mass_, solved_);
+  return 1.0 / mechanism::mobilityOf(mass_, solved_);
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -6,7 +6,7 @@
 
 #include "core/mechanism/mass_matrix.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// m = 1 / (J M^-1 J^T) for a row J = d(distance)/dq [Khatib 1987, A unified approach for motion and force
 /// control]. Factors a mass matrix once a cycle. One thread; no allocation after it is made.
@@ -22,9 +22,9 @@ class EffectiveMass {
   double mass(std::span<const double> row) noexcept;
 
  private:
-  MassMatrix mass_;
+  mechanism::MassMatrix mass_;
   std::vector<double> solved_;
   bool known_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -7,7 +7,7 @@
 #include "core/control/pair_direction.hpp"
 #include "core/math/object_motion.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
@@ -47,7 +47,7 @@ struct Rows {
 
 }  // namespace
 
-std::optional<ContactConstraint> constraintOf(const PairResult& result, bool object_is_a,
+std::optional<ContactConstraint> constraintOf(const query::PairResult& result, bool object_is_a,
                                               bool certain) noexcept {
   const Vector3d n = partingDirection(result);
   const Vector3d& p = object_is_a ? result.witness_a : result.witness_b;
@@ -56,7 +56,7 @@ std::optional<ContactConstraint> constraintOf(const PairResult& result, bool obj
   return ContactConstraint{p, object_is_a ? n : Vector3d(-n), gap};
 }
 
-GodObject::GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O)
+GodObject::GodObject(const GodObjectOptions& options, const geometry::EnclosingSphere& sphere_O)
     : o_(options), sphere_O_(sphere_O) {
   options.validate();
   // A point turns without moving; any length serves.
@@ -123,4 +123,4 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   wrench_.torque = cut(o_.rotation_stiffness * rotationBetween(X_WH.linear(), X_WO_.linear()), o_.torque);
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

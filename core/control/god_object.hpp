@@ -7,7 +7,7 @@
 #include "core/config/number_rule.hpp"
 #include "core/query/pair_query.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// SI.
 struct GodObjectOptions {
@@ -23,14 +23,14 @@ struct GodObjectOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("stiffness", o.stiffness, NumberRule{0.0, 1e7, "N/m"});
-    visit("rotation_stiffness", o.rotation_stiffness, NumberRule{0.0, 1e6, "N m/rad"});
-    visit("force", o.force, NumberRule{0.0, 1e6, "N"});
-    visit("torque", o.torque, NumberRule{0.0, 1e6, "N m"});
-    visit("gap", o.gap, NumberRule{0.0, 0.1, "m"});
-    visit("step", o.step, NumberRule{0.0, 1.0, "m", true});
+    visit("stiffness", o.stiffness, config::NumberRule{0.0, 1e7, "N/m"});
+    visit("rotation_stiffness", o.rotation_stiffness, config::NumberRule{0.0, 1e6, "N m/rad"});
+    visit("force", o.force, config::NumberRule{0.0, 1e6, "N"});
+    visit("torque", o.torque, config::NumberRule{0.0, 1e6, "N m"});
+    visit("gap", o.gap, config::NumberRule{0.0, 0.1, "m"});
+    visit("step", o.step, config::NumberRule{0.0, 1.0, "m", true});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// The object must not go deeper along -normal than the gap, at this point of it.
@@ -43,7 +43,7 @@ struct ContactConstraint {
 /// From a pair with the object as A (or as B), queried at the object's pose, best with a PairMemory; nothing
 /// when the pair has no direction. The certified lower bound is the gap for `certain`, else the distance
 /// itself.
-std::optional<ContactConstraint> constraintOf(const PairResult& result, bool object_is_a,
+std::optional<ContactConstraint> constraintOf(const query::PairResult& result, bool object_is_a,
                                               bool certain = false) noexcept;
 
 /// The god-object of the thesis's [25] (Ortega, Redon, Coquillart 2007, A Six Degree-of-Freedom God-Object
@@ -60,7 +60,7 @@ class GodObject {
   static constexpr std::size_t kMaxConstraints = 32;
 
   /// `sphere_O` holds the object; its centre is c. Throws UsageError.
-  GodObject(const GodObjectOptions& options, const EnclosingSphere& sphere_O);
+  GodObject(const GodObjectOptions& options, const geometry::EnclosingSphere& sphere_O);
 
   void reset(const Transform& X_WO) noexcept;  ///< both the object and the hand are there
   /// @param X_WH         where the hand would put the object; not finite: it stays, and there is no wrench
@@ -77,11 +77,11 @@ class GodObject {
 
  private:
   GodObjectOptions o_;
-  EnclosingSphere sphere_O_;
+  geometry::EnclosingSphere sphere_O_;
   Transform X_WO_{Transform::Identity()};
   Wrench wrench_;
   Vector3d hand_{Vector3d::Zero()};
   double moved_{0.0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

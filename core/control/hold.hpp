@@ -6,7 +6,7 @@
 
 #include "core/config/number_rule.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 struct HoldOptions {
   static constexpr const char* kName = "hold";
@@ -17,8 +17,8 @@ struct HoldOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("frequency", o.frequency, NumberRule{0.0, 1000.0, "rad/s", true});
-    visit("damping", o.damping, NumberRule{0.0, 10.0});
+    visit("frequency", o.frequency, config::NumberRule{0.0, 1000.0, "rad/s", true});
+    visit("damping", o.damping, config::NumberRule{0.0, 10.0});
   }
 };
 
@@ -38,4 +38,4 @@ inline void hold(const HoldOptions& o, const PlannedMotion& plan, std::span<cons
     acceleration[i] = plan.qdd[i] + d * (plan.qd[i] - qd[i]) + k * (plan.q[i] - q[i]);
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 // m; nearer witnesses are one within the rounding of coordinates of some metres.
@@ -10,7 +10,7 @@ constexpr double kOne = 1e-9;
 
 }  // namespace
 
-Vector3d partingDirection(const PairResult& result, const Vector3d& otherwise) noexcept {
+Vector3d partingDirection(const query::PairResult& result, const Vector3d& otherwise) noexcept {
   const Vector3d apart = result.witness_a - result.witness_b;
   const double length = apart.norm();
   if (length > kOne) return result.distance < 0.0 ? Vector3d(-apart / length) : Vector3d(apart / length);
@@ -18,16 +18,17 @@ Vector3d partingDirection(const PairResult& result, const Vector3d& otherwise) n
   return force > 0.0 ? Vector3d(result.force_a / force) : otherwise;
 }
 
-void addDistanceRow(const Mechanism& mechanism, const MechanismState& state, int frame, const Vector3d& p_B,
-                    const Vector3d& n_B, double sign, std::span<double> row) noexcept {
+void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state, int frame,
+                    const Vector3d& p_B, const Vector3d& n_B, double sign, std::span<double> row) noexcept {
   // The efforts of a unit force along n do the work of the distance.
-  if (frame >= 0) addJointEfforts(mechanism, state, frame, p_B, {sign * n_B, Vector3d::Zero()}, row);
+  if (frame >= 0)
+    mechanism::addJointEfforts(mechanism, state, frame, p_B, {sign * n_B, Vector3d::Zero()}, row);
 }
 
 double fastestAlong(const Vector3d& n, const Twist& twist, const Vector3d& p_W,
-                    const EnclosingSphere& sphere_W) noexcept {
+                    const geometry::EnclosingSphere& sphere_W) noexcept {
   const Vector3d v = twist.linear + twist.angular.cross(Vector3d(sphere_W.centre - p_W));
   return n.dot(v) + sphere_W.radius * n.cross(twist.angular).norm();
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 // Asked for by watch(), the laws and the limits, one of each reason.
@@ -25,51 +25,52 @@ void scaleGains(ReactionDescription& reaction, double factor) {
 }
 
 Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
-                   std::vector<DofLimits> limits)
+                   std::vector<mechanism::DofLimits> limits)
     : description_(description), limits_(std::move(limits)), stops_(description.stop), mass_(dof) {
   if (limits_.empty()) limits_.resize(static_cast<std::size_t>(dof));
   ABSTAND_CHECK(limits_.size() == static_cast<std::size_t>(dof));
   bounds_.resize(limits_.size());
   TorqueLimitOptions efforts;
   efforts.limit.clear();
-  for (const DofLimits& l : limits_) efforts.limit.push_back(l.effort);
+  for (const mechanism::DofLimits& l : limits_) efforts.limit.push_back(l.effort);
   if (dof > 0) efforts_.emplace(efforts, dof);
   if (description.torque) limit_.emplace(*description.torque, dof);
   if (description.repulsion) repulsion_.emplace(*description.repulsion);
   if (description.proxy) description.proxy->validate();
   if (description.admittance) admittance_.emplace(*description.admittance, dof);
   if (description.speed) speed_.emplace(*description.speed);
-  requireNumbers(description.watch);
-  WatchOptions::eachList(description.watch,
-                         [&](const char* name, const JointNumbers& numbers, const NumberRule& rule) {
-                           joint_speed_ = forJoints(WatchOptions::kName, name, numbers, dof, rule);
-                         });
+  config::requireNumbers(description.watch);
+  WatchOptions::eachList(description.watch, [&](const char* name, const config::JointNumbers& numbers,
+                                                const config::NumberRule& rule) {
+    joint_speed_ = config::forJoints(WatchOptions::kName, name, numbers, dof, rule);
+  });
   torque_.assign(static_cast<std::size_t>(dof), 0.0);
   approaches_.reserve(most_pairs);
   approach_pairs_.reserve(most_pairs);
   causes_.reserve(kMaxCauses + kOwnCauses);
 }
 
-void Reaction::hold(const EnclosingSphere& sphere_O, const Transform& X_WO) {
+void Reaction::hold(const geometry::EnclosingSphere& sphere_O, const Transform& X_WO) {
   if (!description_.proxy) return;
   proxy_.emplace(*description_.proxy, sphere_O);
   proxy_->reset(X_WO);
 }
 
-void Reaction::ask(StopReason reason, double value, double limit, int pair, int joint) noexcept {
+void Reaction::ask(safety::StopReason reason, double value, double limit, int pair, int joint) noexcept {
   causes_.push_back({reason, value, limit, pair, joint});
 }
 
 void Reaction::watch(const ReactionInput& input) noexcept {
   const WatchOptions& w = description_.watch;
-  if (!(input.input_age <= w.input_age)) ask(StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
+  if (!(input.input_age <= w.input_age))
+    ask(safety::StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
   if (!(input.person_age <= w.person_age))
-    ask(StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
+    ask(safety::StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
   // The nearest pair below the limit; a distance that is not known is the nearest of all.
   const ReactionPair* nearest = nullptr;
   for (const ReactionPair& p : input.pairs)
     if (!(p.distance >= w.distance) && (!nearest || !(p.distance >= nearest->distance))) nearest = &p;
-  if (nearest) ask(StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
+  if (nearest) ask(safety::StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
   int joint = -1;
   double most = 1.0;
   for (std::size_t i = 0; i < joint_speed_.size(); ++i) {
@@ -79,7 +80,7 @@ void Reaction::watch(const ReactionInput& input) noexcept {
     if (!std::isnan(share)) most = share;
   }
   if (joint >= 0)
-    ask(StopReason::kJointSpeed, std::abs(input.qd[static_cast<std::size_t>(joint)]),
+    ask(safety::StopReason::kJointSpeed, std::abs(input.qd[static_cast<std::size_t>(joint)]),
         joint_speed_[static_cast<std::size_t>(joint)], -1, joint);
 }
 
@@ -87,7 +88,7 @@ void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const E
   const bool by_matrix = mass_.take(M);
   if (!by_matrix) ++without_mass_;
   const RepulsionOptions& o = repulsion_->options();
-  StopCause worst;
+  safety::StopCause worst;
   double most = 0.0;
   for (const ReactionPair& p : input.pairs) {
     if (p.distance >= o.range) continue;
@@ -102,7 +103,7 @@ void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const E
     const double excess = r.kinetic - o.stop_share * r.available;
     if (!r.stop || excess <= most) continue;
     most = excess;
-    worst = {StopReason::kEnergy, r.kinetic, o.stop_share * r.available, p.pair, -1};
+    worst = {safety::StopReason::kEnergy, r.kinetic, o.stop_share * r.available, p.pair, -1};
   }
   if (most > 0.0) causes_.push_back(worst);
 }
@@ -122,13 +123,14 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   if (speed_->slowest() < 0) return scale;
   const int pair = approach_pairs_[static_cast<std::size_t>(speed_->slowest())];
   if (scale > 0.0) {
-    ask(StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
+    ask(safety::StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
   } else {
     // Not even standing is far enough, or hardly: the protective separation distance is broken.
     const Approach& a = approaches_[static_cast<std::size_t>(speed_->slowest())];
     const auto& o = speed_->options().separation;
-    ask(StopReason::kDistance, a.distance,
-        protectiveDistance(o, speed_->options().least * a.robot, a.person, a.distance).sum(), pair, -1);
+    ask(safety::StopReason::kDistance, a.distance,
+        safety::protectiveDistance(o, speed_->options().least * a.robot, a.person, a.distance).sum(), pair,
+        -1);
   }
   return scale;
 }
@@ -152,10 +154,10 @@ void Reaction::yield(const ReactionInput& input) noexcept {
       bounds_[i] = {-limits_[i].velocity, limits_[i].velocity};
       continue;
     }
-    DofLimits known = limits_[i];
+    mechanism::DofLimits known = limits_[i];
     if (!std::isfinite(q)) known.lower = -kInfinity, known.upper = kInfinity;
-    const VelocityBounds next =
-        velocityBounds(known, std::isfinite(q) ? q : 0.0, qd, known.acceleration, input.dt);
+    const mechanism::VelocityBounds next =
+        mechanism::velocityBounds(known, std::isfinite(q) ? q : 0.0, qd, known.acceleration, input.dt);
     // Of what its velocity is to be, no part is faster than the joint.
     const double most = limits_[i].velocity;
     bounds_[i] = {std::clamp(v + next.lower - qd, -most, most), std::clamp(v + next.upper - qd, -most, most)};
@@ -177,12 +179,12 @@ ReactionOutput Reaction::update(const ReactionInput& input,
   if (repulsion_) addRepulsion(input, M);
   if (limit_) {
     const int joint = limit_->cut(torque_);
-    if (joint >= 0) ask(StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
+    if (joint >= 0) ask(safety::StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
   }
   if (!torques_on_) std::fill(torque_.begin(), torque_.end(), 0.0);
   if (efforts_) {
     const int joint = efforts_->cut(torque_);
-    if (joint >= 0) ask(StopReason::kTorque, kNaN, efforts_->limit(joint), -1, joint);
+    if (joint >= 0) ask(safety::StopReason::kTorque, kNaN, efforts_->limit(joint), -1, joint);
   }
   if (proxy_ && input.held) proxy_->update(input.held->X_WH, input.held->constraints);
 
@@ -191,12 +193,12 @@ ReactionOutput Reaction::update(const ReactionInput& input,
   double fastest = 0.0;
   for (const double v : input.qd)
     if (!(std::abs(v) <= fastest)) fastest = std::isnan(v) ? kInfinity : std::abs(v);
-  const StopState state = stops_.update(input.t, causes_, fastest, input.reset);
-  for (const StopCause& cause : causes_)
-    if (cause.reason != StopReason::kSeparation &&
-        description_.stop.policy.of(cause.reason) == StopResponse::kSlow)
+  const safety::StopState state = stops_.update(input.t, causes_, fastest, input.reset);
+  for (const safety::StopCause& cause : causes_)
+    if (cause.reason != safety::StopReason::kSeparation &&
+        description_.stop.policy.of(cause.reason) == safety::StopResponse::kSlow)
       scale = std::min(scale, description_.stop.slow_to);
-  if (state == StopState::kEmergencyStop) brakes_ = true;
+  if (state == safety::StopState::kEmergencyStop) brakes_ = true;
   if (stops_.moving()) {
     brakes_ = false;
   } else {
@@ -219,4 +221,4 @@ ReactionOutput Reaction::update(const ReactionInput& input,
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

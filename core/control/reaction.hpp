@@ -8,7 +8,7 @@
 #include "core/control/effective_mass.hpp"
 #include "core/control/reaction_description.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// What a robot knows of one pair with one of its links (or two).
 struct ReactionPair {
@@ -43,7 +43,7 @@ struct ReactionInput {
   const HeldObject* held{nullptr};
   double input_age{0.0}, person_age{0.0};  ///< s; not finite: lost. A scene without people says 0
   /// What is known outside: lost link, broken bounds on speed, the user. At most Reaction::kMaxCauses.
-  std::span<const StopCause> causes;
+  std::span<const safety::StopCause> causes;
   bool reset{false};  ///< the user lets it go on, in this cycle
 };
 
@@ -53,7 +53,7 @@ struct ReactionOutput {
   std::span<const double> velocity;  ///< rad/s or m/s, to be added; empty without an admittance
   std::span<const double> offset;    ///< rad or m, to be added to the commanded positions; likewise
   double speed_scale{1.0};           ///< 0 to 1, of the planned speed
-  StopState state{StopState::kRunning};
+  safety::StopState state{safety::StopState::kRunning};
   bool brakes{false};  ///< to be engaged: an emergency stop, until it is reset
 };
 
@@ -73,7 +73,7 @@ class Reaction {
   /// Throws UsageError for options that do not fit `dof` joints. `limits`: of the robot, one a dof; empty:
   /// none are known.
   Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
-           std::vector<DofLimits> limits = {});
+           std::vector<mechanism::DofLimits> limits = {});
 
   /// @param M  mass matrix, dof x dof, at the present posture; 0 x 0 where it is not known
   ReactionOutput update(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
@@ -82,17 +82,17 @@ class Reaction {
   /// ever.
   void setTorques(bool on) { torques_on_ = on; }
 
-  const StopMachine& stops() const { return stops_; }
+  const safety::StopMachine& stops() const { return stops_; }
   const SpeedScale* speed() const { return speed_ ? &*speed_ : nullptr; }
   GodObject* proxy() { return proxy_ ? &*proxy_ : nullptr; }
   /// Made when a law `proxy` is there; before, proxy() is null.
-  void hold(const EnclosingSphere& sphere_O, const Transform& X_WO);
+  void hold(const geometry::EnclosingSphere& sphere_O, const Transform& X_WO);
   int dof() const { return static_cast<int>(torque_.size()); }
   /// Cycles in which the mass matrix was not known or not usable, and the repulsion took its own mass.
   long withoutMass() const { return without_mass_; }
 
  private:
-  void ask(StopReason reason, double value, double limit, int pair, int joint) noexcept;
+  void ask(safety::StopReason reason, double value, double limit, int pair, int joint) noexcept;
   void watch(const ReactionInput& input) noexcept;
   void addRepulsion(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
   double scaleSpeed(const ReactionInput& input) noexcept;
@@ -100,24 +100,24 @@ class Reaction {
   void yield(const ReactionInput& input) noexcept;
 
   ReactionDescription description_;
-  std::vector<DofLimits> limits_;
-  std::vector<VelocityBounds> bounds_;
+  std::vector<mechanism::DofLimits> limits_;
+  std::vector<mechanism::VelocityBounds> bounds_;
   std::optional<TorqueLimit> limit_;    ///< the law
   std::optional<TorqueLimit> efforts_;  ///< of the joints; null: no limit is known
   std::optional<Repulsion> repulsion_;
   std::optional<GodObject> proxy_;
   std::optional<Admittance> admittance_;
   std::optional<SpeedScale> speed_;
-  StopMachine stops_;
+  safety::StopMachine stops_;
   EffectiveMass mass_;
-  JointNumbers joint_speed_;
+  config::JointNumbers joint_speed_;
   std::vector<double> torque_;
   std::vector<Approach> approaches_;
   std::vector<int> approach_pairs_;
-  std::vector<StopCause> causes_;
+  std::vector<safety::StopCause> causes_;
   bool brakes_{false};
   bool torques_on_{true};
   long without_mass_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -4,22 +4,23 @@
 
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 const std::vector<std::string> kCuts{"each", "together"};  // of torques, and of joints that brake
 
 template <class Options>
 concept HasLists = requires(Options& o) {
-  Options::eachList(o, [](const char*, JointNumbers&, const NumberRule&) {});
+  Options::eachList(o, [](const char*, config::JointNumbers&, const config::NumberRule&) {});
 };
 
 template <class Options>
 void addKeys(std::vector<std::string>& keys) {
   Options o;
-  Options::eachNumber(o, [&](const char* name, double, const NumberRule&) { keys.push_back(name); });
+  Options::eachNumber(o, [&](const char* name, double, const config::NumberRule&) { keys.push_back(name); });
   if constexpr (HasLists<Options>)
-    Options::eachList(o, [&](const char* name, JointNumbers&, const NumberRule&) { keys.push_back(name); });
+    Options::eachList(
+        o, [&](const char* name, config::JointNumbers&, const config::NumberRule&) { keys.push_back(name); });
 }
 
 template <class Options>
@@ -28,71 +29,78 @@ std::vector<std::string> keysOf(std::vector<std::string> more = {}) {
   return more;
 }
 
-YamlRange rangeOf(const NumberRule& rule) { return {rule.least, rule.most, rule.unit, rule.above}; }
+config::YamlRange rangeOf(const config::NumberRule& rule) {
+  return {rule.least, rule.most, rule.unit, rule.above};
+}
 
 template <class Options>
-void readNumbers(const YamlFields& fields, Options& options) {
-  Options::eachNumber(options, [&](const char* name, double& value, const NumberRule& rule) {
+void readNumbers(const config::YamlFields& fields, Options& options) {
+  Options::eachNumber(options, [&](const char* name, double& value, const config::NumberRule& rule) {
     value = fields.number(name, rangeOf(rule)).value_or(value);
   });
   if constexpr (HasLists<Options>)
-    Options::eachList(options, [&](const char* name, JointNumbers& numbers, const NumberRule& rule) {
-      const YamlNode* const node = fields.find(name);
-      if (!node) return;
-      if (node->kind != YamlNode::Kind::kList) {
-        numbers = {*fields.number(name, rangeOf(rule))};
-        return;
-      }
-      numbers.clear();
-      for (const YamlNode& item : node->items)
-        numbers.push_back(yamlNumber(item, fields.file(), "`" + std::string(name) + "`", rangeOf(rule)));
-      if (numbers.empty())
-        throw ParseError(fields.pos(*node), "found an empty list for `" + std::string(name) +
-                                                "`, expected a number, or one for each joint");
-    });
+    Options::eachList(
+        options, [&](const char* name, config::JointNumbers& numbers, const config::NumberRule& rule) {
+          const config::YamlNode* const node = fields.find(name);
+          if (!node) return;
+          if (node->kind != config::YamlNode::Kind::kList) {
+            numbers = {*fields.number(name, rangeOf(rule))};
+            return;
+          }
+          numbers.clear();
+          for (const config::YamlNode& item : node->items)
+            numbers.push_back(
+                config::yamlNumber(item, fields.file(), "`" + std::string(name) + "`", rangeOf(rule)));
+          if (numbers.empty())
+            throw ParseError(fields.pos(*node), "found an empty list for `" + std::string(name) +
+                                                    "`, expected a number, or one for each joint");
+        });
 }
 
 template <class Options>
-std::optional<Options> law(const YamlFields& parent) {
-  const YamlNode* const node = parent.find(Options::kName);
+std::optional<Options> law(const config::YamlFields& parent) {
+  const config::YamlNode* const node = parent.find(Options::kName);
   if (!node) return std::nullopt;
   Options options;
-  readNumbers(YamlFields(*node, parent.file(), "`" + std::string(Options::kName) + "`", keysOf<Options>()),
-              options);
+  readNumbers(
+      config::YamlFields(*node, parent.file(), "`" + std::string(Options::kName) + "`", keysOf<Options>()),
+      options);
   return options;
 }
 
-std::optional<TorqueLimitOptions> torque(const YamlFields& parent) {
-  const YamlNode* const node = parent.find("torque");
+std::optional<TorqueLimitOptions> torque(const config::YamlFields& parent) {
+  const config::YamlNode* const node = parent.find("torque");
   if (!node) return std::nullopt;
   TorqueLimitOptions options;
-  const YamlFields fields(*node, parent.file(), "`torque`", keysOf<TorqueLimitOptions>({"cut"}));
+  const config::YamlFields fields(*node, parent.file(), "`torque`", keysOf<TorqueLimitOptions>({"cut"}));
   readNumbers(fields, options);
   if (fields.choice("cut", kCuts).value_or("together") == "each") options.cut = TorqueCut::kEach;
   return options;
 }
 
-std::optional<BrakingLawOptions> braking(const YamlFields& parent) {
-  const YamlNode* const node = parent.find("braking");
+std::optional<BrakingLawOptions> braking(const config::YamlFields& parent) {
+  const config::YamlNode* const node = parent.find("braking");
   if (!node) return std::nullopt;
   BrakingLawOptions options;
-  const YamlFields fields(*node, parent.file(), "`braking`", keysOf<BrakingLawOptions>({"joints"}));
+  const config::YamlFields fields(*node, parent.file(), "`braking`", keysOf<BrakingLawOptions>({"joints"}));
   readNumbers(fields, options);
   if (fields.choice("joints", kCuts).value_or("each") == "together")
-    options.path.kind = BrakingKind::kTogether;
+    options.path.kind = safety::BrakingKind::kTogether;
   return options;
 }
 
-void policy(const YamlFields& fields, StopPolicy& policy) {
-  const YamlNode* const node = fields.find("on");
+void policy(const config::YamlFields& fields, safety::StopPolicy& policy) {
+  const config::YamlNode* const node = fields.find("on");
   if (!node) return;
   std::vector<std::string> reasons, responses;
-  for (std::size_t i = 0; i < kStopReasons; ++i) reasons.emplace_back(reasonKey(static_cast<StopReason>(i)));
-  for (std::size_t i = 0; i < kStopResponses; ++i)
-    responses.emplace_back(responseName(static_cast<StopResponse>(i)));
-  const YamlFields on(*node, fields.file(), "`on`", reasons);
-  for (std::size_t i = 0; i < kStopReasons; ++i)
-    if (const auto text = on.choice(reasons[i], responses)) policy.response[i] = *parseResponse(*text);
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i)
+    reasons.emplace_back(safety::reasonKey(static_cast<safety::StopReason>(i)));
+  for (std::size_t i = 0; i < safety::kStopResponses; ++i)
+    responses.emplace_back(safety::responseName(static_cast<safety::StopResponse>(i)));
+  const config::YamlFields on(*node, fields.file(), "`on`", reasons);
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i)
+    if (const auto text = on.choice(reasons[i], responses))
+      policy.response[i] = *safety::parseResponse(*text);
 }
 
 class Lines {
@@ -109,15 +117,17 @@ class Lines {
   }
   template <class Options>
   void numbers(const Options& options) {
-    Options::eachNumber(options, [&](const char* name, double value, const NumberRule&) {
+    Options::eachNumber(options, [&](const char* name, double value, const config::NumberRule&) {
       if (std::isfinite(value)) item(name, formatDouble(value));
     });
     if constexpr (HasLists<Options>)
-      Options::eachList(options, [&](const char* name, const JointNumbers& list, const NumberRule&) {
-        std::string s;
-        for (const double x : list) s += (s.empty() ? "" : ", ") + formatDouble(x);
-        if (!list.empty() && std::isfinite(list.front())) item(name, list.size() == 1 ? s : "[" + s + "]");
-      });
+      Options::eachList(options,
+                        [&](const char* name, const config::JointNumbers& list, const config::NumberRule&) {
+                          std::string s;
+                          for (const double x : list) s += (s.empty() ? "" : ", ") + formatDouble(x);
+                          if (!list.empty() && std::isfinite(list.front()))
+                            item(name, list.size() == 1 ? s : "[" + s + "]");
+                        });
   }
   template <class Options>
   void law(const std::optional<Options>& options) {
@@ -135,9 +145,10 @@ class Lines {
 
 }  // namespace
 
-ReactionDescription readReaction(const YamlNode& node, const std::string& file) {
-  const YamlFields fields(node, file, "`reaction`",
-                          {"torque", "repulsion", "proxy", "admittance", "speed", "braking", "hold", "stop"});
+ReactionDescription readReaction(const config::YamlNode& node, const std::string& file) {
+  const config::YamlFields fields(
+      node, file, "`reaction`",
+      {"torque", "repulsion", "proxy", "admittance", "speed", "braking", "hold", "stop"});
   ReactionDescription r;
   r.torque = torque(fields);
   r.repulsion = law<RepulsionOptions>(fields);
@@ -150,10 +161,10 @@ ReactionDescription readReaction(const YamlNode& node, const std::string& file) 
   r.speed = law<SpeedScaleOptions>(fields);
   r.braking = braking(fields);
   r.hold = law<HoldOptions>(fields).value_or(r.hold);
-  if (const YamlNode* const stop = fields.find("stop")) {
+  if (const config::YamlNode* const stop = fields.find("stop")) {
     std::vector<std::string> keys = keysOf<WatchOptions>({"on"});
-    addKeys<StopOptions>(keys);
-    const YamlFields s(*stop, file, "`stop`", keys);
+    addKeys<safety::StopOptions>(keys);
+    const config::YamlFields s(*stop, file, "`stop`", keys);
     readNumbers(s, r.watch);
     readNumbers(s, r.stop);
     policy(s, r.stop.policy);
@@ -176,7 +187,7 @@ std::string describeReaction(const ReactionDescription& r, const std::string& in
   if (r.braking) {
     lines.open("braking");
     lines.numbers(*r.braking);
-    lines.item("joints", kCuts[r.braking->path.kind == BrakingKind::kEachJoint ? 0 : 1]);
+    lines.item("joints", kCuts[r.braking->path.kind == safety::BrakingKind::kEachJoint ? 0 : 1]);
     lines.close();
   }
   lines.law(std::optional(r.hold));
@@ -184,12 +195,12 @@ std::string describeReaction(const ReactionDescription& r, const std::string& in
   lines.numbers(r.watch);
   lines.numbers(r.stop);
   std::string on;
-  for (std::size_t i = 0; i < kStopReasons; ++i)
-    on += (i ? ", " : "{") + std::string(reasonKey(static_cast<StopReason>(i))) + ": " +
-          std::string(responseName(r.stop.policy.response[i]));
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i)
+    on += (i ? ", " : "{") + std::string(safety::reasonKey(static_cast<safety::StopReason>(i))) + ": " +
+          std::string(safety::responseName(r.stop.policy.response[i]));
   lines.item("on", on + "}");
   lines.close();
   return lines.take();
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

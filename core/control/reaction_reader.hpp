@@ -6,7 +6,7 @@
 #include "core/config/yaml_reader.hpp"
 #include "core/control/reaction_description.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// reaction:
 ///   torque: {gain: 1, limit: 40, cut: together}    # limit: one number or one a joint; cut: each, together
@@ -21,10 +21,10 @@ namespace abstand {
 /// A law that is not named does not act; `hold` and `stop` are always there. Throws ParseError at the place
 /// of what is wrong; unknown keys come with the nearest known one. Whether lists fit the robot's joints is
 /// seen when a Reaction is made.
-ReactionDescription readReaction(const YamlNode& node, const std::string& file);
+ReactionDescription readReaction(const config::YamlNode& node, const std::string& file);
 
 /// The same as YAML that reads back as equal, each line behind `indent`. Infinite numbers, which mean that
 /// nothing is limited, are left out.
 std::string describeReaction(const ReactionDescription& reaction, const std::string& indent = "");
 
-}  // namespace abstand
+}  // namespace abstand::control

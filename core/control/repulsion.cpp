@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 // J: what moves with less stands. 2 kg at 1 mm/s; roundings and the return from a push must not be a reason.
@@ -15,7 +15,7 @@ constexpr double kStanding = 1e-6;
 }  // namespace
 
 void RepulsionOptions::validate() const {
-  requireNumbers(*this);
+  config::requireNumbers(*this);
   if (stop_distance >= range)
     throw UsageError("repulsion.stop_distance " + formatDouble(stop_distance) +
                      ": expected less than the range, " + formatDouble(range) + " m");
@@ -51,4 +51,4 @@ RepulsionResult Repulsion::update(double distance, double rate, double own_rate,
   return r;
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -3,7 +3,7 @@
 
 #include "core/config/number_rule.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// SI.
 struct RepulsionOptions {
@@ -19,12 +19,12 @@ struct RepulsionOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("range", o.range, NumberRule{0.0, 10.0, "m", true});
-    visit("force", o.force, NumberRule{0.0, 1e6, "N"});
-    visit("damping", o.damping, NumberRule{0.0, 10.0});
-    visit("mass", o.mass, NumberRule{0.0, 1e4, "kg", true});
-    visit("stop_distance", o.stop_distance, NumberRule{0.0, 10.0, "m"});
-    visit("stop_share", o.stop_share, NumberRule{0.0, 1.0});
+    visit("range", o.range, config::NumberRule{0.0, 10.0, "m", true});
+    visit("force", o.force, config::NumberRule{0.0, 1e6, "N"});
+    visit("damping", o.damping, config::NumberRule{0.0, 10.0});
+    visit("mass", o.mass, config::NumberRule{0.0, 1e4, "kg", true});
+    visit("stop_distance", o.stop_distance, config::NumberRule{0.0, 10.0, "m"});
+    visit("stop_share", o.stop_share, config::NumberRule{0.0, 1.0});
   }
   /// Throws UsageError, also for a stop_distance that is not below the range.
   void validate() const;
@@ -67,4 +67,4 @@ class Repulsion {
   RepulsionOptions o_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::control {
 
 SpeedScale::SpeedScale(const SpeedScaleOptions& options) : o_(options) { options.validate(); }
 
@@ -16,7 +16,8 @@ double SpeedScale::update(std::span<const Approach> pairs, double dt) noexcept {
     // What the pairs before allow is all that is asked of this one.
     const double wanted = allowed * p.robot;
     const bool known = !std::isnan(p.robot) && !std::isnan(p.distance);
-    const double permitted = known ? permittedSpeed(o_.separation, wanted, p.person, p.distance) : 0.0;
+    const double permitted =
+        known ? safety::permittedSpeed(o_.separation, wanted, p.person, p.distance) : 0.0;
     if (known && permitted >= wanted) continue;
     allowed = known ? permitted / p.robot : 0.0;
     slowest_ = static_cast<int>(i);
@@ -29,4 +30,4 @@ double SpeedScale::update(std::span<const Approach> pairs, double dt) noexcept {
   return scale_;
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

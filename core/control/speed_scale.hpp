@@ -5,22 +5,22 @@
 
 #include "core/safety/protective_distance.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 struct SpeedScaleOptions {
   static constexpr const char* kName = "speed";
-  SeparationOptions separation;
+  safety::SeparationOptions separation;
   /// 1/s. Down at once, up at this rate, so that a person at the edge does not make the robot stutter.
   double release{2.0};
   double least{0.02};  ///< shares below count as 0
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    SeparationOptions::eachNumber(o.separation, visit);
-    visit("release", o.release, NumberRule{0.0, 1e6, "1/s", true});
-    visit("least", o.least, NumberRule{0.0, 1.0});
+    safety::SeparationOptions::eachNumber(o.separation, visit);
+    visit("release", o.release, config::NumberRule{0.0, 1e6, "1/s", true});
+    visit("least", o.least, config::NumberRule{0.0, 1.0});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// One pair of a robot's link and a person's part.
@@ -58,4 +58,4 @@ class SpeedScale {
   int slowest_{-1};
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

@@ -5,14 +5,15 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 TorqueLimit::TorqueLimit(const TorqueLimitOptions& options, int dof)
     : gain_(options.gain), cut_(options.cut) {
-  requireNumbers(options);
-  TorqueLimitOptions::eachList(options, [&](const char* name, const JointNumbers& n, const NumberRule& rule) {
-    most_ = forJoints(TorqueLimitOptions::kName, name, n, dof, rule);
-  });
+  config::requireNumbers(options);
+  TorqueLimitOptions::eachList(
+      options, [&](const char* name, const config::JointNumbers& n, const config::NumberRule& rule) {
+        most_ = config::forJoints(TorqueLimitOptions::kName, name, n, dof, rule);
+      });
 }
 
 int TorqueLimit::cut(std::span<double> torque) const noexcept {
@@ -44,4 +45,4 @@ int TorqueLimit::update(std::span<const double> efforts, std::span<double> torqu
   return cut(torque);
 }
 
-}  // namespace abstand
+}  // namespace abstand::control

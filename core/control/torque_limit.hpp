@@ -5,7 +5,7 @@
 
 #include "core/config/number_rule.hpp"
 
-namespace abstand {
+namespace abstand::control {
 
 /// kEach: every joint is cut at its own limit. kTogether: all are scaled down by the same factor, so that the
 /// direction in joint space stays, and with it where the robot yields to.
@@ -13,17 +13,17 @@ enum class TorqueCut { kEach, kTogether };
 
 struct TorqueLimitOptions {
   static constexpr const char* kName = "torque";
-  double gain{1.0};               ///< on the contact efforts; the thesis chose its own by trial
-  JointNumbers limit{kInfinity};  ///< N m or N, of its size, of each joint or one for all
+  double gain{1.0};                       ///< on the contact efforts; the thesis chose its own by trial
+  config::JointNumbers limit{kInfinity};  ///< N m or N, of its size, of each joint or one for all
   TorqueCut cut{TorqueCut::kTogether};
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("gain", o.gain, NumberRule{0.0, 1e6});
+    visit("gain", o.gain, config::NumberRule{0.0, 1e6});
   }
   template <class Self, class Visit>
   static void eachList(Self& o, Visit visit) {
-    visit("limit", o.limit, NumberRule{0.0, kInfinity, "N m or N"});
+    visit("limit", o.limit, config::NumberRule{0.0, kInfinity, "N m or N"});
   }
 };
 
@@ -45,7 +45,7 @@ class TorqueLimit {
  private:
   double gain_;
   TorqueCut cut_;
-  JointNumbers most_;
+  config::JointNumbers most_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::control

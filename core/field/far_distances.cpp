@@ -8,7 +8,7 @@
 
 #include "core/math/four.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 constexpr int kLanes = 4;
@@ -93,7 +93,8 @@ struct FarSites::Search {
   std::size_t depth{0};
 };
 
-FarSites::FarSites(const TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t most_sites) {
+FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most,
+                   std::size_t most_sites) {
   std::vector<Vector3d> sites;
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const auto& triangle : mesh.triangles) {
@@ -164,7 +165,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   Four least = splat(kFar);
   for (std::size_t i = 0; i < n; i += kLanes) {
     const Four g = at(list.power, i) + c.x() * at(list.x, i) + c.y() * at(list.y, i) + c.z() * at(list.z, i);
-    store(g, &search.at_middle[i]);
+    storeFour(g, &search.at_middle[i]);
     least = min(least, g);
   }
   const float nearest = leastOf(least);
@@ -246,4 +247,4 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -5,7 +5,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Points of a mesh from which distances to it follow: corners of its triangles, and of parts of these where
 /// they are large. Let q be the nearest point of the surface to p. It is the foot of p on a part, an edge or
@@ -16,7 +16,7 @@ namespace abstand {
 class FarSites {
  public:
   /// `most`: r at most (m). No sites at all when there would be more than `most_sites`.
-  FarSites(const TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t most_sites);
+  FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t most_sites);
   std::size_t size() const { return x_.size(); }
 
   /// Vertices p = origin + spacing (first + (i, j, k)), i < size.x and so on.
@@ -39,4 +39,4 @@ class FarSites {
   double radius2_{0.0};           ///< largest squared distance from the origin
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

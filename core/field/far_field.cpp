@@ -9,7 +9,7 @@
 #include "core/base/parallel.hpp"
 #include "core/field/far_distances.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 constexpr double kMaxVertices = 5e7;
@@ -27,8 +27,8 @@ constexpr std::size_t kMaxDirectSites = 1000, kSitesPerTriangle = 30;
 
 }  // namespace
 
-FarField::FarField(const Surface& surface, double first_spacing, double reach, int threads) {
-  const Bounds body = surface.bounds();
+FarField::FarField(const geometry::Surface& surface, double first_spacing, double reach, int threads) {
+  const geometry::Bounds body = surface.bounds();
   const double margin = kMargin * first_spacing;
   const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
   if (!((2.0 * half_cells.array() + 1.0).prod() <= kMaxVertices)) {
@@ -71,7 +71,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
   // Levels for which few points stand for the surface.
   std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
   if (surface.shape() == nullptr) {
-    const TriangleMesh mesh = surface.mesh(0.0);
+    const geometry::TriangleMesh mesh = surface.mesh(0.0);
     parallelFor(threads, sites.size(), [&](std::size_t level) {
       sites[level] =
           std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
@@ -95,7 +95,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
     const auto inside = [&](int at, int axis) {
       return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
     };
-    std::uint32_t hint = kNoHint;
+    std::uint32_t hint = geometry::kNoHint;
     for (int k = first; k < first + slices; ++k) {
       for (int j = 0; j < v.n[1]; ++j) {
         for (int step = 0; step < v.n[0]; ++step) {
@@ -103,7 +103,7 @@ FarField::FarField(const Surface& surface, double first_spacing, double reach, i
           const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
           if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
           const Vector3d p = stored_centre + spacingOf(level) * (Vector3d(i, j, k) - half_cells);
-          const SurfacePoint nearest = surface.closest(p, hint);
+          const geometry::SurfacePoint nearest = surface.closest(p, hint);
           hint = nearest.hint;
           values[static_cast<std::size_t>(k - first) * slice_size + static_cast<std::size_t>(j) * row_size +
                  static_cast<std::size_t>(i)] =
@@ -157,4 +157,4 @@ float FarField::lowerBound(float px, float py, float pz) const {
   return std::max(from_ball, d2 > 0.0f ? std::max(0.0f, std::sqrt(d2) - v.rounding[level]) : 0.0f);
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

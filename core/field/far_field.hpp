@@ -6,7 +6,7 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Grids about one centre, all of the same number of vertices and each some times as wide and as coarse as
 /// the one before (kRatio), that hold the distance to the surface at their vertices. d^2 - |p|^2 is a minimum
@@ -48,7 +48,7 @@ class FarField {
   FarField() = default;
   /// `reach`: how far from the body's bounds the grids go at least (m). `first_spacing` and `reach` are
   /// positive. Throws UsageError when the spacing is far too small for the body.
-  FarField(const Surface& surface, double first_spacing, double reach, int threads = 0);
+  FarField(const geometry::Surface& surface, double first_spacing, double reach, int threads = 0);
 
   /// Never above the true unsigned distance from p to the surface (float rounding allowed for). m. Any input
   /// is allowed; 0 for NaN and for an empty field.
@@ -74,4 +74,4 @@ class FarField {
   std::vector<std::uint16_t> values_;  ///< distances in quanta, rounded down
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

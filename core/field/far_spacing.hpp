@@ -3,10 +3,10 @@
 
 #include "core/field/far_field.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// m, for a body of these bounds: so many voxels, or more where a grid would take more vertices.
-inline double farSpacing(const Bounds& body, double voxel_size) {
+inline double farSpacing(const geometry::Bounds& body, double voxel_size) {
   constexpr double kVoxels = 3.0, kMaxVertices = 150'000.0;
   double h = kVoxels * voxel_size;
   const auto vertices = [&] { return (body.extent().array() / h + 2.0 * FarField::kMargin + 1.0).prod(); };
@@ -14,4 +14,4 @@ inline double farSpacing(const Bounds& body, double voxel_size) {
   return h;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

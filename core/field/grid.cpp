@@ -6,9 +6,9 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
-VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
+VoxelGrid makeGrid(const geometry::Bounds& box, double voxel_size, int outer_layers) {
   // An extent that is a multiple of the voxel but for rounding counts as one.
   constexpr double kRounding = 1e-9;
   const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
@@ -29,4 +29,4 @@ VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers) {
   return grid;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

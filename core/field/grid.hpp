@@ -3,7 +3,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Cubes of edge `voxel_size`; voxel (0,0,0) has its centre at `first_centre`. Body frame, metres.
 struct VoxelGrid {
@@ -39,6 +39,6 @@ inline constexpr double kMaxVoxels = 8e9;
 /// The thesis's grid: floor(extent / s) + 1 voxels about the centre of `box`, and `outer_layers` more on
 /// every side. A sphere of 0.05 m at 5 mm with 20 layers: 61 x 61 x 61 [thesis 5.3]. Throws UsageError for
 /// more than kMaxVoxels voxels, saying which voxel size would do.
-VoxelGrid makeGrid(const Bounds& box, double voxel_size, int outer_layers);
+VoxelGrid makeGrid(const geometry::Bounds& box, double voxel_size, int outer_layers);
 
-}  // namespace abstand
+}  // namespace abstand::field

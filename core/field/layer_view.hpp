@@ -1,10 +1,10 @@
-// What a search reads of a voxelmap: plain numbers and pointers. Internal to core/haptic.
+// What a search reads of a voxelmap: plain numbers and pointers. Internal to the engine.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-namespace abstand {
+namespace abstand::field {
 
 /// Blocks of kEdge^3 voxels. A block near the surface keeps the layer of each of its voxels in half a byte:
 /// by how much its steps exceed the least of the block (neighbours differ by one step at most, so by 7 at
@@ -58,4 +58,4 @@ inline LayerOfVoxel layerOf(const LayerView& map, int i, int j, int k) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::field

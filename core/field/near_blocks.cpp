@@ -4,19 +4,19 @@
 #include "core/base/parallel.hpp"
 #include "core/field/grid.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 // Blocks along an edge of the cubes that threads take.
 constexpr int kCubeBlocks = 8;
 
-double distanceToBox(const Bounds& box, const Vector3d& p) {
+double distanceToBox(const geometry::Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
 }
 
 class Classifier {
  public:
-  Classifier(const Surface& surface, const BlockGrid& grid, double outer, double inner,
+  Classifier(const geometry::Surface& surface, const BlockGrid& grid, double outer, double inner,
              std::vector<BlockKind>& kinds)
       : surface_(surface),
         grid_(grid),
@@ -40,7 +40,7 @@ class Classifier {
       if (distanceToBox(body_, centre) > outer_ + kCubeDiagonal * half) {
         kind = BlockKind::kOutside;
       } else {
-        const SurfacePoint nearest = surface_.closest(centre, hint);
+        const geometry::SurfacePoint nearest = surface_.closest(centre, hint);
         hint = nearest.hint;
         // No surface in the cube, so its side is that of its centre.
         if (nearest.distance > std::max(outer_, inner_) + kCubeDiagonal * half)
@@ -71,7 +71,7 @@ class Classifier {
   BlockKind kindOf(const Vector3d& c, int voxels, std::uint32_t& hint) const {
     const double half = 0.5 * voxels * grid_.voxel;
     if (distanceToBox(body_, c) > outer_ + kCubeDiagonal * half) return BlockKind::kOutside;
-    const SurfacePoint nearest = surface_.closest(c, hint);
+    const geometry::SurfacePoint nearest = surface_.closest(c, hint);
     hint = nearest.hint;
     const bool inside = surface_.inside(c, nearest);
     const double band = inside ? inner_ : outer_;
@@ -86,16 +86,16 @@ class Classifier {
     return rest;
   }
 
-  const Surface& surface_;
+  const geometry::Surface& surface_;
   const BlockGrid& grid_;
-  const Bounds body_;
+  const geometry::Bounds body_;
   const double outer_, inner_;
   std::vector<BlockKind>& kinds_;
 };
 
 }  // namespace
 
-std::vector<BlockKind> classifyBlocks(const Surface& surface, const BlockGrid& grid, double outer,
+std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const BlockGrid& grid, double outer,
                                       double inner, int threads) {
   std::vector<BlockKind> kinds(grid.blocks(), BlockKind::kOutside);
   const Vector3i cubes = (grid.size.array() + kCubeBlocks - 1) / kCubeBlocks;
@@ -104,10 +104,10 @@ std::vector<BlockKind> classifyBlocks(const Surface& surface, const BlockGrid& g
     const auto nx = static_cast<std::size_t>(cubes.x()), ny = static_cast<std::size_t>(cubes.y());
     const Vector3i place(static_cast<int>(n % nx), static_cast<int>(n / nx % ny),
                          static_cast<int>(n / (nx * ny)));
-    std::uint32_t hint = kNoHint;
+    std::uint32_t hint = geometry::kNoHint;
     Classifier(surface, grid, outer, inner, kinds).cube(kCubeBlocks * place, kCubeBlocks, halve, hint);
   });
   return kinds;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -6,7 +6,7 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Cubes of kCells voxels, side by side from `origin` on (body frame, m).
 struct BlockGrid {
@@ -36,7 +36,7 @@ enum class BlockKind : std::uint8_t {
 /// Of a watertight body, cubes of many blocks are decided at once where the surface is farther than they are
 /// wide, so the time goes with the surface; others are asked block by block. Any number of threads gives the
 /// same.
-std::vector<BlockKind> classifyBlocks(const Surface& surface, const BlockGrid& grid, double outer,
+std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const BlockGrid& grid, double outer,
                                       double inner, int threads);
 
-}  // namespace abstand
+}  // namespace abstand::field

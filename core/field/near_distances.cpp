@@ -5,7 +5,7 @@
 #include <bit>
 #include <numeric>
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 /// How far float may move the planes of the half-spaces, relative to the spacing and to the body.
@@ -23,7 +23,8 @@ struct Side {
 
 /// Of each vertex the sides whose lower vertex it is, in the order of the slots.
 struct Sides {
-  Sides(const TriangleMesh& mesh, const TriangleTree& tree) : first(mesh.vertices.size() + 1, 0) {
+  Sides(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree)
+      : first(mesh.vertices.size() + 1, 0) {
     const auto each = [&](auto&& fn) {
       for (std::uint32_t s = 0; s < tree.size(); ++s) {
         const auto& t = mesh.triangles[tree.triangle(s)];
@@ -51,10 +52,10 @@ struct Sides {
 
 }  // namespace
 
-NearDistances::NearDistances(const MeshSurface& surface, const Vector3d& origin, double spacing)
+NearDistances::NearDistances(const geometry::MeshSurface& surface, const Vector3d& origin, double spacing)
     : surface_(surface), origin_(origin), middle_(surface.bounds().centre()), spacing_(spacing) {
-  const TriangleMesh mesh = surface.mesh(0.0);
-  const TriangleTree& tree = surface.tree();
+  const geometry::TriangleMesh mesh = surface.mesh(0.0);
+  const geometry::TriangleTree& tree = surface.tree();
   const double size = surface.bounds().extent().norm();
   tolerance_ = static_cast<float>(kPlane * spacing + kPlaneOfBody * size);
   features_.reserve(3 * tree.size());
@@ -154,7 +155,7 @@ NearDistances::List NearDistances::all() const {
 void NearDistances::near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const {
   const Vector3d half = 0.5 * (block.size - Vector3i::Ones()).cast<double>();
   const Vector3d at = place(block.first.cast<double>() + half);
-  const SurfacePoint nearest = surface_.closest(at, hint);
+  const geometry::SurfacePoint nearest = surface_.closest(at, hint);
   hint = nearest.hint;
   const Vector3f c = (at - middle_).cast<float>(), r = (spacing_ * half).cast<float>(),
                  w = (nearest.point - middle_).cast<float>();
@@ -271,7 +272,7 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
           nearest.distance[k][j][i] = std::sqrt(b.distance2[i % 4]);
           nearest.slot[k][j][i] = std::bit_cast<std::uint32_t>(b.slot[i % 4]);
         } else {
-          const SurfacePoint found =
+          const geometry::SurfacePoint found =
               surface_.closest(place((block.first + Vector3i(i, j, k)).cast<double>()));
           nearest.distance[k][j][i] = static_cast<float>(found.distance);
           nearest.slot[k][j][i] = found.hint;
@@ -281,4 +282,4 @@ void NearDistances::distances(const Block& block, const List& list, Nearest& nea
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -7,7 +7,7 @@
 #include "core/geometry/mesh_surface.hpp"
 #include "core/math/four.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Features of a mesh (faces, edges and vertices), to find which of them are nearest to the vertices of a
 /// block of a grid. The nearest point q of the surface to p is the foot of p on a feature, and p lies where
@@ -26,7 +26,7 @@ class NearDistances {
   static constexpr int kMaxSize = 5;  ///< of a block whose distances are asked, along an axis
 
   /// The surface must outlive this object.
-  NearDistances(const MeshSurface& surface, const Vector3d& origin, double spacing);
+  NearDistances(const geometry::MeshSurface& surface, const Vector3d& origin, double spacing);
 
   /// All features.
   List all() const;
@@ -64,7 +64,7 @@ class NearDistances {
   void addFeature(Kind kind, std::uint32_t slot, const Vector3d& centre, double radius, std::uint32_t first);
   Vector3d place(const Vector3d& vertex) const { return origin_ + spacing_ * vertex; }
 
-  const MeshSurface& surface_;
+  const geometry::MeshSurface& surface_;
   Vector3d origin_, middle_;
   double spacing_;
   float tolerance_;  ///< m, for half-spaces
@@ -73,4 +73,4 @@ class NearDistances {
   std::vector<HalfSpaces> half_spaces_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

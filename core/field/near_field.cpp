@@ -13,7 +13,7 @@
 #include "core/field/field_quanta.hpp"
 #include "core/field/near_distances.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 constexpr int kCells = NearField::kCells;
@@ -54,11 +54,11 @@ struct Neighbours {
 // sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`:
 // the nearest point of the surface to vertex (i, j, k), which lies at p.
 template <class NearestAt>
-void fillBlock(const Surface& surface, const Neighbours& neighbours, const Vector3d& origin, double h,
-               double rounding, NearestAt&& nearest_at, float* values) {
+void fillBlock(const geometry::Surface& surface, const Neighbours& neighbours, const Vector3d& origin,
+               double h, double rounding, NearestAt&& nearest_at, float* values) {
   const bool closed = surface.watertight();
   const std::uint32_t self = neighbours.block[0][0][0];
-  SurfacePoint nearest{origin, -1.0, kNoHint};
+  geometry::SurfacePoint nearest{origin, -1.0, geometry::kNoHint};
   Vector3d before = origin;
   bool inside = false;
   int i = 0, j = 0, di = 1, dj = 1;
@@ -129,7 +129,7 @@ void forRegions(const NearDistances& distances, const Region& region, int most, 
 // The distances of a block's vertices, as far as it has to know them: those on its far sides only where a
 // neighbour that owns them is not kept.
 void measureBlock(const NearDistances& distances, const Region& block, const Neighbours& neighbours,
-                  std::uint32_t& hint, SurfacePoint (*nearest)[kVertices][kVertices]) {
+                  std::uint32_t& hint, geometry::SurfacePoint (*nearest)[kVertices][kVertices]) {
   constexpr int kPart = kCells / 2;
   static_assert(kPart + 1 <= NearDistances::kMaxSize);
   Vector3i rim = Vector3i::Zero();
@@ -174,7 +174,7 @@ void copyFromOwners(const Neighbours& neighbours, const Value* all_values, Value
 
 }  // namespace
 
-NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads,
+NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, double band, int threads,
                      std::size_t whole_inside)
     : grid_(grid) {
   const double h = grid.voxel_size;
@@ -200,7 +200,7 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
   const double rounding =
       8.0 * kFloatEpsilon *
       (origin.cwiseAbs().cwiseMax(end.cwiseAbs()).maxCoeff() + 2.0 * (end - origin).norm());
-  const Bounds body = surface.bounds();
+  const geometry::Bounds body = surface.bounds();
   std::vector<BlockKind> kinds(all, BlockKind::kNear);
   if (std::isfinite(band)) kinds = classifyBlocks(surface, cubes, band, kInnerBand * step, threads);
   const auto inside = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kDeep));
@@ -250,7 +250,7 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
     }
     return neighbours;
   };
-  const auto* mesh = dynamic_cast<const MeshSurface*>(&surface);
+  const auto* mesh = dynamic_cast<const geometry::MeshSurface*>(&surface);
   if (mesh == nullptr) {
     parallelFor(threads, kept.size(), [&](std::size_t n) {
       store(n, [&](float* to) {
@@ -266,13 +266,13 @@ NearField::NearField(const Surface& surface, const VoxelGrid& grid, double band,
       return block_index_[cubes.indexOf(block)] < kDeepBlock;
     };
     std::vector<Region> regions;
-    std::uint32_t first_hint = kNoHint;
+    std::uint32_t first_hint = geometry::kNoHint;
     const Region whole{Vector3i::Zero(), Vector3i(blocks_[0], blocks_[1], blocks_[2]), distances.all()};
     forRegions(distances, whole, kTogether, isKept, first_hint,
                [&](const Region& r) { regions.push_back(r); });
     parallelFor(threads, regions.size(), [&](std::size_t r) {
-      std::uint32_t hint = kNoHint;
-      const auto nearest = std::make_unique<SurfacePoint[][kVertices][kVertices]>(kVertices);
+      std::uint32_t hint = geometry::kNoHint;
+      const auto nearest = std::make_unique<geometry::SurfacePoint[][kVertices][kVertices]>(kVertices);
       forRegions(distances, regions[r], 1, isKept, hint, [&](const Region& block) {
         const std::size_t b = cubes.indexOf(block.first);
         const Neighbours neighbours = neighboursOf(b);
@@ -387,4 +387,4 @@ std::size_t NearField::memoryBytes() const {
          block_index_.capacity() * sizeof(std::uint32_t);
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

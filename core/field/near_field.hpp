@@ -8,7 +8,7 @@
 #include "core/field/near_blocks.hpp"
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Signed distances (positive outside) at the corners of a grid's voxels, in blocks of 8 x 8 x 8 voxels (9^3
 /// vertices, so that a sample never leaves its block). Dense: every block of the grid is there. Sparse: only
@@ -51,7 +51,7 @@ class NearField {
   /// `band` (m): outside the body, blocks farther than this from the surface are left out; infinity: dense.
   /// `whole_inside` (bytes): up to which size of the field all blocks inside carry samples. Throws UsageError
   /// when the blocks would take more than 2 GB.
-  NearField(const Surface& surface, const VoxelGrid& grid, double band, int threads = 0,
+  NearField(const geometry::Surface& surface, const VoxelGrid& grid, double band, int threads = 0,
             std::size_t whole_inside = kWholeInsideBytes);
 
   /// Trilinear signed distance (m) and its gradient (unit-less, not normalised). False when p lies in no
@@ -116,7 +116,7 @@ class NearField {
   Cell anyCellOf(float px, float py, float pz) const;
   Cell deepCellOf(float px, float py, float pz) const;
   float steepest(int threads) const;
-  void measureDeep(const Surface& surface, const BlockGrid& grid, double rounding, int threads);
+  void measureDeep(const geometry::Surface& surface, const BlockGrid& grid, double rounding, int threads);
 
   VoxelGrid grid_;
   float ox_{0}, oy_{0}, oz_{0}, inv_h_{0};
@@ -156,4 +156,4 @@ inline bool NearField::sample(float px, float py, float pz, float& distance) con
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -7,11 +7,12 @@
 #include "core/field/field_quanta.hpp"
 #include "core/field/near_field.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 // The corners of deep blocks, row by row, so that each is near the one before it: its nearest triangle is a
 // good hint.
-void NearField::measureDeep(const Surface& surface, const BlockGrid& grid, double rounding, int threads) {
+void NearField::measureDeep(const geometry::Surface& surface, const BlockGrid& grid, double rounding,
+                            int threads) {
   const Vector3i n = grid.size.array() + 1;
   const auto at = [&](int i, int j, int k) { return (std::size_t(k) * n.y() + j) * n.x() + i; };
   std::vector<float> distance(at(0, 0, n.z()), 0.0f);
@@ -25,11 +26,11 @@ void NearField::measureDeep(const Surface& surface, const BlockGrid& grid, doubl
   };
   parallelFor(threads, std::size_t(n.y()) * n.z(), [&](std::size_t row) {
     const int j = static_cast<int>(row) % n.y(), k = static_cast<int>(row) / n.y();
-    std::uint32_t hint = kNoHint;
+    std::uint32_t hint = geometry::kNoHint;
     for (int i = 0; i < n.x(); ++i) {
       if (!wanted(i, j, k)) continue;
       const Vector3d p = grid.corner({i, j, k});
-      const SurfacePoint nearest = surface.closest(p, hint);
+      const geometry::SurfacePoint nearest = surface.closest(p, hint);
       hint = nearest.hint;
       // Of a watertight body all corners of deep blocks are inside.
       const bool inside = surface.watertight() || surface.inside(p, nearest);
@@ -80,4 +81,4 @@ bool NearField::deep(float px, float py, float pz) const {
   return !deep_.empty() && deepCellOf(px, py, pz).values != nullptr;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -1,4 +1,4 @@
-// Blocks of a voxelmap, packed. Internal to core/haptic.
+// Blocks of a voxelmap, packed. Internal to the engine.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "core/field/layer_view.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Half a byte a voxel (LayerView), block after block.
 struct PackedLayers {
@@ -39,4 +39,4 @@ struct PackedLayers {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -1,9 +1,9 @@
-// Cells of a grid that form a box. Internal to core/haptic.
+// Cells of a grid that form a box. Internal to the engine.
 #pragma once
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Voxels, blocks or tiles with first <= v < first + size. Numbered with x running first, then y, then z.
 struct VoxelBox {
@@ -36,4 +36,4 @@ struct VoxelBox {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::field {
 
 void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps) {
   const int nx = size.x(), ny = size.y(), nz = size.z();
@@ -40,4 +40,4 @@ void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 inline constexpr std::int16_t kMaxSteps = std::numeric_limits<std::int16_t>::max();
 
@@ -17,4 +17,4 @@ inline constexpr std::int16_t kMaxSteps = std::numeric_limits<std::int16_t>::max
 /// Pictures (1968).
 void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps);
 
-}  // namespace abstand
+}  // namespace abstand::field

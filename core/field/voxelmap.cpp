@@ -8,9 +8,9 @@
 #include "core/field/voxel_steps.hpp"
 #include "core/field/voxelmap_sides.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
-Voxelmap::Voxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads,
+Voxelmap::Voxelmap(const geometry::Surface& surface, double voxel_size, int outer_layers, int threads,
                    std::size_t most_exact) {
   constexpr int kEdge = LayerView::kEdge;
   grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
@@ -23,7 +23,7 @@ Voxelmap::Voxelmap(const Surface& surface, double voxel_size, int outer_layers, 
     makeInTiles(surface, outer_layers, threads);
 }
 
-void Voxelmap::makeWhole(const Surface& surface, int outer_layers, int threads) {
+void Voxelmap::makeWhole(const geometry::Surface& surface, int outer_layers, int threads) {
   const VoxelSides sides = findVoxelSides(surface, grid.voxel_size, threads);
   surface_voxels = sides.surface_voxels;
   solid_voxels = sides.solid_voxels;
@@ -77,4 +77,4 @@ std::size_t Voxelmap::memoryBytes() const {
          (least_steps_.capacity() + corner_steps_.capacity()) * sizeof(std::int16_t) + packed_.capacity();
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -8,7 +8,7 @@
 #include "core/field/layer_view.hpp"
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 /// Layer of each voxel: 0 where the surface passes through (separating-axis test of triangle and cube),
 /// +k for the k-th layer inside, -k for the k-th layer outside [thesis 2.2]. Layers are counted by
@@ -30,7 +30,7 @@ class Voxelmap {
   /// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.
   /// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
   /// voxelmap_sides.hpp.
-  Voxelmap(const Surface& surface, double voxel_size, int outer_layers, int threads = 0,
+  Voxelmap(const geometry::Surface& surface, double voxel_size, int outer_layers, int threads = 0,
            std::size_t most_exact = kMaxExactVoxels);
 
   /// Of a voxel of the grid.
@@ -48,8 +48,8 @@ class Voxelmap {
   }
 
  private:
-  void makeWhole(const Surface& surface, int outer_layers, int threads);
-  void makeInTiles(const Surface& surface, int outer_layers, int threads);
+  void makeWhole(const geometry::Surface& surface, int outer_layers, int threads);
+  void makeInTiles(const geometry::Surface& surface, int outer_layers, int threads);
 
   Vector3i blocks_{Vector3i::Zero()};
   std::vector<std::int32_t> block_index_;
@@ -58,4 +58,4 @@ class Voxelmap {
   std::vector<std::int16_t> corner_steps_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -5,7 +5,7 @@
 #include "core/base/parallel.hpp"
 #include "core/field/voxelmap_sides.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 // Parts of a voxel: below it, cube and shape touch.
@@ -15,13 +15,13 @@ constexpr double kShapeTouch = 1e-9;
 // distance at c. The signed distance of a convex solid is convex, so over the cube it is greatest at a
 // corner; whether it comes down to 0 is decided by alternating projections between cube and solid, which
 // converge to the shortest way between the two (Cheney, Goldstein 1959).
-bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) {
+bool surfaceMeets(const geometry::Shape& shape, const Vector3d& c, double half, double d) {
   const double touch = kShapeTouch * half;
   if (std::abs(d) <= half) return true;
   bool any_inside = d <= touch, any_outside = d >= -touch;
   for (int i = 0; i < 8; ++i) {
     const Vector3d corner = c + half * Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    const double at_corner = distanceTo(shape, corner).distance;
+    const double at_corner = geometry::distanceTo(shape, corner).distance;
     any_inside = any_inside || at_corner <= touch;
     any_outside = any_outside || at_corner >= -touch;
   }
@@ -30,7 +30,7 @@ bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) 
   constexpr int kMaxSteps = 64;
   Vector3d p = c;
   for (int step = 0; step < kMaxSteps; ++step) {
-    const ShapeDistance at = distanceTo(shape, p);
+    const geometry::ShapeDistance at = geometry::distanceTo(shape, p);
     if (at.distance <= touch) return true;
     // The solid lies behind the plane through `nearest` across the way to p. When all of the cube lies before
     // it, the two are apart.
@@ -44,7 +44,8 @@ bool surfaceMeets(const Shape& shape, const Vector3d& c, double half, double d) 
 
 }  // namespace
 
-void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side) {
+void markShape(const geometry::Shape& shape, const VoxelGrid& grid, int threads,
+               std::vector<std::int8_t>& side) {
   const double s = grid.voxel_size;
   const double half_diagonal = 0.5 * std::sqrt(3.0) * s * (1.0 + kShapeTouch);
   parallelFor(threads, grid.size.z(), [&](std::size_t slice) {
@@ -52,7 +53,7 @@ void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vect
     for (int j = 0; j < grid.size.y(); ++j) {
       for (int i = 0; i < grid.size.x();) {
         const Vector3d c = grid.centre(i, j, k);
-        const double d = distanceTo(shape, c).distance;
+        const double d = geometry::distanceTo(shape, c).distance;
         std::int8_t value = kVoxelSurface;
         int run = 1;
         if (std::abs(d) > half_diagonal) {
@@ -69,4 +70,4 @@ void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vect
   });
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -6,7 +6,7 @@
 #include "core/base/parallel.hpp"
 #include "core/geometry/mesh_surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 constexpr std::int8_t kUnknown = 2;
@@ -70,8 +70,8 @@ class Pieces {
   std::vector<std::size_t> seeds_;
 };
 
-bool mostlyInside(const Surface& surface, const Pieces& pieces, const std::vector<Pieces::Run>& piece,
-                  std::size_t asked) {
+bool mostlyInside(const geometry::Surface& surface, const Pieces& pieces,
+                  const std::vector<Pieces::Run>& piece, std::size_t asked) {
   std::size_t size = 0;
   for (const Pieces::Run& run : piece) size += run.count;
   const std::size_t step = std::max<std::size_t>(1, size / asked);
@@ -85,7 +85,7 @@ bool mostlyInside(const Surface& surface, const Pieces& pieces, const std::vecto
   return votes > 0;
 }
 
-void fillEnclosed(const Surface& surface, const VoxelGrid& grid, std::vector<std::int8_t>& side) {
+void fillEnclosed(const geometry::Surface& surface, const VoxelGrid& grid, std::vector<std::int8_t>& side) {
   Pieces pieces(grid, side);
   constexpr std::size_t kVotes = 31;
   for (std::size_t v = 0; v < side.size(); ++v) {
@@ -97,7 +97,8 @@ void fillEnclosed(const Surface& surface, const VoxelGrid& grid, std::vector<std
   }
 }
 
-void fillPieces(const Surface& surface, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side) {
+void fillPieces(const geometry::Surface& surface, const VoxelGrid& grid, int threads,
+                std::vector<std::int8_t>& side) {
   Pieces pieces(grid, side);
   const bool watertight = surface.watertight();
   for (std::size_t v = 0; v < side.size(); ++v) {
@@ -124,11 +125,11 @@ VoxelCounts count(const std::vector<std::int8_t>& side) {
 
 }  // namespace
 
-VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads) {
+VoxelSides findVoxelSides(const geometry::Surface& surface, double voxel_size, int threads) {
   VoxelSides sides;
   sides.grid = makeGrid(surface.bounds(), voxel_size, 0);
   sides.side.assign(sides.grid.cells(), kUnknown);
-  if (const Shape* shape = surface.shape()) {
+  if (const geometry::Shape* shape = surface.shape()) {
     markShape(*shape, sides.grid, threads, sides.side);
   } else {
     markTriangles(surface.mesh(0.0), sides.grid, threads, sides.side);
@@ -140,21 +141,23 @@ VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads
   return sides;
 }
 
-void findSidesOfPart(const Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side) {
+void findSidesOfPart(const geometry::Surface& surface, const VoxelGrid& part,
+                     std::vector<std::int8_t>& side) {
   side.assign(part.cells(), kUnknown);
-  if (const Shape* shape = surface.shape()) return markShape(*shape, part, 1, side);
-  const auto& mesh = dynamic_cast<const MeshSurface&>(surface);
+  if (const geometry::Shape* shape = surface.shape()) return markShape(*shape, part, 1, side);
+  const auto& mesh = dynamic_cast<const geometry::MeshSurface&>(surface);
   const Vector3d reach = Vector3d::Constant(part.voxel_size);
   const Vector3i last = part.size.array() - 1;
-  const Bounds box{part.first_centre - reach, part.centre(last.x(), last.y(), last.z()) + reach};
+  const geometry::Bounds box{part.first_centre - reach, part.centre(last.x(), last.y(), last.z()) + reach};
   mesh.tree().forOverlapping(box, [&](std::uint32_t slot) {
-    TriangleCorners t;
+    geometry::TriangleCorners t;
     if (mesh.triangle(slot, t)) markTriangle({t[0], t[1], t[2]}, part, side);
   });
   fillEnclosed(surface, part, side);
 }
 
-VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, std::size_t most_at_once) {
+VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int threads,
+                        std::size_t most_at_once) {
   const VoxelGrid grid = makeGrid(surface.bounds(), voxel_size, 0);
   if (grid.cells() <= most_at_once) {
     const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
@@ -164,7 +167,7 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
   const Vector3i cubes = (grid.size.array() + kEdge - 1) / kEdge;
   std::vector<VoxelCounts> of_row(static_cast<std::size_t>(cubes.y()) * static_cast<std::size_t>(cubes.z()));
   parallelFor(threads, of_row.size(), [&](std::size_t row) {
-    std::uint32_t hint = kNoHint;
+    std::uint32_t hint = geometry::kNoHint;
     std::vector<std::int8_t> side;
     for (int i = 0; i < cubes.x(); ++i) {
       const Vector3i first =
@@ -173,7 +176,7 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
                      (grid.size - first).cwiseMin(Vector3i::Constant(kEdge))};
       const Vector3d middle =
           cube.first_centre + 0.5 * voxel_size * (cube.size.array() - 1).matrix().cast<double>();
-      const SurfacePoint nearest = surface.closest(middle, hint);
+      const geometry::SurfacePoint nearest = surface.closest(middle, hint);
       hint = nearest.hint;
       VoxelCounts counts;
       // One voxel more: a surface beside a cube decides about none of its voxels.
@@ -193,4 +196,4 @@ VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads, 
   return all;
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

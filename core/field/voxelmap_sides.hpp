@@ -8,7 +8,7 @@
 #include "core/field/grid.hpp"
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::field {
 
 inline constexpr std::int8_t kVoxelOutside = -1;
 inline constexpr std::int8_t kVoxelSurface = 0;
@@ -27,11 +27,11 @@ struct VoxelSides {
 /// the piece that reaches the grid's rim is outside, each other one is asked once. Where the mesh is not
 /// watertight, an enclosed piece is asked at several voxels and the majority counts, and every voxel of the
 /// piece at the rim is asked, as it may reach inside through a hole.
-VoxelSides findVoxelSides(const Surface& surface, double voxel_size, int threads);
+VoxelSides findVoxelSides(const geometry::Surface& surface, double voxel_size, int threads);
 
 /// Sets `side` for a part of a larger grid, whose surface may end anywhere at the part's rim: each piece of
 /// the part is asked as an enclosed piece is. On the calling thread.
-void findSidesOfPart(const Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side);
+void findSidesOfPart(const geometry::Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side);
 
 /// How many voxels those are.
 struct VoxelCounts {
@@ -42,16 +42,17 @@ struct VoxelCounts {
 /// that the surface comes near to are looked at in detail. In these each piece of a cube is asked as an
 /// enclosed piece is.
 inline constexpr std::size_t kMaxVoxelsAtOnce = 64'000'000;
-VoxelCounts countVoxels(const Surface& surface, double voxel_size, int threads,
+VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int threads,
                         std::size_t most_at_once = kMaxVoxelsAtOnce);
 
 /// Sets side to kVoxelSurface where a triangle passes through the voxel.
-void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,
+void markTriangles(const geometry::TriangleMesh& mesh, const VoxelGrid& grid, int threads,
                    std::vector<std::int8_t>& side);
 /// The same for one triangle.
 void markTriangle(const std::array<Vector3d, 3>& triangle, const VoxelGrid& grid,
                   std::vector<std::int8_t>& side);
 /// Sets all of side.
-void markShape(const Shape& shape, const VoxelGrid& grid, int threads, std::vector<std::int8_t>& side);
+void markShape(const geometry::Shape& shape, const VoxelGrid& grid, int threads,
+               std::vector<std::int8_t>& side);
 
-}  // namespace abstand
+}  // namespace abstand::field

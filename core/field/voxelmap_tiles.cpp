@@ -9,7 +9,7 @@
 #include "core/field/voxelmap.hpp"
 #include "core/field/voxelmap_sides.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 constexpr int kEdge = LayerView::kEdge;
@@ -27,7 +27,7 @@ struct Tile {
 
 }  // namespace
 
-void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads) {
+void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, int threads) {
   const Vector3i zero = Vector3i::Zero();
   const VoxelBox blocks{zero, blocks_}, corners{zero, blocks_.array() + 1};
   corner_steps_.assign(corners.count(), kMaxSteps);
@@ -56,7 +56,7 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
                          grid.voxel_size, seen_solid.size};
     const Vector3d half = 0.5 * grid.voxel_size * (part.size.array() - 1).matrix().cast<double>();
     const Vector3d middle = part.first_centre + half;
-    const SurfacePoint nearest = surface.closest(middle);
+    const geometry::SurfacePoint nearest = surface.closest(middle);
     // A voxel's diagonal more: a surface beside the box decides about none of its voxels.
     if (nearest.distance > half.norm() + kCubeDiagonal * grid.voxel_size)
       return allFar(surface.inside(middle, nearest));
@@ -121,4 +121,4 @@ void Voxelmap::makeInTiles(const Surface& surface, int outer_layers, int threads
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

@@ -7,7 +7,7 @@
 #include "core/base/parallel.hpp"
 #include "core/field/voxelmap_sides.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 // In voxels: how far triangle and cube may be apart and still touch.
@@ -90,7 +90,7 @@ void markTriangle(const std::array<Vector3d, 3>& triangle, const VoxelGrid& grid
   });
 }
 
-void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,
+void markTriangles(const geometry::TriangleMesh& mesh, const VoxelGrid& grid, int threads,
                    std::vector<std::int8_t>& side) {
   constexpr std::size_t kBatch = 512;
   parallelFor(threads, (mesh.triangles.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
@@ -100,4 +100,4 @@ void markTriangles(const TriangleMesh& mesh, const VoxelGrid& grid, int threads,
   });
 }
 
-}  // namespace abstand
+}  // namespace abstand::field

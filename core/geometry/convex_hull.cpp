@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 struct CloseFile {
@@ -65,4 +65,4 @@ std::optional<ConvexHull> convexHull(const std::vector<Vector3d>& points) {
   return hull;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

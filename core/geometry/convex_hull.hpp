@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// As an intersection of half-spaces: p is inside where normal . p + offset <= 0 for all of them.
 struct ConvexHull {
@@ -24,4 +24,4 @@ struct ConvexHull {
 /// a plane but for rounding.
 std::optional<ConvexHull> convexHull(const std::vector<Vector3d>& points);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

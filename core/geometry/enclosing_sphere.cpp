@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 /// Relative; a point outside by less than this does not change the basis.
@@ -91,4 +91,4 @@ EnclosingSphere minimalSphere(const std::vector<Vector3d>& points) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Centre and radius (m).
 struct EnclosingSphere {
@@ -18,4 +18,4 @@ struct EnclosingSphere {
 /// within about 1e-12 of itself. No points: radius 0 about the origin.
 EnclosingSphere minimalSphere(const std::vector<Vector3d>& points);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

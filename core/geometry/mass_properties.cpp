@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 /// Below this part of (area)^(3/2) a volume is rounding noise of a flat mesh.
@@ -65,4 +65,4 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Of a solid of density 1 kg/m^3, in the body's frame. Times a density: mass and inertia.
 struct MassProperties {
@@ -22,4 +22,4 @@ MassProperties massProperties(const TriangleMesh& mesh);
 /// cones from the centre of its bounds.
 double signedVolume(const TriangleMesh& mesh);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace abstand {
+namespace abstand::geometry {
 
 std::vector<Vector3d> pieces(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
@@ -25,4 +25,4 @@ std::vector<Vector3d> pieces(const TriangleMesh& mesh) {
   return found;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 // A triangle without area has no normal. Relative to the square of its longest edge, so that units do not
@@ -82,4 +82,4 @@ std::unique_ptr<Surface> makeSurface(TriangleMesh mesh) {
   return std::make_unique<MeshSurface>(std::move(mesh));
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

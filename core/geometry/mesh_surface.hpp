@@ -5,7 +5,7 @@
 #include "core/geometry/surface.hpp"
 #include "core/geometry/winding_number.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Nearest points by a box tree; inside and outside as Surface::inside says. The hint of an answer is a slot
 /// of the tree.
@@ -27,7 +27,7 @@ class MeshSurface final : public Surface {
   bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const override;
   bool triangle(std::uint32_t hint, TriangleCorners& corners) const override;
   Bounds bounds() const override { return bounds_; }
-  MassProperties massProperties() const override { return abstand::massProperties(mesh_); }
+  MassProperties massProperties() const override { return abstand::geometry::massProperties(mesh_); }
   double area() const override { return surfaceArea(mesh_); }
   TriangleMesh mesh(double) const override { return mesh_; }
   bool watertight() const override { return sides_.watertight(); }
@@ -46,4 +46,4 @@ class MeshSurface final : public Surface {
   MeshSides sides_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 // Gaps below this part of the triangles' size are touching.
@@ -75,4 +75,4 @@ bool cutEachOther(const CutTriangle& s, const CutTriangle& t) {
          crosses(t.corner[(it + 1) % 3], t.corner[(it + 2) % 3], s);
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 struct CutTriangle {
   std::array<std::uint32_t, 3> vertex;
@@ -16,4 +16,4 @@ struct CutTriangle {
 /// never cut each other.
 bool cutEachOther(const CutTriangle& s, const CutTriangle& t);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

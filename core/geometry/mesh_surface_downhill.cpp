@@ -1,7 +1,7 @@
 // From triangle to triangle towards a point.
 #include "core/geometry/mesh_surface_sides.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 constexpr int kSteps = 256;  // far more than what bodies move between two queries
@@ -50,4 +50,4 @@ TriangleTree::Nearest MeshSides::downhill(const TriangleMesh& mesh, const Triang
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

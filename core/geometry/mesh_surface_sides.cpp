@@ -6,7 +6,7 @@
 
 #include "core/geometry/mesh_surface_cut.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 MeshSides::MeshSides(const TriangleMesh& mesh, const TriangleTree& tree, const WindingNumber& winding) {
   slots_.resize(tree.size());
@@ -140,4 +140,4 @@ bool MeshSides::behind(const TriangleTree::Nearest& nearest, const Vector3d& p) 
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include "core/geometry/winding_number.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Neighbours and angle-weighted normals of a mesh's edges and vertices. Constant after construction.
 class MeshSides {
@@ -46,4 +46,4 @@ class MeshSides {
   std::vector<Vector3d> vertex_normals_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::geometry

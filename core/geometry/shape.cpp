@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 template <class... F>
@@ -206,4 +206,4 @@ MassProperties massProperties(const Shape& shape) {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

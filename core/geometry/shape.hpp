@@ -8,7 +8,7 @@
 
 #include "core/geometry/mass_properties.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 struct Sphere {
   double radius;
@@ -67,4 +67,4 @@ inline constexpr std::size_t kMaxTessellation = 4'000'000;
 /// Throws UsageError when `sagitta` is not positive, or so small that it takes kMaxTessellation.
 TriangleMesh tessellate(const Shape& shape, double sagitta);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

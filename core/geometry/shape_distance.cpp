@@ -4,7 +4,7 @@
 
 #include "core/geometry/shape.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 /// Newton steps shorter than this part of the unknown are rounding noise.
@@ -147,4 +147,4 @@ ShapeDistance distanceTo(const Shape& shape, const Vector3d& p) {
   return std::visit([&](const auto& s) { return distance(s, p); }, shape);
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

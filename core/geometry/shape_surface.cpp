@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::geometry {
 
 ShapeSurface::ShapeSurface(const Shape& shape) : shape_(shape) { validate(shape); }
 
@@ -17,11 +17,11 @@ bool ShapeSurface::inside(const Vector3d& p) const { return distanceTo(shape_, p
 bool ShapeSurface::inside(const Vector3d&, const SurfacePoint& closest_to_p) const {
   return closest_to_p.hint == 1u;
 }
-Bounds ShapeSurface::bounds() const { return abstand::bounds(shape_); }
-MassProperties ShapeSurface::massProperties() const { return abstand::massProperties(shape_); }
+Bounds ShapeSurface::bounds() const { return abstand::geometry::bounds(shape_); }
+MassProperties ShapeSurface::massProperties() const { return abstand::geometry::massProperties(shape_); }
 double ShapeSurface::area() const { return surfaceArea(shape_); }
 TriangleMesh ShapeSurface::mesh(double sagitta) const { return tessellate(shape_, sagitta); }
 
 std::unique_ptr<Surface> makeSurface(const Shape& shape) { return std::make_unique<ShapeSurface>(shape); }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -3,7 +3,7 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Everything in closed form (core/geometry/shape.hpp); hints are not needed.
 class ShapeSurface final : public Surface {
@@ -26,4 +26,4 @@ class ShapeSurface final : public Surface {
   Shape shape_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::geometry

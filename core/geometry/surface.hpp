@@ -7,7 +7,7 @@
 #include "core/geometry/shape.hpp"
 #include "core/geometry/triangle_pair.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 inline constexpr std::uint32_t kNoHint = 0xffffffffu;
 
@@ -60,4 +60,4 @@ std::unique_ptr<Surface> makeSurface(const Shape& shape);
 /// coordinates that are not finite.
 std::unique_ptr<Surface> makeSurface(TriangleMesh mesh);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -7,7 +7,7 @@
 #include "core/base/number.hpp"
 #include "core/geometry/shape.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 using Ring = std::vector<std::uint32_t>;
@@ -273,4 +273,4 @@ TriangleMesh tessellate(const Shape& shape, double sagitta) {
   return std::visit([&](const auto& s) { return make(s, sagitta); }, shape);
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

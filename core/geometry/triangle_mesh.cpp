@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
@@ -119,4 +119,4 @@ TriangleMesh weld(const TriangleMesh& mesh, double tolerance) {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Triangles over shared vertices, metres, in the body's own frame; counter-clockwise seen from
 /// outside, so that (v1 - v0) x (v2 - v0) points outwards.
@@ -44,4 +44,4 @@ double surfaceArea(const TriangleMesh& mesh);
 /// moves by more than the tolerance. Vertices are numbered in the order in which triangles use them.
 TriangleMesh weld(const TriangleMesh& mesh, double tolerance);
 
-}  // namespace abstand
+}  // namespace abstand::geometry

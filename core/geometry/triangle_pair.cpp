@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 struct Best {
@@ -54,4 +54,4 @@ NearestPair nearestPoints(const TriangleCorners& a, const TriangleCorners& b) no
   return {best.on_a, best.on_b, std::sqrt(best.d2)};
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 using TriangleCorners = std::array<Vector3d, 3>;
 
@@ -20,4 +20,4 @@ struct NearestPair {
 /// allocation, no throw; pure.
 NearestPair nearestPoints(const TriangleCorners& a, const TriangleCorners& b) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::geometry

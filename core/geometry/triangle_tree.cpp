@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
@@ -389,4 +389,4 @@ TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hin
   return closestOn(best_slot, p);
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -8,7 +8,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/math/four.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// Which part of a triangle a point lies on. Corner i is the triangle's first (A), second (B) or third (C)
 /// corner in the order of TriangleTree::corners; edge i runs from corner i to the next.
@@ -129,4 +129,4 @@ void TriangleTree::forOverlapping(const Bounds& box, Fn&& fn) const {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

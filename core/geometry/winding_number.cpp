@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 // Solid angle of a triangle over 4 pi (Van Oosterom, Strackee 1983), positive seen from inside.
@@ -109,4 +109,4 @@ double WindingNumber::exactAt(const Vector3d& p, std::uint32_t without) const {
   return sum;
 }
 
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -5,7 +5,7 @@
 
 #include "core/geometry/triangle_tree.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 
 /// How often the mesh winds round a point (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside a closed mesh, 0
 /// outside, in between near the holes of an open one. Far clusters of triangles count as one dipole each
@@ -53,4 +53,4 @@ class WindingNumber {
   std::vector<Corners> corners_;  ///< by slot
 };
 
-}  // namespace abstand
+}  // namespace abstand::geometry

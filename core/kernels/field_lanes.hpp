@@ -1,10 +1,10 @@
-// Eight look-ups in a distance field at once. Internal to core/haptic; included by the kernels only.
+// Eight look-ups in a distance field at once. Internal to the engine; included by the kernels only.
 #pragma once
 
 #include "core/kernels/field_view.hpp"
 #include "core/kernels/lanes.hpp"
 
-namespace abstand {
+namespace abstand::kernels {
 namespace {
 
 struct Point8 {
@@ -19,7 +19,7 @@ struct Distance8 {
 inline Float8 between(Float8 t, Float8 a, Float8 b) { return multiplyAdd(t, b - a, a); }
 
 /// The far field at any points; NaN gives 0.
-inline Distance8 farAt(const FarField::View& v, const Point8& p) {
+inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   const Float8 x = p.x - splat(v.centre[0]), y = p.y - splat(v.centre[1]), z = p.z - splat(v.centre[2]);
   const Float8 r =
       max(max(abs(x) * splat(v.inv_half[0]), abs(y) * splat(v.inv_half[1])), abs(z) * splat(v.inv_half[2]));
@@ -51,10 +51,11 @@ inline Distance8 farAt(const FarField::View& v, const Point8& p) {
   const Float8 plain = between(tz, between(ty, d00, d10), between(ty, d01, d11)) * sqrt(q2);
   const Float8 one = splat(1.0f), zero = splat(0.0f);
   const Float8 loss = h2 * multiplyAdd(tx, one - tx, multiplyAdd(ty, one - ty, tz * (one - tz)));
-  const Float8 summed = sum - splat(FarField::kSummed) * multiplyAdd(splat(4.0f), h2, sum);
+  const Float8 summed = sum - splat(field::FarField::kSummed) * multiplyAdd(splat(4.0f), h2, sum);
   const Float8 rounding = lookUp(v.rounding, level);
   const Float8 from_ball =
-      sqrt(multiplyAdd(x, x, multiplyAdd(y, y, z * z))) * splat(1.0f - FarField::kSummed) - splat(v.ball);
+      sqrt(multiplyAdd(x, x, multiplyAdd(y, y, z * z))) * splat(1.0f - field::FarField::kSummed) -
+      splat(v.ball);
   const Mask8 beyond = splat(v.outermost) < r;
   const Float8 inside_f = sqrt(max(summed - loss, zero)) - rounding;
   Distance8 d;
@@ -131,7 +132,7 @@ class NearLanes {
   }
 
  private:
-  static constexpr int kRow = NearField::kVertices, kSlice = kRow * kRow;
+  static constexpr int kRow = field::NearField::kVertices, kSlice = kRow * kRow;
 
   /// In voxels from the grid's corner.
   Point8 inGrid(const Point8& p) const {
@@ -160,8 +161,8 @@ class NearLanes {
     const Int8 block = gather(near_.block_index, block_at, inside);
     const Mask8 there = inside & isAtLeastZero(block);
     if (bits(there) == 0) return there;
-    const Int8 seven = splatInt(NearField::kCells - 1);
-    const Int8 at = (block * splatInt(NearField::kBlockValues) + (k & seven) * splatInt(kSlice) +
+    const Int8 seven = splatInt(field::NearField::kCells - 1);
+    const Int8 at = (block * splatInt(field::NearField::kBlockValues) + (k & seven) * splatInt(kSlice) +
                      (j & seven) * splatInt(kRow) + (i & seven)) *
                     count(there);
     const Float8 x = gx - toFloat(i), y = gy - toFloat(j), z = gz - toFloat(k);
@@ -186,11 +187,11 @@ class NearLanes {
                k = shiftRight<3>(truncate(select(inside, g.z, zero)));
     const Int8 block = gather(near_.block_index,
                               (k * splatInt(near_.blocks[1]) + j) * splatInt(near_.blocks[0]) + i, inside);
-    const Mask8 deep = inside & isEqual(block, splatInt(static_cast<int>(NearField::kDeepBlock)));
+    const Mask8 deep = inside & isEqual(block, splatInt(static_cast<int>(field::NearField::kDeepBlock)));
     if (bits(deep) == 0) return;
     const int row = near_.deep_vertices[0], slice = row * near_.deep_vertices[1];
     const Int8 at = (k * splatInt(slice) + j * splatInt(row) + i) * count(deep);
-    const Float8 edge = splat(NearField::kCells), per_edge = splat(1.0f / NearField::kCells);
+    const Float8 edge = splat(field::NearField::kCells), per_edge = splat(1.0f / field::NearField::kCells);
     const Float8 x = (g.x - toFloat(i) * edge) * per_edge, y = (g.y - toFloat(j) * edge) * per_edge,
                  z = (g.z - toFloat(k) * edge) * per_edge;
     const auto along = [&](int offset) {
@@ -216,8 +217,8 @@ class NearLanes {
     return select(outside, max(plain, sqrt(max(rest, zero)) - splat(near_.quantum)), plain);
   }
 
-  const NearField::View& near_;
-  const FarField::View& far_;
+  const field::NearField::View& near_;
+  const field::FarField::View& far_;
 };
 
 /// The thesis's layers, a lane at a time, with the far field beyond.
@@ -238,7 +239,7 @@ class LayeredLanes {
       int voxel[3];
       const float at[3] = {x[lane], y[lane], z[lane]};
       if (!voxelOf(at, voxel)) continue;
-      const LayerOfVoxel of = layerOf(field_.layers, voxel[0], voxel[1], voxel[2]);
+      const field::LayerOfVoxel of = field::layerOf(field_.layers, voxel[0], voxel[1], voxel[2]);
       f[lane] = lower(of, f[lane]);
       const float n[3] = {tree.nx[first + lane], tree.ny[first + lane], tree.nz[first + lane]};
       float along = 0.0f;
@@ -259,7 +260,8 @@ class LayeredLanes {
     for (int lane = 0; lane < 8; ++lane) {
       int voxel[3];
       const float at[3] = {x[lane], y[lane], z[lane]};
-      if (voxelOf(at, voxel)) f[lane] = lower(layerOf(field_.layers, voxel[0], voxel[1], voxel[2]), f[lane]);
+      if (voxelOf(at, voxel))
+        f[lane] = lower(field::layerOf(field_.layers, voxel[0], voxel[1], voxel[2]), f[lane]);
     }
     return load(f) - radius;
   }
@@ -287,7 +289,7 @@ class LayeredLanes {
   }
   /// Layers are Chebyshev steps between voxels: layer -k leaves at least k - 1 whole voxels between, and
   /// inside no point of a voxel k steps from the surface voxels is deeper than k + 1 voxel diagonals.
-  float lower(LayerOfVoxel of, float far) const {
+  float lower(field::LayerOfVoxel of, float far) const {
     if (of.layer >= 0) return -static_cast<float>(of.layer + of.slack + 1) * kDiagonal * field_.voxel;
     const float steps = static_cast<float>(-of.layer - of.slack - 1) * field_.voxel;
     return steps > far ? steps : far;
@@ -297,4 +299,4 @@ class LayeredLanes {
 };
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::kernels

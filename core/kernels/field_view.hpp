@@ -1,4 +1,4 @@
-// What a search reads of two structures: plain numbers and pointers. Internal to core/haptic.
+// What a search reads of two structures: plain numbers and pointers. Internal to the engine.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,26 @@
 #include "core/field/near_field.hpp"
 #include "core/shell/point_sphere_tree.hpp"
 
-namespace abstand {
+namespace abstand::kernels {
 
 /// One body's distance field, whatever its kind.
 struct FieldView {
   enum class Kind : std::uint8_t { kNear, kLayered };
   Kind kind;
-  FarField::View far;
-  NearField::View near;  ///< kNear
+  field::FarField::View far;
+  field::NearField::View near;  ///< kNear
   // kLayered
   float first_centre[3];
   float voxel;
   int size[3];
-  LayerView layers;
+  field::LayerView layers;
 };
 
 /// A point-sphere tree seen from the frame F of the other body.
 struct TreeView {
-  const PointSphereTree::Family* families;
+  const shell::PointSphereTree::Family* families;
   const float *x, *y, *z, *nx, *ny, *nz, *area;
   float X_FP[12];  ///< row-major 3x4
 };
 
-}  // namespace abstand
+}  // namespace abstand::kernels

@@ -1,5 +1,5 @@
 // Eight floats at a time: AVX2 where the file is compiled for it, plain loops elsewhere. Internal to
-// core/haptic. Everything has internal linkage, because files that include it are compiled for different
+// the engine. Everything has internal linkage, because files that include it are compiled for different
 // machines.
 //
 // Both ways give the same bits for the same arguments, NaN and signed zeros included (the bits inside of a
@@ -12,7 +12,7 @@
 #include <immintrin.h>
 #endif
 
-namespace abstand {
+namespace abstand::kernels {
 namespace {
 
 #ifdef __AVX2__
@@ -235,4 +235,4 @@ inline double sumOf(Float8 a) {
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::kernels

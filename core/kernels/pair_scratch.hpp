@@ -5,7 +5,7 @@
 
 #include "core/shell/point_sphere_tree.hpp"
 
-namespace abstand {
+namespace abstand::kernels {
 
 /// Work space of one query. One per pair or thread; nothing in it outlives a call.
 struct PairScratch {
@@ -14,7 +14,7 @@ struct PairScratch {
     std::uint32_t node;
   };
   /// Depth-first with at most kFanout - 1 waiting siblings a level; a tree of 2^32 points has 11 levels.
-  Entry stack[16 * PointSphereTree::kFanout];
+  Entry stack[16 * shell::PointSphereTree::kFanout];
 };
 
-}  // namespace abstand
+}  // namespace abstand::kernels

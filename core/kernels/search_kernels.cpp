@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace abstand {
+namespace abstand::kernels {
 namespace {
 
 const SearchKernels& chosen() {
@@ -23,4 +23,4 @@ const SearchKernels& searchKernels() {
   return kernels;
 }
 
-}  // namespace abstand
+}  // namespace abstand::kernels

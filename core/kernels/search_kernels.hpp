@@ -1,11 +1,11 @@
-// The two searches of a pair query, compiled for more than one machine. Internal to core/haptic.
+// The two searches of a pair query, compiled for more than one machine. Internal to the engine.
 #pragma once
 
 #include "core/kernels/field_view.hpp"
 #include "core/kernels/pair_scratch.hpp"
 #include "core/kernels/sphere_group.hpp"
 
-namespace abstand {
+namespace abstand::kernels {
 
 inline constexpr std::uint32_t kNoPoint = 0xffffffffu;
 
@@ -76,4 +76,4 @@ extern const SearchKernels kAvx2Kernels;  ///< only where the machine's architec
 /// The fastest that this machine can run; ABSTAND_SIMD=off in the environment takes the portable ones.
 const SearchKernels& searchKernels();
 
-}  // namespace abstand
+}  // namespace abstand::kernels

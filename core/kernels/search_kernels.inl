@@ -2,12 +2,12 @@
 #include "core/kernels/field_lanes.hpp"
 #include "core/kernels/search_kernels.hpp"
 
-namespace abstand {
+namespace abstand::kernels {
 namespace {
 
 constexpr float kNever = __builtin_huge_valf();
 using Entry = PairScratch::Entry;
-using Family = PointSphereTree::Family;
+using Family = shell::PointSphereTree::Family;
 
 inline Point8 moved(const float* m, Float8 x, Float8 y, Float8 z) {
   const auto row = [&](int r) {
@@ -57,11 +57,12 @@ float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ba
     for (int left = bits(bound < splat(best)); left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(static_cast<unsigned>(left));
       const std::uint32_t child = family.child[lane];
-      if (!(child & PointSphereTree::kLeafChild)) {
+      if (!(child & shell::PointSphereTree::kLeafChild)) {
         stack[top++] = {of[lane], child};
         continue;
       }
-      const std::uint32_t first = (child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane;
+      const std::uint32_t first =
+          (child & ~shell::PointSphereTree::kLeafChild) * shell::PointSphereTree::kLane;
       const Point8 p = pointsAt(tree, first);
       const float f = leastOf(select(farther(p, ball, splat(0.0f)), lanes.points(p, tree, first).f, none));
       best = f < best ? f : best;
@@ -128,8 +129,8 @@ class NearestSearch {
       const int lane = order[i];
       if (!(of[lane] < enough_)) {
         dropped_ = of[lane] < dropped_ ? of[lane] : dropped_;
-      } else if (family.child[lane] & PointSphereTree::kLeafChild) {
-        visitLeaf((family.child[lane] & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane);
+      } else if (family.child[lane] & shell::PointSphereTree::kLeafChild) {
+        visitLeaf((family.child[lane] & ~shell::PointSphereTree::kLeafChild) * shell::PointSphereTree::kLane);
       } else {
         waiting[m++] = lane;
       }
@@ -221,8 +222,8 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
     if constexpr (kSearch) dropped = min(dropped, select(near, splat(kNever), bound));
     for (int left = bits(near); left != 0; left &= left - 1) {
       const std::uint32_t child = family.child[__builtin_ctz(static_cast<unsigned>(left))];
-      if (child & PointSphereTree::kLeafChild)
-        first[leaves++] = (child & ~PointSphereTree::kLeafChild) * PointSphereTree::kLane;
+      if (child & shell::PointSphereTree::kLeafChild)
+        first[leaves++] = (child & ~shell::PointSphereTree::kLeafChild) * shell::PointSphereTree::kLane;
       else
         stack[top++] = {0.0f, child};
     }
@@ -317,4 +318,4 @@ std::uint64_t meeting(const float* X_FP, const SphereGroup& P, const SphereGroup
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::kernels

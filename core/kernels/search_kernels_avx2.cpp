@@ -2,7 +2,7 @@
 // rounds once where others round twice, and every machine gives the same bits.
 #include "core/kernels/search_kernels.inl"
 
-namespace abstand {
+namespace abstand::kernels {
 extern const SearchKernels kAvx2Kernels{nearest, nearestOutside, contacts, contactSearch,
                                         support, extreme,        meeting,  "avx2"};
-}  // namespace abstand
+}  // namespace abstand::kernels

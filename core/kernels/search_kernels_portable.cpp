@@ -1,7 +1,7 @@
 // The searches for any machine.
 #include "core/kernels/search_kernels.inl"
 
-namespace abstand {
+namespace abstand::kernels {
 extern const SearchKernels kPortableKernels{nearest, nearestOutside, contacts, contactSearch,
                                             support, extreme,        meeting,  "portable"};
-}  // namespace abstand
+}  // namespace abstand::kernels

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace abstand {
+namespace abstand::kernels {
 
 /// Up to kMax spheres in the body's frame (m), laid out for eight lanes. Unused ones have the radius
 /// -infinity.
@@ -12,4 +12,4 @@ struct SphereGroup {
   float x[kMax], y[kMax], z[kMax], radius[kMax];
 };
 
-}  // namespace abstand
+}  // namespace abstand::kernels

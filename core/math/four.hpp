@@ -17,7 +17,7 @@ using FourInts [[gnu::vector_size(16)]] = int;
 inline Four splat(float a) { return Four{a, a, a, a}; }
 inline Four load(const float* p) { return Four{p[0], p[1], p[2], p[3]}; }
 inline Four load(const Eigen::Array4f& a) { return load(a.data()); }
-inline void store(Four a, float* p) {
+inline void storeFour(Four a, float* p) {
   for (int i = 0; i < 4; ++i) p[i] = a[i];
 }
 /// The second where one is NaN.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 /// The frame whose joint leads each dof, null: none has it.
@@ -58,4 +58,4 @@ VelocityBounds velocityBounds(const DofLimits& l, double q, double qd, double br
   return bounds;
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

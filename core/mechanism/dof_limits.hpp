@@ -5,7 +5,7 @@
 
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// JointLimits of the joint that leads a dof, in the units of q instead of the joint's value (they differ by
 /// `offset` and `scale`). Infinity where nothing is known.
@@ -40,4 +40,4 @@ struct VelocityBounds {
 VelocityBounds velocityBounds(const DofLimits& limits, double q, double qd, double braking,
                               double h) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -4,7 +4,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 double mobility(const RigidTree& tree, const TreeState& state, const MassMatrix& mass, int body,
                 const Vector3d& p_B, const Wrench& w, std::span<double> work) {
@@ -21,4 +21,4 @@ double effectiveMass(const RigidTree& tree, const TreeState& state, const MassMa
   return 1.0 / mobility(tree, state, mass, body, p_B, {n_B, Vector3d::Zero()}, work);
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

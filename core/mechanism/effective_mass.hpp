@@ -3,7 +3,7 @@
 
 #include "core/mechanism/mass_matrix.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// w^T J M^-1 J^T w: how fast a body gives way to a wrench, in the wrench's own direction, per unit of its
 /// size. `w`: base axes, torque about `p_B`, on body `body` (-1, the base: 0). For the q of `state`, whose
@@ -19,4 +19,4 @@ double mobility(const RigidTree& tree, const TreeState& state, const MassMatrix&
 double effectiveMass(const RigidTree& tree, const TreeState& state, const MassMatrix& mass, int frame,
                      const Vector3d& p_B, const Vector3d& n_B, std::span<double> work);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

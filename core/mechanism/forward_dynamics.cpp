@@ -3,7 +3,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 int forwardDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
                     std::span<const double> efforts, const Vector3d& gravity_B,
@@ -33,4 +33,4 @@ MechanicalEnergy mechanicalEnergy(const RigidTree& tree, std::span<const double>
   return energy;
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -4,7 +4,7 @@
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// Scratch of forward dynamics, one per thread.
 struct ForwardState {
@@ -27,4 +27,4 @@ struct MechanicalEnergy {
 MechanicalEnergy mechanicalEnergy(const RigidTree& tree, std::span<const double> q,
                                   std::span<const double> qd, const Vector3d& gravity_B, TreeState& state);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 void inverseDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
                      std::span<const double> qdd, const Vector3d& gravity_B, std::span<const Wrench> external,
@@ -63,4 +63,4 @@ void inverseDynamics(const RigidTree& tree, std::span<const double> q, std::span
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

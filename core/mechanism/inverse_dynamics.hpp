@@ -3,7 +3,7 @@
 
 #include "core/mechanism/rigid_tree.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// Standard gravity, m/s^2, for a base whose z is up.
 inline const Vector3d kGravity{0.0, 0.0, -9.80665};
@@ -43,4 +43,4 @@ inline Wrench aboutOrigin(const Wrench& w, const Vector3d& p_B) {
   return {w.force, w.torque + p_B.cross(w.force)};
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -2,7 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 // Calls `visit(frame, X_BF)` for every frame with a degree of freedom from `index` down to the base.
@@ -46,4 +46,4 @@ void addJointEfforts(const Mechanism& mechanism, const MechanismState& state, in
   });
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 std::string_view limitName(LimitKind kind) {
   constexpr std::array<std::string_view, kLimitKinds> kNames{"position", "velocity", "acceleration",
@@ -69,4 +69,4 @@ std::size_t JointLimitWatch::copyBreaches(std::span<LimitBreach> out) const noex
   return count;
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -7,7 +7,7 @@
 
 #include "core/mechanism/dof_limits.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 enum class LimitKind { kPosition, kVelocity, kAcceleration, kEffort };
 inline constexpr std::size_t kLimitKinds = 4;
@@ -52,4 +52,4 @@ class JointLimitWatch {
   bool kept_{true};
 };
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

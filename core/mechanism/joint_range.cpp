@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 constexpr double kUnlimitedSlide = 1.0;  // m either way
@@ -42,4 +42,4 @@ void randomPosture(std::span<const JointRange> ranges, Random& random, std::span
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = random.between(ranges[i].lower, ranges[i].upper);
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -7,7 +7,7 @@
 #include "core/math/random.hpp"
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// Values of q (rad, m), both finite.
 struct JointRange {
@@ -22,4 +22,4 @@ std::vector<JointRange> jointRanges(const Mechanism& mechanism);
 /// Uniform within the ranges; `q` has a place for each.
 void randomPosture(std::span<const JointRange> ranges, Random& random, std::span<double> q);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

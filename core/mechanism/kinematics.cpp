@@ -4,7 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 void forward(const Mechanism& mechanism, std::span<const double> q, MechanismState& state) {
   ABSTAND_CHECK(mechanism.prepared && q.size() == static_cast<std::size_t>(mechanism.dof));
@@ -33,4 +33,4 @@ void forward(const Mechanism& mechanism, std::span<const double> q, MechanismSta
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

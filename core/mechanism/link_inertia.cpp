@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <sstream>
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 // Of the largest entry: what printed digits and a rotation may leave.
@@ -20,7 +20,7 @@ std::string words(double value) {
 
 }  // namespace
 
-LinkInertia inertiaOfSolid(const MassProperties& solid, double density, const Transform& X_FS) {
+LinkInertia inertiaOfSolid(const geometry::MassProperties& solid, double density, const Transform& X_FS) {
   return seenFrom(X_FS, {density * solid.volume, solid.com, density * solid.inertia});
 }
 
@@ -56,4 +56,4 @@ std::string inertiaFault(const LinkInertia& body) {
   return {};
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

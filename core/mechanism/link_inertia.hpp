@@ -6,12 +6,12 @@
 #include "core/geometry/mass_properties.hpp"
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// Of a solid of uniform density (kg/m^3) whose own frame S lies at X_FS in the link's frame F. This is how a
 /// link whose file gives no mass gets one: massProperties() of its mesh, and a density (steel 7850, aluminium
 /// 2700, many plastics 1000 to 1400; whole robot arms 1500 to 3000).
-LinkInertia inertiaOfSolid(const MassProperties& solid, double density, const Transform& X_FS);
+LinkInertia inertiaOfSolid(const geometry::MassProperties& solid, double density, const Transform& X_FS);
 
 /// The same body, seen from frame A in which its frame stands at X_AF.
 LinkInertia seenFrom(const Transform& X_AF, const LinkInertia& body);
@@ -25,4 +25,4 @@ LinkInertia together(const LinkInertia& a, const LinkInertia& b);
 /// which no body has but many files do, are let through: dynamics needs no more than what is asked here.
 std::string inertiaFault(const LinkInertia& body);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 // What rounding leaves of a pivot of a dof without mass, as a share of its diagonal entry: about 1e-16 times
@@ -113,4 +113,4 @@ void solveMass(const MassMatrix& mass, std::span<double> b) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

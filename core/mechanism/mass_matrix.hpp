@@ -3,7 +3,7 @@
 
 #include "core/mechanism/rigid_tree.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// M(q) of kinetic energy = qd^T M qd / 2. Scratch, one per thread.
 struct MassMatrix {
@@ -27,4 +27,4 @@ double mobilityOf(const MassMatrix& mass, std::span<double> b);
 /// Turns b into M^-1 b. After factor().
 void solveMass(const MassMatrix& mass, std::span<double> b);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

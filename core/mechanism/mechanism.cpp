@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 int Mechanism::indexOf(int id) const {
   for (std::size_t i = 0; i < frames.size(); ++i)
@@ -33,4 +33,4 @@ void Mechanism::prepare() {
   prepared = true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

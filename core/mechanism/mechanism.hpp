@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 enum class JointType { kFixed, kRevolute, kPrismatic };
 
@@ -86,4 +86,4 @@ void jacobian(const Mechanism& mechanism, const MechanismState& state, int index
 void addJointEfforts(const Mechanism& mechanism, const MechanismState& state, int index, const Vector3d& p_B,
                      const Wrench& w, std::span<double> efforts);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -8,7 +8,7 @@
 #include "core/base/text_file.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
@@ -90,10 +90,10 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
       const auto cell = cells.peek();
       if (!has_header) {
         if (cell != columnName(i))
-          fail(number, cells.column(), "found " + inQuotes(cell) + ", expected the header " + header);
+          fail(number, cells.column(), "found " + text::inQuotes(cell) + ", expected the header " + header);
       } else if (const auto value = parseDouble(cell); !value) {
         fail(number, cells.column(),
-             "found " + inQuotes(cell) + ", expected " + columnName(i) + ": a finite number");
+             "found " + text::inQuotes(cell) + ", expected " + columnName(i) + ": a finite number");
       } else if (i > 0) {
         q.push_back(*value);
       } else {
@@ -107,8 +107,8 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
     }
     if (!cells.atEnd())
       fail(number, cells.column(),
-           "found another column " + inQuotes(cells.peek()) + ", expected " + std::to_string(dof + 1) + ": " +
-               header);
+           "found another column " + text::inQuotes(cells.peek()) + ", expected " + std::to_string(dof + 1) +
+               ": " + header);
     has_header = true;
   }
   if (t.empty())
@@ -120,4 +120,4 @@ MotionTable loadMotion(const std::filesystem::path& file, int dof) {
   return parseMotion(readFile(file, kMaxBytes), file.string(), dof);
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// Constant after loading; shared by all threads. Always has at least one row.
 class MotionTable {
@@ -38,4 +38,4 @@ MotionTable loadMotion(const std::filesystem::path& file, int dof);
 /// The same from text; `name` stands for the file in messages.
 MotionTable parseMotion(const std::string& text, const std::string& name, int dof);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

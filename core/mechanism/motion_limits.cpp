@@ -6,7 +6,7 @@
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/smooth_motion.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 /// Calls visit(t0, t1) for the stretches between rows that lie in [start, end], cut to it.
@@ -69,4 +69,4 @@ std::vector<LimitBreach> motionBreaches(const Mechanism& mechanism, const Motion
   return watch.breaches();
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

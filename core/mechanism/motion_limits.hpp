@@ -4,7 +4,7 @@
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/mechanism/motion_file.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// How the rows of a motion are joined. kLinear: as MotionTable has it; velocities are the slopes between
 /// rows, accelerations at the rows are not finite and not looked at, nor are efforts. kSmooth: as
@@ -18,4 +18,4 @@ inline constexpr int kSmoothSamples = 8;
 std::vector<LimitBreach> motionBreaches(const Mechanism& mechanism, const MotionTable& motion,
                                         MotionLine line, double start, double end, const Vector3d& gravity_B);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

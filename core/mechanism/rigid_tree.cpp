@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/mechanism/link_inertia.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 /// What a frame that cannot move has as its joint's value.
@@ -141,4 +141,4 @@ void addBodyEfforts(const RigidTree& tree, const TreeState& state, int body, con
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

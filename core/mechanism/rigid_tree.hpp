@@ -7,7 +7,7 @@
 
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// One body: everything that moves with one joint. Its frame is that joint's frame, behind the joint.
 struct TreeBody {
@@ -80,4 +80,4 @@ Transform poseOfFrame(const RigidTree& tree, const TreeState& state, int frame);
 void addBodyEfforts(const RigidTree& tree, const TreeState& state, int body, const Vector3d& p_B,
                     const Wrench& w, std::span<double> efforts);
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

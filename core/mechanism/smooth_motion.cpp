@@ -4,7 +4,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 SmoothMotion::SmoothMotion(const MotionTable& table)
     : t_(table.times().begin(), table.times().end()),
@@ -54,4 +54,4 @@ void SmoothMotion::at(double t, std::span<double> q, std::span<double> qd, std::
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -3,7 +3,7 @@
 
 #include "core/mechanism/motion_file.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 
 /// A recorded motion made smooth: cubic splines through its rows, at rest at its ends [clamped splines; de
 /// Boor, A Practical Guide to Splines, IV]. Velocity and acceleration are continuous, so that torques for it
@@ -26,4 +26,4 @@ class SmoothMotion {
   int dof_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -14,7 +14,7 @@
 #include "core/mesh_file/mesh_file_clean.hpp"
 #include "core/mesh_file/mesh_file_readers.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
@@ -27,13 +27,10 @@ constexpr double kSamePoint = 1e-6;
 
 struct Format {
   std::string_view extension;
-  TriangleMesh (*read)(std::string_view, const std::string&);
+  geometry::TriangleMesh (*read)(std::string_view, const std::string&);
 };
-constexpr std::array<Format, 5> kFormats{{{"stl", mesh_file::readStl},
-                                          {"obj", mesh_file::readObj},
-                                          {"ply", mesh_file::readPly},
-                                          {"off", mesh_file::readOff},
-                                          {"dae", mesh_file::readDae}}};
+constexpr std::array<Format, 5> kFormats{
+    {{"stl", readStl}, {"obj", readObj}, {"ply", readPly}, {"off", readOff}, {"dae", readDae}}};
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -46,16 +43,17 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-TriangleMesh readRaw(std::string_view content, std::string_view extension, const std::string& name) {
+geometry::TriangleMesh readRaw(std::string_view content, std::string_view extension,
+                               const std::string& name) {
   const std::string known = lower(extension);
   for (const auto& format : kFormats)
     if (format.extension == known) return format.read(content, name);
   if (known.empty())
     throw ParseError({name}, "found no extension, expected stl, obj, ply, off, dae or another mesh format");
-  return mesh_file::readWithAssimp(content, known, name);
+  return readWithAssimp(content, known, name);
 }
 
-void writeStl(const TriangleMesh& mesh, std::ostream& out) {
+void writeStl(const geometry::TriangleMesh& mesh, std::ostream& out) {
   std::array<char, 80> header{};
   std::copy_n("binary STL of abstand, metres", 29, header.begin());
   out.write(header.data(), header.size());
@@ -71,7 +69,7 @@ void writeStl(const TriangleMesh& mesh, std::ostream& out) {
   }
 }
 
-void writeObj(const TriangleMesh& mesh, std::ostream& out) {
+void writeObj(const geometry::TriangleMesh& mesh, std::ostream& out) {
   out << "# abstand, metres\n";
   for (const auto& v : mesh.vertices)
     out << "v " << formatDouble(v.x()) << ' ' << formatDouble(v.y()) << ' ' << formatDouble(v.z()) << '\n';
@@ -84,10 +82,10 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
                      double scale) {
   if (!std::isfinite(scale) || scale <= 0.0)
     throw UsageError("scale is " + formatDouble(scale) + ", expected a positive number of metres per unit");
-  TriangleMesh raw = readRaw(content, format, name);
+  geometry::TriangleMesh raw = readRaw(content, format, name);
   if (raw.triangles.empty()) throw ParseError({name}, "found no triangle, expected a mesh");
 
-  Bounds box;
+  geometry::Bounds box;
   for (auto& v : raw.vertices) {
     v *= scale;
     if (!(v.cwiseAbs().maxCoeff() <= kFarthest))
@@ -100,7 +98,7 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
     for (int i = 0; i < 3; ++i) box.add(raw.corner(t, i));
   const double tolerance = kSamePoint * box.extent().norm();
 
-  auto cleaned = mesh_file::clean(raw, tolerance);
+  auto cleaned = clean(raw, tolerance);
   if (cleaned.mesh.triangles.empty())
     throw ParseError({name}, "found degenerate triangles only, expected one with an area");
   LoadedMesh out{std::move(cleaned.mesh), {}};
@@ -126,7 +124,7 @@ LoadedMesh loadMesh(const std::filesystem::path& file, double scale) {
   return parseMesh(content, format, file.string(), scale);
 }
 
-void saveMesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
+void saveMesh(const geometry::TriangleMesh& mesh, const std::filesystem::path& file) {
   const std::string format = extensionOf(file);
   if (format != "stl" && format != "obj")
     throw UsageError(file.string() + ": found the extension \"" + format + "\", expected stl or obj");
@@ -138,4 +136,4 @@ void saveMesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   out.commit();
 }
 
-}  // namespace abstand
+}  // namespace abstand::mesh_file

@@ -7,10 +7,10 @@
 
 #include "core/mesh_file/mesh_report.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 
 struct LoadedMesh {
-  TriangleMesh mesh;  ///< metres, welded, no degenerate triangle
+  geometry::TriangleMesh mesh;  ///< metres, welded, no degenerate triangle
   MeshReport report;
 };
 
@@ -39,6 +39,6 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
 
 /// Binary STL or OBJ by the extension, metres, written whole or not at all. STL has single precision.
 /// Throws UsageError.
-void saveMesh(const TriangleMesh& mesh, const std::filesystem::path& file);
+void saveMesh(const geometry::TriangleMesh& mesh, const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::mesh_file

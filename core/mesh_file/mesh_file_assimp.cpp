@@ -37,7 +37,7 @@ class Collector {
     for (unsigned m = 0; m < node.mNumMeshes; ++m) add(*scene_.mMeshes[node.mMeshes[m]], X);
     for (unsigned c = 0; c < node.mNumChildren; ++c) visit(*node.mChildren[c], X, depth + 1);
   }
-  TriangleMesh take() { return std::move(mesh_); }
+  geometry::TriangleMesh take() { return std::move(mesh_); }
 
  private:
   void add(const aiMesh& mesh, const Eigen::Matrix4d& X) {
@@ -67,10 +67,10 @@ class Collector {
 
   const aiScene& scene_;
   const std::string& name_;
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
-TriangleMesh readHere(std::string_view content, std::string_view format, const std::string& name) {
+geometry::TriangleMesh readHere(std::string_view content, std::string_view format, const std::string& name) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
@@ -95,7 +95,7 @@ void append(std::string& bytes, const T* data, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(data), count * sizeof(T));
 }
 
-std::string packed(const TriangleMesh& mesh) {
+std::string packed(const geometry::TriangleMesh& mesh) {
   std::string bytes = "M";
   const std::size_t counts[2] = {mesh.vertices.size(), mesh.triangles.size()};
   append(bytes, counts, 2);
@@ -104,10 +104,10 @@ std::string packed(const TriangleMesh& mesh) {
   return bytes;
 }
 
-TriangleMesh unpacked(const std::string& bytes) {
+geometry::TriangleMesh unpacked(const std::string& bytes) {
   std::size_t counts[2];
   std::memcpy(counts, bytes.data() + 1, sizeof counts);
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   mesh.vertices.resize(counts[0]);
   mesh.triangles.resize(counts[1]);
   const char* at = bytes.data() + 1 + sizeof counts;
@@ -121,7 +121,8 @@ TriangleMesh unpacked(const std::string& bytes) {
 
 }  // namespace
 
-TriangleMesh readWithAssimp(std::string_view content, std::string_view format, const std::string& name) {
+geometry::TriangleMesh readWithAssimp(std::string_view content, std::string_view format,
+                                      const std::string& name) {
   const ChildAnswer answer = runInChild(
       [&] {
         try {

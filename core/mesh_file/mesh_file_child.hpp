@@ -1,4 +1,4 @@
-// Work that may crash or never end, in a process of its own; internal to core/geometry.
+// Work that may crash or never end, in a process of its own; internal to mesh_file.
 #pragma once
 
 #include <functional>

@@ -11,7 +11,7 @@ constexpr int kMaxPasses = 64;
 
 /// The side opposite to corner i runs from corner i + 1 to corner i + 2. Returns the corner over the
 /// longest side, when the triangle is lower than `tolerance` there; else -1.
-int flatCorner(const TriangleMesh& mesh, std::size_t t, double tolerance) {
+int flatCorner(const geometry::TriangleMesh& mesh, std::size_t t, double tolerance) {
   int over_longest = 0;
   double longest = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -30,7 +30,7 @@ std::uint64_t key(std::uint32_t from, std::uint32_t to) { return std::uint64_t{f
 
 class Flattener {
  public:
-  Flattener(TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
+  Flattener(geometry::TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
   /// The number of flat triangles taken away.
   std::size_t run() {
@@ -91,7 +91,7 @@ class Flattener {
     mesh_.triangles.resize(kept);
   }
 
-  TriangleMesh& mesh_;
+  geometry::TriangleMesh& mesh_;
   double tolerance_;
   std::vector<std::uint32_t> flat_;
   std::unordered_map<std::uint64_t, std::uint32_t> sides_;  ///< directed side -> its triangle
@@ -100,13 +100,13 @@ class Flattener {
 
 }  // namespace
 
-CleanMesh clean(const TriangleMesh& mesh, double tolerance) {
+CleanMesh clean(const geometry::TriangleMesh& mesh, double tolerance) {
   CleanMesh out;
-  out.mesh = weld(mesh, tolerance);
+  out.mesh = geometry::weld(mesh, tolerance);
   out.degenerate = mesh.triangles.size() - out.mesh.triangles.size();
   const std::size_t flat = Flattener(out.mesh, tolerance).run();
   out.degenerate += flat;
-  if (flat > 0) out.mesh = weld(out.mesh, 0.0);
+  if (flat > 0) out.mesh = geometry::weld(out.mesh, 0.0);
   return out;
 }
 

@@ -29,17 +29,17 @@ struct Range {
 
 class Reader {
  public:
-  Reader(const XmlElement& root, std::size_t file_size, const std::string& name)
+  Reader(const text::XmlElement& root, std::size_t file_size, const std::string& name)
       : root_(root), name_(name), most_work_(kMinWork + kMaxInstances * file_size) {}
 
-  TriangleMesh run() {
+  geometry::TriangleMesh run() {
     if (root_.name != "COLLADA")
       fail(root_, "found <" + std::string(root_.name.substr(0, 40)) + ">, expected <COLLADA>");
     collectIds(root_);
     Affine X = Affine::Identity();
     if (const auto* asset = root_.child("asset")) {
       if (const auto* unit = asset->child("unit"); unit && !unit->attribute("meter").empty()) {
-        const double metre = number(unit->attribute("meter"), at(*unit));
+        const double metre = text::number(unit->attribute("meter"), at(*unit));
         if (metre <= 0.0)
           fail(*unit, "found a unit of " + formatDouble(metre) + " m, expected a positive one");
         X.linear() *= metre;
@@ -58,27 +58,28 @@ class Reader {
   }
 
  private:
-  SourcePos at(const XmlElement& e) const { return {name_, e.line, 0}; }
-  [[noreturn]] void fail(const XmlElement& e, const std::string& message) const {
+  SourcePos at(const text::XmlElement& e) const { return {name_, e.line, 0}; }
+  [[noreturn]] void fail(const text::XmlElement& e, const std::string& message) const {
     throw ParseError(at(e), message);
   }
 
-  void collectIds(const XmlElement& e) {
+  void collectIds(const text::XmlElement& e) {
     if (const auto id = e.attribute("id"); !id.empty()) ids_.emplace(id, &e);
     for (const auto& c : e.children) collectIds(c);
   }
 
   /// What `#id` in the attribute `key` of `e` stands for.
-  const XmlElement& target(const XmlElement& e, std::string_view key, std::string_view expected) const {
+  const text::XmlElement& target(const text::XmlElement& e, std::string_view key,
+                                 std::string_view expected) const {
     const auto url = e.attribute(key);
     const auto found = url.starts_with('#') ? ids_.find(url.substr(1)) : ids_.end();
     if (found == ids_.end() || (!expected.empty() && found->second->name != expected))
-      fail(e, "found " + inDoubleQuotes(url) + ", expected # and the id of an element <" +
+      fail(e, "found " + text::inDoubleQuotes(url) + ", expected # and the id of an element <" +
                   std::string(expected) + "> of this file");
     return *found->second;
   }
 
-  const XmlElement* visualScene() const {
+  const text::XmlElement* visualScene() const {
     if (const auto* scene = root_.child("scene"))
       if (const auto* instance = scene->child("instance_visual_scene"))
         return &target(*instance, "url", "visual_scene");
@@ -86,34 +87,34 @@ class Reader {
     return library ? library->child("visual_scene") : nullptr;
   }
 
-  void spend(const XmlElement& e) {
+  void spend(const text::XmlElement& e) {
     work_ += e.text.size() + kWorkOfElement * (1 + e.children.size());
     if (work_ > most_work_) fail(e, "found nodes that contain themselves, or too many instances");
   }
 
-  std::vector<double> numbers(const XmlElement& e) {
+  std::vector<double> numbers(const text::XmlElement& e) {
     spend(e);
     std::vector<double> values;
     std::string_view rest = e.text;
-    for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest))
-      values.push_back(number(word, at(e)));
+    for (auto word = text::nextWord(rest); !word.empty(); word = text::nextWord(rest))
+      values.push_back(text::number(word, at(e)));
     return values;
   }
 
-  std::vector<std::uint32_t> indices(const XmlElement& e) {
+  std::vector<std::uint32_t> indices(const text::XmlElement& e) {
     spend(e);
     std::vector<std::uint32_t> values;
     std::string_view rest = e.text;
-    for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
+    for (auto word = text::nextWord(rest); !word.empty(); word = text::nextWord(rest)) {
       const auto value = parseInt(word);
-      if (!value || *value < 0) fail(e, "found " + inDoubleQuotes(word) + ", expected an index from 0");
+      if (!value || *value < 0) fail(e, "found " + text::inDoubleQuotes(word) + ", expected an index from 0");
       values.push_back(static_cast<std::uint32_t>(*value));
     }
     return values;
   }
 
   /// X times the transforms that stand in a node, in their order.
-  Affine transform(const XmlElement& node, Affine X) {
+  Affine transform(const text::XmlElement& node, Affine X) {
     for (const auto& e : node.children) {
       std::size_t expected = 0;
       if (e.name == "matrix") expected = 16;
@@ -141,7 +142,7 @@ class Reader {
     return X;
   }
 
-  void visit(const XmlElement& node, const Affine& X_parent, int depth) {
+  void visit(const text::XmlElement& node, const Affine& X_parent, int depth) {
     spend(node);
     if (depth > kDeepestNode) fail(node, "found nodes that contain themselves, or nested too deep");
     const Affine X = transform(node, X_parent);
@@ -152,11 +153,11 @@ class Reader {
     }
   }
 
-  void addGeometry(const XmlElement& geometry, const Affine& X) {
+  void addGeometry(const text::XmlElement& geometry, const Affine& X) {
     const auto* mesh = geometry.child("mesh");
     if (!mesh) return;
     spend(*mesh);
-    std::map<const XmlElement*, Range> sources;
+    std::map<const text::XmlElement*, Range> sources;
     for (const auto& e : mesh->children) {
       if (e.name == "triangles" || e.name == "polylist" || e.name == "polygons" || e.name == "tristrips" ||
           e.name == "trifans")
@@ -165,7 +166,7 @@ class Reader {
   }
 
   /// The vertices of a <source>, transformed.
-  Range addVertices(const XmlElement& source, const Affine& X) {
+  Range addVertices(const text::XmlElement& source, const Affine& X) {
     const auto* technique = source.child("technique_common");
     const auto* accessor = technique ? technique->child("accessor") : nullptr;
     if (!accessor) fail(source, "found a source without an accessor");
@@ -175,7 +176,7 @@ class Reader {
       if (word.empty()) return otherwise;
       const auto value = parseInt(word);
       if (!value || *value < 0)
-        fail(*accessor, "found " + inDoubleQuotes(word) + ", expected a number from 0");
+        fail(*accessor, "found " + text::inDoubleQuotes(word) + ", expected a number from 0");
       return static_cast<std::uint64_t>(*value);
     };
     const auto count = integer("count", 0), offset = integer("offset", 0), stride = integer("stride", 1);
@@ -194,24 +195,25 @@ class Reader {
     return {first, static_cast<std::uint32_t>(mesh_.vertices.size())};
   }
 
-  void addPrimitives(const XmlElement& e, const Affine& X, std::map<const XmlElement*, Range>& sources) {
+  void addPrimitives(const text::XmlElement& e, const Affine& X,
+                     std::map<const text::XmlElement*, Range>& sources) {
     spend(e);
-    const XmlElement* vertices = nullptr;
+    const text::XmlElement* vertices = nullptr;
     std::size_t column = 0, columns = 1;
     for (const auto& input : e.children) {
       if (input.name != "input") continue;
       const auto word = input.attribute("offset");
       const auto offset = parseInt(word.empty() ? "0" : word);
       if (!offset || *offset < 0 || static_cast<std::size_t>(*offset) >= kMaxColumns)
-        fail(input,
-             "found offset " + inDoubleQuotes(word) + ", expected 0 to " + std::to_string(kMaxColumns - 1));
+        fail(input, "found offset " + text::inDoubleQuotes(word) + ", expected 0 to " +
+                        std::to_string(kMaxColumns - 1));
       columns = std::max(columns, static_cast<std::size_t>(*offset) + 1);
       if (input.attribute("semantic") != "VERTEX") continue;
       vertices = &target(input, "source", "vertices");
       column = static_cast<std::size_t>(*offset);
     }
     if (!vertices) fail(e, "found no input with the semantic VERTEX");
-    const XmlElement* source = nullptr;
+    const text::XmlElement* source = nullptr;
     spend(*vertices);
     for (const auto& input : vertices->children)
       if (input.name == "input" && input.attribute("semantic") == "POSITION")
@@ -234,8 +236,8 @@ class Reader {
   }
 
   /// The polygons of one <p>; `sizes` are those of a polylist.
-  void addPolygons(const XmlElement& e, const XmlElement& p, const std::vector<std::uint32_t>& corners,
-                   const std::vector<std::uint32_t>& sizes) {
+  void addPolygons(const text::XmlElement& e, const text::XmlElement& p,
+                   const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sizes) {
     const auto n = corners.size();
     if (e.name == "polygons") {
       addPolygon(p, corners);
@@ -259,7 +261,7 @@ class Reader {
   }
 
   /// Corners counted from the source's first vertex.
-  void addPolygon(const XmlElement& p, std::span<const std::uint32_t> corners) {
+  void addPolygon(const text::XmlElement& p, std::span<const std::uint32_t> corners) {
     polygon_.clear();
     for (const auto c : corners) {
       if (c >= range_.end - range_.first)
@@ -274,12 +276,12 @@ class Reader {
       fail(p, "found more than " + std::to_string(kMaxTriangles) + " triangles");
   }
 
-  const XmlElement& root_;
+  const text::XmlElement& root_;
   const std::string& name_;
   std::size_t most_work_;
-  std::map<std::string_view, const XmlElement*> ids_;
+  std::map<std::string_view, const text::XmlElement*> ids_;
   std::size_t work_{0};
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
   PolygonCutter cutter_{mesh_};
   std::vector<std::uint32_t> polygon_;
   Range range_;  ///< the vertices of the current primitives
@@ -288,8 +290,8 @@ class Reader {
 
 }  // namespace
 
-TriangleMesh readDae(std::string_view content, const std::string& name) {
-  const XmlElement root = parseXml(content, name);
+geometry::TriangleMesh readDae(std::string_view content, const std::string& name) {
+  const text::XmlElement root = text::parseXml(content, name);
   return Reader(root, content.size(), name).run();
 }
 

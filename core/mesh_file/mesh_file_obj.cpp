@@ -11,14 +11,14 @@ std::uint32_t vertexOf(std::string_view word, std::size_t vertices_so_far, const
   const auto n = static_cast<std::int64_t>(vertices_so_far);
   if (!index || *index == 0 || n + *index < 0)
     throw ParseError(
-        pos, "found " + inDoubleQuotes(word) + ", expected a vertex number (from 1, or back from -1)");
+        pos, "found " + text::inDoubleQuotes(word) + ", expected a vertex number (from 1, or back from -1)");
   return static_cast<std::uint32_t>(*index > 0 ? *index - 1 : n + *index);
 }
 
 }  // namespace
 
-TriangleMesh readObj(std::string_view content, const std::string& name) {
-  TriangleMesh mesh;
+geometry::TriangleMesh readObj(std::string_view content, const std::string& name) {
+  geometry::TriangleMesh mesh;
   struct Face {
     std::size_t first_corner;
     int line;
@@ -26,7 +26,7 @@ TriangleMesh readObj(std::string_view content, const std::string& name) {
   std::vector<Face> faces;
   std::vector<std::uint32_t> corners;
 
-  Lines lines(content, name);
+  text::Lines lines(content, name);
   std::string joined;
   while (auto line = lines.next()) {
     const int number_of_line = lines.pos().line;
@@ -40,12 +40,12 @@ TriangleMesh readObj(std::string_view content, const std::string& name) {
       line = joined;
     }
     auto rest = line->substr(0, line->find('#'));
-    const auto word = nextWord(rest);
+    const auto word = text::nextWord(rest);
     if (word == "v") {
-      mesh.vertices.push_back(nextPoint(rest, lines.pos()));
+      mesh.vertices.push_back(text::nextPoint(rest, lines.pos()));
     } else if (word == "f") {
       faces.push_back({corners.size(), number_of_line});
-      for (auto corner = nextWord(rest); !corner.empty(); corner = nextWord(rest))
+      for (auto corner = text::nextWord(rest); !corner.empty(); corner = text::nextWord(rest))
         corners.push_back(vertexOf(corner, mesh.vertices.size(), lines.pos()));
     }
   }

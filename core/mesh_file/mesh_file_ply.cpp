@@ -42,7 +42,8 @@ Type typeOf(std::string_view word, const SourcePos& pos) {
                                                                    {"double", "float64"}}};
   for (std::size_t i = 0; i < kNames.size(); ++i)
     if (word == kNames[i][0] || word == kNames[i][1]) return static_cast<Type>(i);
-  throw ParseError(pos, "found " + inDoubleQuotes(word) + ", expected a PLY type such as float or uchar");
+  throw ParseError(pos,
+                   "found " + text::inDoubleQuotes(word) + ", expected a PLY type such as float or uchar");
 }
 
 std::size_t sizeOf(Type type) {
@@ -50,7 +51,7 @@ std::size_t sizeOf(Type type) {
   return kSizes[static_cast<std::size_t>(type)];
 }
 
-Header readHeader(Lines& lines) {
+Header readHeader(text::Lines& lines) {
   Header header;
   bool format_known = false;
   const auto magic = lines.next();
@@ -58,13 +59,13 @@ Header readHeader(Lines& lines) {
     throw ParseError(lines.pos(), "found no \"ply\" in the first line, expected it");
   while (auto line = lines.next()) {
     auto rest = *line;
-    const auto word = nextWord(rest);  // other words than these begin a comment
+    const auto word = text::nextWord(rest);  // other words than these begin a comment
     if (word == "end_header") {
       if (!format_known) throw ParseError(lines.pos(), "the header ends without a format line");
       return header;
     }
     if (word == "format") {
-      const auto format = nextWord(rest);
+      const auto format = text::nextWord(rest);
       if (format == "ascii")
         header.encoding = Encoding::kAscii;
       else if (format == "binary_little_endian")
@@ -72,27 +73,27 @@ Header readHeader(Lines& lines) {
       else if (format == "binary_big_endian")
         header.encoding = Encoding::kBig;
       else
-        throw ParseError(lines.pos(), "found format " + inDoubleQuotes(format) +
+        throw ParseError(lines.pos(), "found format " + text::inDoubleQuotes(format) +
                                           ", expected ascii, binary_little_endian or binary_big_endian");
       format_known = true;
     } else if (word == "element") {
-      const std::string name(nextWord(rest));
-      const auto count_word = nextWord(rest);
+      const std::string name(text::nextWord(rest));
+      const auto count_word = text::nextWord(rest);
       const auto count = parseInt(count_word);
       if (!count || *count < 0)
-        throw ParseError(lines.pos(), "found " + inDoubleQuotes(count_word) +
+        throw ParseError(lines.pos(), "found " + text::inDoubleQuotes(count_word) +
                                           ", expected a number of elements below 2^31");
       header.elements.push_back({name, *count, {}});
     } else if (word == "property") {
       if (header.elements.empty()) throw ParseError(lines.pos(), "found a property before the first element");
       Property property{};
-      auto type = nextWord(rest);
+      auto type = text::nextWord(rest);
       if (type == "list") {
-        property.count_type = typeOf(nextWord(rest), lines.pos());
-        type = nextWord(rest);
+        property.count_type = typeOf(text::nextWord(rest), lines.pos());
+        type = text::nextWord(rest);
       }
       property.type = typeOf(type, lines.pos());
-      property.name = nextWord(rest);
+      property.name = text::nextWord(rest);
       header.elements.back().properties.push_back(std::move(property));
     }
   }
@@ -102,7 +103,7 @@ Header readHeader(Lines& lines) {
 /// The numbers behind the header, one after the other.
 class Body {
  public:
-  Body(const Lines& after_header, Encoding encoding)
+  Body(const text::Lines& after_header, Encoding encoding)
       : lines_(after_header),
         data_(after_header.rest()),
         encoding_(encoding),
@@ -116,13 +117,13 @@ class Body {
       const auto line = lines_.next();
       if (!line) end();
       data_ = *line;
-    } while (data_.find_first_not_of(kBlank) == std::string_view::npos);
+    } while (data_.find_first_not_of(text::kBlank) == std::string_view::npos);
     pos_ = lines_.pos();
   }
 
   double next(Type type) {
     if (encoding_ == Encoding::kAscii) {
-      return number(nextWord(data_), pos_);
+      return text::number(text::nextWord(data_), pos_);
     }
     std::array<char, 8> bytes{};
     const auto size = sizeOf(type);
@@ -182,7 +183,7 @@ class Body {
     throw ParseError(pos_, "the file ends before all elements that its header announces");
   }
 
-  Lines lines_;
+  text::Lines lines_;
   std::string_view data_;  ///< what is left; in ascii, of the line
   Encoding encoding_;
   SourcePos pos_;
@@ -217,7 +218,7 @@ void readStrips(Body& body, const Property& property, std::vector<std::uint32_t>
   }
 }
 
-void readVertices(Body& body, const ElementKind& kind, TriangleMesh& mesh) {
+void readVertices(Body& body, const ElementKind& kind, geometry::TriangleMesh& mesh) {
   constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
   for (const auto axis : kAxes) {
     const auto p = std::find_if(kind.properties.begin(), kind.properties.end(),
@@ -244,11 +245,11 @@ void readVertices(Body& body, const ElementKind& kind, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh readPly(std::string_view content, const std::string& name) {
-  Lines lines(content, name);
+geometry::TriangleMesh readPly(std::string_view content, const std::string& name) {
+  text::Lines lines(content, name);
   const Header header = readHeader(lines);
   Body body(lines, header.encoding);
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   // Faces may come before vertices; they are cut when all are known.
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> ends;

@@ -16,8 +16,8 @@ static_assert(std::endian::native == std::endian::little,
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kRecord = 50;
 
-TriangleMesh readBinary(std::string_view content, std::uint32_t count, const std::string& name) {
-  TriangleMesh mesh;
+geometry::TriangleMesh readBinary(std::string_view content, std::uint32_t count, const std::string& name) {
+  geometry::TriangleMesh mesh;
   mesh.vertices.reserve(3 * std::size_t{count});
   mesh.triangles.reserve(count);
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -39,16 +39,16 @@ bool isWord(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
-TriangleMesh readAscii(std::string_view content, const std::string& name) {
-  TriangleMesh mesh;
-  Lines lines(content, name);
+geometry::TriangleMesh readAscii(std::string_view content, const std::string& name) {
+  geometry::TriangleMesh mesh;
+  text::Lines lines(content, name);
   std::size_t loop_first = 0;
   while (auto line = lines.next()) {
     auto rest = *line;
-    for (auto word = nextWord(rest); !word.empty(); word = nextWord(rest)) {
+    for (auto word = text::nextWord(rest); !word.empty(); word = text::nextWord(rest)) {
       if (isWord(word, "solid") || isWord(word, "endsolid")) break;  // a name follows, whatever it says
       if (isWord(word, "vertex")) {
-        mesh.vertices.push_back(nextPoint(rest, lines.pos()));
+        mesh.vertices.push_back(text::nextPoint(rest, lines.pos()));
       } else if (isWord(word, "endloop") || isWord(word, "endfacet")) {
         const auto corners = mesh.vertices.size() - loop_first;
         if (corners == 0) continue;
@@ -68,8 +68,8 @@ TriangleMesh readAscii(std::string_view content, const std::string& name) {
 
 }  // namespace
 
-TriangleMesh readStl(std::string_view content, const std::string& name) {
-  const auto first = content.find_first_not_of(kBlank);
+geometry::TriangleMesh readStl(std::string_view content, const std::string& name) {
+  const auto first = content.find_first_not_of(text::kBlank);
   const bool solid = first != std::string_view::npos && isWord(content.substr(first, 5), "solid");
   if (content.size() >= kHeader) {
     std::uint32_t count = 0;

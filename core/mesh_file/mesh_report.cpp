@@ -7,7 +7,7 @@
 
 #include "core/geometry/mass_properties.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 namespace {
 
 /// A robot link, a table or a person is smaller than this, m; a file in millimetres is larger.
@@ -76,7 +76,7 @@ void addRemarks(MeshReport& r) {
 
 }  // namespace
 
-MeshReport inspect(const TriangleMesh& mesh) {
+MeshReport inspect(const geometry::TriangleMesh& mesh) {
   MeshReport r;
   r.triangles = mesh.triangles.size();
   r.vertices = mesh.vertices.size();
@@ -108,11 +108,11 @@ MeshReport inspect(const TriangleMesh& mesh) {
     first = last;
   }
   r.components = pieces.count();
-  r.volume = signedVolume(mesh);
-  r.extent = bounds(mesh).extent();
+  r.volume = geometry::signedVolume(mesh);
+  r.extent = geometry::bounds(mesh).extent();
   r.watertight = r.open_edges == 0 && r.non_manifold_edges == 0 && r.flipped_edges == 0 && r.volume > 0.0;
   addRemarks(r);
   return r;
 }
 
-}  // namespace abstand
+}  // namespace abstand::mesh_file

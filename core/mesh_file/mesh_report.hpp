@@ -6,7 +6,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 
 struct MeshReport {
   std::size_t triangles{0};
@@ -23,6 +23,6 @@ struct MeshReport {
 };
 
 /// `mesh` is welded already; degenerate_triangles is left at 0 (the reader knows).
-MeshReport inspect(const TriangleMesh& mesh);
+MeshReport inspect(const geometry::TriangleMesh& mesh);
 
-}  // namespace abstand
+}  // namespace abstand::mesh_file

@@ -7,16 +7,16 @@
 #include "core/base/error.hpp"
 #include "core/mechanism/link_inertia.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 // Rounds of drive(), and the change of a rate, as a share of the largest, after which they end.
 constexpr int kMaxRounds = 10;
 constexpr double kConverged = 1e-13;
 
-void judge(const Mechanism& mechanism, const MechanismOptions& options) {
+void judge(const mechanism::Mechanism& mechanism, const MechanismOptions& options) {
   for (const auto& f : mechanism.frames) {
-    const std::string fault = inertiaFault(f.inertia);
+    const std::string fault = mechanism::inertiaFault(f.inertia);
     if (!fault.empty()) throw ParseError({mechanism.name}, "frame '" + f.name + "': " + fault);
   }
   if (!options.damping.empty() && options.damping.size() != static_cast<std::size_t>(mechanism.dof))
@@ -29,16 +29,16 @@ void judge(const Mechanism& mechanism, const MechanismOptions& options) {
 
 }  // namespace
 
-Articulation::Articulation(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
-                           const Vector3d& gravity_W)
+Articulation::Articulation(const mechanism::Mechanism& mechanism, const Transform& X_WB,
+                           const MechanismOptions& options, const Vector3d& gravity_W)
     : gravity_W_(gravity_W), compensated_(options.gravity_compensation) {
   judge(mechanism, options);
-  tree_ = makeRigidTree(mechanism);
-  moveBase(tree_, X_WB);
+  tree_ = mechanism::makeRigidTree(mechanism);
+  mechanism::moveBase(tree_, X_WB);
   const auto dof = static_cast<std::size_t>(tree_.dof);
   most_.assign(dof, kInfinity);
   std::vector<double> sizes(dof, 0.0), squares(dof, 0.0);
-  for (const TreeBody& b : tree_.bodies) {
+  for (const mechanism::TreeBody& b : tree_.bodies) {
     const auto k = static_cast<std::size_t>(b.dof);
     const double effort = mechanism.frames[static_cast<std::size_t>(b.frame)].limits.effort;
     // The effort of a dof is its joint's times the scale; of mimic joints the first has the motor.
@@ -46,9 +46,9 @@ Articulation::Articulation(const Mechanism& mechanism, const Transform& X_WB, co
     sizes[k] += std::abs(b.scale);
     squares[k] += b.scale * b.scale;
   }
-  for (const TreeBody& b : tree_.bodies) {
+  for (const mechanism::TreeBody& b : tree_.bodies) {
     const auto k = static_cast<std::size_t>(b.dof);
-    const JointLimits& limits = mechanism.frames[static_cast<std::size_t>(b.frame)].limits;
+    const mechanism::JointLimits& limits = mechanism.frames[static_cast<std::size_t>(b.frame)].limits;
     JointSide side{-kInfinity, kInfinity, 0.0, 0.0};
     if (options.limits) {
       side.lower = limits.lower;
@@ -71,7 +71,7 @@ Articulation::Articulation(const Mechanism& mechanism, const Transform& X_WB, co
   next_rates_.assign(dof, 0.0);
   motored_.assign(dof, false);
   if (options.limits && options.motors_keep_limits) {
-    std::vector<DofLimits> limits = dofLimits(mechanism);
+    std::vector<mechanism::DofLimits> limits = mechanism::dofLimits(mechanism);
     for (std::size_t k = 0; k < dof; ++k) limits[k].effort = most_[k];
     limiter_.emplace(std::move(limits));
   }
@@ -94,14 +94,14 @@ void Articulation::setMotor(int dof, double velocity, double most_effort) {
 void Articulation::addWrench(int frame, const Wrench& w_W, const Vector3d& p_W) {
   ABSTAND_CHECK(hasFrame(frame));
   const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
-  if (body >= 0) external_[static_cast<std::size_t>(body)] += aboutOrigin(w_W, p_W);
+  if (body >= 0) external_[static_cast<std::size_t>(body)] += mechanism::aboutOrigin(w_W, p_W);
 }
 
 Twist Articulation::velocityAt(int frame, const Vector3d& p_W) const {
   ABSTAND_CHECK(hasFrame(frame));
   const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
   if (body < 0) return {};
-  const TreeBodyState& s = state_.bodies[static_cast<std::size_t>(body)];
+  const mechanism::TreeBodyState& s = state_.bodies[static_cast<std::size_t>(body)];
   return {s.velocity + s.omega.cross(p_W - s.p_B), s.omega};
 }
 
@@ -110,21 +110,23 @@ double Articulation::mobilityOf(int frame, const Vector3d& p_W, const Wrench& w_
   const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
   if (body < 0) return 0.0;
   if (!factorMass()) return 0.0;
-  return mobility(tree_, state_, mass_, body, p_W, w_W, work_);
+  return mechanism::mobility(tree_, state_, mass_, body, p_W, w_W, work_);
 }
 
-MechanicalEnergy Articulation::energy() { return mechanicalEnergy(tree_, q_, qd_, gravity_W_, spare_); }
+mechanism::MechanicalEnergy Articulation::energy() {
+  return mechanism::mechanicalEnergy(tree_, q_, qd_, gravity_W_, spare_);
+}
 
 bool Articulation::factorMass() {
   if (factored_) return true;
-  massMatrix(tree_, state_, mass_);
-  factored_ = factor(mass_) < 0;
+  mechanism::massMatrix(tree_, state_, mass_);
+  factored_ = mechanism::factor(mass_) < 0;
   return factored_;
 }
 
 void Articulation::drive(double h) {
   if (compensated_)
-    gravityEfforts(tree_, q_, gravity_W_, spare_, drive_);
+    mechanism::gravityEfforts(tree_, q_, gravity_W_, spare_, drive_);
   else
     std::fill(drive_.begin(), drive_.end(), 0.0);
   for (std::size_t k = 0; k < drive_.size(); ++k)
@@ -134,9 +136,9 @@ void Articulation::drive(double h) {
   middle_ = qd_;
   if (!factorMass()) return;
   for (int round = 0; round < kMaxRounds; ++round) {
-    inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
+    mechanism::inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
     for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] = h * (command_[k] - work_[k]);
-    solveMass(mass_, next_rates_);
+    mechanism::solveMass(mass_, next_rates_);
     for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] += qd_[k];
     if (limiter_) limiter_->limit(mass_, {h, q_, qd_, work_, command_, next_rates_, drive_}, motored_);
     double change = 0.0, size = 0.0;
@@ -160,14 +162,14 @@ void Articulation::advance(double h) {
 }
 
 void Articulation::settle() {
-  placeBodies(tree_, q_, state_);
-  moveBodies(tree_, qd_, state_);
+  mechanism::placeBodies(tree_, q_, state_);
+  mechanism::moveBodies(tree_, qd_, state_);
   factored_ = false;
 }
 
 double Articulation::value(std::size_t body) const {
-  const TreeBody& b = tree_.bodies[body];
+  const mechanism::TreeBody& b = tree_.bodies[body];
   return b.offset + b.scale * q_[static_cast<std::size_t>(b.dof)];
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

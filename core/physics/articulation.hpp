@@ -12,7 +12,7 @@
 
 struct dxWorld;  // ODE's
 
-namespace abstand {
+namespace abstand::physics {
 
 /// What solves a mechanism's equations of motion. Both take the same steps, of second order and reversible,
 /// so that energy does not drift (leapfrog: qd stands half a step before q):
@@ -38,7 +38,7 @@ class Articulation {
  public:
   /// Throws ParseError (with the mechanism's name as file) for a mechanism that cannot be simulated: a frame
   /// whose mass is no body's; UsageError for options that do not fit it.
-  Articulation(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
+  Articulation(const mechanism::Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
                const Vector3d& gravity_W);
   virtual ~Articulation() = default;
   Articulation(const Articulation&) = delete;
@@ -67,14 +67,14 @@ class Articulation {
   bool hasFrame(int frame) const {
     return frame >= 0 && static_cast<std::size_t>(frame) < tree_.frames.size();
   }
-  Transform pose(int frame) const { return poseOfFrame(tree_, state_, frame); }
+  Transform pose(int frame) const { return mechanism::poseOfFrame(tree_, state_, frame); }
   /// m/s, rad/s: of the point of the frame's body that is at `p_W`.
   Twist velocityAt(int frame, const Vector3d& p_W) const;
   /// mobility() of the frame's body (effective_mass.hpp); 0 for what is fixed to the base.
   double mobilityOf(int frame, const Vector3d& p_W, const Wrench& w_W);
 
   /// Kinetic plus potential energy, J.
-  MechanicalEnergy energy();
+  mechanism::MechanicalEnergy energy();
 
   /// Before and after the ODE world's step of `h` seconds. No allocation after the first step.
   virtual void begin(double h) = 0;
@@ -101,7 +101,7 @@ class Articulation {
   void settle();
   double value(std::size_t body) const;
 
-  RigidTree tree_;  ///< its base is the world
+  mechanism::RigidTree tree_;  ///< its base is the world
   Vector3d gravity_W_;
   bool compensated_;
   std::vector<double> most_;  ///< effort limit a dof
@@ -111,8 +111,8 @@ class Articulation {
   std::vector<Wrench> external_;  ///< a body; about the world's origin
   std::vector<double> drive_;     ///< a dof
   std::vector<double> middle_;    ///< u, a dof
-  TreeState state_;               ///< of q_ and qd_
-  MassMatrix mass_;
+  mechanism::TreeState state_;    ///< of q_ and qd_
+  mechanism::MassMatrix mass_;
 
  private:
   bool factorMass();
@@ -120,7 +120,7 @@ class Articulation {
   std::optional<JointLimiter> limiter_;
   std::vector<double> work_, command_, next_rates_;
   std::vector<bool> motored_;  ///< a dof: its motor is on
-  TreeState spare_;
+  mechanism::TreeState spare_;
 };
 
 /// Beyond its stop, a joint returns at this share of what it overshot a step (ODE's own default), so with at
@@ -132,9 +132,10 @@ inline constexpr double kStopSpeed = 0.5;
 /// rad/s, m/s: no joint moves faster, whatever pushes it, so that numbers stay numbers.
 inline constexpr double kMaxRate = 1e4;
 
-std::unique_ptr<Articulation> makeJointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_WB,
-                                          const MechanismOptions& options, const Vector3d& gravity_W);
-std::unique_ptr<Articulation> makeReduced(const Mechanism& mechanism, const Transform& X_WB,
+std::unique_ptr<Articulation> makeJointed(dxWorld* world, const mechanism::Mechanism& mechanism,
+                                          const Transform& X_WB, const MechanismOptions& options,
+                                          const Vector3d& gravity_W);
+std::unique_ptr<Articulation> makeReduced(const mechanism::Mechanism& mechanism, const Transform& X_WB,
                                           const MechanismOptions& options, const Vector3d& gravity_W);
 
-}  // namespace abstand
+}  // namespace abstand::physics

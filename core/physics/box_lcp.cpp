@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 // Of a row's own entry: what is left of a row that others say already (joints that mimic each other at their
@@ -91,4 +91,4 @@ bool solveBoxLcp(BoxLcp& p, Eigen::Index n) {
   return false;
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

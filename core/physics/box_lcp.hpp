@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 
 /// A linear complementarity problem with bounds: w = A x - b, lower <= x <= upper, and for every i w_i = 0,
 /// or x_i = lower_i and w_i >= 0, or x_i = upper_i and w_i <= 0. For a symmetric positive definite A there is
@@ -27,4 +27,4 @@ struct BoxLcp {
 /// (A is hardly definite); `x` is then within its bounds. No allocation when reserved.
 bool solveBoxLcp(BoxLcp& problem, Eigen::Index n);
 
-}  // namespace abstand
+}  // namespace abstand::physics

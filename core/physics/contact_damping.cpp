@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 // Of the velocity, within a step.
@@ -50,4 +50,4 @@ Wrench contactDamping(const Contact& contact, const ContactMotion& motion, const
   return damping;
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

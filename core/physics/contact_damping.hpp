@@ -3,7 +3,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 
 struct ContactOptions {
   /// s/m: the penalty force times (1 - dissipation x speed of separation), never below 0 [Hunt, Crossley
@@ -44,4 +44,4 @@ struct ContactMotion {
 Wrench contactDamping(const Contact& contact, const ContactMotion& motion, const ContactOptions& options,
                       double h);
 
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 // Of a bound: less is rounding of the solution that put the velocity there.
@@ -13,7 +13,7 @@ constexpr double kAtBound = 1e-12;
 
 }  // namespace
 
-JointLimiter::JointLimiter(std::vector<DofLimits> limits) : limits_(std::move(limits)) {
+JointLimiter::JointLimiter(std::vector<mechanism::DofLimits> limits) : limits_(std::move(limits)) {
   const std::size_t n = limits_.size();
   bounds_.resize(n);
   rows_.reserve(static_cast<Eigen::Index>(n));
@@ -24,7 +24,7 @@ JointLimiter::JointLimiter(std::vector<DofLimits> limits) : limits_(std::move(li
   for (auto* v : {&command_, &without_, &wanted_, &holding_, &held_}) v->resize(n);
 }
 
-double JointLimiter::braking(const MassMatrix& mass, std::span<const double> bias,
+double JointLimiter::braking(const mechanism::MassMatrix& mass, std::span<const double> bias,
                              std::size_t k) const noexcept {
   const auto i = static_cast<Eigen::Index>(k);
   const double most = limits_[k].effort;
@@ -42,7 +42,7 @@ void JointLimiter::aim(const LimitedStep& step, Eigen::Index row, bool upper) no
   rows_.upper[row] = upper ? 0.0 : std::max(0.0, step.h * (most - command_[k]));
 }
 
-void JointLimiter::addRow(const MassMatrix& mass, const LimitedStep& step, std::size_t dof,
+void JointLimiter::addRow(const mechanism::MassMatrix& mass, const LimitedStep& step, std::size_t dof,
                           bool upper) noexcept {
   const auto row = static_cast<Eigen::Index>(dofs_.size());
   dofs_.push_back(dof);
@@ -51,7 +51,7 @@ void JointLimiter::addRow(const MassMatrix& mass, const LimitedStep& step, std::
   auto response = responses_.col(row);
   response.setZero();
   response[static_cast<Eigen::Index>(dof)] = 1.0;
-  solveMass(mass, {response.data(), limits_.size()});
+  mechanism::solveMass(mass, {response.data(), limits_.size()});
   for (Eigen::Index i = 0; i <= row; ++i)
     rows_.A(i, row) = rows_.A(row, i) =
         response[static_cast<Eigen::Index>(dofs_[static_cast<std::size_t>(i)])];
@@ -60,7 +60,7 @@ void JointLimiter::addRow(const MassMatrix& mass, const LimitedStep& step, std::
 
 /// With command_ and without_: efforts and next velocities. Gives by how much the worst joint is beyond its
 /// bound nevertheless (rad/s, m/s), 0: none.
-double JointLimiter::keepBounds(const MassMatrix& mass, const LimitedStep& step,
+double JointLimiter::keepBounds(const mechanism::MassMatrix& mass, const LimitedStep& step,
                                 const std::vector<bool>& free) noexcept {
   const std::size_t n = limits_.size();
   std::copy(command_.begin(), command_.end(), step.efforts.begin());
@@ -76,7 +76,7 @@ double JointLimiter::keepBounds(const MassMatrix& mass, const LimitedStep& step,
     worst = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       if (k < free.size() && free[k]) continue;
-      const VelocityBounds& b = bounds_[k];
+      const mechanism::VelocityBounds& b = bounds_[k];
       const bool above = step.next[k] > b.upper + kAtBound * (1.0 + std::abs(b.upper));
       const bool below = step.next[k] < b.lower - kAtBound * (1.0 + std::abs(b.lower));
       if (!above && !below) continue;
@@ -106,7 +106,7 @@ double JointLimiter::keepBounds(const MassMatrix& mass, const LimitedStep& step,
 }
 
 /// Efforts, within their limits, that keep the present velocities or lead back to their bounds.
-void JointLimiter::findHolding(const MassMatrix& mass, const LimitedStep& step) noexcept {
+void JointLimiter::findHolding(const mechanism::MassMatrix& mass, const LimitedStep& step) noexcept {
   const std::size_t n = limits_.size();
   for (std::size_t k = 0; k < n; ++k)
     held_[k] = std::clamp(step.qd[k], bounds_[k].lower, bounds_[k].upper) - step.qd[k];
@@ -117,11 +117,11 @@ void JointLimiter::findHolding(const MassMatrix& mass, const LimitedStep& step) 
     holding_[k] = std::clamp(effort, -limits_[k].effort, limits_[k].effort);
   }
   for (std::size_t k = 0; k < n; ++k) held_[k] = step.h * (holding_[k] - step.bias[k]);
-  solveMass(mass, held_);
+  mechanism::solveMass(mass, held_);
   for (std::size_t k = 0; k < n; ++k) held_[k] += step.qd[k];
 }
 
-double JointLimiter::keepBoundsAt(double share, const MassMatrix& mass, const LimitedStep& step,
+double JointLimiter::keepBoundsAt(double share, const mechanism::MassMatrix& mass, const LimitedStep& step,
                                   const std::vector<bool>& free) noexcept {
   for (std::size_t k = 0; k < limits_.size(); ++k) {
     command_[k] = holding_[k] + share * (step.command[k] - holding_[k]);
@@ -130,12 +130,13 @@ double JointLimiter::keepBoundsAt(double share, const MassMatrix& mass, const Li
   return keepBounds(mass, step, free);
 }
 
-void JointLimiter::limit(const MassMatrix& mass, const LimitedStep& step,
+void JointLimiter::limit(const mechanism::MassMatrix& mass, const LimitedStep& step,
                          const std::vector<bool>& free) noexcept {
   const std::size_t n = limits_.size();
   ABSTAND_CHECK(step.next.size() == n && step.efforts.size() == n);
   for (std::size_t k = 0; k < n; ++k)
-    bounds_[k] = velocityBounds(limits_[k], step.q[k], step.qd[k], braking(mass, step.bias, k), step.h);
+    bounds_[k] =
+        mechanism::velocityBounds(limits_[k], step.q[k], step.qd[k], braking(mass, step.bias, k), step.h);
   std::copy(step.command.begin(), step.command.end(), command_.begin());
   std::copy(step.next.begin(), step.next.end(), without_.begin());
   wanted_ = without_;
@@ -156,4 +157,4 @@ void JointLimiter::limit(const MassMatrix& mass, const LimitedStep& step,
   keepBoundsAt(kept, mass, step, free);
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

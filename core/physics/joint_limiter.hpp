@@ -8,7 +8,7 @@
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/box_lcp.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 
 /// One step of a mechanism. All spans have the size dof.
 struct LimitedStep {
@@ -43,25 +43,29 @@ class JointLimiter {
   static constexpr double kMinReserve = 0.1;
   static constexpr int kHalvings = 6;
 
-  explicit JointLimiter(std::vector<DofLimits> limits);
+  explicit JointLimiter(std::vector<mechanism::DofLimits> limits);
 
   /// `mass`: factored, at step.q. `free`: dofs that are not looked after, because something else drives them;
   /// empty: none.
-  void limit(const MassMatrix& mass, const LimitedStep& step, const std::vector<bool>& free = {}) noexcept;
+  void limit(const mechanism::MassMatrix& mass, const LimitedStep& step,
+             const std::vector<bool>& free = {}) noexcept;
   /// rad/s^2 or m/s^2: deceleration of a dof that its motor can be relied on for, in this posture.
-  double braking(const MassMatrix& mass, std::span<const double> bias, std::size_t dof) const noexcept;
-  const std::vector<DofLimits>& limits() const { return limits_; }
+  double braking(const mechanism::MassMatrix& mass, std::span<const double> bias,
+                 std::size_t dof) const noexcept;
+  const std::vector<mechanism::DofLimits>& limits() const { return limits_; }
 
  private:
-  double keepBounds(const MassMatrix& mass, const LimitedStep& step, const std::vector<bool>& free) noexcept;
-  double keepBoundsAt(double share, const MassMatrix& mass, const LimitedStep& step,
+  double keepBounds(const mechanism::MassMatrix& mass, const LimitedStep& step,
+                    const std::vector<bool>& free) noexcept;
+  double keepBoundsAt(double share, const mechanism::MassMatrix& mass, const LimitedStep& step,
                       const std::vector<bool>& free) noexcept;
-  void findHolding(const MassMatrix& mass, const LimitedStep& step) noexcept;
-  void addRow(const MassMatrix& mass, const LimitedStep& step, std::size_t dof, bool upper) noexcept;
+  void findHolding(const mechanism::MassMatrix& mass, const LimitedStep& step) noexcept;
+  void addRow(const mechanism::MassMatrix& mass, const LimitedStep& step, std::size_t dof,
+              bool upper) noexcept;
   void aim(const LimitedStep& step, Eigen::Index row, bool upper) noexcept;
 
-  std::vector<DofLimits> limits_;
-  std::vector<VelocityBounds> bounds_;
+  std::vector<mechanism::DofLimits> limits_;
+  std::vector<mechanism::VelocityBounds> bounds_;
   BoxLcp rows_;
   std::vector<std::size_t> dofs_;     ///< of each row
   std::vector<Eigen::Index> row_of_;  ///< of each dof, -1: none
@@ -72,4 +76,4 @@ class JointLimiter {
   std::vector<double> holding_, held_;     ///< efforts that keep the velocities, and next under them
 };
 
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -15,13 +15,13 @@
 #include "core/base/error.hpp"
 #include "core/physics/articulation.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 class Jointed final : public Articulation {
  public:
-  Jointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
-          const Vector3d& gravity_W);
+  Jointed(dxWorld* world, const mechanism::Mechanism& mechanism, const Transform& X_WB,
+          const MechanismOptions& options, const Vector3d& gravity_W);
   ~Jointed() override;
   void begin(double h) override;
   void end(double h) override;
@@ -35,8 +35,8 @@ class Jointed final : public Articulation {
   double rateOf(std::size_t i) const;
   void share();
 
-  RigidTree free_;  ///< every joint a dof of its own, its value the joint's
-  TreeState free_state_;
+  mechanism::RigidTree free_;  ///< every joint a dof of its own, its value the joint's
+  mechanism::TreeState free_state_;
   std::vector<double> values_, rates_, scratch_, momenta_;
   std::vector<Wrench> inertia_forces_;  ///< a body, about its centre of mass
   std::vector<bool> leads_;             ///< the first joint of its dof: it has the effort
@@ -49,7 +49,7 @@ class Jointed final : public Articulation {
 constexpr double kRounding = 1e-12;
 
 /// ODE divides by mass and inertia.
-void judge(const Mechanism& mechanism, const TreeBody& b) {
+void judge(const mechanism::Mechanism& mechanism, const mechanism::TreeBody& b) {
   if (b.mass > 0.0 && Eigen::LLT<Matrix3d>(b.inertia).info() == Eigen::Success) return;
   throw ParseError({mechanism.name},
                    "what moves with frame '" + mechanism.frames[static_cast<std::size_t>(b.frame)].name +
@@ -58,15 +58,15 @@ void judge(const Mechanism& mechanism, const TreeBody& b) {
                    "give the link an inertia in its file, or its mesh a density");
 }
 
-Jointed::Jointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_WB,
+Jointed::Jointed(dxWorld* world, const mechanism::Mechanism& mechanism, const Transform& X_WB,
                  const MechanismOptions& options, const Vector3d& gravity_W)
     : Articulation(mechanism, X_WB, options, gravity_W), free_(tree_) {
-  for (const TreeBody& b : tree_.bodies) judge(mechanism, b);
+  for (const mechanism::TreeBody& b : tree_.bodies) judge(mechanism, b);
   const std::size_t n = tree_.bodies.size();
   free_.dof = static_cast<int>(n);
   std::vector<bool> seen(static_cast<std::size_t>(tree_.dof), false);
   for (std::size_t i = 0; i < n; ++i) {
-    TreeBody& b = free_.bodies[i];
+    mechanism::TreeBody& b = free_.bodies[i];
     const auto k = static_cast<std::size_t>(b.dof);
     leads_.push_back(!seen[k]);
     mimic_ = mimic_ || seen[k];
@@ -82,7 +82,7 @@ Jointed::Jointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_
   inertia_forces_.assign(n, {});
   placeFree();
   for (std::size_t i = 0; i < n; ++i) {
-    const TreeBody& b = free_.bodies[i];
+    const mechanism::TreeBody& b = free_.bodies[i];
     const Matrix3d& I = b.inertia;
     dMass mass;
     dMassSetParameters(&mass, b.mass, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
@@ -111,25 +111,25 @@ Jointed::~Jointed() {
 /// the gyroscopic torque of these rates.
 void Jointed::placeFree() {
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const TreeBody& b = tree_.bodies[i];
+    const mechanism::TreeBody& b = tree_.bodies[i];
     values_[i] = value(i);
     rates_[i] = b.scale * middle_[static_cast<std::size_t>(b.dof)];
   }
-  inverseDynamics(free_, values_, rates_, {}, Vector3d::Zero(), {}, free_state_, scratch_);
+  mechanism::inverseDynamics(free_, values_, rates_, {}, Vector3d::Zero(), {}, free_state_, scratch_);
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const TreeBody& b = free_.bodies[i];
-    const TreeBodyState& s = free_state_.bodies[i];
+    const mechanism::TreeBody& b = free_.bodies[i];
+    const mechanism::TreeBodyState& s = free_state_.bodies[i];
     const Vector3d omega = s.R_B.transpose() * s.omega, alpha = s.R_B.transpose() * s.alpha;
     inertia_forces_[i].force =
         -b.mass * (s.acceleration + s.alpha.cross(s.com_B) + s.omega.cross(s.omega.cross(s.com_B)));
     inertia_forces_[i].torque = -(s.R_B * (b.inertia * alpha + omega.cross(b.inertia * omega)));
     rates_[i] = tree_.bodies[i].scale * qd_[static_cast<std::size_t>(tree_.bodies[i].dof)];
   }
-  moveBodies(free_, rates_, free_state_);
+  mechanism::moveBodies(free_, rates_, free_state_);
 }
 
 void Jointed::putBody(std::size_t i) {
-  const TreeBodyState& s = free_state_.bodies[i];
+  const mechanism::TreeBodyState& s = free_state_.bodies[i];
   dMatrix3 R{};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) R[4 * row + column] = s.R_B(row, column);
@@ -142,7 +142,7 @@ void Jointed::putBody(std::size_t i) {
 
 /// External wrench and inertia forces. Gravity is ODE's own.
 void Jointed::pushBody(std::size_t i) {
-  const TreeBodyState& s = free_state_.bodies[i];
+  const mechanism::TreeBodyState& s = free_state_.bodies[i];
   const Vector3d force = external_[i].force + inertia_forces_[i].force;
   const Vector3d torque =
       external_[i].torque - (s.p_B + s.com_B).cross(external_[i].force) + inertia_forces_[i].torque;
@@ -161,7 +161,7 @@ void Jointed::joinHere(std::size_t i) {
 
 /// Effort, stops, motor or damper.
 void Jointed::setJoint(std::size_t i, double h) {
-  const TreeBody& b = tree_.bodies[i];
+  const mechanism::TreeBody& b = tree_.bodies[i];
   const auto k = static_cast<std::size_t>(b.dof);
   const dJointID joint = ode_joints_[i];
   const auto set = [&](int what, double to) {
@@ -210,7 +210,7 @@ void Jointed::begin(double h) {
 /// The joint's velocity after ODE's step, about or along the axis of before.
 double Jointed::rateOf(std::size_t i) const {
   const auto vector = [](const dReal* v) { return Vector3d(v[0], v[1], v[2]); };
-  const TreeBodyState& s = free_state_.bodies[i];
+  const mechanism::TreeBodyState& s = free_state_.bodies[i];
   const int parent = free_.bodies[i].parent;
   const Vector3d omega = vector(dBodyGetAngularVel(bodies_[i]));
   if (!free_.bodies[i].prismatic) {
@@ -220,7 +220,7 @@ double Jointed::rateOf(std::size_t i) const {
   const Vector3d v = vector(dBodyGetLinearVel(bodies_[i]));
   if (parent < 0) return s.axis_B.dot(v);
   const auto p = static_cast<std::size_t>(parent);
-  const TreeBodyState& below = free_state_.bodies[p];
+  const mechanism::TreeBodyState& below = free_state_.bodies[p];
   const Vector3d arm = s.p_B + s.com_B - below.p_B - below.com_B;
   return s.axis_B.dot(v - vector(dBodyGetLinearVel(bodies_[p])) -
                       vector(dBodyGetAngularVel(bodies_[p])).cross(arm));
@@ -229,12 +229,12 @@ double Jointed::rateOf(std::size_t i) const {
 /// Joints that share a dof, moved apart by ODE's step, get the velocities that are nearest in kinetic energy
 /// (Gauss's principle of least constraint): M qd = sum of scale times the joints' momenta.
 void Jointed::share() {
-  inverseDynamics(free_, values_, {}, rates_, Vector3d::Zero(), {}, free_state_, momenta_);
+  mechanism::inverseDynamics(free_, values_, {}, rates_, Vector3d::Zero(), {}, free_state_, momenta_);
   std::fill(qd_.begin(), qd_.end(), 0.0);
   for (std::size_t i = 0; i < momenta_.size(); ++i)
     qd_[static_cast<std::size_t>(tree_.bodies[i].dof)] += tree_.bodies[i].scale * momenta_[i];
-  massMatrix(tree_, state_, mass_);
-  if (factor(mass_) < 0) solveMass(mass_, qd_);
+  mechanism::massMatrix(tree_, state_, mass_);
+  if (mechanism::factor(mass_) < 0) mechanism::solveMass(mass_, qd_);
 }
 
 void Jointed::end(double h) {
@@ -243,7 +243,7 @@ void Jointed::end(double h) {
     share();
   } else {
     for (std::size_t i = 0; i < rates_.size(); ++i) {
-      const TreeBody& b = tree_.bodies[i];
+      const mechanism::TreeBody& b = tree_.bodies[i];
       qd_[static_cast<std::size_t>(b.dof)] = b.scale == 0.0 ? 0.0 : rates_[i] / b.scale;
     }
   }
@@ -252,9 +252,10 @@ void Jointed::end(double h) {
 
 }  // namespace
 
-std::unique_ptr<Articulation> makeJointed(dxWorld* world, const Mechanism& mechanism, const Transform& X_WB,
-                                          const MechanismOptions& options, const Vector3d& gravity_W) {
+std::unique_ptr<Articulation> makeJointed(dxWorld* world, const mechanism::Mechanism& mechanism,
+                                          const Transform& X_WB, const MechanismOptions& options,
+                                          const Vector3d& gravity_W) {
   return std::make_unique<Jointed>(world, mechanism, X_WB, options, gravity_W);
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

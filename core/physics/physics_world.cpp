@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/mechanism/link_inertia.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 // N, N m, m/s, rad/s: more is no physics, and would overflow.
@@ -54,7 +54,7 @@ dxWorld* makeWorld(const Vector3d& gravity_W, dxThreadingImplementation* threadi
 /// In ODE a body's origin is its centre of mass.
 struct PhysicsWorld::FreeBody {
   dBodyID id;
-  LinkInertia inertia;
+  mechanism::LinkInertia inertia;
   Matrix3d inverse;  ///< of the inertia, in the body's axes
 
   Matrix3d axes() const { return matrix(dBodyGetRotation(id)); }
@@ -68,7 +68,7 @@ PhysicsWorld::PhysicsWorld(const PhysicsOptions& options)
 
 PhysicsWorld::~PhysicsWorld() = default;
 
-int PhysicsWorld::addMechanism(const Mechanism& mechanism, const Transform& X_WB,
+int PhysicsWorld::addMechanism(const mechanism::Mechanism& mechanism, const Transform& X_WB,
                                const MechanismOptions& options) {
   mechanisms_.push_back(options.solver == MechanismSolver::kJointed
                             ? makeJointed(world_.get(), mechanism, X_WB, options, gravity_W_)
@@ -77,8 +77,9 @@ int PhysicsWorld::addMechanism(const Mechanism& mechanism, const Transform& X_WB
   return static_cast<int>(mechanisms_.size()) - 1;
 }
 
-int PhysicsWorld::addFreeBody(const LinkInertia& body, const Transform& X_WF, const Twist& twist_W) {
-  std::string fault = inertiaFault(body);
+int PhysicsWorld::addFreeBody(const mechanism::LinkInertia& body, const Transform& X_WF,
+                              const Twist& twist_W) {
+  std::string fault = mechanism::inertiaFault(body);
   if (fault.empty() && !(body.mass > 0.0 && Eigen::LLT<Matrix3d>(body.inertia_F).info() == Eigen::Success))
     fault = "found a body without mass or extent, expected a mass and three positive principal moments";
   if (!fault.empty()) throw UsageError("free body: " + fault);
@@ -202,10 +203,10 @@ Twist PhysicsWorld::velocityAt(const PhysicsObject& object, const Vector3d& p_W)
   return {vector(dBodyGetLinearVel(body.id)) + omega.cross(p_W - body.center()), omega};
 }
 
-MechanicalEnergy PhysicsWorld::energy() {
-  MechanicalEnergy sum;
+mechanism::MechanicalEnergy PhysicsWorld::energy() {
+  mechanism::MechanicalEnergy sum;
   for (const auto& m : mechanisms_) {
-    const MechanicalEnergy e = m->energy();
+    const mechanism::MechanicalEnergy e = m->energy();
     sum.kinetic += e.kinetic;
     sum.potential += e.potential;
   }
@@ -218,4 +219,4 @@ MechanicalEnergy PhysicsWorld::energy() {
   return sum;
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -8,7 +8,7 @@
 
 struct dxThreadingImplementation;  // ODE's
 
-namespace abstand {
+namespace abstand::physics {
 
 /// What can be pushed. A default one is the world itself: pushes on it do nothing.
 struct PhysicsObject {
@@ -17,7 +17,7 @@ struct PhysicsObject {
 };
 
 struct PhysicsOptions {
-  Vector3d gravity_W{kGravity};  ///< m/s^2
+  Vector3d gravity_W{mechanism::kGravity};  ///< m/s^2
 };
 
 /// An ODE world. ODE moves the free bodies and solves the mechanisms' joints (or our own forward dynamics
@@ -32,10 +32,11 @@ class PhysicsWorld {
 
   /// At q = 0, at rest; gives its number. X_WB: its base, for good. Throws ParseError for a mechanism that
   /// cannot be simulated (the message says which link lacks a mass), UsageError for unfit options.
-  int addMechanism(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options = {});
+  int addMechanism(const mechanism::Mechanism& mechanism, const Transform& X_WB,
+                   const MechanismOptions& options = {});
   /// A body whose own frame F stands at X_WF, moving with `twist_W` (of its centre of mass); gives its
   /// number. Throws UsageError for a body without mass or extent.
-  int addFreeBody(const LinkInertia& body, const Transform& X_WF, const Twist& twist_W = {});
+  int addFreeBody(const mechanism::LinkInertia& body, const Transform& X_WF, const Twist& twist_W = {});
 
   Articulation& mechanism(int number) { return *mechanisms_.at(static_cast<std::size_t>(number)); }
   const Articulation& mechanism(int number) const {
@@ -66,7 +67,7 @@ class PhysicsWorld {
   /// Velocity of the object's point that is at `p_W`.
   Twist velocityAt(const PhysicsObject& object, const Vector3d& p_W) const;
   /// J, of all mechanisms and free bodies; potential energy is 0 at the world's origin.
-  MechanicalEnergy energy();
+  mechanism::MechanicalEnergy energy();
 
   double time() const { return time_; }      ///< s, of all steps
   long dropped() const { return dropped_; }  ///< inputs that were no numbers
@@ -86,4 +87,4 @@ class PhysicsWorld {
   std::vector<FreeBody> bodies_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::physics

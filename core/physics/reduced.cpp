@@ -10,12 +10,12 @@
 #include "core/physics/articulation.hpp"
 #include "core/physics/box_lcp.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 class Reduced final : public Articulation {
  public:
-  Reduced(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
+  Reduced(const mechanism::Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
           const Vector3d& gravity_W);
   void begin(double h) override;
   void end(double h) override;
@@ -30,8 +30,8 @@ class Reduced final : public Articulation {
   }
   std::size_t dofOf(std::size_t body) const { return static_cast<std::size_t>(tree_.bodies[body].dof); }
 
-  TreeState bias_state_;
-  MassMatrix step_mass_;  ///< M + h D
+  mechanism::TreeState bias_state_;
+  mechanism::MassMatrix step_mass_;  ///< M + h D
   std::vector<double> next_, bias_;
   BoxLcp rows_;
   std::vector<std::size_t> row_bodies_;
@@ -39,13 +39,13 @@ class Reduced final : public Articulation {
   Eigen::MatrixXd responses_;             ///< a column a row: what a unit of its impulse does to qd
 };
 
-Reduced::Reduced(const Mechanism& mechanism, const Transform& X_WB, const MechanismOptions& options,
-                 const Vector3d& gravity_W)
+Reduced::Reduced(const mechanism::Mechanism& mechanism, const Transform& X_WB,
+                 const MechanismOptions& options, const Vector3d& gravity_W)
     : Articulation(mechanism, X_WB, options, gravity_W) {
-  massMatrix(tree_, state_, mass_);
-  if (const int dof = factor(mass_); dof >= 0) {
+  mechanism::massMatrix(tree_, state_, mass_);
+  if (const int dof = mechanism::factor(mass_); dof >= 0) {
     std::string name;
-    for (const TreeBody& b : tree_.bodies)
+    for (const mechanism::TreeBody& b : tree_.bodies)
       if (b.dof == dof) name = mechanism.frames[static_cast<std::size_t>(b.frame)].name;
     throw ParseError({mechanism.name},
                      "the dof of frame '" + name + "' moves no mass, expected a mass on or beyond it",
@@ -63,16 +63,16 @@ Reduced::Reduced(const Mechanism& mechanism, const Transform& X_WB, const Mechan
 void Reduced::addRow(std::size_t body, double velocity, double lower, double upper) {
   const auto r = static_cast<Eigen::Index>(row_bodies_.size());
   row_bodies_.push_back(body);
-  const TreeBody& b = tree_.bodies[body];
+  const mechanism::TreeBody& b = tree_.bodies[body];
   auto response = responses_.col(r);
   response.setZero();
   response[b.dof] = b.scale;
-  solveMass(step_mass_, {response.data(), next_.size()});
+  mechanism::solveMass(step_mass_, {response.data(), next_.size()});
   rows_.b[r] = velocity - b.scale * next_[static_cast<std::size_t>(b.dof)];
   rows_.lower[r] = lower;
   rows_.upper[r] = upper;
   for (Eigen::Index k = 0; k <= r; ++k) {
-    const TreeBody& other = tree_.bodies[row_bodies_[static_cast<std::size_t>(k)]];
+    const mechanism::TreeBody& other = tree_.bodies[row_bodies_[static_cast<std::size_t>(k)]];
     rows_.A(k, r) = rows_.A(r, k) = other.scale * response[other.dof];
   }
 }
@@ -82,7 +82,7 @@ void Reduced::gatherRows(double h) {
   row_bodies_.clear();
   std::fill(motor_rows_.begin(), motor_rows_.end(), -1);
   for (std::size_t i = 0; i < tree_.bodies.size(); ++i) {
-    const TreeBody& b = tree_.bodies[i];
+    const mechanism::TreeBody& b = tree_.bodies[i];
     const Motor& motor = motors_[static_cast<std::size_t>(b.dof)];
     if (b.scale == 0.0) continue;
     const double down = joints_[i].lower - value(i), up = joints_[i].upper - value(i);
@@ -130,8 +130,8 @@ double Reduced::pushAtStop(std::size_t i) const {
 
 void Reduced::begin(double h) {
   drive(h);
-  inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, bias_state_, bias_);
-  massMatrix(tree_, state_, mass_);
+  mechanism::inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, bias_state_, bias_);
+  mechanism::massMatrix(tree_, state_, mass_);
   step_mass_.M = mass_.M;
   for (std::size_t k = 0; k < q_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
@@ -147,11 +147,11 @@ void Reduced::begin(double h) {
     if (motors_[dofOf(i)].most == 0.0 && !atStop(i))
       step_mass_.M(k, k) += h * scale * scale * joints_[i].damping;
   }
-  if (factor(step_mass_) >= 0) {
+  if (mechanism::factor(step_mass_) >= 0) {
     std::copy(qd_.begin(), qd_.end(), next_.begin());
     return;
   }
-  solveMass(step_mass_, next_);
+  mechanism::solveMass(step_mass_, next_);
   gatherRows(h);
   solveRows();
 }
@@ -163,9 +163,9 @@ void Reduced::end(double h) {
 
 }  // namespace
 
-std::unique_ptr<Articulation> makeReduced(const Mechanism& mechanism, const Transform& X_WB,
+std::unique_ptr<Articulation> makeReduced(const mechanism::Mechanism& mechanism, const Transform& X_WB,
                                           const MechanismOptions& options, const Vector3d& gravity_W) {
   return std::make_unique<Reduced>(mechanism, X_WB, options, gravity_W);
 }
 
-}  // namespace abstand
+}  // namespace abstand::physics

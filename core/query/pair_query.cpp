@@ -7,7 +7,7 @@
 #include "core/query/penalty_force.hpp"
 #include "core/query/separation.hpp"
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 /// Where the nearest points of a query are when the bodies have moved on with them. World frame.
@@ -22,9 +22,9 @@ struct TransportedWitnesses {
 };
 
 /// Most pairs: the nearest points are still where they were, and the hulls prove it.
-bool reuseWitnesses(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                    const Transform& X_WB, const PairOptions& options, const TransportedWitnesses& points,
-                    PairCache& past, PairResult& result) {
+bool reuseWitnesses(const structure::HapticStructure& a, const Transform& X_WA,
+                    const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+                    const TransportedWitnesses& points, PairCache& past, PairResult& result) {
   if (!past.hulls || !(points.distance > kTouching)) return false;
   // Along a vector of any length: the separation times that.
   const double certified =
@@ -41,9 +41,9 @@ bool reuseWitnesses(const HapticStructure& a, const Transform& X_WA, const Hapti
 }
 
 /// The same from either of what a pair remembers; what it then starts from is in memory.last.
-bool reuseEitherCache(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                      const Transform& X_WB, const PairOptions& options, PairMemory& memory,
-                      PairResult& result) {
+bool reuseEitherCache(const structure::HapticStructure& a, const Transform& X_WA,
+                      const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+                      PairMemory& memory, PairResult& result) {
   if (!memory.last.apart) return false;
   const TransportedWitnesses points(memory.last, X_WA, X_WB);
   if (reuseWitnesses(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
@@ -67,13 +67,13 @@ void add(const PenaltyForce& penalty, PairResult& result) {
 
 }  // namespace
 
-bool pointsFromA(const HapticStructure& a, const HapticStructure& b) {
+bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStructure& b) {
   return a.bounding_sphere.radius <= b.bounding_sphere.radius;
 }
 
-bool queryDistance(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                   const Transform& X_WB, const PairOptions& options, PairMemory& memory,
-                   PairScratch& scratch, PairResult& result) noexcept {
+bool queryDistance(const structure::HapticStructure& a, const Transform& X_WA,
+                   const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+                   PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept {
   const double margin = options.margin;
   if (reuseEitherCache(a, X_WA, b, X_WB, options, memory, result)) {
     memory.last.touching = false;
@@ -81,8 +81,8 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
   }
   PairCache& past = memory.last;
   const bool from_a = pointsFromA(a, b);
-  const HapticStructure& P = from_a ? a : b;
-  const HapticStructure& F = from_a ? b : a;
+  const structure::HapticStructure& P = from_a ? a : b;
+  const structure::HapticStructure& F = from_a ? b : a;
   const Transform& X_WF = from_a ? X_WB : X_WA;
   PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_axes);
 
@@ -106,24 +106,24 @@ bool queryDistance(const HapticStructure& a, const Transform& X_WA, const Haptic
   return !penalty;
 }
 
-void addPenalty(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
-                PairResult& result) noexcept {
+void addPenalty(const structure::HapticStructure& a, const Transform& X_WA,
+                const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+                kernels::PairScratch& scratch, PairResult& result) noexcept {
   add(penaltyForce(a, X_WA, b, X_WB, options, scratch), result);
 }
 
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
-               PairResult& result) noexcept {
+void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
+               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+               PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept {
   if (queryDistance(a, X_WA, b, X_WB, options, memory, scratch, result))
     addPenalty(a, X_WA, b, X_WB, options, scratch, result);
 }
 
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
-               PairResult& result) noexcept {
+void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
+               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+               kernels::PairScratch& scratch, PairResult& result) noexcept {
   PairMemory memory;
   queryPair(a, X_WA, b, X_WB, options, memory, scratch, result);
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -4,7 +4,7 @@
 #include "core/kernels/pair_scratch.hpp"
 #include "core/structure/haptic_structure.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
 /// kVolume: f_i = k a_i depth_i n_i, k in N/m^3, so pressing a body into a wall gives k times the overlapping
 /// volume whatever the sampling. kThesis: f_i = k_t V_i n_i [thesis eq. 2.2], unweighted, k_t in N/m.
@@ -51,12 +51,13 @@ struct PairCache {
   bool apart{false};                ///< in the last query; else nothing below holds
   Vector3d on_a{Vector3d::Zero()};  ///< the witnesses in the frames of their own bodies
   Vector3d on_b{Vector3d::Zero()};
-  double distance{0.0};                            ///< m
-  std::uint32_t hint_a{kNoHint}, hint_b{kNoHint};  ///< where on the surfaces the witnesses are
-  bool hulls{false};                               ///< the convex-hull test proved the last distance
-  bool by_parts{false};                            ///< it was proven by the hulls of the bodies' parts
-  bool touching{false};                            ///< forces were wanted
-  std::uint32_t idle{0};                           ///< queries to skip before the hull test is retried
+  double distance{0.0};  ///< m
+  std::uint32_t hint_a{geometry::kNoHint},
+      hint_b{geometry::kNoHint};   ///< where on the surfaces the witnesses are
+  bool hulls{false};               ///< the convex-hull test proved the last distance
+  bool by_parts{false};            ///< it was proven by the hulls of the bodies' parts
+  bool touching{false};            ///< forces were wanted
+  std::uint32_t idle{0};           ///< queries to skip before the hull test is retried
   Vector3d n_a{Vector3d::Zero()};  ///< the unit vector from B to A between the witnesses, in each body's axes
   Vector3d n_b{Vector3d::Zero()};
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
@@ -78,7 +79,7 @@ struct PairMemory {
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,
 /// A on a tie, so that a small body pressed into a large one is integrated over its own surface.
-bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
+bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStructure& b);
 
 /// Both structures must outlive the call. No allocation, no lock, no throw. The result depends only on the
 /// arguments' values (so on earlier calls only through `memory`), never on the thread.
@@ -96,12 +97,12 @@ bool pointsFromA(const HapticStructure& a, const HapticStructure& b);
 /// With a memory, distances beyond kFarFrom may exceed the smallest of the shell's points by
 /// options.far_share of themselves, as far as the field there tells them apart; `bound` says by how much in
 /// each case.
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairMemory& memory, PairScratch& scratch,
-               PairResult& result) noexcept;
+void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
+               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+               PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept;
 /// Without anything to remember.
-void queryPair(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-               const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
-               PairResult& result) noexcept;
+void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
+               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+               kernels::PairScratch& scratch, PairResult& result) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::query

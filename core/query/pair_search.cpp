@@ -6,7 +6,7 @@
 
 #include "core/kernels/search_kernels.hpp"
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 // Shell points are moved between the frames in float: below 0.2 um for bodies within some metres.
@@ -35,7 +35,7 @@ constexpr std::uint32_t kIdle = 8;
 
 }  // namespace
 
-void PairSearch::search(PairCache& memory, PairScratch& scratch) {
+void PairSearch::search(PairCache& memory, kernels::PairScratch& scratch) {
   summing_ = memory.touching;
   found_ = kInfinity;
   const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
@@ -59,7 +59,7 @@ bool PairSearch::mayTouch() const {
   });
 }
 
-void PairSearch::searchReversed(PairScratch& scratch) {
+void PairSearch::searchReversed(kernels::PairScratch& scratch) {
   PartAxes none;
   PairSearch other(F_, X_WF_, P_, X_WP_, options_, none);
   // The forces are those of P's points, if there are any.
@@ -107,47 +107,48 @@ void PairSearch::keep(PairCache& memory, bool from_a) const {
 }
 
 /// Where forces are wanted, those are summed at once, as both look at the same points.
-NearestPoint PairSearch::nearestPoint(const NearestLimits& limits, PairScratch& scratch) {
-  const NearField* near = nearField(F_);
+kernels::NearestPoint PairSearch::nearestPoint(const kernels::NearestLimits& limits,
+                                               kernels::PairScratch& scratch) {
+  const field::NearField* near = structure::nearField(F_);
   if (summing_ && near) {
     const auto margin = static_cast<float>(options_.margin);
     // So far every point is looked at that limits.start would not leave out.
     const float start =
         std::isfinite(limits.start) ? limits.start + static_cast<float>(near->errorBound()) : margin;
-    const ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
-    const ContactSearch found =
-        searchKernels().contactSearch(P_.treeView(X_FP_), F_.fieldView(), contacts, scratch);
+    const kernels::ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
+    const kernels::ContactSearch found =
+        kernels::searchKernels().contactSearch(P_.treeView(X_FP_), F_.fieldView(), contacts, scratch);
     sum_ = found.sum;
-    if (found.nearest.point != kNoPoint || std::isfinite(limits.start)) return found.nearest;
+    if (found.nearest.point != kernels::kNoPoint || std::isfinite(limits.start)) return found.nearest;
   }
-  return searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+  return kernels::searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
 }
 
 /// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
 /// searchPoints does.
-double PairSearch::searchDeeper(PairScratch& scratch) {
-  const NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
-                             static_cast<float>(kSearchPart)};
-  const NearestPoint nearest = nearestPoint(limits, scratch);
+double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
+  const kernels::NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
+                                      static_cast<float>(kSearchPart)};
+  const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
   const double spacing = P_.shell.spacing;
-  if (nearest.point != kNoPoint &&
+  if (nearest.point != kernels::kNoPoint &&
       static_cast<double>(nearest.estimate) <
           witness_.distance + (witness_.distance > -spacing ? kCrossing : kDeeper) * spacing)
     witness_ =
-        refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, X_FP_ * P_.tree.at(nearest.point),
-                      normalAt(nearest.point), spacing, hint_field_);
+        refineWitness(*P_.surface, *F_.surface, structure::nearField(F_), X_FP_,
+                      X_FP_ * P_.tree.at(nearest.point), normalAt(nearest.point), spacing, hint_field_);
   return static_cast<double>(nearest.lower_bound);
 }
 
 /// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
 /// (m) of any shell point that is proven.
-double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
-  const NearestLimits limits{
+double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
+  const kernels::NearestLimits limits{
       apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
       static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
-  const NearestPoint nearest = nearestPoint(limits, scratch);
+  const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
   const auto lower_bound = static_cast<double>(nearest.lower_bound);
-  if (nearest.point == kNoPoint) return lower_bound;
+  if (nearest.point == kernels::kNoPoint) return lower_bound;
   const Vector3d start = X_FP_ * P_.tree.at(nearest.point);
   const double spacing = P_.shell.spacing;
   // What leads to the witness again, or cannot lead to anything nearer.
@@ -170,8 +171,8 @@ double PairSearch::searchPoints(bool apart, PairScratch& scratch) {
       options_.far_share < kColdFarShare &&
       static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
   if (!far || (worth && !(found.distance < witness_.distance)))
-    found = refineWitness(*P_.surface, *F_.surface, nearField(F_), X_FP_, start, normalAt(nearest.point),
-                          spacing, hint_field_);
+    found = refineWitness(*P_.surface, *F_.surface, structure::nearField(F_), X_FP_, start,
+                          normalAt(nearest.point), spacing, hint_field_);
   if (!apart || found.distance < witness_.distance) witness_ = found;
   return lower_bound;
 }
@@ -183,13 +184,13 @@ bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
          (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
 }
 
-void PairSearch::findRunnerUp(PairCache& memory, PairScratch& scratch) const {
+void PairSearch::findRunnerUp(PairCache& memory, kernels::PairScratch& scratch) const {
   const Vector3f home = witness_.on_points.cast<float>();
-  const Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
+  const kernels::Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
   const auto most = static_cast<float>(witness_.distance + kRivalry);
   memory.home = X_FP_.inverse() * witness_.on_points;
   memory.rivals = static_cast<double>(
-      searchKernels().nearestOutside(P_.treeView(X_FP_), F_.fieldView(), ball, most, scratch));
+      kernels::searchKernels().nearestOutside(P_.treeView(X_FP_), F_.fieldView(), ball, most, scratch));
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -4,7 +4,7 @@
 #include "core/query/pair_search.hpp"
 #include "core/query/separation.hpp"
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 // Of what is allowed: the surface between the points may be nearer than they are.
@@ -97,7 +97,7 @@ bool PairSearch::tryPartSupportPoints() {
 }
 
 /// One of these points of the surfaces or both, when they are nearer.
-void PairSearch::take(const ExtremePoint& of_points, const ExtremePoint& of_field) {
+void PairSearch::take(const structure::ExtremePoint& of_points, const structure::ExtremePoint& of_field) {
   const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
   const Vector3d p_0 = witness_.on_points, q_0 = witness_.on_field;
   const double d_p = (p - q_0).norm(), d_q = (p_0 - q).norm(), d = (p - q).norm();
@@ -167,4 +167,4 @@ bool PairSearch::partsApart(const Vector3d& n, FacingParts::Parts& between) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -9,7 +9,7 @@
 #include "core/query/parts_apart.hpp"
 #include "core/query/separation.hpp"
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 // Part of the coordinates; the balls are placed in double.
@@ -24,7 +24,7 @@ constexpr double kSameLine = 0.98;
 
 }  // namespace
 
-PairSet::PairSet(std::vector<const HapticStructure*> structures, std::vector<Bodies> pairs)
+PairSet::PairSet(std::vector<const structure::HapticStructure*> structures, std::vector<Bodies> pairs)
     : structures_(std::move(structures)),
       pairs_(std::move(pairs)),
       balls_(structures_.size()),
@@ -52,7 +52,7 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
     const Bodies& pair = pairs_[i];
     if (ballsApart(pair, options.margin) || knownApart(i, X_WB, options.margin)) continue;
     if (seekLine(i, X_WB, options.margin) || partsApart(i, X_WB, options.margin)) continue;
-    const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
+    const structure::HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
     const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
     const double between = kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
     PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB_b, options, scratch_, between);
@@ -101,7 +101,7 @@ void PairSet::Backoff::failed(std::uint32_t least, std::uint32_t most) {
 
 void PairSet::place(std::span<const Transform> X_WB) {
   for (std::size_t i = 0; i < structures_.size(); ++i) {
-    const EnclosingSphere& sphere = structures_[i]->bounding_sphere;
+    const geometry::EnclosingSphere& sphere = structures_[i]->bounding_sphere;
     const Vector3d centre = X_WB[i] * sphere.centre;
     balls_[i] = {centre, sphere.radius + kAxisRounding * (sphere.radius + centre.lpNorm<1>())};
   }
@@ -132,7 +132,7 @@ bool PairSet::knownApart(std::size_t i, std::span<const Transform> X_WB, double 
 
 bool PairSet::partsApart(std::size_t i, std::span<const Transform> X_WB, double by) {
   const Bodies& pair = pairs_[i];
-  const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
+  const structure::HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
   if (a.parts.size() == 1 && b.parts.size() == 1) return false;
   Lines& lines = lines_[i];
   if (lines.parts.waits()) return false;
@@ -154,7 +154,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
   Lines& lines = lines_[i];
   if (lines.hulls.waits()) return false;
   const Bodies& pair = pairs_[i];
-  const HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
+  const structure::HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
   const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
   Vector3d v = balls_[pair.a].centre - balls_[pair.b].centre;
   for (int step = 0; step < kAxisSteps && v.squaredNorm() > 0.0; ++step) {
@@ -184,4 +184,4 @@ void PairSet::keepLine(std::size_t i, std::span<const Transform> X_WB, const Vec
   lines.hulls = {};
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -7,7 +7,7 @@
 #include "core/query/pair_query.hpp"
 #include "core/query/penalty_force.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
 /// Batch queries: contacts only, or the minimum only: the forces of those that touch, or the one that is
 /// nearest. Pairs that are far apart end at their bounding spheres, others at the line across which they were
@@ -29,7 +29,7 @@ class PairSet {
   };
 
   /// The structures must outlive the set. At least one pair.
-  PairSet(std::vector<const HapticStructure*> structures, std::vector<Bodies> pairs);
+  PairSet(std::vector<const structure::HapticStructure*> structures, std::vector<Bodies> pairs);
 
   std::size_t size() const { return pairs_.size(); }
 
@@ -73,14 +73,14 @@ class PairSet {
   bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
   void keepLine(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);
 
-  std::vector<const HapticStructure*> structures_;
+  std::vector<const structure::HapticStructure*> structures_;
   std::vector<Bodies> pairs_;
   std::vector<Ball> balls_;  ///< of the structures
   std::vector<Lines> lines_;
   std::vector<PairMemory> memories_;
   std::vector<Touch> touches_;
-  PairScratch scratch_;
+  kernels::PairScratch scratch_;
   Nearest nearest_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::query

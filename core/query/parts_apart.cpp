@@ -7,28 +7,29 @@
 #include "core/kernels/search_kernels.hpp"
 #include "core/query/separation.hpp"
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 // m; spheres are placed in float, for bodies within some metres.
 constexpr double kSphereRounding = 2e-6;
 constexpr int kSteps = 3;
-constexpr std::size_t kMax = SurfaceParts::kMax;
+constexpr std::size_t kMax = structure::SurfaceParts::kMax;
 
 // The bits of SearchKernels::meeting.
 std::size_t partOfPoints(int bit) { return static_cast<std::size_t>(bit) % kMax; }
 std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; }
 
-Vector3d centre(const SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
+Vector3d centre(const kernels::SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
 
 /// How far a part reaches along g at most (m times the length of g).
-double partReach(const HapticStructure& body, std::size_t part, const Vector3d& g, bool closely) {
+double partReach(const structure::HapticStructure& body, std::size_t part, const Vector3d& g, bool closely) {
   if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
   return closely ? body.support.closeUpper(g) : body.support.upper(g);
 }
 
 /// The same, and where.
-double partFarthest(const HapticStructure& body, std::size_t part, const Vector3d& g, ExtremePoint& extreme) {
+double partFarthest(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
+                    structure::ExtremePoint& extreme) {
   return body.parts.size() > 1 ? body.parts.hull(part).farthest(g, extreme)
                                : body.support.farthest(g, extreme);
 }
@@ -36,7 +37,7 @@ double partFarthest(const HapticStructure& body, std::size_t part, const Vector3
 /// Of one body along one direction, looked at when first wanted.
 class Reaches {
  public:
-  Reaches(const HapticStructure& body, const Vector3d& g, bool closely)
+  Reaches(const structure::HapticStructure& body, const Vector3d& g, bool closely)
       : body_(body), g_(g), closely_(closely) {}
   double operator()(std::size_t part) {
     if (!(known_ >> part & 1)) {
@@ -47,7 +48,7 @@ class Reaches {
   }
 
  private:
-  const HapticStructure& body_;
+  const structure::HapticStructure& body_;
   const Vector3d g_;
   const bool closely_;
   double reach_[kMax];
@@ -57,25 +58,27 @@ class Reaches {
 /// Surfaces that are apart may still lie one inside the other. Not a surface of one piece that reaches out of
 /// the other's sphere: from the centre of a minimal sphere, in every direction, some point of the body on it
 /// lies no lower than the centre.
-bool reachesOut(const HapticStructure& body, const HapticStructure& other, double between_centres2) {
+bool reachesOut(const structure::HapticStructure& body, const structure::HapticStructure& other,
+                double between_centres2) {
   const double r = body.bounding_sphere.radius, reach = other.bounding_sphere.radius + kSphereRounding;
   return body.pieces.empty() && between_centres2 + r * r > reach * reach;
 }
 
 }  // namespace
 
-ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Vector3d& g) noexcept {
+structure::ExtremePoint partExtreme(const structure::HapticStructure& body, std::size_t part,
+                                    const Vector3d& g) noexcept {
   return body.parts.size() == 1 ? body.support.extreme(g) : body.parts.hull(part).extreme(g);
 }
 
-FacingParts::FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
-                         bool closely, PartAxes& lines) noexcept
+FacingParts::FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F,
+                         const Transform& X_FP, double by, bool closely, PartAxes& lines) noexcept
     : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), lines_(lines) {
   const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
   may_contain_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
   if (may_contain_) return;
-  facing_ = searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
-                                    F.parts.size(), static_cast<float>(by + kSphereRounding));
+  facing_ = kernels::searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
+                                             F.parts.size(), static_cast<float>(by + kSphereRounding));
 }
 
 double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept {
@@ -96,7 +99,7 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
     const double length = v.norm();
     if (!(length >= by_)) return false;
     const Vector3d n = v / length;
-    ExtremePoint on_points, on_field;
+    structure::ExtremePoint on_points, on_field;
     const double width = n.dot(X_FP_.translation()) -
                          partFarthest(P_, i, X_FP_.linear().transpose() * -n, on_points) -
                          partFarthest(F_, j, n, on_field);
@@ -137,4 +140,4 @@ bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -1,15 +1,16 @@
 // A certified lower bound of the distance of two bodies that are not convex, from the hulls of their parts.
-// Internal to core/haptic.
+// Internal to the engine.
 #pragma once
 
 #include <cstdint>
 
 #include "core/query/pair_query.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
 /// A point of a part that reaches farthest along g.
-ExtremePoint partExtreme(const HapticStructure& body, std::size_t part, const Vector3d& g) noexcept;
+structure::ExtremePoint partExtreme(const structure::HapticStructure& body, std::size_t part,
+                                    const Vector3d& g) noexcept;
 
 /// The parts of two bodies that may be nearer than `by` (m); the others' spheres are apart. Looked up once
 /// for a pose, then asked along several directions. No allocation, no throw.
@@ -21,8 +22,8 @@ class FacingParts {
 
   /// P and F as in a query; all must outlive this object. `closely`: reaches of bodies that are one part are
   /// looked up without the loss of their tables. `lines`: what is remembered of earlier poses of the two.
-  FacingParts(const HapticStructure& P, const HapticStructure& F, const Transform& X_FP, double by,
-              bool closely, PartAxes& lines) noexcept;
+  FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F, const Transform& X_FP,
+              double by, bool closely, PartAxes& lines) noexcept;
 
   /// True when neither body lies inside the other, and no points of theirs are nearer than `by`: all facing
   /// parts lie on both sides of a slab of this width, across n or another one for two of them. n: unit, from
@@ -33,8 +34,8 @@ class FacingParts {
   double slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept;
   bool partsApart(const Parts& parts) noexcept;
 
-  const HapticStructure& P_;
-  const HapticStructure& F_;
+  const structure::HapticStructure& P_;
+  const structure::HapticStructure& F_;
   const Transform& X_FP_;
   double by_;
   bool closely_;
@@ -43,4 +44,4 @@ class FacingParts {
   std::uint64_t facing_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -3,25 +3,27 @@
 
 #include <utility>
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 /// Of P's points in F's field.
-PenaltyForce sumOver(const HapticStructure& P, const Transform& X_WP, const HapticStructure& F,
-                     const Transform& X_WF, bool points_of_a, const PairOptions& options,
-                     PairScratch& scratch, double watch) {
+PenaltyForce sumOver(const structure::HapticStructure& P, const Transform& X_WP,
+                     const structure::HapticStructure& F, const Transform& X_WF, bool points_of_a,
+                     const PairOptions& options, kernels::PairScratch& scratch, double watch) {
   const Transform X_FP = X_WF.inverse() * X_WP;
-  const ContactLimits limits{static_cast<float>(options.margin), static_cast<float>(options.margin + watch),
-                             options.law == ForceLaw::kVolume};
-  const ContactSum sum = searchKernels().contacts(P.treeView(X_FP), F.fieldView(), limits, scratch);
+  const kernels::ContactLimits limits{static_cast<float>(options.margin),
+                                      static_cast<float>(options.margin + watch),
+                                      options.law == ForceLaw::kVolume};
+  const kernels::ContactSum sum =
+      kernels::searchKernels().contacts(P.treeView(X_FP), F.fieldView(), limits, scratch);
   return penaltyOf(sum, P, F, X_FP, X_WF, options.stiffness, points_of_a);
 }
 
 }  // namespace
 
-PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
-                       const Transform& X_FP, const Transform& X_WF, double stiffness,
-                       bool points_of_a) noexcept {
+PenaltyForce penaltyOf(const kernels::ContactSum& sum, const structure::HapticStructure& P,
+                       const structure::HapticStructure& F, const Transform& X_FP, const Transform& X_WF,
+                       double stiffness, bool points_of_a) noexcept {
   PenaltyForce result;
   (points_of_a ? result.near_a : result.near_b) = sum.nearest;
   if (sum.contacts == 0) return result;
@@ -39,9 +41,9 @@ PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const Ha
   return result;
 }
 
-PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
-                          double watch) noexcept {
+PenaltyForce penaltyForce(const structure::HapticStructure& a, const Transform& X_WA,
+                          const structure::HapticStructure& b, const Transform& X_WB,
+                          const PairOptions& options, kernels::PairScratch& scratch, double watch) noexcept {
   const bool from_a = pointsFromA(a, b);
   PenaltyForce none;
   for (const bool a_gives : {from_a, !from_a}) {
@@ -53,4 +55,4 @@ PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const
   return none;
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -4,7 +4,7 @@
 #include "core/kernels/search_kernels.hpp"
 #include "core/query/pair_query.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
 /// World frame, SI, as in PairResult.
 struct PenaltyForce {
@@ -15,20 +15,21 @@ struct PenaltyForce {
   double depth{0.0};                    ///< m, deepest penetration of the margins, >= 0
   /// Without contacts: the shell points, in leaf order, that seem the nearest to the other body, when they
   /// are within `watch`; else kNoPoint.
-  std::uint32_t near_a{kNoPoint}, near_b{kNoPoint};
+  std::uint32_t near_a{kernels::kNoPoint}, near_b{kernels::kNoPoint};
 };
 
 /// What a sum over P's points in F's field says. `points_of_a`: P is A, else B.
-PenaltyForce penaltyOf(const ContactSum& sum, const HapticStructure& P, const HapticStructure& F,
-                       const Transform& X_FP, const Transform& X_WF, double stiffness,
-                       bool points_of_a) noexcept;
+PenaltyForce penaltyOf(const kernels::ContactSum& sum, const structure::HapticStructure& P,
+                       const structure::HapticStructure& F, const Transform& X_FP, const Transform& X_WF,
+                       double stiffness, bool points_of_a) noexcept;
 
 /// Sums over the shell points of the body that gives them (pointsFromA) which are within the margin of the
 /// other: f = k a depth n [volume law], or k depth n [thesis eq. 2.2]. When there are none, over those of the
 /// other body, a tip of which may have come in between. `watch`: m, beyond the margin. Both structures must
 /// outlive the call. No allocation, no lock, no throw; depends on the arguments' values only.
-PenaltyForce penaltyForce(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                          const Transform& X_WB, const PairOptions& options, PairScratch& scratch,
+PenaltyForce penaltyForce(const structure::HapticStructure& a, const Transform& X_WA,
+                          const structure::HapticStructure& b, const Transform& X_WB,
+                          const PairOptions& options, kernels::PairScratch& scratch,
                           double watch = 0.0) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -1,21 +1,21 @@
 // Certified lower bounds of the distance of two bodies from what is cheap to know.
 #include "core/query/separation.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
-double separationAlong(const Vector3d& n, const HapticStructure& a, const Transform& X_WA,
-                       const HapticStructure& b, const Transform& X_WB, bool closely) noexcept {
+double separationAlong(const Vector3d& n, const structure::HapticStructure& a, const Transform& X_WA,
+                       const structure::HapticStructure& b, const Transform& X_WB, bool closely) noexcept {
   const Vector3d towards_b = X_WA.linear().transpose() * -n, towards_a = X_WB.linear().transpose() * n;
   const double apart = n.dot(X_WA.translation() - X_WB.translation());
   return closely ? apart - a.support.closeUpper(towards_b) - b.support.closeUpper(towards_a)
                  : apart - a.support.upper(towards_b) - b.support.upper(towards_a);
 }
 
-double mostMotion(const EnclosingSphere& bounding_sphere, const Transform& X_0,
+double mostMotion(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,
                   const Transform& X_1) noexcept {
   const Vector3d way = X_1 * bounding_sphere.centre - X_0 * bounding_sphere.centre;
   const double chord = (X_1.linear() - X_0.linear()).norm() / std::numbers::sqrt2;
   return way.norm() + bounding_sphere.radius * chord;
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::query {
 namespace {
 
 constexpr int kProjections = 8;       // alternating projections gain little after that
@@ -17,32 +17,32 @@ constexpr double kDepthPart = 0.002;  // of the depth, where the field leads
 /// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
 class Surfaces {
  public:
-  Surfaces(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w)
+  Surfaces(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP, Witness& w)
       : points_(points), field_(field), X_FP_(X_FP), X_PF_(X_FP.inverse()), w_(w) {}
 
   Vector3d toPoints(const Vector3d& p_F) {
-    const SurfacePoint s = points_.closest(X_PF_ * p_F, w_.hint_points);
+    const geometry::SurfacePoint s = points_.closest(X_PF_ * p_F, w_.hint_points);
     w_.hint_points = s.hint;
     return X_FP_ * s.point;
   }
   Vector3d toField(const Vector3d& p_F) {
-    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    const geometry::SurfacePoint s = field_.closest(p_F, w_.hint_field);
     w_.hint_field = s.hint;
     return s.point;
   }
   /// The foot of p_F, and whether p_F is inside of the field body.
   Vector3d toField(const Vector3d& p_F, bool& inside) {
-    const SurfacePoint s = field_.closest(p_F, w_.hint_field);
+    const geometry::SurfacePoint s = field_.closest(p_F, w_.hint_field);
     w_.hint_field = s.hint;
     inside = field_.inside(p_F, s);
     return s.point;
   }
   /// To the nearest points of the two triangles on which they lie.
   void slide() {
-    TriangleCorners a, b;
+    geometry::TriangleCorners a, b;
     if (!points_.triangle(w_.hint_points, a) || !field_.triangle(w_.hint_field, b)) return;
     for (Vector3d& corner : a) corner = X_FP_ * corner;
-    const NearestPair nearest = nearestPoints(a, b);
+    const geometry::NearestPair nearest = geometry::nearestPoints(a, b);
     if (!(nearest.distance < w_.distance)) return;
     w_.on_points = nearest.on_a;
     w_.on_field = nearest.on_b;
@@ -50,8 +50,8 @@ class Surfaces {
   }
 
  private:
-  const Surface& points_;
-  const Surface& field_;
+  const geometry::Surface& points_;
+  const geometry::Surface& field_;
   Transform X_FP_, X_PF_;
   Witness& w_;
 };
@@ -96,7 +96,8 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
 
 /// To a deeper point of P's surface near p, as deep as the samples of the near field tell. `normal`: of P's
 /// surface there, unit, in F's axes.
-Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, const Vector3d& normal, double step) {
+Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, const Vector3d& normal,
+              double step) {
   float s, gradient[3];
   const auto at = [&](const Vector3d& q) {
     const Vector3f f = q.cast<float>();
@@ -127,9 +128,9 @@ Vector3d sunk(Surfaces& surfaces, const NearField& near, Vector3d p, const Vecto
 
 }  // namespace
 
-Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
-                      const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
-                      std::uint32_t hint) noexcept {
+Witness refineWitness(const geometry::Surface& points, const geometry::Surface& field,
+                      const field::NearField* near, const Transform& X_FP, const Vector3d& start,
+                      const Vector3d& normal, double step, std::uint32_t hint) noexcept {
   Witness w;
   w.hint_field = hint;
   Surfaces surfaces(points, field, X_FP, w);
@@ -148,23 +149,27 @@ Witness refineWitness(const Surface& points, const Surface& field, const NearFie
   return w;
 }
 
-Witness footWitness(const Surface& field, const Vector3d& start, std::uint32_t hint, double enough) noexcept {
-  SurfacePoint foot = field.nearby(start, hint);
+Witness footWitness(const geometry::Surface& field, const Vector3d& start, std::uint32_t hint,
+                    double enough) noexcept {
+  geometry::SurfacePoint foot = field.nearby(start, hint);
   if (foot.distance > enough) foot = field.closest(start, foot.hint);
-  return {start, foot.point, foot.distance, kNoHint, foot.hint};
+  return {start, foot.point, foot.distance, geometry::kNoHint, foot.hint};
 }
 
-void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+void slideWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                  Witness& w) noexcept {
   Surfaces(points, field, X_FP, w).slide();
 }
 
-bool walkWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept {
+bool walkWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                 Witness& w) noexcept {
   const Transform X_PF = X_FP.inverse();
-  if (w.hint_points == kNoHint && !points.shape()) w.hint_points = points.closest(X_PF * w.on_points).hint;
-  if (w.hint_field == kNoHint && !field.shape()) w.hint_field = field.closest(w.on_field).hint;
-  const SurfacePoint on_points = points.nearby(X_PF * w.on_field, w.hint_points);
+  if (w.hint_points == geometry::kNoHint && !points.shape())
+    w.hint_points = points.closest(X_PF * w.on_points).hint;
+  if (w.hint_field == geometry::kNoHint && !field.shape()) w.hint_field = field.closest(w.on_field).hint;
+  const geometry::SurfacePoint on_points = points.nearby(X_PF * w.on_field, w.hint_points);
   const Vector3d p = X_FP * on_points.point;
-  const SurfacePoint on_field = field.nearby(p, w.hint_field);
+  const geometry::SurfacePoint on_field = field.nearby(p, w.hint_field);
   const double gain = w.distance - on_field.distance;
   if (!(gain > 0.0)) return false;
   set(w, p, on_field.point, on_field.distance);
@@ -173,10 +178,10 @@ bool walkWitness(const Surface& points, const Surface& field, const Transform& X
   return gain >= std::max(kConverged, kEnoughPart * w.distance);
 }
 
-void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP,
+void approachWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
                      Witness& w) noexcept {
   Surfaces surfaces(points, field, X_FP, w);
   approach(surfaces, w);
 }
 
-}  // namespace abstand
+}  // namespace abstand::query

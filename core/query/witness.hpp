@@ -1,10 +1,10 @@
-// The nearest pair of points on two exact surfaces, from a good start. Internal to core/haptic.
+// The nearest pair of points on two exact surfaces, from a good start. Internal to the engine.
 #pragma once
 
 #include "core/field/near_field.hpp"
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::query {
 
 /// Two points, one on each surface, in the frame of the field body F, and their signed distance (negative
 /// when `on_points` lies inside F; then |distance| is its depth).
@@ -12,8 +12,8 @@ struct Witness {
   Vector3d on_points{Vector3d::Zero()};
   Vector3d on_field{Vector3d::Zero()};
   double distance{0.0};
-  std::uint32_t hint_points{kNoHint};  ///< where on the surfaces they are
-  std::uint32_t hint_field{kNoHint};
+  std::uint32_t hint_points{geometry::kNoHint};  ///< where on the surfaces they are
+  std::uint32_t hint_field{geometry::kNoHint};
 };
 
 /// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
@@ -22,23 +22,27 @@ struct Witness {
 /// exact distance where that is null, which is much slower. A local search: it ends at a nearest pair of
 /// the neighbourhood, whose distance is exact whatever led to it. `normal`: of P's surface at `start`, unit,
 /// in F's axes, either way. `hint`: where on F an answer nearby was found. No allocation, no throw.
-Witness refineWitness(const Surface& points, const Surface& field, const NearField* near,
-                      const Transform& X_FP, const Vector3d& start, const Vector3d& normal, double step,
-                      std::uint32_t hint) noexcept;
+Witness refineWitness(const geometry::Surface& points, const geometry::Surface& field,
+                      const field::NearField* near, const Transform& X_FP, const Vector3d& start,
+                      const Vector3d& normal, double step, std::uint32_t hint) noexcept;
 
 /// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it, or one that is
 /// no farther than `enough` (m).
-Witness footWitness(const Surface& field, const Vector3d& start, std::uint32_t hint, double enough) noexcept;
+Witness footWitness(const geometry::Surface& field, const Vector3d& start, std::uint32_t hint,
+                    double enough) noexcept;
 
 /// To the nearest points of the two triangles on which they are; nothing changes where a body has none.
-void slideWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
+void slideWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                  Witness& w) noexcept;
 
 /// One round of projections within the neighbourhoods of two points that are apart (Surface::nearby), which
 /// costs little when they have not far to go. False when it gained next to nothing.
-bool walkWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
+bool walkWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                 Witness& w) noexcept;
 
 /// The walk from two points that are apart, until a round of projections gains less than 0.1 % of the
 /// distance.
-void approachWitness(const Surface& points, const Surface& field, const Transform& X_FP, Witness& w) noexcept;
+void approachWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                     Witness& w) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::query

@@ -8,16 +8,18 @@
 #include "core/math/turn_between.hpp"
 #include "core/mechanism/joint_range.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
-bool moves(const MechanismFrame& f) { return f.type != JointType::kFixed && f.dof >= 0; }
+bool moves(const mechanism::MechanismFrame& f) {
+  return f.type != mechanism::JointType::kFixed && f.dof >= 0;
+}
 
 /// The constant part, with what a joint that nothing moves adds to it.
-Transform constantPart(const MechanismFrame& f) {
+Transform constantPart(const mechanism::MechanismFrame& f) {
   Transform X = f.X_PJ;
-  if (f.type == JointType::kPrismatic && f.dof < 0) X.translate(f.offset * f.axis);
-  if (f.type == JointType::kRevolute && f.dof < 0) X.rotate(Eigen::AngleAxisd(f.offset, f.axis));
+  if (f.type == mechanism::JointType::kPrismatic && f.dof < 0) X.translate(f.offset * f.axis);
+  if (f.type == mechanism::JointType::kRevolute && f.dof < 0) X.rotate(Eigen::AngleAxisd(f.offset, f.axis));
   return X;
 }
 
@@ -39,7 +41,7 @@ class DhBuilder {
     }
   }
 
-  Mechanism run() {
+  mechanism::Mechanism run() {
     for (std::size_t i = 0; i < from_.frames.size(); ++i) carry(i);
     for (std::size_t i = 0; i < from_.frames.size(); ++i) place(i);
     to_.name = from_.name;
@@ -97,7 +99,7 @@ class DhBuilder {
     g.mimic = f.mimic;
     g.joint = f.joint;
     g.limits = f.limits;
-    double& constant = f.type == JointType::kRevolute ? g.theta : g.d;
+    double& constant = f.type == mechanism::JointType::kRevolute ? g.theta : g.d;
     g.offset = f.offset + constant;
     g.limits.lower += constant;
     g.limits.upper += constant;
@@ -106,7 +108,7 @@ class DhBuilder {
   }
 
   int add(const DhRow& row, int parent) {
-    MechanismFrame f;
+    mechanism::MechanismFrame f;
     f.id = static_cast<int>(to_.frames.size()) + 1;
     f.name = std::to_string(f.id);
     f.parent = parent;
@@ -142,15 +144,15 @@ class DhBuilder {
   }
 
   /// A joint's frame that is none of the robot's is called like the joint.
-  void nameJoint(MechanismFrame& joint, const MechanismFrame& f) {
+  void nameJoint(mechanism::MechanismFrame& joint, const mechanism::MechanismFrame& f) {
     std::string name = f.joint.empty() ? f.name + ".joint" : f.joint;
     while (!names_.insert(name).second) name += '_';
     joint.name = name;
   }
 
-  const Mechanism& from_;
+  const mechanism::Mechanism& from_;
   DhTolerance tolerance_;
-  Mechanism to_;
+  mechanism::Mechanism to_;
   std::vector<int> next_;         ///< for the base and each movable frame: the first movable one on its body
   std::vector<Carrier> carrier_;  ///< of each old frame
   std::vector<int> places_;
@@ -169,20 +171,20 @@ Robot toDh(const Robot& robot, const DhTolerance& tolerance) {
   return out;
 }
 
-PostureResidual postureResidual(const Mechanism& a, const Mechanism& b, int postures,
+PostureResidual postureResidual(const mechanism::Mechanism& a, const mechanism::Mechanism& b, int postures,
                                 const std::vector<double>& scale_b) {
   std::unordered_map<std::string, std::size_t> index;
   for (std::size_t i = 0; i < b.frames.size(); ++i) index.emplace(b.frames[i].name, i);
-  const auto ranges = jointRanges(a);
+  const auto ranges = mechanism::jointRanges(a);
   std::vector<double> q(ranges.size()), q_b(static_cast<std::size_t>(b.dof));
-  MechanismState state_a, state_b;
+  mechanism::MechanismState state_a, state_b;
   PostureResidual out{postures, 0.0, 0.0, {}};
   for (int k = 0; k < postures; ++k) {
     Random random(1, static_cast<std::uint64_t>(k));
-    randomPosture(ranges, random, q);
+    mechanism::randomPosture(ranges, random, q);
     for (std::size_t i = 0; i < q_b.size(); ++i) q_b[i] = q[i] * (scale_b.empty() ? 1.0 : scale_b[i]);
-    forward(a, q, state_a);
-    forward(b, q_b, state_b);
+    mechanism::forward(a, q, state_a);
+    mechanism::forward(b, q_b, state_b);
     for (std::size_t i = 0; i < a.frames.size(); ++i) {
       const auto at = index.find(a.frames[i].name);
       if (at == index.end()) continue;
@@ -199,4 +201,4 @@ PostureResidual postureResidual(const Mechanism& a, const Mechanism& b, int post
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

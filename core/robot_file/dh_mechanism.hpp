@@ -4,7 +4,7 @@
 #include "core/robot_file/dh_rows.hpp"
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// The same robot with frames by the modified Denavit-Hartenberg convention: for every joint a frame with its
 /// z axis on the joint's, and every frame of `robot` again, under its name, at the same pose.
@@ -26,7 +26,7 @@ struct PostureResidual {
 
 /// Over random postures within the limits of `a`, with a fixed seed. Frames of `a` that `b` has not are not
 /// compared. q of `b` is q of `a` times `scale_b`, one factor a dof; empty: all 1.
-PostureResidual postureResidual(const Mechanism& a, const Mechanism& b, int postures,
+PostureResidual postureResidual(const mechanism::Mechanism& a, const mechanism::Mechanism& b, int postures,
                                 const std::vector<double>& scale_b = {});
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 // Below this angle (rad) the common normal of two lines 1 m apart lies too far away to be computed well.
@@ -78,4 +78,4 @@ std::vector<DhRow> dhRows(const Transform& X, const DhTolerance& tolerance) {
   return rows;
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// One row by the modified convention [Craig, Introduction to Robotics, eq. 3.6]:
 /// T = RotX(alpha) TransX(a) RotZ(theta) TransZ(d). m, rad.
@@ -34,4 +34,4 @@ DhRow rowToNormal(const Vector3d& point, const Vector3d& direction, const DhTole
 /// parallel.
 std::vector<DhRow> dhRows(const Transform& X, const DhTolerance& tolerance);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

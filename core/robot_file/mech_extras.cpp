@@ -9,7 +9,7 @@
 #include "core/base/utf8.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 constexpr double kMaxExtra = 1e6;
@@ -101,7 +101,7 @@ void MechExtras::apply(const MechUnits& units, Robot& robot) const {
   }
 }
 
-MechanismFrame& MechExtras::frameOf(const Item& item, Mechanism& mechanism) const {
+mechanism::MechanismFrame& MechExtras::frameOf(const Item& item, mechanism::Mechanism& mechanism) const {
   const int index = mechanism.indexOf(static_cast<int>(item.frame.value));
   if (index < 0)
     reader_.fail(item.frame, "found the frame " + formatDouble(item.frame.value) +
@@ -125,12 +125,12 @@ void MechExtras::name(const Item& item, Robot& robot) const {
     const auto text = fromMechWord(line.words[i].text);
     if (!text || text->empty() || !isPlainText(*text))
       reader_.fail(line.line, line.words[i].column,
-                   "found " + inQuotes(line.words[i].text) + ", expected a name with %20 for a blank");
+                   "found " + text::inQuotes(line.words[i].text) + ", expected a name with %20 for a blank");
     if (i == 2)
       for (const auto& other : robot.mechanism.frames)
         if (other.name == *text && &other != &frame)
           reader_.fail(line.line, line.words[i].column,
-                       "found the name " + abstand::inQuotes(*text) +
+                       "found the name " + abstand::text::inQuotes(*text) +
                            " that another frame has, expected unique names");
     (i == 2 ? frame.name : frame.joint) = *text;
   }
@@ -144,16 +144,16 @@ double MechExtras::limitOr(const Item& item, std::size_t i, const char* what, do
   return si(reader_.number(*item.line, i, what), unit);
 }
 
-void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mechanism) const {
+void MechExtras::limit(const Item& item, const MechUnits& units, mechanism::Mechanism& mechanism) const {
   const bool accelerates = item.line->words.size() == 7;
   if (!accelerates)
     reader_.expectValues(*item.line, 5,
                          "frame, lower, upper, velocity, effort (and, if known, acceleration)");
   auto& frame = frameOf(item, mechanism);
-  if (frame.type == JointType::kFixed)
+  if (frame.type == mechanism::JointType::kFixed)
     reader_.fail(item.frame, "found frame " + frame.name + ", which is constant, expected one that moves");
-  const double unit = frame.type == JointType::kPrismatic ? units.length : units.angle;
-  JointLimits& l = frame.limits;
+  const double unit = frame.type == mechanism::JointType::kPrismatic ? units.length : units.angle;
+  mechanism::JointLimits& l = frame.limits;
   l.lower = limitOr(item, 2, "the lower limit", unit, -kInfinity);
   l.upper = limitOr(item, 3, "the upper limit", unit, kInfinity);
   l.velocity = limitOr(item, 4, "the velocity", unit, kInfinity);
@@ -161,7 +161,7 @@ void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mech
   if (accelerates) l.acceleration = limitOr(item, 6, "the acceleration", unit, kInfinity);
   const auto refuse = [&](std::size_t i, const char* expected) {
     reader_.fail(item.line->line, item.line->words[i].column,
-                 "found " + inQuotes(item.line->words[i].text) + ", expected " + expected);
+                 "found " + text::inQuotes(item.line->words[i].text) + ", expected " + expected);
   };
   if (l.lower > l.upper) refuse(3, "an upper limit not below the lower one");
   if (l.velocity < 0.0) refuse(4, "a velocity from 0 on");
@@ -169,7 +169,7 @@ void MechExtras::limit(const Item& item, const MechUnits& units, Mechanism& mech
   if (!(l.acceleration > 0.0)) refuse(6, "an acceleration above 0");
 }
 
-void MechExtras::body(const Item& item, const MechUnits& units, Mechanism& mechanism) const {
+void MechExtras::body(const Item& item, const MechUnits& units, mechanism::Mechanism& mechanism) const {
   reader_.expectValues(*item.line, 11, "frame, mass, centre of mass x y z, ixx iyy izz ixy ixz iyz");
   auto& inertia = frameOf(item, mechanism).inertia;
   const auto at = [&](std::size_t i, double unit) {
@@ -205,15 +205,16 @@ void MechExtras::addShape(const Item& item, const MechUnits& units, LinkGeometry
   const auto size = [&](std::size_t i) {
     const MechNumber n = reader_.number(line, 2 + i, "a size");
     const double value = si(n, units.length);
-    if (value < kMinDimension && !(kind == "capsule" && i == 2 && value == 0.0))
-      reader_.fail(n, "found the size " + inQuotes(line.words[2 + i].text) + ", expected a positive one");
+    if (value < geometry::kMinDimension && !(kind == "capsule" && i == 2 && value == 0.0))
+      reader_.fail(n,
+                   "found the size " + text::inQuotes(line.words[2 + i].text) + ", expected a positive one");
     return value;
   };
-  if (kind == "sphere") geometry.shape = Sphere{size(1)};
-  if (kind == "cuboid") geometry.shape = Cuboid{{size(1), size(2), size(3)}};
-  if (kind == "ellipsoid") geometry.shape = Ellipsoid{{size(1), size(2), size(3)}};
-  if (kind == "cylinder") geometry.shape = Cylinder{size(1), size(2)};
-  if (kind == "capsule") geometry.shape = Capsule{size(1), size(2)};
+  if (kind == "sphere") geometry.shape = geometry::Sphere{size(1)};
+  if (kind == "cuboid") geometry.shape = geometry::Cuboid{{size(1), size(2), size(3)}};
+  if (kind == "ellipsoid") geometry.shape = geometry::Ellipsoid{{size(1), size(2), size(3)}};
+  if (kind == "cylinder") geometry.shape = geometry::Cylinder{size(1), size(2)};
+  if (kind == "capsule") geometry.shape = geometry::Capsule{size(1), size(2)};
 }
 
 void MechExtras::geometry(const Item& item, const MechUnits& units, Robot& robot) const {
@@ -234,7 +235,7 @@ void MechExtras::geometry(const Item& item, const MechUnits& units, Robot& robot
     const auto file = fromMechWord(line.words[3].text);
     if (!file || file->empty() || !isPlainText(*file))
       reader_.fail(line.line, line.words[3].column,
-                   "found " + inQuotes(line.words[3].text) + ", expected a file with %20 for a blank");
+                   "found " + text::inQuotes(line.words[3].text) + ", expected a file with %20 for a blank");
     g.mesh = *file;
     for (std::size_t i = 0; i < 3; ++i) {
       const MechNumber n = reader_.number(line, 4 + i, "a scale");
@@ -248,4 +249,4 @@ void MechExtras::geometry(const Item& item, const MechUnits& units, Robot& robot
   robot.geometry.push_back(std::move(g));
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

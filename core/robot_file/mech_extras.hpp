@@ -7,7 +7,7 @@
 #include "core/robot_file/mech_reader.hpp"
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// Units of a mechanism file, in SI.
 struct MechUnits {
@@ -31,13 +31,13 @@ class MechExtras {
     MechNumber frame;
   };
   void name(const Item& item, Robot& robot) const;
-  void limit(const Item& item, const MechUnits& units, Mechanism& mechanism) const;
-  void body(const Item& item, const MechUnits& units, Mechanism& mechanism) const;
+  void limit(const Item& item, const MechUnits& units, mechanism::Mechanism& mechanism) const;
+  void body(const Item& item, const MechUnits& units, mechanism::Mechanism& mechanism) const;
   void geometry(const Item& item, const MechUnits& units, Robot& robot) const;
   double si(const MechNumber& n, double unit) const;
   double limitOr(const Item& item, std::size_t i, const char* what, double unit, double none) const;
   Transform pose(const Item& item, std::size_t first, const MechUnits& units) const;
-  MechanismFrame& frameOf(const Item& item, Mechanism& mechanism) const;
+  mechanism::MechanismFrame& frameOf(const Item& item, mechanism::Mechanism& mechanism) const;
   void addShape(const Item& item, const MechUnits& units, LinkGeometry& geometry) const;
 
   MechReader& reader_;
@@ -49,4 +49,4 @@ class MechExtras {
 std::string mechWord(const std::string& text);
 std::optional<std::string> fromMechWord(std::string_view word);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -11,7 +11,7 @@
 #include "core/robot_file/mech_extras.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 // Larger values are mistakes, and sums and products of smaller ones stay finite.
@@ -22,7 +22,7 @@ constexpr double kCenterTolerance = 1e-3;
 struct RawFrame {
   MechNumber id, a, alpha, d, theta;
   int parent{-1};
-  JointType type{JointType::kFixed};
+  mechanism::JointType type{mechanism::JointType::kFixed};
 };
 
 struct RawDof {
@@ -78,7 +78,7 @@ class MechParser : private MechReader {
       bool& has = is_length ? has_length : has_angle;
       if (has)
         fail(line->line, line->words[0].column,
-             "found a second " + inQuotes(line->words[0].text) + ", expected one");
+             "found a second " + text::inQuotes(line->words[0].text) + ", expected one");
       has = true;
       expectValues(*line, 1, is_length ? "mm, cm, m or inches" : "degrees or radians");
       const auto word = line->words[1].text;
@@ -111,15 +111,15 @@ class MechParser : private MechReader {
       if (count != 2 && count != 4)
         fail(line->line, count > 4 ? line->words[5].column : line->end_column,
              "found " + std::to_string(count) + (count == 1 ? " value" : " values") + " behind " +
-                 inQuotes(line->words[0].text) +
+                 text::inQuotes(line->words[0].text) +
                  ", expected 2 or 4: id, frame and, if wanted, offset and scale");
       const MechNumber id = integer(*line, 1, 0, "the id of a degree of freedom");
       if (mimic && id.value >= static_cast<double>(dof_count_))
-        fail(id,
-             "found a mimic of dof " + inQuotes(line->words[1].text) + ", expected one that stands before");
+        fail(id, "found a mimic of dof " + text::inQuotes(line->words[1].text) +
+                     ", expected one that stands before");
       if (!mimic && id.value != static_cast<double>(dof_count_))
-        fail(id, "found dof " + inQuotes(line->words[1].text) + ", expected " + std::to_string(dof_count_) +
-                     ": ids count 0, 1, 2, ...");
+        fail(id, "found dof " + text::inQuotes(line->words[1].text) + ", expected " +
+                     std::to_string(dof_count_) + ": ids count 0, 1, 2, ...");
       RawDof dof;
       dof.dof = static_cast<int>(id.value);
       dof.mimic = mimic;
@@ -148,7 +148,7 @@ class MechParser : private MechReader {
         if (id.value != 0.0) {
           const auto at = index_.find(static_cast<int>(id.value));
           if (at == index_.end())
-            fail(id, "found the reference " + inQuotes(line->words[1].text) +
+            fail(id, "found the reference " + text::inQuotes(line->words[1].text) +
                          ", expected 0 or a frame of a chain that stands before this one");
           parent = at->second;
         }
@@ -170,8 +170,8 @@ class MechParser : private MechReader {
     f.id = integer(line, 1, 1, "the id of a frame");
     const int index = static_cast<int>(frames_.size());
     if (!index_.emplace(static_cast<int>(f.id.value), index).second)
-      fail(f.id,
-           "found the frame id " + inQuotes(line.words[1].text) + " a second time, expected unique ids");
+      fail(f.id, "found the frame id " + text::inQuotes(line.words[1].text) +
+                     " a second time, expected unique ids");
     f.a = number(line, 2, "a");
     f.alpha = number(line, 3, "alpha");
     const bool d_varies = line.words[4].text == "d", theta_varies = line.words[5].text == "theta";
@@ -180,7 +180,9 @@ class MechParser : private MechReader {
            "found d and theta both variable, expected at most one variable a frame");
     f.d = variableOr(line, 4, "d", d_varies);
     f.theta = variableOr(line, 5, "theta", theta_varies);
-    f.type = d_varies ? JointType::kPrismatic : theta_varies ? JointType::kRevolute : JointType::kFixed;
+    f.type = d_varies       ? mechanism::JointType::kPrismatic
+             : theta_varies ? mechanism::JointType::kRevolute
+                            : mechanism::JointType::kFixed;
     frames_.push_back(f);
     return index;
   }
@@ -199,7 +201,7 @@ class MechParser : private MechReader {
       const bool is_id = line->words[0].text == "id";
       if (is_id ? link.id.has_value() : !link.center.empty())
         fail(line->line, line->words[0].column,
-             "found a second " + inQuotes(line->words[0].text) + ", expected one a link");
+             "found a second " + text::inQuotes(line->words[0].text) + ", expected one a link");
       if (is_id) {
         expectValues(*line, 1, "the id of a frame");
         link.id = integer(*line, 1, 1, "the id of a frame");
@@ -230,11 +232,11 @@ class MechParser : private MechReader {
     return static_cast<std::size_t>(at->second);
   }
 
-  Mechanism build() const {
-    Mechanism m;
+  mechanism::Mechanism build() const {
+    mechanism::Mechanism m;
     m.frames.reserve(frames_.size());
     for (const auto& raw : frames_) {
-      MechanismFrame f;
+      mechanism::MechanismFrame f;
       f.id = static_cast<int>(raw.id.value);
       f.name = std::to_string(f.id);
       f.parent = raw.parent;
@@ -251,15 +253,15 @@ class MechParser : private MechReader {
     return m;
   }
 
-  void connectDofs(Mechanism& m) const {
+  void connectDofs(mechanism::Mechanism& m) const {
     if (!has_mapping_) {
       for (auto& f : m.frames)
-        if (f.type != JointType::kFixed) f.dof = m.dof++;
+        if (f.type != mechanism::JointType::kFixed) f.dof = m.dof++;
       return;
     }
     for (const auto& raw : dofs_) {
       auto& f = m.frames[known(raw.frame_id)];
-      if (f.type == JointType::kFixed)
+      if (f.type == mechanism::JointType::kFixed)
         fail(raw.frame_id,
              "found frame " + f.name + ", which is constant, expected one with d or theta as its variable");
       if (f.dof >= 0)
@@ -267,16 +269,16 @@ class MechParser : private MechReader {
       f.dof = raw.dof;
       f.mimic = raw.mimic;
       m.dof = dof_count_;
-      f.offset = toSi(raw.offset, f.type == JointType::kPrismatic ? length_ : angle_);
+      f.offset = toSi(raw.offset, f.type == mechanism::JointType::kPrismatic ? length_ : angle_);
       f.scale = toSi(raw.scale, 1.0);
     }
     for (std::size_t i = 0; i < m.frames.size(); ++i)
-      if (m.frames[i].type != JointType::kFixed && m.frames[i].dof < 0)
+      if (m.frames[i].type != mechanism::JointType::kFixed && m.frames[i].dof < 0)
         fail(frames_[i].id, "found the variable of frame " + m.frames[i].name +
                                 " in no dof, expected the mapping to name every variable");
   }
 
-  void placeCenter(const RawLink& link, Mechanism& m) const {
+  void placeCenter(const RawLink& link, mechanism::Mechanism& m) const {
     auto& f = m.frames[known(*link.id)];
     if (f.has_center) fail(*link.id, "found a second link with id " + f.name + ", expected one a frame");
     Matrix3d R;
@@ -312,12 +314,12 @@ Robot parseMech(const std::string& text, const std::string& name) {
   return robot;
 }
 
-Mechanism parseMechanism(const std::string& text, const std::string& name) {
+mechanism::Mechanism parseMechanism(const std::string& text, const std::string& name) {
   return parseMech(text, name).mechanism;
 }
 
-Mechanism loadMechanism(const std::filesystem::path& file) {
+mechanism::Mechanism loadMechanism(const std::filesystem::path& file) {
   return parseMechanism(readFile(file, kMaxRobotBytes), file.string());
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -6,7 +6,7 @@
 
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// Reads a `.mech` file [thesis 3.1.4, listings 3.1 and 5.1]. Throws ParseError with file, line and column.
 ///
@@ -42,12 +42,12 @@ namespace abstand {
 /// offset + scale * q with q in SI and the offset in the file's unit of that joint. Where there is a mapping,
 /// every variable stands in it once; where there is none, the variables are numbered in the order of the
 /// file. Lengths and angles are at most 1e6 m or rad in size.
-Mechanism loadMechanism(const std::filesystem::path& file);
+mechanism::Mechanism loadMechanism(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages, and its stem becomes the mechanism's name.
-Mechanism parseMechanism(const std::string& text, const std::string& name);
+mechanism::Mechanism parseMechanism(const std::string& text, const std::string& name);
 
 /// With the geometry that the file may have.
 Robot parseMech(const std::string& text, const std::string& name);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -7,7 +7,7 @@
 #include "core/base/number.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 void MechReader::fail(int line, int column, const std::string& message, const std::string& hint) const {
   throw ParseError({name_, line, column}, message, hint);
@@ -24,7 +24,7 @@ void MechReader::unknown(const MechLine& line, std::size_t i, const std::string&
     hint = "words are written in lowercase: " + near;
   else if (!near.empty())
     hint = "did you mean " + near + "?";
-  fail(line.line, word.column, "found " + inQuotes(word.text) + ", expected " + expected, hint);
+  fail(line.line, word.column, "found " + text::inQuotes(word.text) + ", expected " + expected, hint);
 }
 
 void MechReader::expectValues(const MechLine& line, std::size_t count, const std::string& what) const {
@@ -33,14 +33,14 @@ void MechReader::expectValues(const MechLine& line, std::size_t count, const std
   const int column = found > count ? line.words[count + 1].column : line.end_column;
   fail(line.line, column,
        "found " + std::to_string(found) + (found == 1 ? " value" : " values") + " behind " +
-           inQuotes(line.words[0].text) + ", expected " + std::to_string(count) + ": " + what);
+           text::inQuotes(line.words[0].text) + ", expected " + std::to_string(count) + ": " + what);
 }
 
 void MechReader::expectAlone(const MechLine& line) const {
   if (line.words.size() > 1)
     fail(line.line, line.words[1].column,
-         "found " + inQuotes(line.words[1].text) + ", expected the end of the line behind " +
-             inQuotes(line.words[0].text));
+         "found " + text::inQuotes(line.words[1].text) + ", expected the end of the line behind " +
+             text::inQuotes(line.words[0].text));
 }
 
 const MechLine* MechReader::command(const MechLine& begin, const std::vector<std::string>& known) {
@@ -69,7 +69,8 @@ MechNumber MechReader::number(const MechLine& line, std::size_t i, const std::st
   const auto& word = line.words[i];
   const auto value = parseDouble(word.text);
   if (!value)
-    fail(line.line, word.column, "found " + inQuotes(word.text) + ", expected " + what + ": a finite number");
+    fail(line.line, word.column,
+         "found " + text::inQuotes(word.text) + ", expected " + what + ": a finite number");
   return {*value, line.line, word.column};
 }
 
@@ -79,9 +80,9 @@ MechNumber MechReader::integer(const MechLine& line, std::size_t i, int least,
   const auto value = parseInt(word.text);
   if (!value || *value < least)
     fail(line.line, word.column,
-         "found " + inQuotes(word.text) + ", expected " + what + ": a whole number from " +
+         "found " + text::inQuotes(word.text) + ", expected " + what + ": a whole number from " +
              std::to_string(least) + " on");
   return {static_cast<double>(*value), line.line, word.column};
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -8,7 +8,7 @@
 
 #include "core/robot_file/mech_words.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// A number as it stands in the file, in the file's units.
 struct MechNumber {
@@ -50,4 +50,4 @@ class MechReader {
   std::size_t next_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -1,6 +1,6 @@
 #include "core/robot_file/mech_words.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 std::vector<MechLine> splitMechWords(std::string_view text) {
   constexpr std::string_view kBlank = " \t";
@@ -27,4 +27,4 @@ std::vector<MechLine> splitMechWords(std::string_view text) {
   return lines;
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::robot_file {
 
 struct MechWord {
   std::string_view text;
@@ -23,4 +23,4 @@ struct MechLine {
 /// `text`.
 std::vector<MechLine> splitMechWords(std::string_view text);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -9,7 +9,7 @@
 #include "core/robot_file/mech_extras.hpp"
 #include "core/robot_file/robot_writer.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 constexpr double kRounding = 1e-15;  // m or rad
@@ -34,13 +34,13 @@ std::string poseText(const Transform& X) {
   return s;
 }
 
-std::string mapping(const Mechanism& m) {
+std::string mapping(const mechanism::Mechanism& m) {
   std::vector<std::string> lines(static_cast<std::size_t>(m.dof));
   std::string mimics;
   for (const auto& f : m.frames) {
     if (f.dof < 0) continue;
     std::string line = std::to_string(f.dof) + " " + std::to_string(f.id);
-    const bool turns = f.type != JointType::kPrismatic;
+    const bool turns = f.type != mechanism::JointType::kPrismatic;
     if (f.offset != 0.0 || f.scale != 1.0)
       line += (turns ? angle(f.offset) : length(f.offset)) + plain(f.scale);
     auto& leader = lines[static_cast<std::size_t>(f.dof)];
@@ -54,7 +54,7 @@ std::string mapping(const Mechanism& m) {
   return s.empty() ? "" : "\nmapping\n" + s + mimics + "end_mapping\n";
 }
 
-std::string chains(const Mechanism& m) {
+std::string chains(const mechanism::Mechanism& m) {
   std::string s;
   int last = -1;  // the frame that the next row would follow
   bool open = false;
@@ -70,28 +70,28 @@ std::string chains(const Mechanism& m) {
     }
     const bool moves = f.dof >= 0;
     s += "    frame " + std::to_string(f.id) + length(f.a) + angle(f.alpha);
-    s += moves && f.type == JointType::kPrismatic ? " d" : length(f.d);
-    s += moves && f.type == JointType::kRevolute ? " theta\n" : angle(f.theta) + "\n";
+    s += moves && f.type == mechanism::JointType::kPrismatic ? " d" : length(f.d);
+    s += moves && f.type == mechanism::JointType::kRevolute ? " theta\n" : angle(f.theta) + "\n";
     last = static_cast<int>(i);
   }
   return s + "end_chain\n";
 }
 
-std::string geometryLine(const LinkGeometry& g, const Mechanism& m) {
+std::string geometryLine(const LinkGeometry& g, const mechanism::Mechanism& m) {
   std::string s = g.use == GeometryUse::kVisual ? "    visual " : "    collision ";
   s += std::to_string(g.frame < 0 ? 0 : m.frames[static_cast<std::size_t>(g.frame)].id);
   if (!g.shape)
     s += " mesh " + mechWord(g.mesh) + plain(g.scale.x()) + plain(g.scale.y()) + plain(g.scale.z());
   else
-    s += " " + std::string(shapeName(*g.shape)) +
+    s += " " + std::string(geometry::shapeName(*g.shape)) +
          std::visit(
              [](const auto& shape) {
                using T = std::decay_t<decltype(shape)>;
-               if constexpr (std::is_same_v<T, Sphere>)
+               if constexpr (std::is_same_v<T, geometry::Sphere>)
                  return plain(shape.radius);
-               else if constexpr (std::is_same_v<T, Cuboid>)
+               else if constexpr (std::is_same_v<T, geometry::Cuboid>)
                  return plain(shape.size.x()) + plain(shape.size.y()) + plain(shape.size.z());
-               else if constexpr (std::is_same_v<T, Ellipsoid>)
+               else if constexpr (std::is_same_v<T, geometry::Ellipsoid>)
                  return plain(shape.semi_axes.x()) + plain(shape.semi_axes.y()) + plain(shape.semi_axes.z());
                else
                  return plain(shape.radius) + plain(shape.length);
@@ -108,7 +108,7 @@ std::string environment(const char* name, const std::string& comment, const std:
 }  // namespace
 
 std::string mechText(const Robot& robot) {
-  const Mechanism& m = robot.mechanism;
+  const mechanism::Mechanism& m = robot.mechanism;
   std::string s = "# " + (isPlainText(m.name) ? m.name : std::string("robot")) +
                   ": modified (Craig) Denavit-Hartenberg convention.\n\nunits\n    length m\n    angle "
                   "degrees\nend_units\n";
@@ -120,8 +120,8 @@ std::string mechText(const Robot& robot) {
     if (f.name != id || !f.joint.empty())
       names +=
           "    name " + id + " " + mechWord(f.name) + (f.joint.empty() ? "" : " " + mechWord(f.joint)) + "\n";
-    const JointLimits& l = f.limits;
-    const bool slides = f.type == JointType::kPrismatic;
+    const mechanism::JointLimits& l = f.limits;
+    const bool slides = f.type == mechanism::JointType::kPrismatic;
     if (f.dof >= 0 && (std::isfinite(l.lower) || std::isfinite(l.upper) || std::isfinite(l.velocity) ||
                        std::isfinite(l.effort) || std::isfinite(l.acceleration)))
       limits += "    limit " + id + limit(l.lower, slides) + limit(l.upper, slides) +
@@ -140,4 +140,4 @@ std::string mechText(const Robot& robot) {
          environment("geometry", "frame, kind, sizes, rows of [R|t]", geometry);
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

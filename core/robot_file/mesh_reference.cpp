@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ std::optional<fs::path> MeshFinder::find(const std::string& reference) {
   return upwards(path, "");
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

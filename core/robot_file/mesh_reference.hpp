@@ -10,7 +10,7 @@
 
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// Folders in which ROS packages are looked for, in this order. A value.
 struct PackagePaths {
@@ -50,4 +50,4 @@ class MeshFinder {
   std::vector<std::string> remarks_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

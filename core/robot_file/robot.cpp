@@ -4,7 +4,7 @@
 #include "core/robot_file/mech_file.hpp"
 #include "core/robot_file/urdf_file.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 Robot loadRobot(const std::filesystem::path& file) {
   const std::string text = readFile(file, kMaxRobotBytes);
@@ -16,4 +16,4 @@ Robot loadRobot(const std::filesystem::path& file) {
   return robot;
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -11,7 +11,7 @@
 #include "core/geometry/shape.hpp"
 #include "core/mechanism/mechanism.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 enum class GeometryUse { kCollision, kVisual };
 
@@ -21,7 +21,7 @@ struct LinkGeometry {
   GeometryUse use{GeometryUse::kCollision};
   std::string mesh;                  ///< as the file names it (mesh_reference.hpp); empty when a shape
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit; may be negative (mirrored), never 0
-  std::optional<Shape> shape;        ///< nothing for a mesh
+  std::optional<geometry::Shape> shape;  ///< nothing for a mesh
   Transform X_FG{Transform::Identity()};
   SourcePos pos;
 };
@@ -35,7 +35,7 @@ struct UnreadGeometry {
 /// What a robot file holds. Constant after loading.
 struct Robot {
   std::filesystem::path file;
-  Mechanism mechanism;
+  mechanism::Mechanism mechanism;
   std::vector<LinkGeometry> geometry;  ///< in file order
   std::vector<std::string> warnings;   ///< what is odd but can be read, `FILE:LINE:COLUMN: TEXT`
   std::vector<UnreadGeometry> unread;  ///< left out of `geometry`, with a warning
@@ -47,4 +47,4 @@ inline constexpr std::uintmax_t kMaxRobotBytes = 16u << 20;
 /// '<'. Meshes are not opened and need not be there. Throws ParseError.
 Robot loadRobot(const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

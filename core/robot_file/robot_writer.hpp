@@ -6,7 +6,7 @@
 
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// As a `.mech` file that reads back as the same robot: numbers within 1e-15 m or rad, shortest first. Every
 /// frame must have DH values (toDh). Degrees and metres.
@@ -24,4 +24,4 @@ struct UrdfWritten {
 /// into their poses. Ellipsoids and capsules, which URDF does not have, throw UsageError.
 UrdfWritten urdfText(const Robot& robot);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

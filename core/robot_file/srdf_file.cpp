@@ -7,10 +7,10 @@
 #include "core/robot_file/robot.hpp"
 #include "core/robot_file/xml_values.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 Srdf parseSrdf(const std::string& text, const std::string& file) {
-  const XmlElement robot = mesh_file::parseXml(text, file);
+  const XmlElement robot = text::parseXml(text, file);
   const XmlValues values(file);
   if (robot.name != "robot")
     values.fail(robot, "found <" + std::string(robot.name.substr(0, 40)) + ">, expected <robot>: an SRDF");
@@ -89,7 +89,7 @@ std::string mergedSrdfText(const std::string& old, const std::string& file, cons
     throw ParseError(
         {file}, "found an SRDF of the robot '" + before.robot + "', expected one of '" + srdf.robot + "'",
         "choose another name for the output");
-  const XmlElement robot = mesh_file::parseXml(old, file);
+  const XmlElement robot = text::parseXml(old, file);
   std::set<std::pair<std::string, std::string>> kept;
   std::vector<Span> ours;
   std::size_t pair = 0;
@@ -120,4 +120,4 @@ std::string mergedSrdfText(const std::string& old, const std::string& file, cons
   return text + added + old.substr(end_tag);
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

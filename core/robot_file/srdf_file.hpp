@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// `<disable_collisions link1="A" link2="B" reason="..."/>`.
 struct DisabledPair {
@@ -34,4 +34,4 @@ std::string srdfText(const Srdf& srdf);
 /// Throws ParseError for what is no SRDF and for one of a robot of another name.
 std::string mergedSrdfText(const std::string& old, const std::string& file, const Srdf& srdf);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

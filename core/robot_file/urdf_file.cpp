@@ -11,7 +11,7 @@
 #include "core/math/turn_between.hpp"
 #include "core/robot_file/urdf_model.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 constexpr double kLargestMimic = 1e6;
@@ -42,7 +42,7 @@ class UrdfBuilder {
   }
 
   Robot build() {
-    MechanismFrame root;
+    mechanism::MechanismFrame root;
     place(root_, root, -1);
     // Parents first: the last of `waiting` goes on, its children in file order.
     std::vector<std::pair<std::size_t, int>> waiting;
@@ -80,7 +80,7 @@ class UrdfBuilder {
     }
   }
 
-  int add(MechanismFrame f, int parent) {
+  int add(mechanism::MechanismFrame f, int parent) {
     f.id = static_cast<int>(mechanism_.frames.size()) + 1;
     f.parent = parent;
     f.has_dh = false;
@@ -89,7 +89,7 @@ class UrdfBuilder {
   }
 
   /// The frame of a link; `f` has its joint.
-  void place(std::size_t link, MechanismFrame f, int parent) {
+  void place(std::size_t link, mechanism::MechanismFrame f, int parent) {
     f.name = text_.links[link].name;
     f.inertia = model_.links[link].inertia;
     const int frame = add(std::move(f), parent);
@@ -113,7 +113,7 @@ class UrdfBuilder {
 
   struct Value {
     const char* name;
-    JointType type;
+    mechanism::JointType type;
     Vector3d axis;
   };
 
@@ -121,7 +121,7 @@ class UrdfBuilder {
   void joinBy(std::span<const Value> values, std::size_t j, std::size_t link, int parent) {
     const UrdfJoint& joint = model_.joints[j];
     for (std::size_t k = 0; k < values.size(); ++k) {
-      MechanismFrame f;
+      mechanism::MechanismFrame f;
       f.type = values[k].type;
       f.axis = values[k].axis;
       f.dof = dof_of_[j] + static_cast<int>(k);
@@ -137,7 +137,7 @@ class UrdfBuilder {
 
   void join(std::size_t j, std::size_t link, int parent) {
     const UrdfJoint& joint = model_.joints[j];
-    constexpr auto kAlong = JointType::kPrismatic, kAbout = JointType::kRevolute;
+    constexpr auto kAlong = mechanism::JointType::kPrismatic, kAbout = mechanism::JointType::kRevolute;
     if (joint.type == UrdfJointType::kPlanar) {
       const Matrix3d R = turnBetween(Vector3d::UnitZ(), joint.axis).toRotationMatrix();
       const std::array<Value, 3> values{
@@ -154,7 +154,7 @@ class UrdfBuilder {
                                          {"roll", kAbout, x}}};
       return joinBy(values, j, link, parent);
     }
-    MechanismFrame f;
+    mechanism::MechanismFrame f;
     f.joint = text_.joints[j].name;
     f.X_PJ = joint.X_PJ;
     if (joint.type != UrdfJointType::kFixed) {
@@ -167,7 +167,7 @@ class UrdfBuilder {
   }
 
   /// The dof that moves joint j: its own, or, over any number of joints that mimic each other, another's.
-  void lead(std::size_t j, MechanismFrame& f) const {
+  void lead(std::size_t j, mechanism::MechanismFrame& f) const {
     const UrdfPlace& at = text_.joints[j].place;
     f.mimic = !text_.joints[j].mimic.empty();
     while (!text_.joints[j].mimic.empty()) {
@@ -185,7 +185,7 @@ class UrdfBuilder {
   const UrdfText& text_;
   const UrdfModel& model_;
   const std::string& file_;
-  Mechanism mechanism_;
+  mechanism::Mechanism mechanism_;
   std::vector<LinkGeometry> geometry_;
   std::vector<UnreadGeometry> unread_;
   std::vector<int> dof_of_;  ///< a joint's first dof, -1 when it mimics another
@@ -202,4 +202,4 @@ Robot parseUrdf(const std::string& text, const std::string& file) {
   return UrdfBuilder(checked, readUrdf(checked, file), file).build();
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -5,7 +5,7 @@
 
 #include "core/robot_file/robot.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// A frame a link, named like it, parents first; ids count from 1. Degrees of freedom are the movable joints
 /// that mimic no other, in file order, in SI; a joint that mimics another shares its dof. The limits of a
@@ -19,4 +19,4 @@ namespace abstand {
 /// Throws ParseError with line and column (urdf_text.hpp says for what). `file` goes into messages.
 Robot parseUrdf(const std::string& text, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

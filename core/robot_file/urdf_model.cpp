@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 /// Catches what urdfdom would print. console_bridge has one handler for the whole program.
@@ -53,12 +53,12 @@ std::vector<UrdfGeometry> geometriesOf(const std::vector<std::shared_ptr<Body>>&
       g.mesh = mesh->filename;
       g.scale = vectorOf(mesh->scale);
     } else if (const auto* box = dynamic_cast<const urdf::Box*>(body->geometry.get())) {
-      g.shape = Cuboid{vectorOf(box->dim)};
+      g.shape = geometry::Cuboid{vectorOf(box->dim)};
     } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(body->geometry.get())) {
-      g.shape = Sphere{sphere->radius};
+      g.shape = geometry::Sphere{sphere->radius};
     } else {
       const auto& cylinder = dynamic_cast<const urdf::Cylinder&>(*body->geometry);
-      g.shape = Cylinder{cylinder.radius, cylinder.length};
+      g.shape = geometry::Cylinder{cylinder.radius, cylinder.length};
     }
   }
   return geometries;
@@ -140,4 +140,4 @@ UrdfModel readUrdf(const UrdfText& text, const std::string& file) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -9,17 +9,17 @@
 #include "core/mechanism/mechanism.hpp"
 #include "core/robot_file/urdf_text.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 struct UrdfGeometry {
   Transform X_LG{Transform::Identity()};  ///< in the link's frame
   std::string mesh;                       ///< empty for a shape
   Vector3d scale{Vector3d::Ones()};
-  std::optional<Shape> shape;
+  std::optional<geometry::Shape> shape;
 };
 
 struct UrdfLink {
-  LinkInertia inertia;  ///< in the link's frame
+  mechanism::LinkInertia inertia;  ///< in the link's frame
   std::vector<UrdfGeometry> visuals, collisions;
 };
 
@@ -29,7 +29,7 @@ struct UrdfJoint {
   UrdfJointType type{UrdfJointType::kFixed};
   Transform X_PJ{Transform::Identity()};  ///< joint, and child link at zero, in the parent link's frame
   Vector3d axis{Vector3d::UnitX()};       ///< unit vector
-  JointLimits limits;
+  mechanism::JointLimits limits;
   double multiplier{1.0}, offset{0.0};  ///< of a joint that mimics another
 };
 
@@ -46,4 +46,4 @@ inline constexpr double kUrdfNoLimit = 1e6;
 /// Safe from several threads.
 UrdfModel readUrdf(const UrdfText& text, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -12,10 +12,10 @@
 #include "core/robot_file/xml_values.hpp"
 #include "core/text/text_lines.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
-using mesh_file::inDoubleQuotes;
+using text::inDoubleQuotes;
 
 constexpr double kAxisTolerance = 1e-3;  // an axis that is longer or shorter was meant to be a unit vector
 
@@ -59,7 +59,7 @@ class UrdfChecker {
     if (e.name.starts_with("xacro:")) refuse("<" + std::string(e.name.substr(0, 40)) + ">");
     for (const auto& [key, value] : e.attributes)
       if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos)
-        refuse(inDoubleQuotes(value));
+        refuse(text::inDoubleQuotes(value));
     for (const auto& child : e.children) refuseXacro(child);
   }
 
@@ -71,7 +71,7 @@ class UrdfChecker {
   std::string newName(const XmlElement& e, std::unordered_set<std::string>& taken) const {
     std::string name = values_.needText(e, "name");
     if (!taken.insert(name).second)
-      values_.fail(e, "found the " + std::string(e.name) + " name " + inDoubleQuotes(name) +
+      values_.fail(e, "found the " + std::string(e.name) + " name " + text::inDoubleQuotes(name) +
                           " a second time, expected unique names");
     return name;
   }
@@ -157,9 +157,9 @@ class UrdfChecker {
     const XmlElement& shape = geometry->children.front();
     const auto positive = [&](const char* key) {
       const double value = values_.needNumber(shape, key);
-      return value >= kMinDimension ? ""
-                                    : std::string("found the ") + key + " " + formatDouble(value) + " in " +
-                                          what + ", expected a positive one";
+      return value >= geometry::kMinDimension ? ""
+                                              : std::string("found the ") + key + " " + formatDouble(value) +
+                                                    " in " + what + ", expected a positive one";
     };
     if (shape.name == "mesh") {
       values_.needText(shape, "filename");
@@ -170,11 +170,11 @@ class UrdfChecker {
     if (shape.name == "sphere") return positive("radius");
     if (shape.name == "cylinder") return positive("radius") + positive("length");
     if (shape.name != "box")
-      return "found the geometry " + inDoubleQuotes(shape.name) + " in " + what +
+      return "found the geometry " + text::inDoubleQuotes(shape.name) + " in " + what +
              ", expected mesh, box, sphere or cylinder";
     values_.needText(shape, "size");
     const Vector3d size = *values_.vector(shape, "size");
-    return size.minCoeff() >= kMinDimension
+    return size.minCoeff() >= geometry::kMinDimension
                ? ""
                : "found the size " + xmlNumbers(size) + " in " + what + ", expected positive edges";
   }
@@ -214,7 +214,7 @@ class UrdfChecker {
     if (std::find(kTypes.begin(), kTypes.end(), joint.type) == kTypes.end()) {
       const std::string near = nearestName(joint.type, {kTypes.begin(), kTypes.end()});
       values_.fail(e,
-                   "found the joint type " + inDoubleQuotes(joint.type) +
+                   "found the joint type " + text::inDoubleQuotes(joint.type) +
                        ", expected revolute, continuous, prismatic, fixed, floating or planar",
                    near.empty() ? "" : "did you mean " + near + "?");
     }
@@ -287,8 +287,8 @@ class UrdfChecker {
 }  // namespace
 
 UrdfText checkUrdf(const std::string& text, const std::string& file) {
-  const XmlElement root = mesh_file::parseXml(text, file);
+  const XmlElement root = text::parseXml(text, file);
   return UrdfChecker(file).run(root);
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

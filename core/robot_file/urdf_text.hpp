@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace abstand {
+namespace abstand::robot_file {
 
 /// Line and column, from 1.
 struct UrdfPlace {
@@ -42,4 +42,4 @@ inline constexpr std::size_t kMaxUrdfLinks = 2000;
 /// and limits are warnings. Throws ParseError with line and column; a xacro file is named as one.
 UrdfText checkUrdf(const std::string& text, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

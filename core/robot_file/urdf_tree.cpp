@@ -6,10 +6,10 @@
 #include "core/base/error.hpp"
 #include "core/text/text_lines.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
-using mesh_file::inDoubleQuotes;
+using text::inDoubleQuotes;
 
 /// Follows every item to the next by `next` (-1: the end); the index of one on a ring, or -1.
 int onRing(const std::vector<int>& next) {
@@ -39,7 +39,7 @@ class Index {
   }
   std::string hint(const std::string& name) const {
     const std::string near = nearestName(name, names_);
-    return near.empty() ? "" : "did you mean " + inDoubleQuotes(near) + "?";
+    return near.empty() ? "" : "did you mean " + text::inDoubleQuotes(near) + "?";
   }
 
  private:
@@ -56,13 +56,13 @@ void checkLinks(const UrdfText& urdf, const std::string& file) {
     for (const auto& name : {joint.parent, joint.child})
       if (links.at(name) < 0)
         throw ParseError(pos,
-                         "found the joint " + inDoubleQuotes(joint.name) + " at a link " +
-                             inDoubleQuotes(name) + " that is not there, expected one of the file",
+                         "found the joint " + text::inDoubleQuotes(joint.name) + " at a link " +
+                             text::inDoubleQuotes(name) + " that is not there, expected one of the file",
                          links.hint(name));
     const auto child = static_cast<std::size_t>(links.at(joint.child));
     if (is_child[child])
       throw ParseError(pos,
-                       "found the link " + inDoubleQuotes(joint.child) +
+                       "found the link " + text::inDoubleQuotes(joint.child) +
                            " as the child of a second joint, expected a tree: one joint a child",
                        "a closed kinematic chain cannot be described by a URDF");
     is_child[child] = true;
@@ -72,16 +72,16 @@ void checkLinks(const UrdfText& urdf, const std::string& file) {
     const auto& link = urdf.links[static_cast<std::size_t>(i)];
     throw ParseError(
         {file, link.place.line, link.place.column},
-        "found the link " + inDoubleQuotes(link.name) + " among its own descendants, expected a tree");
+        "found the link " + text::inDoubleQuotes(link.name) + " among its own descendants, expected a tree");
   }
   const auto root = std::find(is_child.begin(), is_child.end(), false);
   const auto second = std::find(root + 1, is_child.end(), false);
   if (second == is_child.end()) return;
   const auto& link = urdf.links[static_cast<std::size_t>(second - is_child.begin())];
-  throw ParseError({file, link.place.line, link.place.column},
-                   "found " +
-                       inDoubleQuotes(urdf.links[static_cast<std::size_t>(root - is_child.begin())].name) +
-                       " and " + inDoubleQuotes(link.name) + " without a parent, expected one root link");
+  throw ParseError(
+      {file, link.place.line, link.place.column},
+      "found " + text::inDoubleQuotes(urdf.links[static_cast<std::size_t>(root - is_child.begin())].name) +
+          " and " + text::inDoubleQuotes(link.name) + " without a parent, expected one root link");
 }
 
 void checkMimics(const UrdfText& urdf, const std::string& file) {
@@ -94,18 +94,18 @@ void checkMimics(const UrdfText& urdf, const std::string& file) {
     leader[i] = joints.at(joint.mimic);
     if (leader[i] < 0)
       throw ParseError(pos,
-                       "found the joint " + inDoubleQuotes(joint.name) + " that mimics " +
-                           inDoubleQuotes(joint.mimic) + ", expected a joint of the file",
+                       "found the joint " + text::inDoubleQuotes(joint.name) + " that mimics " +
+                           text::inDoubleQuotes(joint.mimic) + ", expected a joint of the file",
                        joints.hint(joint.mimic));
     const auto& type = urdf.joints[static_cast<std::size_t>(leader[i])].type;
     if (type == "floating" || type == "planar")
-      throw ParseError(pos, "found the joint " + inDoubleQuotes(joint.name) + " that mimics a " + type +
+      throw ParseError(pos, "found the joint " + text::inDoubleQuotes(joint.name) + " that mimics a " + type +
                                 " joint, expected one with a single value");
   }
   if (const int i = onRing(leader); i >= 0) {
     const auto& joint = urdf.joints[static_cast<std::size_t>(i)];
     throw ParseError({file, joint.place.line, joint.place.column},
-                     "found the joint " + inDoubleQuotes(joint.name) +
+                     "found the joint " + text::inDoubleQuotes(joint.name) +
                          " that mimics itself, expected no ring of mimic joints");
   }
 }
@@ -117,4 +117,4 @@ void checkUrdfTree(const UrdfText& urdf, const std::string& file) {
   checkMimics(urdf, file);
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

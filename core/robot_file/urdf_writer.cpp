@@ -10,7 +10,7 @@
 #include "core/robot_file/urdf_model.hpp"
 #include "core/robot_file/xml_values.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 constexpr double kUrdfRounding = 1e-15;
@@ -26,15 +26,17 @@ std::string originText(const Transform& X) {
 }
 
 struct ShapeElement {
-  std::string operator()(const Sphere& s) const {
+  std::string operator()(const geometry::Sphere& s) const {
     return "<sphere radius=\"" + formatDouble(s.radius) + "\"/>";
   }
-  std::string operator()(const Cuboid& s) const { return "<box size=\"" + xmlNumbers(s.size) + "\"/>"; }
-  std::string operator()(const Cylinder& s) const {
+  std::string operator()(const geometry::Cuboid& s) const {
+    return "<box size=\"" + xmlNumbers(s.size) + "\"/>";
+  }
+  std::string operator()(const geometry::Cylinder& s) const {
     return "<cylinder radius=\"" + formatDouble(s.radius) + "\" length=\"" + formatDouble(s.length) + "\"/>";
   }
-  std::string operator()(const Ellipsoid&) const { return refuse("an ellipsoid"); }
-  std::string operator()(const Capsule&) const { return refuse("a capsule"); }
+  std::string operator()(const geometry::Ellipsoid&) const { return refuse("an ellipsoid"); }
+  std::string operator()(const geometry::Capsule&) const { return refuse("a capsule"); }
   [[noreturn]] static std::string refuse(const char* what) {
     throw UsageError(std::string("found ") + what +
                      " among the geometry, expected what URDF has: mesh, box, sphere, cylinder");
@@ -61,7 +63,7 @@ class UrdfWriter {
     for (const auto& f : m_.frames) roots += f.parent < 0 ? 1 : 0;
     for (const auto& g : robot_.geometry) carries_geometry = carries_geometry || g.frame < 0;
     const auto& first = m_.frames.front();
-    const bool has_root = roots == 1 && !carries_geometry && first.type == JointType::kFixed &&
+    const bool has_root = roots == 1 && !carries_geometry && first.type == mechanism::JointType::kFixed &&
                           first.X_PJ.matrix() == Transform::Identity().matrix();
     if (!has_root) {
       while (!links_.insert(base_).second) base_ += '_';
@@ -77,11 +79,11 @@ class UrdfWriter {
   }
 
  private:
-  void lead(const MechanismFrame& f) {
+  void lead(const mechanism::MechanismFrame& f) {
     leader_[static_cast<std::size_t>(f.dof)] = &f;
     scale_[static_cast<std::size_t>(f.dof)] = f.scale;
   }
-  bool leads(const MechanismFrame& f) const {
+  bool leads(const mechanism::MechanismFrame& f) const {
     return f.dof >= 0 && leader_[static_cast<std::size_t>(f.dof)] == &f;
   }
 
@@ -101,7 +103,7 @@ class UrdfWriter {
     text_ += "  </link>\n";
   }
 
-  void inertial(const LinkInertia& i) {
+  void inertial(const mechanism::LinkInertia& i) {
     if (i.mass <= 0.0 && i.inertia_F.isZero(0.0)) return;
     const Matrix3d& I = i.inertia_F;
     const auto moment = [&](const char* key, double v) {
@@ -113,13 +115,13 @@ class UrdfWriter {
              moment("iyz", I(1, 2)) + "/></inertial>\n";
   }
 
-  std::string jointName(const MechanismFrame& f) const {
+  std::string jointName(const mechanism::MechanismFrame& f) const {
     return f.joint.empty() ? f.name + "_joint" : f.joint;
   }
 
-  void joint(const MechanismFrame& f) {
-    const bool moves = f.type != JointType::kFixed;
-    const bool slides = f.type == JointType::kPrismatic;
+  void joint(const mechanism::MechanismFrame& f) {
+    const bool moves = f.type != mechanism::JointType::kFixed;
+    const bool slides = f.type == mechanism::JointType::kPrismatic;
     Transform X = f.X_PJ;
     double offset = f.offset;
     if (leads(f) || f.dof < 0) {  // what leads has no offset in a URDF
@@ -142,7 +144,7 @@ class UrdfWriter {
       text_ += "    <axis xyz=\"" + xmlNumbers(f.axis) + "\"/>\n";
       limit(f, leads(f) ? f.offset : 0.0, slides || limited);
       if (!leads(f)) {
-        const MechanismFrame& leader = *leader_[static_cast<std::size_t>(f.dof)];
+        const mechanism::MechanismFrame& leader = *leader_[static_cast<std::size_t>(f.dof)];
         text_ += "    <mimic joint=\"" + xmlEscaped(jointName(leader)) + "\" multiplier=\"" +
                  formatDouble(f.scale / leader.scale) + "\" offset=\"" + formatDouble(offset) + "\"/>\n";
       }
@@ -150,11 +152,11 @@ class UrdfWriter {
     text_ += "  </joint>\n";
   }
 
-  void limit(const MechanismFrame& f, double offset, bool ends) {
+  void limit(const mechanism::MechanismFrame& f, double offset, bool ends) {
     const auto known = [](double v, double otherwise) {
       return formatDouble(std::isfinite(v) ? v : otherwise);
     };
-    const JointLimits& l = f.limits;
+    const mechanism::JointLimits& l = f.limits;
     if (!ends && !std::isfinite(l.velocity) && !std::isfinite(l.effort)) return;
     text_ += "    <limit";
     if (ends)
@@ -165,15 +167,15 @@ class UrdfWriter {
   }
 
   const Robot& robot_;
-  const Mechanism& m_;
+  const mechanism::Mechanism& m_;
   std::string text_, base_{"base"};
   std::unordered_set<std::string> links_;
   std::vector<double> scale_;
-  std::vector<const MechanismFrame*> leader_;  ///< of each dof
+  std::vector<const mechanism::MechanismFrame*> leader_;  ///< of each dof
 };
 
 }  // namespace
 
 UrdfWritten urdfText(const Robot& robot) { return UrdfWriter(robot).write(); }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

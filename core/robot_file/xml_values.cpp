@@ -8,10 +8,10 @@
 #include "core/base/utf8.hpp"
 #include "core/text/text_lines.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
-using mesh_file::inDoubleQuotes;
+using text::inDoubleQuotes;
 
 constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
     {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
@@ -51,8 +51,8 @@ std::optional<std::string> XmlValues::text(const XmlElement& e, std::string_view
         return rest.starts_with(entity.first);
       });
       if (found == kEntities.end())
-        fail(e, "found " + inDoubleQuotes(rest.substr(0, 12)) + " in " + std::string(key) + " of " + tag(e) +
-                    ", expected &lt; &gt; &amp; &quot; or &apos;");
+        fail(e, "found " + text::inDoubleQuotes(rest.substr(0, 12)) + " in " + std::string(key) + " of " +
+                    tag(e) + ", expected &lt; &gt; &amp; &quot; or &apos;");
       plain += found->second;
       rest.remove_prefix(found->first.size());
     }
@@ -71,10 +71,10 @@ std::string XmlValues::needText(const XmlElement& e, std::string_view key) const
 double XmlValues::parse(const XmlElement& e, std::string_view key, std::string_view word) const {
   const auto value = parseDouble(word);
   if (!value)
-    fail(e, "found " + inDoubleQuotes(word) + " for " + std::string(key) + " of " + tag(e) +
+    fail(e, "found " + text::inDoubleQuotes(word) + " for " + std::string(key) + " of " + tag(e) +
                 ", expected a finite number");
   if (std::abs(*value) > kLargest)
-    fail(e, "found " + inDoubleQuotes(word) + " for " + std::string(key) + " of " + tag(e) +
+    fail(e, "found " + text::inDoubleQuotes(word) + " for " + std::string(key) + " of " + tag(e) +
                 ", expected at most " + formatDouble(kLargest) + " in size");
   return *value;
 }
@@ -83,8 +83,8 @@ std::optional<double> XmlValues::number(const XmlElement& e, std::string_view ke
   const auto value = text(e, key);
   if (!value) return std::nullopt;
   std::string_view rest = *value;
-  const auto word = mesh_file::nextWord(rest);
-  if (!mesh_file::nextWord(rest).empty()) return parse(e, key, *value);
+  const auto word = text::nextWord(rest);
+  if (!text::nextWord(rest).empty()) return parse(e, key, *value);
   return parse(e, key, word);
 }
 
@@ -97,8 +97,7 @@ std::optional<Vector3d> XmlValues::vector(const XmlElement& e, std::string_view 
   const auto value = text(e, key);
   if (!value) return std::nullopt;
   std::vector<std::string_view> words;
-  for (std::string_view rest = *value, word; !(word = mesh_file::nextWord(rest)).empty();)
-    words.push_back(word);
+  for (std::string_view rest = *value, word; !(word = text::nextWord(rest)).empty();) words.push_back(word);
   if (words.size() != 3)
     fail(e, "found " + std::to_string(words.size()) + (words.size() == 1 ? " number" : " numbers") + " for " +
                 std::string(key) + " of " + tag(e) + ", expected three");
@@ -128,4 +127,4 @@ std::string xmlNumbers(std::span<const double> values) {
 
 std::string xmlNumbers(const Vector3d& v) { return xmlNumbers(std::span(v.data(), 3)); }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

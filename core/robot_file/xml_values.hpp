@@ -11,9 +11,9 @@
 #include "core/math/transform.hpp"
 #include "core/text/xml_element.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
-using mesh_file::XmlElement;
+using text::XmlElement;
 
 /// Values of the elements of one file. `file` must outlive it.
 class XmlValues {
@@ -51,4 +51,4 @@ std::string xmlEscaped(const std::string& text);
 std::string xmlNumbers(std::span<const double> values);
 std::string xmlNumbers(const Vector3d& v);
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -4,7 +4,7 @@
 
 #include "core/math/object_motion.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 // Computed speeds are rounded up by this part.
@@ -12,8 +12,8 @@ constexpr double kUp = 1.0 + 1e-12;
 
 }  // namespace
 
-PoseSegment::PoseSegment(const EnclosingSphere& sphere_B, const Transform& X_0, const Transform& X_1,
-                         double duration) noexcept
+PoseSegment::PoseSegment(const geometry::EnclosingSphere& sphere_B, const Transform& X_0,
+                         const Transform& X_1, double duration) noexcept
     : X_0_(X_0), centre_B_(sphere_B.centre), velocity_(Vector3d::Zero()), axis_(Vector3d::UnitZ()) {
   duration_ = std::max(0.0, duration);
   rate_ = speed_ = 0.0;
@@ -60,4 +60,4 @@ double UnknownMotion::speed(double, double t1) const noexcept {
   return (drift_.norm() + bounds_.velocity_error + bounds_.acceleration * t1) * kUp;
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

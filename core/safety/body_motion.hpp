@@ -4,7 +4,7 @@
 #include "core/geometry/enclosing_sphere.hpp"
 #include "core/safety/reach_set.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// What a body does from now on. Not shared between threads: pose() may use scratch.
 class BodyMotion {
@@ -24,7 +24,7 @@ class PoseSegment final : public BodyMotion {
  public:
   /// @param sphere_B  holds the body
   /// @param duration  s; 0: stands at X_0
-  PoseSegment(const EnclosingSphere& sphere_B, const Transform& X_0, const Transform& X_1,
+  PoseSegment(const geometry::EnclosingSphere& sphere_B, const Transform& X_0, const Transform& X_1,
               double duration) noexcept;
   Transform pose(double t) noexcept override;
   double slack(double) const noexcept override { return 0.0; }
@@ -55,4 +55,4 @@ class UnknownMotion final : public BodyMotion {
   bool drifts_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -5,13 +5,13 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 BrakingPath::BrakingPath(const BrakingOptions& options, int dof)
     : kind_(options.kind), reaction_time_(options.reaction_time) {
-  requireNumbers(options);
-  most_ = forJoints(BrakingOptions::kName, "deceleration", options.deceleration, dof,
-                    BrakingOptions::kDecelerationRule);
+  config::requireNumbers(options);
+  most_ = config::forJoints(BrakingOptions::kName, "deceleration", options.deceleration, dof,
+                            BrakingOptions::kDecelerationRule);
   now_ = most_;
   q_.assign(most_.size(), 0.0);
   qd_ = q_;
@@ -64,4 +64,4 @@ double BrakingPath::way(int joint) const noexcept {
   return q(joint, kInfinity) - q_[static_cast<std::size_t>(joint)];
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

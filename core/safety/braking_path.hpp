@@ -6,7 +6,7 @@
 
 #include "core/config/number_rule.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// kEachJoint: each joint slows down by its own deceleration and stands when it stands. kTogether: all joints
 /// stop at once, in the time that the slowest needs, so the mechanism stays on a line in joint space: the
@@ -15,14 +15,14 @@ enum class BrakingKind { kEachJoint, kTogether };
 
 struct BrakingOptions {
   static constexpr const char* kName = "braking";
-  static constexpr NumberRule kDecelerationRule{0.0, 1e6, "rad/s^2 or m/s^2", true};
-  JointNumbers deceleration{5.0};  ///< rad/s^2 or m/s^2, of each joint or one for all
-  double reaction_time{0.01};      ///< s, for which the joints go on as they are before they slow down
+  static constexpr config::NumberRule kDecelerationRule{0.0, 1e6, "rad/s^2 or m/s^2", true};
+  config::JointNumbers deceleration{5.0};  ///< rad/s^2 or m/s^2, of each joint or one for all
+  double reaction_time{0.01};  ///< s, for which the joints go on as they are before they slow down
   BrakingKind kind{BrakingKind::kEachJoint};
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("reaction_time", o.reaction_time, NumberRule{0.0, 10.0, "s"});
+    visit("reaction_time", o.reaction_time, config::NumberRule{0.0, 10.0, "s"});
   }
 };
 
@@ -51,8 +51,8 @@ class BrakingPath {
  private:
   BrakingKind kind_;
   double reaction_time_, stop_time_{0.0};
-  JointNumbers most_, now_;  ///< decelerations: allowed, and on this path
+  config::JointNumbers most_, now_;  ///< decelerations: allowed, and on this path
   std::vector<double> q_, qd_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::safety

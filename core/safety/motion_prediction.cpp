@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::safety {
 
 MotionPrediction::MotionPrediction(const PredictionOptions& options, const Vector3d& centre_B)
     : options_(options), centre_B_(centre_B) {
@@ -40,4 +40,4 @@ Transform MotionPrediction::at(double ahead) const noexcept {
   return X;
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

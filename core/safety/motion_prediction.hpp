@@ -4,7 +4,7 @@
 #include "core/config/number_rule.hpp"
 #include "core/math/object_motion.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 struct PredictionOptions {
   static constexpr const char* kName = "prediction";
@@ -15,10 +15,10 @@ struct PredictionOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("fade", o.fade, NumberRule{0.0, 1.0});
-    visit("longest_gap", o.longest_gap, NumberRule{0.0, 60.0, "s", true});
+    visit("fade", o.fade, config::NumberRule{0.0, 1.0});
+    visit("longest_gap", o.longest_gap, config::NumberRule{0.0, 60.0, "s", true});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// Each body part is predicted by itself, so limbs may go different ways; averaging keeps the noise of single
@@ -54,4 +54,4 @@ class MotionPrediction {
   bool started_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 // Halvings of the wanted speed: to one part in 10^9.
@@ -53,4 +53,4 @@ double permittedSpeed(const SeparationOptions& o, double wanted, double person_s
   return least;
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -3,7 +3,7 @@
 
 #include "core/safety/reach_set.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// Terms of ISO/TS 15066, 5.5.4, and ISO 13855. SI.
 struct SeparationOptions {
@@ -25,18 +25,18 @@ struct SeparationOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("reaction_time", o.reaction_time, NumberRule{0.0, 10.0, "s"});
-    visit("stopping_time", o.stopping_time, NumberRule{0.0, 10.0, "s"});
-    visit("deceleration", o.deceleration, NumberRule{0.0, 1e3, "m/s^2"});
-    visit("intrusion", o.intrusion, NumberRule{0.0, 10.0, "m"});
-    visit("person_error", o.person_error, NumberRule{0.0, 10.0, "m"});
-    visit("robot_error", o.robot_error, NumberRule{0.0, 10.0, "m"});
-    visit("person_speed", o.person_speed, NumberRule{0.0, 20.0, "m/s"});
-    visit("person_speed_near", o.person_speed_near, NumberRule{0.0, 20.0, "m/s"});
-    visit("near", o.near, NumberRule{0.0, 10.0, "m"});
-    visit("person_acceleration", o.person_acceleration, NumberRule{0.0, 1e3, "m/s^2"});
+    visit("reaction_time", o.reaction_time, config::NumberRule{0.0, 10.0, "s"});
+    visit("stopping_time", o.stopping_time, config::NumberRule{0.0, 10.0, "s"});
+    visit("deceleration", o.deceleration, config::NumberRule{0.0, 1e3, "m/s^2"});
+    visit("intrusion", o.intrusion, config::NumberRule{0.0, 10.0, "m"});
+    visit("person_error", o.person_error, config::NumberRule{0.0, 10.0, "m"});
+    visit("robot_error", o.robot_error, config::NumberRule{0.0, 10.0, "m"});
+    visit("person_speed", o.person_speed, config::NumberRule{0.0, 20.0, "m/s"});
+    visit("person_speed_near", o.person_speed_near, config::NumberRule{0.0, 20.0, "m/s"});
+    visit("near", o.near, config::NumberRule{0.0, 10.0, "m"});
+    visit("person_acceleration", o.person_acceleration, config::NumberRule{0.0, 1e3, "m/s^2"});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// The terms of S_p = S_h + S_r + S_s + C + Z_d + Z_r, so that a user sees which one bought a stop. m.
@@ -62,4 +62,4 @@ ProtectiveDistance protectiveDistance(const SeparationOptions& options, double r
 double permittedSpeed(const SeparationOptions& options, double wanted, double person_speed,
                       double distance) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::safety

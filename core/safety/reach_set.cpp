@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 // Some hundred roundings of a double: radii are widened by this part of what they come from.
 constexpr double kRounding = 1e-14;
 
-EnclosingSphere widened(const Vector3d& centre, double radius) {
+geometry::EnclosingSphere widened(const Vector3d& centre, double radius) {
   return {centre, radius + kRounding * (centre.norm() + radius)};
 }
 
-EnclosingSphere aroundBoth(const EnclosingSphere& a, const EnclosingSphere& b, const Vector3d& direction,
-                           double gap) {
+geometry::EnclosingSphere aroundBoth(const geometry::EnclosingSphere& a, const geometry::EnclosingSphere& b,
+                                     const Vector3d& direction, double gap) {
   const double radius = (a.radius + gap + b.radius) / 2.0;
   return widened(a.centre + (radius - a.radius) * direction, radius);
 }
 
 /// A ball about the part that two balls share.
-EnclosingSphere aroundShared(const EnclosingSphere& a, const EnclosingSphere& b) {
-  const EnclosingSphere& smaller = a.radius <= b.radius ? a : b;
+geometry::EnclosingSphere aroundShared(const geometry::EnclosingSphere& a,
+                                       const geometry::EnclosingSphere& b) {
+  const geometry::EnclosingSphere& smaller = a.radius <= b.radius ? a : b;
   const Vector3d between = b.centre - a.centre;
   const double gap = between.norm();
   if (!(a.radius < kInfinity && b.radius < kInfinity) || gap == 0.0) return smaller;
@@ -38,15 +39,15 @@ EnclosingSphere aroundShared(const EnclosingSphere& a, const EnclosingSphere& b)
 
 }  // namespace
 
-EnclosingSphere reachAt(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
-                        double t) noexcept {
+geometry::EnclosingSphere reachAt(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
+                                  double t) noexcept {
   if (!(t > 0.0)) return widened(p0, bounds.position_error);
   const double off = bounds.position_error + bounds.velocity_error * t + 0.5 * bounds.acceleration * t * t;
   return aroundShared(widened(p0 + t * v0, off), widened(p0, bounds.position_error + bounds.speed * t));
 }
 
-EnclosingSphere reachWithin(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
-                            double t) noexcept {
+geometry::EnclosingSphere reachWithin(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
+                                      double t) noexcept {
   if (!(t > 0.0)) return widened(p0, bounds.position_error);
   const double off = bounds.position_error + bounds.velocity_error * t + 0.5 * bounds.acceleration * t * t;
   return aroundShared(widened(p0 + 0.5 * t * v0, 0.5 * t * v0.norm() + off),
@@ -61,4 +62,4 @@ double travelWithin(double speed0, const MotionBounds& bounds, double t) noexcep
   return std::max(0.0, v0 * rising + 0.5 * a * rising * rising + (v0 + a * rising) * (t - rising));
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -4,7 +4,7 @@
 #include "core/config/number_rule.hpp"
 #include "core/geometry/enclosing_sphere.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// What is taken for granted of a moving point. Defaults: no bound on its speed, which is never safe to rest
 /// on, so that who uses it has to say one. Of a person: 1.6 m/s walking and 2.0 m/s for a hand [ISO 13855];
@@ -18,12 +18,12 @@ struct MotionBounds {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("speed", o.speed, NumberRule{0.0, kInfinity, "m/s"});
-    visit("acceleration", o.acceleration, NumberRule{0.0, kInfinity, "m/s^2"});
-    visit("position_error", o.position_error, NumberRule{0.0, 1e3, "m"});
-    visit("velocity_error", o.velocity_error, NumberRule{0.0, 1e3, "m/s"});
+    visit("speed", o.speed, config::NumberRule{0.0, kInfinity, "m/s"});
+    visit("acceleration", o.acceleration, config::NumberRule{0.0, kInfinity, "m/s^2"});
+    visit("position_error", o.position_error, config::NumberRule{0.0, 1e3, "m"});
+    visit("velocity_error", o.velocity_error, config::NumberRule{0.0, 1e3, "m/s"});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// A motion p(s), s >= 0, is admissible for a measured p0, v0 when |p(0) - p0| <= position_error,
@@ -33,16 +33,16 @@ struct MotionBounds {
 /// with radius e_p + e_v t + a t^2 / 2, and in the ball about p0 with radius e_p + speed t; the result holds
 /// the part that they share. Where they share nothing, the measured speed breaks the bound; then it holds
 /// both. Radius infinite where nothing bounds the point. t >= 0. No allocation.
-EnclosingSphere reachAt(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
-                        double t) noexcept;
+geometry::EnclosingSphere reachAt(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
+                                  double t) noexcept;
 
 /// The same for p(s) of all s in [0, t] at once.
-EnclosingSphere reachWithin(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
-                            double t) noexcept;
+geometry::EnclosingSphere reachWithin(const Vector3d& p0, const Vector3d& v0, const MotionBounds& bounds,
+                                      double t) noexcept;
 
 /// The farthest (m) that a point gets from where it is within t s, when it goes at `speed0` m/s at first
 /// along a line (negative: backwards), and is bounded by `bounds` without its errors: it speeds up to the
 /// bound and keeps it. Never negative.
 double travelWithin(double speed0, const MotionBounds& bounds, double t) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::safety

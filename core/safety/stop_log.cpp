@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 constexpr std::array<std::string_view, kStopStates> kStateNames{"running", "slowing", "protective stop",
@@ -77,4 +77,4 @@ std::string describe(const StopEntry& e, const StopNames& names) {
   return s + about(e.cause, names) + ", after " + shortNumber(e.lasted) + " s";
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

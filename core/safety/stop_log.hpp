@@ -9,7 +9,7 @@
 
 #include "core/safety/stop_reason.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 enum class StopState : std::uint8_t { kRunning, kSlowing, kProtectiveStop, kEmergencyStop, kWaitingForReset };
 inline constexpr std::size_t kStopStates = 5;
@@ -50,4 +50,4 @@ struct StopNames {
 /// itself after 2.1 s; the reason was distance, pair link5 - hand`. Allocates; not for the cycle.
 std::string describe(const StopEntry& entry, const StopNames& names = {});
 
-}  // namespace abstand
+}  // namespace abstand::safety

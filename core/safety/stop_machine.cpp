@@ -1,6 +1,6 @@
 #include "core/safety/stop_machine.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 using S = StopState;
@@ -85,4 +85,4 @@ void StopMachine::takeReset(double t, bool asks_stop, bool settled) noexcept {
   last_refusal_ = refusal_;
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -6,7 +6,7 @@
 #include "core/config/number_rule.hpp"
 #include "core/safety/stop_log.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// What can happen to the machine in one cycle. kSlow, kProtect and kEmergency: the highest response that a
 /// present cause asks for; kFree: none asks for anything; kStandstill: it has stopped and has to be reset;
@@ -39,12 +39,12 @@ struct StopOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("resume_after", o.resume_after, NumberRule{0.0, kInfinity, "s"});
-    visit("standstill", o.standstill, NumberRule{0.0, 1.0, "rad/s or m/s"});
-    visit("settle", o.settle, NumberRule{0.0, 60.0, "s"});
-    visit("slow_to", o.slow_to, NumberRule{0.0, 1.0});
+    visit("resume_after", o.resume_after, config::NumberRule{0.0, kInfinity, "s"});
+    visit("standstill", o.standstill, config::NumberRule{0.0, 1.0, "rad/s or m/s"});
+    visit("settle", o.settle, config::NumberRule{0.0, 60.0, "s"});
+    visit("slow_to", o.slow_to, config::NumberRule{0.0, 1.0});
   }
-  void validate() const { requireNumbers(*this); }  ///< throws UsageError
+  void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
 /// One cycle's update() takes all present causes; the highest response wins, the first of equal ones is
@@ -87,4 +87,4 @@ class StopMachine {
   StopLog log_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::safety

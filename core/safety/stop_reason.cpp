@@ -1,6 +1,6 @@
 #include "core/safety/stop_reason.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 struct ReasonText {
@@ -34,4 +34,4 @@ std::optional<StopResponse> parseResponse(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

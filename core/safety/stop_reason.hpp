@@ -8,7 +8,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 enum class StopReason : std::uint8_t {
   kDistance,    ///< a distance is below its limit (m)
@@ -54,4 +54,4 @@ struct StopPolicy {
   StopResponse of(StopReason reason) const { return response[static_cast<std::size_t>(reason)]; }
 };
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -1,10 +1,10 @@
 #include "core/safety/swept_distance.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 void SweptOptions::validate() const {
-  requireNumbers(*this);
-  requireNumber(kName, "most_samples", most_samples, {2, kMaxSweptSamples});
+  config::requireNumbers(*this);
+  config::requireNumber(kName, "most_samples", most_samples, {2, kMaxSweptSamples});
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -7,7 +7,7 @@
 
 #include "core/config/number_rule.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 struct SweptOptions {
   static constexpr const char* kName = "swept";
@@ -18,9 +18,9 @@ struct SweptOptions {
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
-    visit("tolerance", o.tolerance, NumberRule{0.0, 10.0, "m"});
-    visit("enough", o.enough, NumberRule{-kInfinity, kInfinity, "m"});
-    visit("hit", o.hit, NumberRule{-kInfinity, kInfinity, "m"});
+    visit("tolerance", o.tolerance, config::NumberRule{0.0, 10.0, "m"});
+    visit("enough", o.enough, config::NumberRule{-kInfinity, kInfinity, "m"});
+    visit("hit", o.hit, config::NumberRule{-kInfinity, kInfinity, "m"});
   }
   void validate() const;  ///< throws UsageError
 };
@@ -110,4 +110,4 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::safety

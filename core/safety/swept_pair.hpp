@@ -5,21 +5,21 @@
 #include "core/safety/body_motion.hpp"
 #include "core/safety/swept_distance.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 
 /// Work space of one swept query; one per pair or thread. What is remembered speeds up the next query of the
 /// same two structures.
 struct SweptScratch {
-  PairMemory memory;
-  PairScratch scratch;
-  PairResult result;
+  query::PairMemory memory;
+  kernels::PairScratch scratch;
+  query::PairResult result;
 };
 
 /// Asks queryPair() at chosen times of [0, duration]. `lower` is never above the smallest distance that any
 /// motion within the bounds of `a` and `b` can bring; `upper` is the smallest that was seen with the poses of
 /// both (slack taken off). Distances are between bare surfaces, without margins. No allocation, no throw.
-SweptResult sweptPair(const HapticStructure& a, BodyMotion& motion_a, const HapticStructure& b,
-                      BodyMotion& motion_b, double duration, const SweptOptions& options,
-                      SweptScratch& scratch) noexcept;
+SweptResult sweptPair(const structure::HapticStructure& a, BodyMotion& motion_a,
+                      const structure::HapticStructure& b, BodyMotion& motion_b, double duration,
+                      const SweptOptions& options, SweptScratch& scratch) noexcept;
 
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 constexpr double kShortest = 10e-9;  // s
@@ -56,4 +56,4 @@ double CycleStatistics::quantile(double share) const {
   return std::clamp(middle, min_, max_);
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

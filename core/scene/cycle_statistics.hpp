@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace abstand {
+namespace abstand::scene {
 
 /// Counts cycle times in logarithmic bins, each 1 % wider than the one before, from 10 ns to 100 s; longer
 /// and shorter times fall into the outer bins. add() allocates nothing. One thread.
@@ -37,4 +37,4 @@ class CycleStatistics {
   long count_{0}, overruns_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -2,9 +2,9 @@
 
 #include "core/scene/speed_watch.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
-void LiveCulling::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
+void LiveCulling::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
                        const LiveObject& a, const LiveObject& b, double touch_from, double margin,
                        double share) {
   proof_.take(result, X_WA, X_WB);
@@ -24,8 +24,8 @@ bool LiveCulling::mayRest(const LiveObject& a, const LiveObject& b, double margi
 }
 
 void LiveCulling::carry(const Transform& X_WA, const Transform& X_WB, const LiveObject& a,
-                        const LiveObject& b, PairResult& result) const {
+                        const LiveObject& b, query::PairResult& result) const {
   proof_.carry(X_WA, X_WB, proof_.lower - movement(a, b), result);
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -3,7 +3,7 @@
 
 #include "core/scene/temporal_culling.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// What live mode knows of an object beside its pose.
 struct LiveObject {
@@ -18,13 +18,13 @@ struct LiveObject {
 /// kept what is relied on here.
 class LiveCulling {
  public:
-  void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const LiveObject& a,
-            const LiveObject& b, double touch_from, double margin, double share);
+  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
+            const LiveObject& a, const LiveObject& b, double touch_from, double margin, double share);
   /// Without a bound on both speeds, and with a new margin: never.
   bool mayRest(const LiveObject& a, const LiveObject& b, double margin) const;
   /// Only when it may rest.
   void carry(const Transform& X_WA, const Transform& X_WB, const LiveObject& a, const LiveObject& b,
-             PairResult& result) const;
+             query::PairResult& result) const;
 
  private:
   double movement(const LiveObject& a, const LiveObject& b) const;
@@ -35,4 +35,4 @@ class LiveCulling {
   double margin_{0.0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

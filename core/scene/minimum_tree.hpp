@@ -10,7 +10,7 @@
 #include "core/base/huge_pages.hpp"
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// A tournament: each inner node holds the smaller of its two children. A change climbs only as far as it
 /// matters. NaN counts as infinity. One thread.
@@ -48,4 +48,4 @@ class MinimumTree {
   std::size_t count_{0}, leaves_{1};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

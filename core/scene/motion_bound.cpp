@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 // Some hundred roundings of a double: computed lengths are widened by this part of what they come from.
@@ -10,7 +10,7 @@ constexpr double kRounding = 1e-14;
 
 }  // namespace
 
-MotionBound::MotionBound(const EnclosingSphere& sphere_B)
+MotionBound::MotionBound(const geometry::EnclosingSphere& sphere_B)
     : sphere_B_(sphere_B), centre_(sphere_B.centre), radius_(sphere_B.radius) {}
 
 double MotionBound::moveTo(const Transform& X_WB) {
@@ -35,4 +35,4 @@ double gapOf(const MotionBound& a, const MotionBound& b) {
   return (d - c).norm() - a.radius() - b.radius() - rounding;
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

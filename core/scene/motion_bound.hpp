@@ -3,7 +3,7 @@
 
 #include "core/geometry/enclosing_sphere.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// A body's bounding sphere in the world, and the way that no point of the body can have exceeded: the
 /// certificate by which a pair may rest. It counts what happened, so it cannot be broken by a body that is
@@ -17,7 +17,7 @@ namespace abstand {
 class MotionBound {
  public:
   /// At the identity.
-  explicit MotionBound(const EnclosingSphere& sphere_B);
+  explicit MotionBound(const geometry::EnclosingSphere& sphere_B);
 
   /// Bound (m) on the way of every point of the body from the last pose to this one; adds it to way().
   double moveTo(const Transform& X_WB);
@@ -28,7 +28,7 @@ class MotionBound {
   double way() const { return way_; }
 
  private:
-  EnclosingSphere sphere_B_;
+  geometry::EnclosingSphere sphere_B_;
   Matrix3d R_WB_{Matrix3d::Identity()};
   Vector3d centre_;
   double radius_;
@@ -39,4 +39,4 @@ class MotionBound {
 /// m, signed; no two points of the bodies are nearer, whatever their shapes.
 double gapOf(const MotionBound& a, const MotionBound& b);
 
-}  // namespace abstand
+}  // namespace abstand::scene

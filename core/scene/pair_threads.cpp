@@ -9,14 +9,14 @@
 #include "core/base/triple_buffer.hpp"
 #include "core/scene/live_culling.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 /// What the owner hands in.
 struct PoseSet {
-  std::vector<Transform> X_WB;       ///< one an object
-  std::vector<LiveObject> objects;   ///< the same
-  std::vector<PairOptions> options;  ///< one a pair
+  std::vector<Transform> X_WB;              ///< one an object
+  std::vector<LiveObject> objects;          ///< the same
+  std::vector<query::PairOptions> options;  ///< one a pair
   double t{-kInfinity};
   long number{0};  ///< counts publications; t may jump back
 };
@@ -30,7 +30,7 @@ struct PairList {
 /// What a group hands out: results[k] belongs to pair index[k].
 struct ResultSet {
   PairList pairs;
-  std::vector<PairResult> results;
+  std::vector<query::PairResult> results;
   double t{-kInfinity};
   long number{0};  ///< of the poses
   long cycle{0};
@@ -42,22 +42,22 @@ struct PairBodies {
 
 /// What all groups read and nobody changes.
 struct World {
-  std::vector<std::shared_ptr<const HapticStructure>> structures;
+  std::vector<std::shared_ptr<const structure::HapticStructure>> structures;
   std::vector<PairBodies> pairs;
   double rest{0.0};  ///< QueryCulling::rest
 
-  void query(std::uint32_t pair, const PoseSet& poses, PairMemory& memory, PairScratch& scratch,
-             PairResult& result) const {
+  void query(std::uint32_t pair, const PoseSet& poses, query::PairMemory& memory,
+             kernels::PairScratch& scratch, query::PairResult& result) const {
     const auto [a, b] = pairs[pair];
-    queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair], memory,
-              scratch, result);
+    query::queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair],
+                     memory, scratch, result);
   }
 
   /// The same, or what is left of the last query when that will do. True when it was queried.
-  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, PairMemory& memory,
-               PairScratch& scratch, PairResult& result) const {
+  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, query::PairMemory& memory,
+               kernels::PairScratch& scratch, query::PairResult& result) const {
     const auto [a, b] = pairs[pair];
-    const PairOptions& options = poses.options[pair];
+    const query::PairOptions& options = poses.options[pair];
     const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
     if (last.mayRest(now_a, now_b, options.margin)) {
       result = {};  // a pair that rests has no contacts
@@ -191,13 +191,13 @@ class Group {
   }
 
   const World& world_;
-  TripleBuffer<PoseSet> poses_;       ///< owner to group
-  TripleBuffer<PairList> wanted_;     ///< owner to group
-  TripleBuffer<ResultSet> results_;   ///< group to owner
-  std::vector<LiveCulling> rests_;    ///< the group's, one a pair of the scene; empty when none may rest
-  std::vector<PairMemory> memories_;  ///< likewise
-  PairList pairs_;                    ///< the owner's copy of what it wants
-  PairScratch scratch_;
+  TripleBuffer<PoseSet> poses_;      ///< owner to group
+  TripleBuffer<PairList> wanted_;    ///< owner to group
+  TripleBuffer<ResultSet> results_;  ///< group to owner
+  std::vector<LiveCulling> rests_;   ///< the group's, one a pair of the scene; empty when none may rest
+  std::vector<query::PairMemory> memories_;  ///< likewise
+  PairList pairs_;                           ///< the owner's copy of what it wants
+  kernels::PairScratch scratch_;
   long first_cycle_{0};  ///< the owner's
   alignas(64) std::atomic<std::uint32_t> signal_{0};
   std::atomic<Order> order_{Order::kRun};
@@ -214,12 +214,12 @@ struct PairThreads::Impl {
   World world;
   PoseSet poses;  ///< published last
   std::vector<std::unique_ptr<Group>> groups;
-  std::vector<std::size_t> group_of;  ///< of each pair
-  std::vector<PairResult> results;    ///< newest of each pair
+  std::vector<std::size_t> group_of;       ///< of each pair
+  std::vector<query::PairResult> results;  ///< newest of each pair
   std::vector<double> result_time;
   std::vector<long> result_number;  ///< of the poses; -1: no result yet
   std::vector<std::string> pair_names;
-  PairScratch scratch;
+  kernels::PairScratch scratch;
 
   Group& group(GroupIndex index) {
     ABSTAND_CHECK(index < groups.size());
@@ -253,7 +253,7 @@ struct PairThreads::Impl {
     const std::uint32_t i = pair.index();
     group_of[i] = group;
     list.index[list.count++] = i;
-    PairMemory nothing;
+    query::PairMemory nothing;
     world.query(i, poses, nothing, scratch, results[i]);
     result_time[i] = poses.t;
     result_number[i] = poses.number;
@@ -336,7 +336,7 @@ void PairThreads::publishPoses(const Scene& scene) {
   for (const auto& group : impl_->groups) group->publish(impl_->poses);
 }
 
-long PairThreads::collect(std::vector<PairResult>& results) {
+long PairThreads::collect(std::vector<query::PairResult>& results) {
   Impl& m = *impl_;
   ABSTAND_CHECK(results.size() >= m.results.size());
   long finished = 0;
@@ -386,4 +386,4 @@ double PairThreads::resultTime(PairId pair) const {
   return impl_->result_time[pair.index()];
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

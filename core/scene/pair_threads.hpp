@@ -6,7 +6,7 @@
 
 #include "core/scene/scene.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// Each group of pairs runs on a thread of its own, at its own pace: it takes the newest poses, queries its
 /// pairs one after the other, and publishes the results [thesis 4.2.7, 4.2.8]. A group without new poses, or
@@ -42,7 +42,7 @@ class PairThreads {
   void publishPoses(const Scene& scene);
   /// Copies the newest result of every pair that is or was in a group into `results` (size: pairs of the
   /// scene); returns the number of group cycles finished since the last call. Allocates nothing.
-  long collect(std::vector<PairResult>& results);
+  long collect(std::vector<query::PairResult>& results);
   /// Time of the poses that a pair's last collected result belongs to (s, the latest of the objects' times);
   /// minus infinity for a pair that was never in a group.
   double resultTime(PairId pair) const;
@@ -60,4 +60,4 @@ class PairThreads {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -4,7 +4,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 constexpr std::uint64_t kLeft = 0xffffffffu;
 }
@@ -72,4 +72,4 @@ void PairWorkers::takeAll(std::size_t thread) noexcept {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace abstand {
+namespace abstand::scene {
 
 /// Runs a task for each index of a range on the calling thread and on threads that sleep in between. Which
 /// thread takes which index is left to chance, so a task may only write what belongs to its index. One owner
@@ -44,4 +44,4 @@ class PairWorkers {
   std::vector<std::thread> helpers_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 void QueryCulling::validate() const {
   if (!(rest >= 0.0 && rest <= 1.0))
@@ -17,4 +17,4 @@ void QueryCulling::validate() const {
                      formatDouble(kMaxFarTolerance));
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -3,7 +3,7 @@
 
 #include "core/query/pair_query.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 inline constexpr double kMaxFarTolerance = 0.1;
 
@@ -30,7 +30,7 @@ struct QueryCulling {
   bool remember{false};
   double far_tolerance{0.002};
   /// The same as a share of the answer, as PairOptions wants it.
-  double farShare() const { return remember ? far_tolerance / (1.0 + far_tolerance) : kColdFarShare; }
+  double farShare() const { return remember ? far_tolerance / (1.0 + far_tolerance) : query::kColdFarShare; }
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }
   bool limited() const { return budget < kInfinity; }
@@ -38,4 +38,4 @@ struct QueryCulling {
   void validate() const;
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -7,7 +7,7 @@
 
 #include "core/base/id.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// A pair that ought to be queried.
 struct DuePair {
@@ -47,4 +47,4 @@ class QueryQueue {
   std::vector<DuePair> heap_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

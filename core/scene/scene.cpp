@@ -10,7 +10,7 @@
 #include "core/math/object_motion.hpp"
 #include "core/scene/pair_workers.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 void checkNotNegative(const char* what, double value) {
@@ -31,7 +31,7 @@ class Scene::History : public MotionHistory<Scene::kMeanSamples> {};
 
 /// On cache lines of its own.
 struct alignas(64) Scene::Scratch {
-  PairScratch of_query;
+  kernels::PairScratch of_query;
 };
 
 Scene::Scene() : scratch_(1), clock_(steadySeconds) { batch_.reserve(kBatch); }
@@ -66,7 +66,7 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   if (!pair_keys_.insert(std::uint64_t{low} << 32 | high).second)
     throw UsageError("pair `" + name(a) + "`, `" + name(b) + "`: there already, expected a new one");
   const PairId id(static_cast<std::uint32_t>(pairs_.size()));
-  PairOptions options;
+  query::PairOptions options;
   options.margin = objects_[a.index()].spec.margin + objects_[b.index()].spec.margin;
   options.law = law_;
   options.stiffness = stiffness_;
@@ -130,7 +130,7 @@ double Scene::ageOf(PairId id, double t) const {
   return t >= time ? t - time : kInfinity;
 }
 
-void Scene::setForceLaw(ForceLaw law, double stiffness) {
+void Scene::setForceLaw(query::ForceLaw law, double stiffness) {
   checkNotNegative("stiffness", stiffness);
   law_ = law;
   stiffness_ = stiffness;
@@ -160,7 +160,7 @@ void Scene::setCulling(const QueryCulling& culling) {
 }
 
 void Scene::startCold() noexcept {
-  std::fill(memories_.begin(), memories_.end(), PairMemory{});
+  std::fill(memories_.begin(), memories_.end(), query::PairMemory{});
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
 }
 
@@ -265,20 +265,21 @@ void Scene::spread(const std::vector<PairId>& pairs, Task task) {
   }
 }
 
-void Scene::check(Pair& pair, PairScratch& scratch) {
+void Scene::check(Pair& pair, kernels::PairScratch& scratch) {
   const Object& a = objects_[pair.a.index()];
   const Object& b = objects_[pair.b.index()];
-  PairMemory nothing;
-  PairMemory& memory =
+  query::PairMemory nothing;
+  query::PairMemory& memory =
       culling_.remember ? memories_[static_cast<std::size_t>(&pair - pairs_.data())] : nothing;
-  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, memory, scratch, pair.result);
+  query::queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, memory, scratch,
+                   pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!culling_.any()) return;
   pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
                  touchFrom(*a.spec.structure, *b.spec.structure, pair.options), culling_);
 }
 
-void Scene::visit(Pair& pair, PairScratch& scratch) {
+void Scene::visit(Pair& pair, kernels::PairScratch& scratch) {
   if (pair.paused) return;
   const MotionBound& a = reaches_[pair.a.index()];
   const MotionBound& b = reaches_[pair.b.index()];
@@ -306,7 +307,7 @@ void Scene::queryUntil(double deadline) {
   do {
     batch_.clear();
     while (!agenda_.empty() && batch_.size() < kBatch * scratch_.size()) batch_.push_back(agenda_.next());
-    spread(batch_, [this](Pair& pair, PairScratch& scratch) { check(pair, scratch); });
+    spread(batch_, [this](Pair& pair, kernels::PairScratch& scratch) { check(pair, scratch); });
   } while (!agenda_.empty() && clock_() < deadline);
 }
 
@@ -318,7 +319,7 @@ void Scene::step() {
     for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
   taken_ = false;
   enqueueMoved();
-  spread(renewed_, [this](Pair& pair, PairScratch& scratch) { visit(pair, scratch); });
+  spread(renewed_, [this](Pair& pair, kernels::PairScratch& scratch) { visit(pair, scratch); });
   if (culling_.limited()) queryUntil(deadline);
   dateResults();
   updateContactList();
@@ -333,7 +334,7 @@ void Scene::dateResults() {
   dated_ = paused_count_ > 0;
 }
 
-void Scene::take(const std::vector<PairResult>& results, std::span<const double> times) {
+void Scene::take(const std::vector<query::PairResult>& results, std::span<const double> times) {
   ABSTAND_CHECK(results.size() == pairs_.size() && (times.empty() || times.size() == pairs_.size()));
   ++steps_;
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
@@ -409,7 +410,7 @@ void Scene::updateContactList() {
 void Scene::sumWrenches() {
   for (const PairId id : touching_) {
     const Pair& pair = pairs_[id.index()];
-    const PairResult& r = pair.result;
+    const query::PairResult& r = pair.result;
     Object& a = objects_[pair.a.index()];
     Object& b = objects_[pair.b.index()];
     a.contact += {r.force_a, r.torque_a};
@@ -433,11 +434,11 @@ const Object* Scene::find(const std::string& name, ObjectId* id) const {
 }
 
 std::size_t Scene::memoryBytes() const {
-  std::unordered_set<const HapticStructure*> counted;
+  std::unordered_set<const structure::HapticStructure*> counted;
   std::size_t bytes = 0;
   for (const Object& object : objects_)
     if (counted.insert(object.spec.structure.get()).second) bytes += object.spec.structure->memoryBytes();
   return bytes;
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

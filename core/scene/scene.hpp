@@ -19,13 +19,13 @@
 #include "core/scene/speed_watch.hpp"
 #include "core/scene/temporal_culling.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// What is needed to put a body into the scene.
 struct ObjectSpec {
   std::string name;   ///< unique in the scene
   std::string group;  ///< a mechanism's, a human's name, or "objects"
-  std::shared_ptr<const HapticStructure> structure;
+  std::shared_ptr<const structure::HapticStructure> structure;
   double margin{0.0};  ///< m, safety margin
 };
 
@@ -64,8 +64,8 @@ struct alignas(64) Pair {
   bool paused{false};    ///< see Scene::setPaused
   int waited{0};         ///< steps that it has been put off
   TemporalCulling rest;
-  PairResult result;
-  PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
+  query::PairResult result;
+  query::PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
 };
 
 using PairTable = std::vector<Pair, HugePageAllocator<Pair>>;
@@ -107,7 +107,7 @@ class Scene {
   int threads() const { return threads_; }
   void setMargin(ObjectId object, double margin);  ///< throws UsageError, as addObject
   /// For all pairs, those that are added later too. Throws UsageError unless finite and not negative.
-  void setForceLaw(ForceLaw law, double stiffness);
+  void setForceLaw(query::ForceLaw law, double stiffness);
 
   /// m/s, from the next pose on; infinity: no bound. Throws UsageError unless 0 or more.
   void setMaxSpeed(ObjectId object, double speed);
@@ -153,7 +153,7 @@ class Scene {
   void step();
   /// In the place of step() where others query the pairs (live mode): takes a result for each pair, in order,
   /// and the times (s) of the poses that they belong to; without times they belong to the present poses.
-  void take(const std::vector<PairResult>& results, std::span<const double> times = {});
+  void take(const std::vector<query::PairResult>& results, std::span<const double> times = {});
   /// Steps so far.
   long steps() const { return steps_; }
   const StepCounts& counts() const { return counts_; }  ///< of the last step()
@@ -162,7 +162,7 @@ class Scene {
   const Object& object(ObjectId id) const { return objects_[id.index()]; }
   const std::vector<Object>& objects() const { return objects_; }
   const PairTable& pairs() const { return pairs_; }
-  const PairResult& result(PairId id) const { return pairs_[id.index()].result; }
+  const query::PairResult& result(PairId id) const { return pairs_[id.index()].result; }
   /// Pairs whose results the last step() renewed; the others are as they were. In no order.
   const std::vector<PairId>& renewed() const { return renewed_; }
   /// Pairs with contacts, in order.
@@ -188,8 +188,8 @@ class Scene {
   void renew(PairId id);
   void enqueueMoved();
   void touch(ObjectId id);
-  void check(Pair& pair, PairScratch& scratch);
-  void visit(Pair& pair, PairScratch& scratch);
+  void check(Pair& pair, kernels::PairScratch& scratch);
+  void visit(Pair& pair, kernels::PairScratch& scratch);
   void queryUntil(double deadline);
   void prefetch(const std::vector<PairId>& pairs, std::size_t i) const;
   void count(Pair& pair);
@@ -211,11 +211,11 @@ class Scene {
   std::vector<PairId> renewed_, touching_;
   std::vector<long> last_update_step_;  ///< of each object
   MinimumTree distances_;
-  std::vector<PairMemory> memories_;  ///< of the pairs, where culling_.remember
-  std::vector<Scratch> scratch_;      ///< of each thread
+  std::vector<query::PairMemory> memories_;  ///< of the pairs, where culling_.remember
+  std::vector<Scratch> scratch_;             ///< of each thread
   std::unique_ptr<PairWorkers> workers_;
-  ForceLaw law_{ForceLaw::kVolume};
-  double stiffness_{PairOptions{}.stiffness};
+  query::ForceLaw law_{query::ForceLaw::kVolume};
+  double stiffness_{query::PairOptions{}.stiffness};
   QueryCulling culling_;
   Clock clock_;
   QueryQueue agenda_;
@@ -230,4 +230,4 @@ class Scene {
   long steps_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace abstand {
+namespace abstand::scene {
 
 /// When a reservation fails `check`.
 enum class Severity : std::uint8_t {
@@ -20,4 +20,4 @@ struct SceneNote {
   Severity fails{Severity::kNote};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

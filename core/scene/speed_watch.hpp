@@ -7,7 +7,7 @@
 
 #include "core/base/id.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// A stretch of poses in which an object broke the bound on its speed.
 struct SpeedBreach {
@@ -54,4 +54,4 @@ class SpeedWatch {
   long count_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

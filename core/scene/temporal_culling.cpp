@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 // Above the rounding of differences and sums of two lengths.
@@ -10,7 +10,7 @@ constexpr double kRoundUp = 1.0 + 1e-12;
 
 }  // namespace
 
-void PairProof::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB) {
+void PairProof::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB) {
   lower = result.distance - result.bound;
   apart = result.distance > 0.0;
   p_Aa = X_WA.inverse() * result.witness_a;
@@ -18,7 +18,7 @@ void PairProof::take(const PairResult& result, const Transform& X_WA, const Tran
 }
 
 void PairProof::carry(const Transform& X_WA, const Transform& X_WB, double lower_now,
-                      PairResult& result) const {
+                      query::PairResult& result) const {
   if (apart) {
     result.witness_a = X_WA * p_Aa;
     result.witness_b = X_WB * p_Bb;
@@ -27,16 +27,17 @@ void PairProof::carry(const Transform& X_WA, const Transform& X_WB, double lower
   result.bound = std::max(0.0, result.distance - lower_now);
 }
 
-double allowanceOf(const PairProof& proof, const PairResult& result, double touch_from, double share) {
+double allowanceOf(const PairProof& proof, const query::PairResult& result, double touch_from, double share) {
   const double clearance = proof.lower - touch_from;
   return share > 0.0 && clearance > 0.0 && result.contacts == 0 ? share * clearance : -1.0;
 }
 
-double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options) {
+double touchFrom(const structure::HapticStructure& a, const structure::HapticStructure& b,
+                 const query::PairOptions& options) {
   return options.margin + std::max(a.errorBound(), b.errorBound());
 }
 
-void TemporalCulling::take(const PairResult& result, const Transform& X_WA, const Transform& X_WB,
+void TemporalCulling::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
                            const MotionBound& a, const MotionBound& b, double touch_from,
                            const QueryCulling& culling) {
   proof_.take(result, X_WA, X_WB);
@@ -64,4 +65,4 @@ double TemporalCulling::lowerNow(const MotionBound& a, const MotionBound& b) con
   return std::max(proof_.lower - movement(a, b), gapOf(a, b));
 }
 
-}  // namespace abstand
+}  // namespace abstand::scene

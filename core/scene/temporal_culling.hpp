@@ -7,7 +7,7 @@
 #include "core/scene/motion_bound.hpp"
 #include "core/scene/query_culling.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 
 /// How a pair came to its result in the step that renewed it last.
 enum class PairOutcome : std::uint8_t {
@@ -23,18 +23,19 @@ struct PairProof {
   Vector3d p_Aa{Vector3d::Zero()}, p_Bb{Vector3d::Zero()};  ///< the witnesses, each on its body
   bool apart{false};                                        ///< distance > 0
 
-  void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB);
+  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB);
   /// Brings the result to new poses of which only `lower_now` is proven: the witnesses go with their bodies,
   /// so that `distance` stays that of two points of the surfaces, never below the true one, and distance -
   /// bound is lower_now. A result that was not apart keeps its distance, witnesses and forces. No allocation.
-  void carry(const Transform& X_WA, const Transform& X_WB, double lower_now, PairResult& result) const;
+  void carry(const Transform& X_WA, const Transform& X_WB, double lower_now, query::PairResult& result) const;
 };
 
 /// m of movement after which a pair has to be queried again: a share of its clearance beyond `touch_from`;
 /// negative when it may not rest.
-double allowanceOf(const PairProof& proof, const PairResult& result, double touch_from, double share);
+double allowanceOf(const PairProof& proof, const query::PairResult& result, double touch_from, double share);
 /// m: what is certified to be farther apart has no contacts; fields may see one earlier, by their error.
-double touchFrom(const HapticStructure& a, const HapticStructure& b, const PairOptions& options);
+double touchFrom(const structure::HapticStructure& a, const structure::HapticStructure& b,
+                 const query::PairOptions& options);
 
 /// Decides when a pair rests in lock step, by how far its bodies have really come (motion_bound.hpp).
 class TemporalCulling {
@@ -42,8 +43,8 @@ class TemporalCulling {
   /// Nothing is proven any more: the pair has to be queried.
   void forget() { proof_.lower = kNaN; }
   /// After a query. `touch_from` (m): what is certified to be farther apart has no contacts.
-  void take(const PairResult& result, const Transform& X_WA, const Transform& X_WB, const MotionBound& a,
-            const MotionBound& b, double touch_from, const QueryCulling& culling);
+  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
+            const MotionBound& a, const MotionBound& b, double touch_from, const QueryCulling& culling);
   /// Whether the pair may do without a query at the present poses, and why; kChecked: it may not.
   PairOutcome outcome(const MotionBound& a, const MotionBound& b, const QueryCulling& culling) const;
   /// m: what is proven at the present poses.
@@ -63,4 +64,4 @@ class TemporalCulling {
   bool touches_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 /// More than what rounding to float takes away.
@@ -91,4 +91,4 @@ double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& poi
   return floor;
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

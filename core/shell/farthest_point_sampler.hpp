@@ -4,7 +4,7 @@
 #include "core/shell/pointshell_tree.hpp"
 #include "core/shell/sub_triangles.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// Certified upper bound (m) on the distance from any point of the mesh to the nearest of `points`, at most
 /// kCoverSlack above the truth. `nearest[i]`: a point near the i-th piece of the pool (any point will do, a
@@ -17,4 +17,4 @@ double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& poi
 /// Relative.
 inline constexpr double kCoverSlack = 0.005;
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 /// An overlap whose force is a smaller part than this of the sum without signs is no overlap: the two sides
@@ -51,7 +51,7 @@ void EllipsoidOverlap::forces(const Vector3d& u, std::span<const double> levels,
   }
 }
 
-MeshOverlap::MeshOverlap(TriangleMesh mesh)
+MeshOverlap::MeshOverlap(geometry::TriangleMesh mesh)
     : mesh_(std::move(mesh)),
       vertices_below_([this] {
         std::vector<Vector3f> vertices;
@@ -103,14 +103,14 @@ void MeshOverlap::forces(const Vector3d& u, std::span<const double> levels, std:
     if (!(out[d].norm() > kSheet * size[d])) out[d].setZero();
 }
 
-std::unique_ptr<HalfSpaceOverlap> halfSpaceOverlap(const Surface& surface, double sagitta) {
-  if (const Shape* shape = surface.shape()) {
-    if (const auto* ball = std::get_if<Sphere>(shape))
+std::unique_ptr<HalfSpaceOverlap> halfSpaceOverlap(const geometry::Surface& surface, double sagitta) {
+  if (const geometry::Shape* shape = surface.shape()) {
+    if (const auto* ball = std::get_if<geometry::Sphere>(shape))
       return std::make_unique<EllipsoidOverlap>(Vector3d::Constant(ball->radius));
-    if (const auto* ellipsoid = std::get_if<Ellipsoid>(shape))
+    if (const auto* ellipsoid = std::get_if<geometry::Ellipsoid>(shape))
       return std::make_unique<EllipsoidOverlap>(ellipsoid->semi_axes);
   }
   return std::make_unique<MeshOverlap>(surface.mesh(sagitta));
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

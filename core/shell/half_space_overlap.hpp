@@ -9,7 +9,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "core/shell/pointshell_tree.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// The half-space is u . x < level; the depth of a point in it is d(x) = level - u . x. The force for
 /// stiffness 1 is -(integral of max(0, d) n dA) over the surface with its outward normals n, which for a
@@ -37,18 +37,18 @@ class EllipsoidOverlap final : public HalfSpaceOverlap {
 /// Triangle by triangle; the mesh may be open.
 class MeshOverlap final : public HalfSpaceOverlap {
  public:
-  explicit MeshOverlap(TriangleMesh mesh);
+  explicit MeshOverlap(geometry::TriangleMesh mesh);
   double lowest(const Vector3d& u) const override;
   void forces(const Vector3d& u, std::span<const double> levels, std::span<Vector3d> out) const override;
 
  private:
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
   PointsBelow vertices_below_;
   /// The triangles at each vertex: those of v are list_[first_[v]] ... list_[first_[v + 1] - 1].
   std::vector<std::uint32_t> first_, list_;
 };
 
 /// In closed form for a ball and an ellipsoid, else over triangles within `sagitta` (m) of the surface.
-std::unique_ptr<HalfSpaceOverlap> halfSpaceOverlap(const Surface& surface, double sagitta);
+std::unique_ptr<HalfSpaceOverlap> halfSpaceOverlap(const geometry::Surface& surface, double sagitta);
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 constexpr std::size_t kLeaf = PointSphereTree::kLeafPoints;
@@ -63,7 +63,7 @@ class Builder {
     const std::size_t left_parts = parts / 2;
     const std::size_t left_leaves = range.leaves() * left_parts / parts;
     const std::size_t middle = range.begin + left_leaves * kLeaf;
-    Bounds box;
+    geometry::Bounds box;
     for (std::size_t i = range.begin; i < range.end; ++i) box.add(shell_.point(order_[i]));
     int axis = 0;
     box.extent().maxCoeff(&axis);
@@ -79,7 +79,7 @@ class Builder {
   PointSphereTree::Node sphereOf(const Range& range) {
     scratch_.clear();
     for (std::size_t i = range.begin; i < range.end; ++i) scratch_.push_back(shell_.point(order_[i]));
-    const Vector3f centre = minimalSphere(scratch_).centre.cast<float>();
+    const Vector3f centre = geometry::minimalSphere(scratch_).centre.cast<float>();
     double radius2 = 0.0;
     for (const Vector3d& p : scratch_) radius2 = std::max(radius2, (p - centre.cast<double>()).squaredNorm());
     // Two steps up: one for the double's own rounding, one for the conversion.
@@ -153,4 +153,4 @@ class Builder {
 
 PointSphereTree makeTree(const Pointshell& shell) { return Builder(shell).build(); }
 
-}  // namespace abstand
+}  // namespace abstand::shell

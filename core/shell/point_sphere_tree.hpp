@@ -4,7 +4,7 @@
 #include "core/geometry/enclosing_sphere.hpp"
 #include "core/shell/pointshell.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// Tree over a pointshell, at most kFanout children a node and at most kLeafPoints points a leaf. The points
 /// are stored again in leaf order (structure of arrays, each leaf padded to a multiple of kLane with copies
@@ -51,4 +51,4 @@ struct PointSphereTree {
 /// shell gives a tree without nodes.
 PointSphereTree makeTree(const Pointshell& shell);
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -11,7 +11,7 @@
 #include "core/shell/shell_sampler.hpp"
 #include "core/shell/sub_triangles.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 // Lengths are multiples of the spacing.
@@ -144,23 +144,23 @@ std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std
 }
 
 /// Outward unit normal of a shape at p; `near` tells on which side of an edge p is.
-Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near) {
+Vector3d shapeNormal(const geometry::Shape& shape, const Vector3d& p, const Vector3d& near) {
   struct Visitor {
     const Vector3d &p, &near;
-    Vector3d operator()(const Sphere&) const { return p.normalized(); }
-    Vector3d operator()(const Ellipsoid& e) const {
+    Vector3d operator()(const geometry::Sphere&) const { return p.normalized(); }
+    Vector3d operator()(const geometry::Ellipsoid& e) const {
       return p.cwiseQuotient(e.semi_axes.cwiseProduct(e.semi_axes)).normalized();
     }
-    Vector3d operator()(const Cuboid&) const {
+    Vector3d operator()(const geometry::Cuboid&) const {
       int axis = 0;
       near.cwiseAbs().maxCoeff(&axis);
       return std::copysign(1.0, near[axis]) * Vector3d::Unit(axis);
     }
-    Vector3d operator()(const Cylinder&) const {
+    Vector3d operator()(const geometry::Cylinder&) const {
       if (std::abs(near.z()) > std::sqrt(0.5)) return {0.0, 0.0, std::copysign(1.0, near.z())};
       return Vector3d(p.x(), p.y(), 0.0).normalized();
     }
-    Vector3d operator()(const Capsule& c) const {
+    Vector3d operator()(const geometry::Capsule& c) const {
       return (p - Vector3d(0.0, 0.0, std::clamp(p.z(), -0.5 * c.length, 0.5 * c.length))).normalized();
     }
   };
@@ -168,7 +168,7 @@ Vector3d shapeNormal(const Shape& shape, const Vector3d& p, const Vector3d& near
 }
 
 /// Moves a point to the nearest one of a shape's surface, with the normal there.
-void settle(const Surface& surface, BalancePoint& point) {
+void settle(const geometry::Surface& surface, BalancePoint& point) {
   point.position = surface.closest(point.position).point;
   point.normal = -shapeNormal(*surface.shape(), point.position, -point.normal);
 }
@@ -225,12 +225,12 @@ Shares share(const SubTriangles& pool, double spacing) {
 
 }  // namespace
 
-Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
+Pointshell makePointshell(const geometry::Surface& surface, double spacing, int threads) {
   if (!(spacing > 0.0) || !std::isfinite(spacing)) {
     throw UsageError("point spacing is " + std::to_string(spacing) + " m, expected a positive length");
   }
-  const Shape* shape = surface.shape();
-  const TriangleMesh mesh = surface.mesh(kShellSagitta * spacing);
+  const geometry::Shape* shape = surface.shape();
+  const geometry::TriangleMesh mesh = surface.mesh(kShellSagitta * spacing);
   const PitchField field(mesh, spacing);
   const SubTriangles pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
   if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
@@ -300,4 +300,4 @@ Pointshell makePointshell(const Surface& surface, double spacing, int threads) {
   return shell;
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

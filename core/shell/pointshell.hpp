@@ -6,7 +6,7 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// Structure of arrays in the body's frame (m). Point i has position, inward unit normal and the area (m^2)
 /// that it stands for. The areas of a shape sum to its area within 1e-6. A point of a mesh stands for the
@@ -42,6 +42,6 @@ struct Pointshell {
 /// so that a body may have up to about three quarters more. Runs on `threads` threads (0: all); the result
 /// does not depend on the number. Throws UsageError for a spacing that is not positive or far too small for
 /// the surface, and for a surface without area.
-Pointshell makePointshell(const Surface& surface, double spacing, int threads = 1);
+Pointshell makePointshell(const geometry::Surface& surface, double spacing, int threads = 1);
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 /// Faces that meet at a larger angle than this are sampled apart from each other.
@@ -16,7 +16,7 @@ struct Edge {
 
 }  // namespace
 
-std::vector<Vector3d> faceNormals(const TriangleMesh& mesh) {
+std::vector<Vector3d> faceNormals(const geometry::TriangleMesh& mesh) {
   std::vector<Vector3d> normals;
   normals.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -28,7 +28,7 @@ std::vector<Vector3d> faceNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-SharpEdges findSharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals) {
+SharpEdges findSharpEdges(const geometry::TriangleMesh& mesh, const std::vector<Vector3d>& normals) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -59,4 +59,4 @@ SharpEdges findSharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>&
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

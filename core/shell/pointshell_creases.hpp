@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// A sharp convex edge of a mesh.
 struct Crease {
@@ -28,9 +28,9 @@ struct SharpEdges {
 };
 
 /// Outward unit normals of the triangles; zero for one without area.
-std::vector<Vector3d> faceNormals(const TriangleMesh& mesh);
+std::vector<Vector3d> faceNormals(const geometry::TriangleMesh& mesh);
 
 /// `normals`: of the triangles. Sharp: the two turn by more than 35 degrees.
-SharpEdges findSharpEdges(const TriangleMesh& mesh, const std::vector<Vector3d>& normals);
+SharpEdges findSharpEdges(const geometry::TriangleMesh& mesh, const std::vector<Vector3d>& normals);
 
-}  // namespace abstand
+}  // namespace abstand::shell

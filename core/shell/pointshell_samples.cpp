@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
@@ -310,4 +310,4 @@ void FarthestPointSampler::nearest(std::span<std::uint32_t> out) const {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -8,7 +8,7 @@
 #include "core/math/four.hpp"
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// A sample of a surface.
 struct Sample {
@@ -111,4 +111,4 @@ class FarthestPointSampler {
   std::uint32_t first_centre_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 constexpr double kTipAngle = 1.0;   ///< rad, in a cube of 3 x 3 x 3 cells
@@ -27,7 +27,7 @@ struct TipCell {
 };
 
 /// 2 pi minus the angles about each vertex; 0 at open edges, where it means nothing.
-std::vector<double> angleDefects(const TriangleMesh& mesh) {
+std::vector<double> angleDefects(const geometry::TriangleMesh& mesh) {
   std::vector<double> angle(mesh.vertices.size(), 0.0);
   std::vector<Vector3d> turn(mesh.vertices.size(), Vector3d::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -49,7 +49,7 @@ std::vector<double> angleDefects(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
+std::vector<Vector3f> findTips(const geometry::TriangleMesh& mesh, double scale) {
   const std::vector<double> defect = angleDefects(mesh);
   std::vector<TipCell> cells;
   for (std::size_t v = 0; v < defect.size(); ++v) {
@@ -97,7 +97,7 @@ std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale) {
   return tips;
 }
 
-PitchField::PitchField(const TriangleMesh& mesh, double spacing)
+PitchField::PitchField(const geometry::TriangleMesh& mesh, double spacing)
     : spacing_(spacing),
       edges_(findSharpEdges(mesh, faceNormals(mesh))),
       tips_(findTips(mesh, spacing)),
@@ -140,4 +140,4 @@ double PitchField::pitch(const Vector3d& p, const Near& near) const {
   return pitch;
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -4,12 +4,12 @@
 #include "core/shell/pointshell_creases.hpp"
 #include "core/shell/pointshell_tree.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// Corners and strongly curved tips: places that turn by at least one radian of solid angle (Gaussian
 /// curvature, summed as angle defects of the vertices) within about 1.5 `scale` (m). Body frame. Edges and
 /// flat or gently curved places are none.
-std::vector<Vector3f> findTips(const TriangleMesh& mesh, double scale);
+std::vector<Vector3f> findTips(const geometry::TriangleMesh& mesh, double scale);
 
 /// How close the shell points should lie at a place, as a multiple of the spacing: 1, and less near tips and
 /// sharp convex edges, so that the small overlap of a corner or an edge pressed in a little is still felt by
@@ -18,7 +18,7 @@ class PitchField {
  public:
   static constexpr double kSmallest = 0.4;  ///< at a tip
 
-  PitchField(const TriangleMesh& mesh, double spacing);
+  PitchField(const geometry::TriangleMesh& mesh, double spacing);
 
   /// The tip and the crease that are nearest to a place.
   struct Near {
@@ -43,4 +43,4 @@ class PitchField {
   std::vector<std::uint32_t> crease_of_;  ///< of each point along the creases
 };
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
@@ -144,4 +144,4 @@ void PointsBelow::find(const Vector3f& u, float level, std::size_t most,
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

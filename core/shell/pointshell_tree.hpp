@@ -8,7 +8,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// Indices of the points, neighbours in space beside each other.
 std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points);
@@ -74,4 +74,4 @@ class PointsBelow {
   BlockTree tree_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -12,7 +12,7 @@
 #include "core/base/parallel.hpp"
 #include "core/math/four.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 constexpr double kGolden = 0.6180339887498949;
@@ -117,7 +117,7 @@ Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t
     const Columns now(a.now, b.now, c.now, d.now), still(a.still, b.still, c.still, d.still);
     const Four nx = still.x, ny = still.y, nz = still.z, home = still.w;
     const Four depth = max(level - u.x() * now.x - u.y() * now.y - u.z() * now.z, Four{});
-    store(depth, &depths[k]);
+    storeFour(depth, &depths[k]);
     const Four push = now.w * depth;
     fx += push * nx, fy += push * ny, fz += push * nz;
     const Four un = u.x() * nx + u.y() * ny + u.z() * nz;
@@ -276,4 +276,4 @@ void QuadratureCorrection::adjust(std::vector<BalancePoint>& points, Freedom fre
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -7,7 +7,7 @@
 #include "core/shell/half_space_overlap.hpp"
 #include "core/shell/sub_triangles.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// A shell point while it is adjusted. Body frame, m.
 struct BalancePoint {
@@ -63,4 +63,4 @@ class QuadratureCorrection {
   std::vector<bool> pressed_;          ///< by point
 };
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 /// Pieces of a stretch at most: some 5 MB of samples.
@@ -136,4 +136,4 @@ void ShellSampler::fill(std::vector<Vector3f> points, std::vector<Vector3f> norm
   catchUp(reach);
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -7,7 +7,7 @@
 #include "core/shell/pointshell_samples.hpp"
 #include "core/shell/sub_triangles.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// The pieces of a surface, covered by centres: one stretch of them after the other, so that what a cover of
 /// samples needs is small, whatever the size of the surface. A stretch knows the centres of those before it
@@ -82,4 +82,4 @@ class ShellSampler {
   FarthestPointSampler cover_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 /// In multiples of the longest edge allowed: parts larger than this are not yet asked what is near them.
@@ -89,7 +89,7 @@ struct SubTriangles::Part {
   PitchField::Near near;
 };
 
-SubTriangles::SubTriangles(const TriangleMesh& mesh, double max_edge, double max_area,
+SubTriangles::SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, double max_area,
                            const PitchField& field)
     : mesh_(mesh), max_edge_(max_edge), normals_(faceNormals(mesh)) {
   double pieces = 0.0;
@@ -222,4 +222,4 @@ std::vector<SubTriangle> SubTriangles::degenerate() const {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

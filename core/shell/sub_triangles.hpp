@@ -8,7 +8,7 @@
 
 #include "core/shell/pointshell_tips.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 
 /// A piece of one triangle of a mesh. Bit i of `sharp`: the edge from corner i to corner i + 1 lies on a
 /// sharp edge.
@@ -31,7 +31,7 @@ Vector3d closestPoint(const SubTriangle& triangle, const Vector3d& p);
 class SubTriangles {
  public:
   /// Throws UsageError when there would be more than kMaxPieces.
-  SubTriangles(const TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field);
+  SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(pieces_.size()); }
   class View;
@@ -83,7 +83,7 @@ class SubTriangles {
   Frame frameOf(std::uint32_t triangle, std::uint32_t frame) const;
   void cut(std::uint32_t triangle, double max_area, const PitchField& field, std::vector<Part>& stack);
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   double max_edge_;
   std::vector<Vector3d> normals_;
   std::vector<Piece> pieces_;
@@ -149,4 +149,4 @@ void SubTriangles::walk(std::uint32_t first, std::uint32_t end, Visit visit) con
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::shell

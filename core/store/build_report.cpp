@@ -6,7 +6,7 @@
 #include "core/geometry/mesh_surface.hpp"
 #include "core/mesh_file/mesh_report.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
 constexpr double kThinVoxels = 2.0;
@@ -15,9 +15,9 @@ constexpr std::size_t kPointsABlock = 256;  // for one call of the parallel loop
 
 /// Way from p along the unit vector n to the first triangle that is left there, or infinity from `reach` on.
 /// Triangles that are entered do not count: the wall begins at p itself.
-double wayOut(const TriangleMesh& mesh, const TriangleTree& tree, const Vector3d& p, const Vector3d& n,
-              double reach) {
-  Bounds box;
+double wayOut(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree, const Vector3d& p,
+              const Vector3d& n, double reach) {
+  geometry::Bounds box;
   box.add(p);
   box.add(p + reach * n);
   double least = kInfinity;
@@ -51,7 +51,7 @@ Extreme leastOf(const std::vector<double>& values) {
 
 /// fn(point) of every shell point, in parallel.
 template <class Fn>
-std::vector<double> ofPoints(const Pointshell& shell, Fn&& fn) {
+std::vector<double> ofPoints(const shell::Pointshell& shell, Fn&& fn) {
   std::vector<double> values(shell.size());
   parallelFor(0, (shell.size() + kPointsABlock - 1) / kPointsABlock, [&](std::size_t block) {
     const std::size_t end = std::min((block + 1) * kPointsABlock, shell.size());
@@ -60,10 +60,10 @@ std::vector<double> ofPoints(const Pointshell& shell, Fn&& fn) {
   return values;
 }
 
-BuildReport::ThinWalls thinWalls(const HapticStructure& s, const TriangleMesh& mesh) {
+BuildReport::ThinWalls thinWalls(const structure::HapticStructure& s, const geometry::TriangleMesh& mesh) {
   BuildReport::ThinWalls walls;
   walls.below = kThinVoxels * s.options.voxel_size;
-  const TriangleTree tree(mesh);
+  const geometry::TriangleTree tree(mesh);
   const std::vector<double> ways = ofPoints(s.shell, [&](std::size_t i) {
     return wayOut(mesh, tree, s.shell.point(i), s.shell.normal(i).normalized(), walls.below);
   });
@@ -81,8 +81,9 @@ BuildReport::ThinWalls thinWalls(const HapticStructure& s, const TriangleMesh& m
   return walls;
 }
 
-std::optional<BuildReport::Hull> hullOf(const HapticStructure& s, const TriangleMesh& mesh) {
-  const auto hull = convexHull(mesh.vertices);
+std::optional<BuildReport::Hull> hullOf(const structure::HapticStructure& s,
+                                        const geometry::TriangleMesh& mesh) {
+  const auto hull = geometry::convexHull(mesh.vertices);
   if (!hull) return std::nullopt;
   BuildReport::Hull result;
   if (s.mass_properties.volume > 0.0) result.volume_ratio = hull->volume / s.mass_properties.volume;
@@ -95,23 +96,23 @@ std::optional<BuildReport::Hull> hullOf(const HapticStructure& s, const Triangle
 
 }  // namespace
 
-BuildReport reportOn(const HapticStructure& s) {
+BuildReport reportOn(const structure::HapticStructure& s) {
   BuildReport report;
-  const TriangleMesh mesh = s.surface->mesh(kReportSagitta * s.options.voxel_size);
+  const geometry::TriangleMesh mesh = s.surface->mesh(kReportSagitta * s.options.voxel_size);
   report.thin_walls = thinWalls(s, mesh);
   if (s.surface->shape() != nullptr) {
     // Every shape is convex.
     report.hull = BuildReport::Hull{1.0, 0.0, Vector3d::Constant(kNaN)};
     return report;
   }
-  const MeshReport edges = inspect(mesh);
+  const mesh_file::MeshReport edges = mesh_file::inspect(mesh);
   report.open_edges = edges.open_edges;
   report.non_manifold_edges = edges.non_manifold_edges;
   report.flipped_edges = edges.flipped_edges;
-  const auto* surface = dynamic_cast<const MeshSurface*>(s.surface.get());
+  const auto* surface = dynamic_cast<const geometry::MeshSurface*>(s.surface.get());
   report.inside_doubtful = surface != nullptr ? !surface->embedded() : !s.surface->watertight();
   report.hull = hullOf(s, mesh);
   return report;
 }
 
-}  // namespace abstand
+}  // namespace abstand::store

@@ -5,7 +5,7 @@
 
 #include "core/structure/haptic_structure.hpp"
 
-namespace abstand {
+namespace abstand::store {
 
 /// Body frame, SI.
 struct BuildReport {
@@ -36,6 +36,6 @@ struct BuildReport {
   std::optional<Hull> hull;  ///< none for a flat mesh
 };
 
-BuildReport reportOn(const HapticStructure& structure);
+BuildReport reportOn(const structure::HapticStructure& structure);
 
-}  // namespace abstand
+}  // namespace abstand::store

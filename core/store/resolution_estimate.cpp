@@ -11,7 +11,7 @@
 #include "core/field/far_spacing.hpp"
 #include "core/query/pair_query.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -57,8 +57,9 @@ struct Bands {
 
 // A cube of half edge r comes within the band of a flat surface with normal n when its centre is no farther
 // than band + r |n|_1.
-Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, const Bands& bands, bool dense) {
-  constexpr int kCells = NearField::kCells;
+Blocks countBlocks(const geometry::Surface& surface, const field::VoxelGrid& grid, const Bands& bands,
+                   bool dense) {
+  constexpr int kCells = field::NearField::kCells;
   std::array<std::size_t, 3> n;
   for (int k = 0; k < 3; ++k) n[k] = (static_cast<std::size_t>(grid.size[k]) + kCells - 1) / kCells;
   const std::size_t all = n[0] * n[1] * n[2];
@@ -74,7 +75,7 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, const Bands& b
     const auto b = std::min(static_cast<std::size_t>(place), all - 1);
     const Vector3d c =
         first + edge * Vector3d(double(b % n[0]), double(b / n[0] % n[1]), double(b / (n[0] * n[1])));
-    const SurfacePoint nearest = surface.closest(c);
+    const geometry::SurfacePoint nearest = surface.closest(c);
     const double towards = (c - nearest.point).lpNorm<1>() / std::max(nearest.distance, 1e-12);
     const bool inside = surface.inside(c, nearest);
     if (nearest.distance <= (inside ? bands.inner : bands.outer) + 0.5 * edge * towards)
@@ -87,42 +88,43 @@ Blocks countBlocks(const Surface& surface, const VoxelGrid& grid, const Bands& b
 }
 
 // As NearField does.
-Blocks countNearBlocks(const Surface& surface, const VoxelGrid& grid, double band, bool dense) {
-  Blocks blocks = countBlocks(surface, grid, {band, NearField::kInnerBand * grid.voxel_size}, dense);
-  constexpr double kBlockBytes = NearField::kBlockValues * sizeof(std::int16_t);
-  if ((blocks.kept + blocks.deep) * kBlockBytes <= double(NearField::kWholeInsideBytes))
+Blocks countNearBlocks(const geometry::Surface& surface, const field::VoxelGrid& grid, double band,
+                       bool dense) {
+  Blocks blocks = countBlocks(surface, grid, {band, field::NearField::kInnerBand * grid.voxel_size}, dense);
+  constexpr double kBlockBytes = field::NearField::kBlockValues * sizeof(std::int16_t);
+  if ((blocks.kept + blocks.deep) * kBlockBytes <= double(field::NearField::kWholeInsideBytes))
     blocks.kept += std::exchange(blocks.deep, 0.0);
   return blocks;
 }
 
-double layeredBytes(const Surface& surface, const VoxelGrid& grid) {
-  const bool exact = grid.cells() <= Voxelmap::kMaxExactVoxels;
-  const double steps = (Voxelmap::kExactSteps + 1) * grid.voxel_size;
+double layeredBytes(const geometry::Surface& surface, const field::VoxelGrid& grid) {
+  const bool exact = grid.cells() <= field::Voxelmap::kMaxExactVoxels;
+  const double steps = (field::Voxelmap::kExactSteps + 1) * grid.voxel_size;
   const Blocks blocks = countBlocks(surface, grid, {steps, steps}, exact);
-  const double packed = LayerView::kPackedBytes + sizeof(std::int16_t);
+  const double packed = field::LayerView::kPackedBytes + sizeof(std::int16_t);
   return packed * blocks.kept + sizeof(std::int32_t) * blocks.all +
          (exact ? 0.0 : sizeof(std::int16_t) * blocks.all);
 }
 
 // us, the median over three directions of one query of two copies that are `gap` apart (m; negative: pressed
 // into each other).
-double timeQueries(const HapticStructure& s, double gap) {
-  const Bounds box = s.surface->bounds();
-  PairScratch scratch;
-  PairResult result;
+double timeQueries(const structure::HapticStructure& s, double gap) {
+  const geometry::Bounds box = s.surface->bounds();
+  kernels::PairScratch scratch;
+  query::PairResult result;
   std::array<double, 3> us;
   for (int axis = 0; axis < 3; ++axis) {
     // Apart for sure; then along the line between the nearest points.
     Transform X = Transform::Identity();
     X.translation() = (1.0 + kApart) * box.extent()[axis] * Vector3d::Unit(axis);
-    queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
+    query::queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
     const Vector3d way = (result.witness_a - result.witness_b).normalized();
     X.translation() += (result.distance - gap) * way;
     // One by one: who else uses the machine spoils a few of them, and not the median.
     std::vector<double> one;
     for (double all = 0.0; all < kTimed || one.size() < kMinTimed; all += one.back()) {
       const auto begin = Clock::now();
-      queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
+      query::queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
       one.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
     }
     const auto middle = one.begin() + static_cast<std::ptrdiff_t>(one.size() / 2);
@@ -134,25 +136,25 @@ double timeQueries(const HapticStructure& s, double gap) {
 }
 
 // Vertices of one grid of the far field.
-double farVertices(const Bounds& body, double voxel) {
-  const double spacing = farSpacing(body, voxel);
-  return (body.extent().array() / spacing + 2.0 * FarField::kMargin + 1.0).prod();
+double farVertices(const geometry::Bounds& body, double voxel) {
+  const double spacing = field::farSpacing(body, voxel);
+  return (body.extent().array() / spacing + 2.0 * field::FarField::kMargin + 1.0).prod();
 }
 
 // ms for a point of a shell.
 double timePoint() {
   const auto begin = Clock::now();
-  const Sphere ball{0.1};
-  const auto surface = makeSurface(ball);
-  const Pointshell shell =
-      makePointshell(*surface, std::sqrt(surface->area() / (kAreaPerPoint * kBallPoints)));
+  const geometry::Sphere ball{0.1};
+  const auto surface = geometry::makeSurface(ball);
+  const shell::Pointshell shell =
+      shell::makePointshell(*surface, std::sqrt(surface->area() / (kAreaPerPoint * kBallPoints)));
   return milliseconds(Clock::now() - begin) / double(shell.size());
 }
 
 }  // namespace
 
 struct ResolutionProbe::Coarse {
-  std::shared_ptr<const HapticStructure> built;
+  std::shared_ptr<const structure::HapticStructure> built;
   double area{0.0};
   double edges{0.0}, tips{0.0};  ///< b (m) and c of the number of points
   Blocks blocks;
@@ -169,13 +171,13 @@ struct ResolutionProbe::Coarse {
   double shellMs(double n) const { return shell_ms + point_ms * (n - double(built->shell.size())); }
 };
 
-const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& asked,
-                                                       const BuildMonitor& monitor) {
-  HapticOptions o = asked;
+const ResolutionProbe::Coarse& ResolutionProbe::coarse(const structure::HapticOptions& asked,
+                                                       const structure::BuildMonitor& monitor) {
+  structure::HapticOptions o = asked;
   const double area = surface_->area();
   o.voxel_size = std::max(o.voxel_size, surface_->bounds().extent().maxCoeff() / kProbeVoxels);
   o.point_spacing = std::max(o.point_spacing, std::sqrt(area / (kAreaPerPoint * kProbePoints)));
-  const auto same = [&](const HapticOptions& l) {
+  const auto same = [&](const structure::HapticOptions& l) {
     return l.voxel_size == o.voxel_size && l.point_spacing == o.point_spacing &&
            l.outer_layers == o.outer_layers && l.field == o.field;
   };
@@ -185,7 +187,7 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   c->area = area;
   auto last = Clock::now();
   double* running = nullptr;
-  BuildMonitor timer;
+  structure::BuildMonitor timer;
   timer.cancelled = monitor.cancelled;
   timer.progress = [&](double fraction, std::string_view phase) {
     double* next = phase == "voxels"       ? &c->voxels_ms
@@ -197,13 +199,13 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
     last = Clock::now();
     running = next;
   };
-  c->built = buildHapticStructure("probe", surface_, o, 0, timer);
-  const HapticStructure& s = *c->built;
+  c->built = structure::buildHapticStructure("probe", surface_, o, 0, timer);
+  const structure::HapticStructure& s = *c->built;
   c->point_ms = std::min(timePoint(), c->shell_ms / double(s.shell.size()));
 
   // Two equations for edges and tips.
   const double s1 = 2.0 * o.point_spacing, s2 = o.point_spacing;
-  const double n1 = double(makePointshell(*surface_, s1).size());
+  const double n1 = double(shell::makePointshell(*surface_, s1).size());
   const double rest1 = n1 - c->points(s1), rest2 = double(s.shell.size()) - c->points(s2);
   c->edges = (rest2 - rest1) / (1.0 / s2 - 1.0 / s1);
   c->tips = rest2 - c->edges / s2;
@@ -211,7 +213,8 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   c->far_bytes = double(s.far_field.memoryBytes());
   if (s.near_field) {
     c->band = s.near_field->band() / o.voxel_size;
-    c->blocks = countNearBlocks(*surface_, s.grid, s.near_field->band(), o.field == FieldKind::kFloat);
+    c->blocks =
+        countNearBlocks(*surface_, s.grid, s.near_field->band(), o.field == structure::FieldKind::kFloat);
     c->field_bytes = double(s.near_field->memoryBytes());
   } else {
     c->field_bytes = double(s.voxelmap->memoryBytes());
@@ -224,28 +227,30 @@ const ResolutionProbe::Coarse& ResolutionProbe::coarse(const HapticOptions& aske
   return *coarse_;
 }
 
-ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const BuildMonitor& monitor) {
+ResolutionEstimate ResolutionProbe::estimate(const structure::HapticOptions& options,
+                                             const structure::BuildMonitor& monitor) {
   options.validate();
   ResolutionEstimate e;
   e.options = options;
   const double h = options.voxel_size;
-  VoxelGrid grid;
+  field::VoxelGrid grid;
   try {
-    grid = makeGrid(surface_->bounds(), h, options.outer_layers);
+    grid = field::makeGrid(surface_->bounds(), h, options.outer_layers);
   } catch (const UsageError& error) {
     e.refused = error.what();
     return e;
   }
   const Coarse& c = coarse(options, monitor);
-  const HapticStructure& s = *c.built;
+  const structure::HapticStructure& s = *c.built;
   const double finer = s.options.voxel_size / h;
-  const Bounds box = surface_->bounds();
+  const geometry::Bounds box = surface_->bounds();
 
   double field_bytes = c.field_bytes, field_ms = c.field_ms;
-  if (options.field == FieldKind::kLayered) {
+  if (options.field == structure::FieldKind::kLayered) {
     field_bytes = layeredBytes(*surface_, grid);
   } else if (finer > 1.0) {
-    const Blocks blocks = countNearBlocks(*surface_, grid, c.band * h, options.field == FieldKind::kFloat);
+    const Blocks blocks =
+        countNearBlocks(*surface_, grid, c.band * h, options.field == structure::FieldKind::kFloat);
     const double index = sizeof(std::uint32_t);
     const double more = blocks.kept / std::max(1.0, c.blocks.kept);
     field_bytes = (c.field_bytes - index * c.blocks.all) * more + index * blocks.all;
@@ -273,4 +278,4 @@ ResolutionEstimate ResolutionProbe::estimate(const HapticOptions& options, const
   return e;
 }
 
-}  // namespace abstand
+}  // namespace abstand::store

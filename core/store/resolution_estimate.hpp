@@ -6,11 +6,11 @@
 
 #include "core/structure/haptic_structure.hpp"
 
-namespace abstand {
+namespace abstand::store {
 
 /// What building with these options would give. Predictions; how good they are is said at ResolutionProbe.
 struct ResolutionEstimate {
-  HapticOptions options;
+  structure::HapticOptions options;
   std::string refused;      ///< why it cannot be built; empty when it can, and only then the rest counts
   double error_bound{0.0};  ///< m, HapticStructure::errorBound() at most
   double memory_bytes{0.0};
@@ -39,17 +39,18 @@ class ResolutionProbe {
   /// cut into reach 0.3 beyond their middle. Found in tests: 0.95.
   static constexpr double kCovering = 1.1;
 
-  explicit ResolutionProbe(std::shared_ptr<const Surface> surface) : surface_(std::move(surface)) {}
+  explicit ResolutionProbe(std::shared_ptr<const geometry::Surface> surface) : surface_(std::move(surface)) {}
 
   /// Throws UsageError for options out of their range, and BuildCancelled.
-  ResolutionEstimate estimate(const HapticOptions& options, const BuildMonitor& monitor = {});
+  ResolutionEstimate estimate(const structure::HapticOptions& options,
+                              const structure::BuildMonitor& monitor = {});
 
  private:
   struct Coarse;
-  const Coarse& coarse(const HapticOptions& options, const BuildMonitor& monitor);
+  const Coarse& coarse(const structure::HapticOptions& options, const structure::BuildMonitor& monitor);
 
-  std::shared_ptr<const Surface> surface_;
+  std::shared_ptr<const geometry::Surface> surface_;
   std::shared_ptr<const Coarse> coarse_;  ///< the last one
 };
 
-}  // namespace abstand
+}  // namespace abstand::store

@@ -3,7 +3,7 @@
 #include <istream>
 #include <ostream>
 
-namespace abstand {
+namespace abstand::store {
 
 void ArchiveWriter::bytes(const void* from, std::size_t count) {
   size_ += count;
@@ -33,4 +33,4 @@ std::size_t ArchiveReader::count(std::size_t, std::size_t bytes_each) {
   return static_cast<std::size_t>(stored);
 }
 
-}  // namespace abstand
+}  // namespace abstand::store

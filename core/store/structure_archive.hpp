@@ -14,7 +14,7 @@
 #include "core/base/content_hash.hpp"
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::store {
 
 static_assert(std::endian::native == std::endian::little && std::numeric_limits<double>::is_iec559,
               "archives hold numbers as a little-endian machine with IEEE 754 does");
@@ -155,4 +155,4 @@ class ArchiveReader : public Archive<ArchiveReader> {
   ContentHash hash_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::store

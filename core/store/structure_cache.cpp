@@ -14,7 +14,7 @@
 #include "core/store/engine_fingerprint.hpp"
 #include "core/store/structure_archive.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace fs = std::filesystem;
 namespace {
 
@@ -71,7 +71,7 @@ void take(std::istream& in, std::uintmax_t size, const ContentKey& key, T& value
   if (reader.left() != 0 || stored != checksum) throw ArchiveError("is damaged");
 }
 
-void add(ContentHash& hash, const TriangleMesh& mesh) {
+void add(ContentHash& hash, const geometry::TriangleMesh& mesh) {
   hash.add(std::uint64_t{mesh.vertices.size()});
   hash.add(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vector3d));
   hash.add(mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
@@ -85,14 +85,14 @@ struct KeptFile {
 
 }  // namespace
 
-ContentKey structureKey(const Surface& surface, const HapticOptions& options) {
+ContentKey structureKey(const geometry::Surface& surface, const structure::HapticOptions& options) {
   ContentHash hash;
   hash.add(std::uint64_t{kEngineFingerprint});
   hash.add(options.voxel_size);
   hash.add(options.point_spacing);
   hash.add(options.outer_layers);
   hash.add(options.field);
-  const Shape* shape = surface.shape();
+  const geometry::Shape* shape = surface.shape();
   hash.add(std::uint64_t{shape != nullptr ? 1 + shape->index() : 0});
   if (shape != nullptr) {
     std::visit([&](const auto& s) { hash.add(&s, sizeof s); }, *shape);
@@ -102,7 +102,7 @@ ContentKey structureKey(const Surface& surface, const HapticOptions& options) {
   return hash.value();
 }
 
-ContentKey surfaceKey(const TriangleMesh& mesh) {
+ContentKey surfaceKey(const geometry::TriangleMesh& mesh) {
   ContentHash hash;
   hash.add(std::uint64_t{kEngineFingerprint});
   add(hash, mesh);
@@ -170,9 +170,9 @@ void StructureCache::write(const fs::path& path, const ContentKey& key, const T&
   }
 }
 
-std::shared_ptr<const HapticStructure> StructureCache::findStructure(const ContentKey& key, std::string name,
-                                                                     std::shared_ptr<const Surface> surface) {
-  auto structure = std::make_shared<HapticStructure>();
+std::shared_ptr<const structure::HapticStructure> StructureCache::findStructure(
+    const ContentKey& key, std::string name, std::shared_ptr<const geometry::Surface> surface) {
+  auto structure = std::make_shared<structure::HapticStructure>();
   if (!on() || !read(structureFile(key), key, *structure)) return nullptr;
   structure->name = std::move(name);
   structure->surface = std::move(surface);
@@ -180,16 +180,16 @@ std::shared_ptr<const HapticStructure> StructureCache::findStructure(const Conte
   return structure;
 }
 
-std::shared_ptr<const Surface> StructureCache::findSurface(const ContentKey& key) {
-  auto surface = std::make_shared<MeshSurface>();
+std::shared_ptr<const geometry::Surface> StructureCache::findSurface(const ContentKey& key) {
+  auto surface = std::make_shared<geometry::MeshSurface>();
   return on() && read(surfaceFile(key), key, *surface) ? surface : nullptr;
 }
 
-void StructureCache::keep(const ContentKey& key, const HapticStructure& structure) {
+void StructureCache::keep(const ContentKey& key, const structure::HapticStructure& structure) {
   if (on()) write(structureFile(key), key, structure);
 }
 
-void StructureCache::keep(const ContentKey& key, const MeshSurface& surface) {
+void StructureCache::keep(const ContentKey& key, const geometry::MeshSurface& surface) {
   if (on()) write(surfaceFile(key), key, surface);
 }
 
@@ -229,21 +229,22 @@ std::vector<std::string> StructureCache::takeWarnings() {
   return std::exchange(warnings_, {});
 }
 
-std::shared_ptr<const Surface> makeSurface(StructureCache& cache, TriangleMesh mesh) {
-  if (!cache.on() || mesh.triangles.size() < kLargeMesh) return makeSurface(std::move(mesh));
+std::shared_ptr<const geometry::Surface> makeSurface(StructureCache& cache, geometry::TriangleMesh mesh) {
+  if (!cache.on() || mesh.triangles.size() < kLargeMesh) return geometry::makeSurface(std::move(mesh));
   const ContentKey key = surfaceKey(mesh);
   if (auto found = cache.findSurface(key)) return found;
-  auto made = std::make_shared<MeshSurface>(std::move(mesh));
+  auto made = std::make_shared<geometry::MeshSurface>(std::move(mesh));
   cache.keep(key, *made);
   return made;
 }
 
 MadeStructure makeHapticStructure(StructureCache& cache, std::string name,
-                                  std::shared_ptr<const Surface> surface, const HapticOptions& options,
-                                  int threads, const BuildMonitor& monitor) {
+                                  std::shared_ptr<const geometry::Surface> surface,
+                                  const structure::HapticOptions& options, int threads,
+                                  const structure::BuildMonitor& monitor) {
   const auto start = std::chrono::steady_clock::now();
   options.validate();
-  if (monitor.cancelled && monitor.cancelled()) throw BuildCancelled();
+  if (monitor.cancelled && monitor.cancelled()) throw structure::BuildCancelled();
   MadeStructure made;
   ContentKey key;
   if (cache.on()) {
@@ -252,7 +253,8 @@ MadeStructure makeHapticStructure(StructureCache& cache, std::string name,
     made.cached = made.structure != nullptr;
   }
   if (!made.cached) {
-    made.structure = buildHapticStructure(std::move(name), std::move(surface), options, threads, monitor);
+    made.structure =
+        structure::buildHapticStructure(std::move(name), std::move(surface), options, threads, monitor);
     cache.keep(key, *made.structure);
   } else if (monitor.progress) {
     monitor.progress(1.0, "cache");
@@ -261,4 +263,4 @@ MadeStructure makeHapticStructure(StructureCache& cache, std::string name,
   return made;
 }
 
-}  // namespace abstand
+}  // namespace abstand::store

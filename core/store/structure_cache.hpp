@@ -10,15 +10,15 @@
 #include "core/geometry/mesh_surface.hpp"
 #include "core/structure/haptic_structure.hpp"
 
-namespace abstand {
+namespace abstand::store {
 
 /// Names everything that a structure is made from: the surface's triangles or shape, the options, and the
 /// builders themselves (a fingerprint of their source, taken when the program was built), so that a changed
 /// engine never meets structures of an older one.
-ContentKey structureKey(const Surface& surface, const HapticOptions& options);
+ContentKey structureKey(const geometry::Surface& surface, const structure::HapticOptions& options);
 
 /// Names the surface of a welded mesh likewise.
-ContentKey surfaceKey(const TriangleMesh& mesh);
+ContentKey surfaceKey(const geometry::TriangleMesh& mesh);
 
 /// $ABSTAND_CACHE, else $XDG_CACHE_HOME/abstand, else ~/.cache/abstand. Empty when ABSTAND_CACHE is "off", or
 /// when there is no such place. The folder need not exist.
@@ -44,11 +44,11 @@ class StructureCache {
   std::filesystem::path surfaceFile(const ContentKey& key) const;
 
   /// Null when it is not there, or not usable. `surface` is the one of the key.
-  std::shared_ptr<const HapticStructure> findStructure(const ContentKey& key, std::string name,
-                                                       std::shared_ptr<const Surface> surface);
-  void keep(const ContentKey& key, const HapticStructure& structure);
-  std::shared_ptr<const Surface> findSurface(const ContentKey& key);
-  void keep(const ContentKey& key, const MeshSurface& surface);
+  std::shared_ptr<const structure::HapticStructure> findStructure(
+      const ContentKey& key, std::string name, std::shared_ptr<const geometry::Surface> surface);
+  void keep(const ContentKey& key, const structure::HapticStructure& structure);
+  std::shared_ptr<const geometry::Surface> findSurface(const ContentKey& key);
+  void keep(const ContentKey& key, const geometry::MeshSurface& surface);
 
   /// What went wrong since the last call, one line each.
   std::vector<std::string> takeWarnings();
@@ -69,18 +69,19 @@ class StructureCache {
 
 /// Finds the surface of a welded mesh in the cache, or makes it, and keeps it when it was slow to make.
 /// Throws UsageError like makeSurface(TriangleMesh).
-std::shared_ptr<const Surface> makeSurface(StructureCache& cache, TriangleMesh mesh);
+std::shared_ptr<const geometry::Surface> makeSurface(StructureCache& cache, geometry::TriangleMesh mesh);
 
 /// A structure, and where it came from.
 struct MadeStructure {
-  std::shared_ptr<const HapticStructure> structure;
+  std::shared_ptr<const structure::HapticStructure> structure;
   bool cached{false};
   double made_ms{0.0};  ///< to find it or to build and keep it; structure->build_ms is the building alone
 };
 
 /// Finds a structure in the cache, or builds and keeps it. Throws like buildHapticStructure.
 MadeStructure makeHapticStructure(StructureCache& cache, std::string name,
-                                  std::shared_ptr<const Surface> surface, const HapticOptions& options,
-                                  int threads = 0, const BuildMonitor& monitor = {});
+                                  std::shared_ptr<const geometry::Surface> surface,
+                                  const structure::HapticOptions& options, int threads = 0,
+                                  const structure::BuildMonitor& monitor = {});
 
-}  // namespace abstand
+}  // namespace abstand::store

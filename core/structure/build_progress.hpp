@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace abstand {
+namespace abstand::structure {
 
 /// Ears and brake of a build. Both functions may be empty; they are called on the building threads.
 struct BuildMonitor {
@@ -22,4 +22,4 @@ class BuildCancelled : public std::runtime_error {
   BuildCancelled() : std::runtime_error("building was interrupted") {}
 };
 
-}  // namespace abstand
+}  // namespace abstand::structure

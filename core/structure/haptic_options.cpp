@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 // m: a grain of dust, and a hall.
@@ -50,4 +50,4 @@ void HapticOptions::validate() const {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::structure

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace abstand {
+namespace abstand::structure {
 
 /// layered: integer layers, the thesis's voxelmap. flt ("float" in files): float distances over the whole
 /// map. mixed: float distances in a sparse band about the surface and a coarse field beyond.
@@ -26,4 +26,4 @@ struct HapticOptions {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::structure

@@ -12,7 +12,7 @@
 #include "core/field/voxelmap_sides.hpp"
 #include "core/geometry/mesh_pieces.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 // Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
@@ -24,29 +24,30 @@ constexpr double kFarReach = 2.0;
 constexpr double kSagitta = 0.1;
 
 struct ShapeRadius {
-  double operator()(const Sphere& s) const { return s.radius; }
-  double operator()(const Ellipsoid& s) const { return s.semi_axes.maxCoeff(); }
-  double operator()(const Cuboid& s) const { return 0.5 * s.size.norm(); }
-  double operator()(const Cylinder& s) const { return std::hypot(s.radius, 0.5 * s.length); }
-  double operator()(const Capsule& s) const { return s.radius + 0.5 * s.length; }
+  double operator()(const geometry::Sphere& s) const { return s.radius; }
+  double operator()(const geometry::Ellipsoid& s) const { return s.semi_axes.maxCoeff(); }
+  double operator()(const geometry::Cuboid& s) const { return 0.5 * s.size.norm(); }
+  double operator()(const geometry::Cylinder& s) const { return std::hypot(s.radius, 0.5 * s.length); }
+  double operator()(const geometry::Capsule& s) const { return s.radius + 0.5 * s.length; }
 };
 
-EnclosingSphere sphereAbout(const Surface& surface, const TriangleMesh& mesh) {
-  if (const Shape* shape = surface.shape()) return {Vector3d::Zero(), std::visit(ShapeRadius{}, *shape)};
+geometry::EnclosingSphere sphereAbout(const geometry::Surface& surface, const geometry::TriangleMesh& mesh) {
+  if (const geometry::Shape* shape = surface.shape())
+    return {Vector3d::Zero(), std::visit(ShapeRadius{}, *shape)};
   std::vector<Vector3d> corners;
   corners.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) corners.push_back(mesh.corner(t, i));
   }
-  return minimalSphere(corners);
+  return geometry::minimalSphere(corners);
 }
 
-std::size_t bytesOf(const Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }
+std::size_t bytesOf(const shell::Pointshell& shell) { return 7 * sizeof(float) * shell.x.capacity(); }
 
-std::size_t bytesOf(const PointSphereTree& tree) {
-  return tree.nodes.capacity() * sizeof(PointSphereTree::Node) +
-         tree.families.capacity() * sizeof(PointSphereTree::Family) + 7 * sizeof(float) * tree.x.capacity() +
-         tree.shell_index.capacity() * sizeof(std::uint32_t);
+std::size_t bytesOf(const shell::PointSphereTree& tree) {
+  return tree.nodes.capacity() * sizeof(shell::PointSphereTree::Node) +
+         tree.families.capacity() * sizeof(shell::PointSphereTree::Family) +
+         7 * sizeof(float) * tree.x.capacity() + tree.shell_index.capacity() * sizeof(std::uint32_t);
 }
 
 /// Gives back what vectors hold beyond their size, through the lists of fields that archives use.
@@ -159,15 +160,15 @@ std::size_t HapticStructure::memoryBytes() const {
   return bytes;
 }
 
-FieldView HapticStructure::fieldView() const {
-  FieldView view;
+kernels::FieldView HapticStructure::fieldView() const {
+  kernels::FieldView view;
   view.far = far_field.view();
   if (near_field) {
-    view.kind = FieldView::Kind::kNear;
+    view.kind = kernels::FieldView::Kind::kNear;
     view.near = near_field->view();
     return view;
   }
-  view.kind = FieldView::Kind::kLayered;
+  view.kind = kernels::FieldView::Kind::kLayered;
   view.voxel = static_cast<float>(voxelmap->grid.voxel_size);
   view.layers = voxelmap->view();
   for (int k = 0; k < 3; ++k) {
@@ -177,16 +178,16 @@ FieldView HapticStructure::fieldView() const {
   return view;
 }
 
-TreeView HapticStructure::treeView(const Transform& X_FP) const {
-  TreeView view{tree.families.data(), tree.x.data(),    tree.y.data(),
-                tree.z.data(),        tree.nx.data(),   tree.ny.data(),
-                tree.nz.data(),       tree.area.data(), {}};
+kernels::TreeView HapticStructure::treeView(const Transform& X_FP) const {
+  kernels::TreeView view{tree.families.data(), tree.x.data(),    tree.y.data(),
+                         tree.z.data(),        tree.nx.data(),   tree.ny.data(),
+                         tree.nz.data(),       tree.area.data(), {}};
   for (int i = 0; i < 12; ++i) view.X_FP[i] = static_cast<float>(X_FP.matrix()(i / 4, i % 4));
   return view;
 }
 
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
-                                                            std::shared_ptr<const Surface> surface,
+                                                            std::shared_ptr<const geometry::Surface> surface,
                                                             const HapticOptions& options, int threads,
                                                             const BuildMonitor& monitor) {
   const auto start = std::chrono::steady_clock::now();
@@ -197,9 +198,9 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   s.name = std::move(name);
   s.options = options;
   s.surface = std::move(surface);
-  const Bounds box = s.surface->bounds();
+  const geometry::Bounds box = s.surface->bounds();
   const double h = options.voxel_size;
-  s.grid = makeGrid(box, h, options.outer_layers);
+  s.grid = field::makeGrid(box, h, options.outer_layers);
 
   const auto makeFields = [&] {
     watch.begin("voxels");
@@ -210,7 +211,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
       s.solid_voxels = s.voxelmap->solid_voxels;
       voxels.end();
     } else {
-      const VoxelCounts counts = countVoxels(*s.surface, h, threads);
+      const field::VoxelCounts counts = field::countVoxels(*s.surface, h, threads);
       s.surface_voxels = counts.surface;
       s.solid_voxels = counts.solid;
       voxels.end();
@@ -222,20 +223,20 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
     }
     watch.begin("far field");
     BuildPhase far(watch, 0.1);
-    s.far_field = FarField(*s.surface, farSpacing(box, h), kFarReach, threads);
+    s.far_field = field::FarField(*s.surface, field::farSpacing(box, h), kFarReach, threads);
     far.end();
     watch.begin("pointshell");
   };
   const auto makePoints = [&] {
     BuildPhase points(watch, 0.4);
-    s.shell = makePointshell(*s.surface, options.point_spacing, threads);
-    s.tree = makeTree(s.shell);
+    s.shell = shell::makePointshell(*s.surface, options.point_spacing, threads);
+    s.tree = shell::makeTree(s.shell);
 
     s.mass_properties = s.surface->massProperties();
     s.com = s.mass_properties.com;
-    const TriangleMesh mesh = s.surface->mesh(kSagitta * h);
+    const geometry::TriangleMesh mesh = s.surface->mesh(kSagitta * h);
     s.triangles = mesh.triangles.size();
-    s.pieces = abstand::pieces(mesh);
+    s.pieces = abstand::geometry::pieces(mesh);
     if (s.pieces.size() == 1) s.pieces.clear();
     s.bounding_sphere = sphereAbout(*s.surface, mesh);
     s.support = SupportMap(*s.surface, mesh, s.bounding_sphere.centre, threads);
@@ -252,4 +253,4 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
   return structure;
 }
 
-}  // namespace abstand
+}  // namespace abstand::structure

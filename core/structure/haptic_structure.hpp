@@ -12,30 +12,30 @@
 #include "core/structure/support_map.hpp"
 #include "core/structure/surface_parts.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 
 /// Voxelmap and pointshell of one body [thesis 4.2.2], with its exact surface beside them. Constant after
 /// construction and shared between objects of the same shape. Body frame, metres.
 struct HapticStructure {
   std::string name;
   HapticOptions options;
-  std::shared_ptr<const Surface> surface;
-  std::optional<Voxelmap> voxelmap;     ///< field: layered (and wherever asked for)
-  std::optional<NearField> near_field;  ///< field: float and mixed
-  FarField far_field;
+  std::shared_ptr<const geometry::Surface> surface;
+  std::optional<field::Voxelmap> voxelmap;     ///< field: layered (and wherever asked for)
+  std::optional<field::NearField> near_field;  ///< field: float and mixed
+  field::FarField far_field;
   SupportMap support;
   SurfaceParts parts;  ///< of a mesh
-  Pointshell shell;
-  PointSphereTree tree;
-  FieldView
+  shell::Pointshell shell;
+  shell::PointSphereTree tree;
+  kernels::FieldView
       field_view;  ///< of the fields above; views point into the members, so a structure stays where it is
-  TreeView tree_view;
+  kernels::TreeView tree_view;
 
-  MassProperties mass_properties;   ///< density 1
-  Vector3d com{Vector3d::Zero()};   ///< centre for torques
-  std::vector<Vector3d> pieces;     ///< a point of each piece of the surface; none when it is one piece
-  EnclosingSphere bounding_sphere;  ///< of the surface, not only of its points
-  VoxelGrid grid;                   ///< the effective grid, whatever the field
+  geometry::MassProperties mass_properties;  ///< density 1
+  Vector3d com{Vector3d::Zero()};            ///< centre for torques
+  std::vector<Vector3d> pieces;  ///< a point of each piece of the surface; none when it is one piece
+  geometry::EnclosingSphere bounding_sphere;  ///< of the surface, not only of its points
+  field::VoxelGrid grid;                      ///< the effective grid, whatever the field
   std::size_t surface_voxels{0};
   std::size_t solid_voxels{0};
   std::size_t triangles{0};
@@ -45,8 +45,8 @@ struct HapticStructure {
   double errorBound() const;
   std::size_t memoryBytes() const;
   /// What searches read. Views point into the members.
-  FieldView fieldView() const;
-  TreeView treeView(const Transform& X_FP) const;
+  kernels::FieldView fieldView() const;
+  kernels::TreeView treeView(const Transform& X_FP) const;
   /// All but name and surface.
   template <class Archive>
   void archive(Archive& ar) {
@@ -57,15 +57,15 @@ struct HapticStructure {
 };
 
 /// Null for a layered field.
-inline const NearField* nearField(const HapticStructure& structure) {
+inline const field::NearField* nearField(const HapticStructure& structure) {
   return structure.near_field ? &*structure.near_field : nullptr;
 }
 
 /// Builds all parts of a structure on `threads` threads (0: all). The result does not depend on the number.
 /// Throws UsageError for options that do not fit the body, and BuildCancelled when the monitor says so.
 std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
-                                                            std::shared_ptr<const Surface> surface,
+                                                            std::shared_ptr<const geometry::Surface> surface,
                                                             const HapticOptions& options, int threads = 0,
                                                             const BuildMonitor& monitor = {});
 
-}  // namespace abstand
+}  // namespace abstand::structure

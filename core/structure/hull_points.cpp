@@ -6,7 +6,7 @@
 #include "core/geometry/convex_hull.hpp"
 #include "core/kernels/search_kernels.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 // Of the largest coordinate; far below kHullRounding.
@@ -18,7 +18,7 @@ constexpr float kHullRounding = 8.0f * 0x1p-24f;
 }  // namespace
 
 std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points) {
-  const std::optional<ConvexHull> hull = convexHull(points);
+  const std::optional<geometry::ConvexHull> hull = geometry::convexHull(points);
   double largest = 0.0;
   for (const Vector3d& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   if (!hull || hull->farthest_outside > kOutside * largest) return points;
@@ -27,7 +27,8 @@ std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points) {
   return corners;
 }
 
-HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const Surface& surface)
+HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre,
+                       const geometry::Surface& surface)
     : centre_(centre) {
   for (const Vector3d& corner : corners) {
     const Vector3f p = (corner - centre).cast<float>();
@@ -46,7 +47,7 @@ HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& cen
 
 float HullPoints::reachAboutCentre(const Vector3f& g) const {
   const float farthest =
-      searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
+      kernels::searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
   return farthest + kHullRounding * g.lpNorm<1>() * radius_;
 }
 
@@ -63,9 +64,9 @@ ExtremePoint HullPoints::extreme(const Vector3d& g) const {
 double HullPoints::farthest(const Vector3d& g, ExtremePoint& extreme) const {
   const Vector3f d = g.cast<float>();
   const std::size_t i =
-      searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
+      kernels::searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
   extreme = {centre_ + Vector3f(x_[i], y_[i], z_[i]).cast<double>(), hints_[i]};
   return g.dot(extreme.point) + 2.0 * static_cast<double>(kHullRounding * d.lpNorm<1>() * radius_);
 }
 
-}  // namespace abstand
+}  // namespace abstand::structure

@@ -5,14 +5,14 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 
 /// The points at the corners of the hull; all of them where there is no telling, as of points in a plane.
 std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points);
 
 struct ExtremePoint {
-  Vector3d point;               ///< of the surface
-  std::uint32_t hint{kNoHint};  ///< where on it that is
+  Vector3d point;                         ///< of the surface
+  std::uint32_t hint{geometry::kNoHint};  ///< where on it that is
 };
 
 /// How far the hull of some points reaches in a direction, and where. Body frame, m. Constant after
@@ -21,7 +21,7 @@ class HullPoints {
  public:
   HullPoints() = default;
   /// At least one corner, points of a surface. `centre`: about their middle, where rounding is smallest.
-  HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const Surface& surface);
+  HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const geometry::Surface& surface);
 
   const Vector3d& centre() const { return centre_; }
   /// Not below the largest g . p, and above it by rounding in float only; g of any length but 0.
@@ -45,4 +45,4 @@ class HullPoints {
   std::vector<std::uint32_t> hints_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::structure

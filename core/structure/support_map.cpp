@@ -6,40 +6,42 @@
 
 #include "core/base/parallel.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 /// h(g) of each shape, exact to rounding of double.
 struct ShapeSupport {
   const Vector3d& g;
-  double operator()(const Sphere& s) const { return s.radius * g.norm(); }
-  double operator()(const Ellipsoid& s) const { return s.semi_axes.cwiseProduct(g).norm(); }
-  double operator()(const Cuboid& s) const { return 0.5 * s.size.dot(g.cwiseAbs()); }
-  double operator()(const Cylinder& s) const {
+  double operator()(const geometry::Sphere& s) const { return s.radius * g.norm(); }
+  double operator()(const geometry::Ellipsoid& s) const { return s.semi_axes.cwiseProduct(g).norm(); }
+  double operator()(const geometry::Cuboid& s) const { return 0.5 * s.size.dot(g.cwiseAbs()); }
+  double operator()(const geometry::Cylinder& s) const {
     return s.radius * std::hypot(g.x(), g.y()) + 0.5 * s.length * std::abs(g.z());
   }
-  double operator()(const Capsule& s) const { return s.radius * g.norm() + 0.5 * s.length * std::abs(g.z()); }
+  double operator()(const geometry::Capsule& s) const {
+    return s.radius * g.norm() + 0.5 * s.length * std::abs(g.z());
+  }
 };
 
 /// A point where g . p is largest.
 struct ShapeExtreme {
   const Vector3d& g;
-  Vector3d operator()(const Sphere& s) const { return s.radius * g.normalized(); }
-  Vector3d operator()(const Ellipsoid& s) const {
+  Vector3d operator()(const geometry::Sphere& s) const { return s.radius * g.normalized(); }
+  Vector3d operator()(const geometry::Ellipsoid& s) const {
     const Vector3d stretched = s.semi_axes.cwiseProduct(g);
     return s.semi_axes.cwiseProduct(stretched) / stretched.norm();
   }
-  Vector3d operator()(const Cuboid& s) const {
+  Vector3d operator()(const geometry::Cuboid& s) const {
     return 0.5 * Vector3d(std::copysign(s.size.x(), g.x()), std::copysign(s.size.y(), g.y()),
                           std::copysign(s.size.z(), g.z()));
   }
-  Vector3d operator()(const Cylinder& s) const {
+  Vector3d operator()(const geometry::Cylinder& s) const {
     const double across = std::hypot(g.x(), g.y());
     const double r = across > 0.0 ? s.radius / across : 0.0;
     // Straight up, any point of the rim.
     return {across > 0.0 ? r * g.x() : s.radius, r * g.y(), std::copysign(0.5 * s.length, g.z())};
   }
-  Vector3d operator()(const Capsule& s) const {
+  Vector3d operator()(const geometry::Capsule& s) const {
     return s.radius * g.normalized() + Vector3d(0.0, 0.0, std::copysign(0.5 * s.length, g.z()));
   }
 };
@@ -58,8 +60,8 @@ float along(int i) { return 2.0f * static_cast<float>(i) / SupportMap::kCells - 
 
 }  // namespace
 
-SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const Vector3d& centre,
-                       int threads) {
+SupportMap::SupportMap(const geometry::Surface& surface, const geometry::TriangleMesh& mesh,
+                       const Vector3d& centre, int threads) {
   setShape(surface);
   if (shape_) return;
   hull_ = HullPoints(hullCorners(mesh.vertices), centre, surface);
@@ -73,8 +75,8 @@ SupportMap::SupportMap(const Surface& surface, const TriangleMesh& mesh, const V
   });
 }
 
-void SupportMap::setShape(const Surface& surface) {
-  if (const Shape* shape = surface.shape()) shape_ = *shape;
+void SupportMap::setShape(const geometry::Surface& surface) {
+  if (const geometry::Shape* shape = surface.shape()) shape_ = *shape;
 }
 
 double SupportMap::closeUpper(const Vector3d& g) const {
@@ -83,7 +85,7 @@ double SupportMap::closeUpper(const Vector3d& g) const {
 }
 
 ExtremePoint SupportMap::extreme(const Vector3d& g) const {
-  if (shape_) return {std::visit(ShapeExtreme{g}, *shape_), kNoHint};
+  if (shape_) return {std::visit(ShapeExtreme{g}, *shape_), geometry::kNoHint};
   return hull_.extreme(g);
 }
 
@@ -112,4 +114,4 @@ double SupportMap::upper(const Vector3d& g) const {
   return g.dot(hull_.centre()) + length * (low + t * (high - low));
 }
 
-}  // namespace abstand
+}  // namespace abstand::structure

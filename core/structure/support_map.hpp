@@ -7,7 +7,7 @@
 #include "core/geometry/surface.hpp"
 #include "core/structure/hull_points.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 
 /// h(g) = max over the body of g . p, in the body's frame. It certifies distances from below, whatever the
 /// shapes: for any unit vector g, no point of A is nearer to any of B than min_A g . p - max_B g . p.
@@ -24,10 +24,11 @@ class SupportMap {
 
   SupportMap() = default;
   /// `mesh`: that of the surface; `centre`: about the middle of the body, where rounding is smallest.
-  SupportMap(const Surface& surface, const TriangleMesh& mesh, const Vector3d& centre, int threads = 0);
+  SupportMap(const geometry::Surface& surface, const geometry::TriangleMesh& mesh, const Vector3d& centre,
+             int threads = 0);
 
   /// Archives hold no shapes: to be called after reading one.
-  void setShape(const Surface& surface);
+  void setShape(const geometry::Surface& surface);
 
   /// Not below h(g), for finite g of any length but 0. m times the length of g.
   double upper(const Vector3d& g) const;
@@ -46,9 +47,9 @@ class SupportMap {
  private:
   static constexpr int kCorners = kCells + 1;
 
-  std::optional<Shape> shape_;
+  std::optional<geometry::Shape> shape_;
   HullPoints hull_;            ///< of a mesh
   std::vector<float> values_;  ///< of h about the centre; face (2 axis + side), v, u; rounded up
 };
 
-}  // namespace abstand
+}  // namespace abstand::structure

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 // Of the body's size: a part from which its hull is nowhere farther is convex.
@@ -22,7 +22,7 @@ struct Part {
   double gap{0.0};                ///< m, between the hull and the planes of the triangles
 };
 
-Part makePart(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles) {
+Part makePart(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> triangles) {
   Part part;
   std::vector<std::uint32_t> used;
   used.reserve(3 * triangles.size());
@@ -55,7 +55,7 @@ Part& worstOf(std::vector<Part>& parts) {
 }
 
 /// At the median of the triangles' middles, across the axis along which they reach farthest.
-std::pair<Part, Part> halves(const TriangleMesh& mesh, Part& part) {
+std::pair<Part, Part> halves(const geometry::TriangleMesh& mesh, Part& part) {
   const auto middle = [&](std::uint32_t t) {
     return Vector3d(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
   };
@@ -77,13 +77,13 @@ std::pair<Part, Part> halves(const TriangleMesh& mesh, Part& part) {
 
 }  // namespace
 
-SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
+SurfaceParts::SurfaceParts(const geometry::TriangleMesh& mesh, const geometry::Surface& surface) {
   std::vector<std::uint32_t> all(mesh.triangles.size());
   for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<std::uint32_t>(t);
   if (all.empty()) return;
   std::vector<Part> parts;
   parts.push_back(makePart(mesh, std::move(all)));
-  const EnclosingSphere whole = minimalSphere(parts.front().corners);
+  const geometry::EnclosingSphere whole = geometry::minimalSphere(parts.front().corners);
   const double convex = kConvex * whole.radius;
   while (parts.size() < kMax) {
     Part& worst = worstOf(parts);
@@ -96,18 +96,18 @@ SurfaceParts::SurfaceParts(const TriangleMesh& mesh, const Surface& surface) {
   if (parts.size() == 1) return;
   hulls_.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const EnclosingSphere sphere = minimalSphere(parts[i].corners);
+    const geometry::EnclosingSphere sphere = geometry::minimalSphere(parts[i].corners);
     setSphere(i, sphere);
     hulls_.emplace_back(parts[i].corners, sphere.centre, surface);
   }
 }
 
-SurfaceParts::SurfaceParts(const EnclosingSphere& sphere) {
+SurfaceParts::SurfaceParts(const geometry::EnclosingSphere& sphere) {
   std::fill_n(spheres_.radius, kMax, -static_cast<float>(kInfinity));
   setSphere(0, sphere);
 }
 
-void SurfaceParts::setSphere(std::size_t part, const EnclosingSphere& sphere) {
+void SurfaceParts::setSphere(std::size_t part, const geometry::EnclosingSphere& sphere) {
   spheres_.x[part] = static_cast<float>(sphere.centre.x());
   spheres_.y[part] = static_cast<float>(sphere.centre.y());
   spheres_.z[part] = static_cast<float>(sphere.centre.z());
@@ -121,4 +121,4 @@ std::size_t SurfaceParts::memoryBytes() const {
   return bytes;
 }
 
-}  // namespace abstand
+}  // namespace abstand::structure

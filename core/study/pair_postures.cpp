@@ -4,13 +4,13 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::study {
 
 StudyModel::StudyModel(const std::vector<StudyMechanism>& mechanisms, const std::vector<StudyBody>& bodies)
     : mechanisms_(mechanisms), bodies_(bodies) {
   for (const auto& m : mechanisms_) {
     first_.push_back(ranges_.size());
-    const auto ranges = jointRanges(*m.mechanism);
+    const auto ranges = mechanism::jointRanges(*m.mechanism);
     ranges_.insert(ranges_.end(), ranges.begin(), ranges.end());
   }
 }
@@ -50,9 +50,10 @@ StudyPosture::StudyPosture(const StudyModel& model)
 void StudyPosture::set(std::span<const double> q) {
   ABSTAND_CHECK(q.size() == model_.dof());
   for (std::size_t m = 0; m < states_.size(); ++m) {
-    const Mechanism& mechanism = *model_.mechanism(static_cast<int>(m)).mechanism;
-    forward(mechanism, q.subspan(model_.first(static_cast<int>(m)), static_cast<std::size_t>(mechanism.dof)),
-            states_[m]);
+    const mechanism::Mechanism& mechanism = *model_.mechanism(static_cast<int>(m)).mechanism;
+    mechanism::forward(mechanism,
+                       q.subspan(model_.first(static_cast<int>(m)), static_cast<std::size_t>(mechanism.dof)),
+                       states_[m]);
   }
   for (std::size_t i = 0; i < X_WL_.size(); ++i) {
     const StudyBody& body = model_.bodies()[i];
@@ -74,9 +75,9 @@ double StudyPosture::gap(int a, int b) const {
          model_.body(a).structure->bounding_sphere.radius - model_.body(b).structure->bounding_sphere.radius;
 }
 
-const PairResult& StudyPosture::query(int a, int b) {
-  queryPair(*model_.body(a).structure, X_WL_[static_cast<std::size_t>(a)], *model_.body(b).structure,
-            X_WL_[static_cast<std::size_t>(b)], {}, scratch_, result_);
+const query::PairResult& StudyPosture::query(int a, int b) {
+  query::queryPair(*model_.body(a).structure, X_WL_[static_cast<std::size_t>(a)], *model_.body(b).structure,
+                   X_WL_[static_cast<std::size_t>(b)], {}, scratch_, result_);
   return result_;
 }
 
@@ -85,9 +86,10 @@ void StudyPosture::addPointGradient(const StudyBody& body, const Vector3d& p_W, 
   if (body.mechanism < 0 || body.frame < 0) return;
   const StudyMechanism& m = model_.mechanism(body.mechanism);
   const Transform X_BW = m.X_WB.inverse();
-  addJointEfforts(*m.mechanism, states_[static_cast<std::size_t>(body.mechanism)], body.frame, X_BW * p_W,
-                  {X_BW.linear() * n_W, Vector3d::Zero()},
-                  gradient.subspan(model_.first(body.mechanism), static_cast<std::size_t>(m.mechanism->dof)));
+  mechanism::addJointEfforts(
+      *m.mechanism, states_[static_cast<std::size_t>(body.mechanism)], body.frame, X_BW * p_W,
+      {X_BW.linear() * n_W, Vector3d::Zero()},
+      gradient.subspan(model_.first(body.mechanism), static_cast<std::size_t>(m.mechanism->dof)));
 }
 
 bool StudyPosture::addGradient(int a, int b, std::span<double> gradient) const {
@@ -100,4 +102,4 @@ bool StudyPosture::addGradient(int a, int b, std::span<double> gradient) const {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::study

@@ -6,7 +6,7 @@
 #include "core/query/pair_query.hpp"
 #include "core/study/pair_study.hpp"
 
-namespace abstand {
+namespace abstand::study {
 
 /// Constant: shared by the threads of a study.
 class StudyModel {
@@ -14,7 +14,7 @@ class StudyModel {
   StudyModel(const std::vector<StudyMechanism>& mechanisms, const std::vector<StudyBody>& bodies);
 
   std::size_t dof() const { return ranges_.size(); }
-  const std::vector<JointRange>& ranges() const { return ranges_; }
+  const std::vector<mechanism::JointRange>& ranges() const { return ranges_; }
   const std::vector<StudyBody>& bodies() const { return bodies_; }
   const StudyBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
   const StudyMechanism& mechanism(int i) const { return mechanisms_[static_cast<std::size_t>(i)]; }
@@ -29,7 +29,7 @@ class StudyModel {
 
   const std::vector<StudyMechanism>& mechanisms_;
   const std::vector<StudyBody>& bodies_;
-  std::vector<JointRange> ranges_;
+  std::vector<mechanism::JointRange> ranges_;
   std::vector<std::size_t> first_;
 };
 
@@ -41,7 +41,7 @@ class StudyPosture {
   void set(std::span<const double> q);
   /// What the bounding spheres leave between the two at least, m.
   double gap(int a, int b) const;
-  const PairResult& query(int a, int b);
+  const query::PairResult& query(int a, int b);
   /// Adds the derivative of the distance of the last query(a, b) by q. False when the two points coincide.
   bool addGradient(int a, int b, std::span<double> gradient) const;
 
@@ -50,11 +50,11 @@ class StudyPosture {
                         std::span<double> gradient) const;
 
   const StudyModel& model_;
-  std::vector<MechanismState> states_;
+  std::vector<mechanism::MechanismState> states_;
   std::vector<Transform> X_WL_;
   std::vector<Vector3d> centres_W_;
-  PairScratch scratch_;
-  PairResult result_;
+  kernels::PairScratch scratch_;
+  query::PairResult result_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::study

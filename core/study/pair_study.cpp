@@ -10,7 +10,7 @@
 #include "core/base/parallel.hpp"
 #include "core/study/pair_postures.hpp"
 
-namespace abstand {
+namespace abstand::study {
 namespace {
 
 constexpr std::size_t kBlock = 32;  // samples that one thread takes at once
@@ -132,7 +132,7 @@ class PairStudy {
     std::vector<double> q(model_.dof());
     for (std::size_t s = begin; s < end; ++s) {
       Random random(options_.seed, s);
-      randomPosture(model_.ranges(), random, q);
+      mechanism::randomPosture(model_.ranges(), random, q);
       posture.set(q);
       for (std::size_t i = 0; i < open.size(); ++i) {
         const StudiedPair& pair = work_[open[i]].pair;
@@ -141,7 +141,7 @@ class PairStudy {
         const double gap = posture.gap(pair.a, pair.b);
         if (gap > options_.clearance && gap > std::min(best.nearest.distance, worstKept(work_[open[i]])))
           continue;
-        const PairResult& r = posture.query(pair.a, pair.b);
+        const query::PairResult& r = posture.query(pair.a, pair.b);
         if (r.distance - r.bound <= options_.clearance) ++best.hits;
         if (r.distance <= 0.0) ++best.overlaps;
         if (r.distance < best.nearest.distance) best.nearest = {r.distance, r.bound, q};
@@ -204,14 +204,14 @@ class PairStudy {
   /// Takes the posture `q` when the pair is nearer in it.
   bool take(const StudiedPair& pair, std::vector<double> q, StudyPosture& posture, Near& best) const {
     posture.set(q);
-    const PairResult& r = posture.query(pair.a, pair.b);
+    const query::PairResult& r = posture.query(pair.a, pair.b);
     if (!(r.distance < best.distance - kGain)) return false;
     best = {r.distance, r.bound, std::move(q)};
     return true;
   }
 
   double clamped(int dof, double value) const {
-    const JointRange& range = model_.ranges()[static_cast<std::size_t>(dof)];
+    const mechanism::JointRange& range = model_.ranges()[static_cast<std::size_t>(dof)];
     return std::clamp(value, range.lower, range.upper);
   }
 
@@ -302,4 +302,4 @@ std::vector<StudiedPair> studyPairs(const std::vector<StudyMechanism>& mechanism
   return PairStudy(model, pairs, options).run();
 }
 
-}  // namespace abstand
+}  // namespace abstand::study

@@ -13,16 +13,16 @@
 #include "core/structure/haptic_structure.hpp"
 #include "core/study/pairs_file.hpp"
 
-namespace abstand {
+namespace abstand::study {
 
 /// A mechanism that takes part. The study's q holds the values of all of them, one after the other.
 struct StudyMechanism {
-  const Mechanism* mechanism;
+  const mechanism::Mechanism* mechanism;
   Transform X_WB{Transform::Identity()};
 };
 
 struct StudyBody {
-  std::shared_ptr<const HapticStructure> structure;
+  std::shared_ptr<const structure::HapticStructure> structure;
   int mechanism{-1};                      ///< index, or -1: it stands still
   int frame{-1};                          ///< index into the mechanism's frames, -1: its base
   Transform X_FL{Transform::Identity()};  ///< body in its frame; in the world when it stands still
@@ -71,4 +71,4 @@ std::vector<StudiedPair> studyPairs(const std::vector<StudyMechanism>& mechanism
                                     const std::vector<std::pair<int, int>>& pairs,
                                     const StudyOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::study

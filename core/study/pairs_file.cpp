@@ -7,7 +7,7 @@
 #include "core/base/text_file.hpp"
 #include "core/base/utf8.hpp"
 
-namespace abstand {
+namespace abstand::study {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
@@ -76,4 +76,4 @@ std::vector<PairRow> loadPairs(const std::filesystem::path& file) {
   return parsePairs(readFile(file, kMaxBytes), file.string());
 }
 
-}  // namespace abstand
+}  // namespace abstand::study

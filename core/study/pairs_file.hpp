@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::study {
 
 /// kSometimes pairs are checked; the others are not.
 enum class PairVerdict {
@@ -33,4 +33,4 @@ struct PairRow {
 std::vector<PairRow> parsePairs(const std::string& text, const std::string& file);
 std::vector<PairRow> loadPairs(const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::study

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace abstand {
+namespace abstand::text {
 namespace {
 
 constexpr std::size_t kLongestQuote = 40;
@@ -28,4 +28,4 @@ std::string rounded(double value, int digits) {
   return {buffer, r.ptr};
 }
 
-}  // namespace abstand
+}  // namespace abstand::text

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace abstand {
+namespace abstand::text {
 
 /// Letters a to z made small; everything else as it is.
 std::string lowerCase(std::string_view text);
@@ -15,4 +15,4 @@ std::string inQuotes(std::string_view found);
 /// A number with that many digits after the point, for reading by people.
 std::string rounded(double value, int digits);
 
-}  // namespace abstand
+}  // namespace abstand::text

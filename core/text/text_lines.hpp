@@ -10,7 +10,7 @@
 #include "core/base/number.hpp"
 #include "core/math/transform.hpp"
 
-namespace abstand::mesh_file {
+namespace abstand::text {
 
 inline constexpr std::string_view kBlank = " \t\r\n\v\f";
 inline constexpr bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -83,4 +83,4 @@ class Lines {
   SourcePos pos_;
 };
 
-}  // namespace abstand::mesh_file
+}  // namespace abstand::text

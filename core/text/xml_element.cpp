@@ -5,7 +5,7 @@
 
 #include "core/text/text_lines.hpp"
 
-namespace abstand::mesh_file {
+namespace abstand::text {
 namespace {
 
 constexpr int kDeepest = 256;
@@ -146,4 +146,4 @@ XmlElement parseXml(std::string_view document, const std::string& name) {
   return Parser(document, name).run();
 }
 
-}  // namespace abstand::mesh_file
+}  // namespace abstand::text

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace abstand::mesh_file {
+namespace abstand::text {
 
 /// An element; names and attributes point into the document and are not unescaped.
 struct XmlElement {
@@ -26,4 +26,4 @@ struct XmlElement {
 /// more than 256 deep. `name` is the file's. Entities of a document type are not expanded.
 XmlElement parseXml(std::string_view document, const std::string& name);
 
-}  // namespace abstand::mesh_file
+}  // namespace abstand::text

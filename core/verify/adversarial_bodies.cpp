@@ -13,12 +13,13 @@ namespace {
 // Few layers suffice: beyond them the far field answers, and that shall be tested too.
 constexpr int kFewOuterLayers = 6;
 
-Vector3d normalOf(const TriangleMesh& mesh, std::size_t t) {
+Vector3d normalOf(const geometry::TriangleMesh& mesh, std::size_t t) {
   return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized();
 }
 
 /// Mean normal of the triangles that hold all of the given vertices; of triangle t, when they cancel.
-Vector3d meanNormal(const TriangleMesh& mesh, std::size_t t, std::initializer_list<std::uint32_t> vertices) {
+Vector3d meanNormal(const geometry::TriangleMesh& mesh, std::size_t t,
+                    std::initializer_list<std::uint32_t> vertices) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& corners = mesh.triangles[i];
@@ -33,12 +34,13 @@ Vector3d across(const Vector3d& out, const Vector3d& along) {
   return (along - out * out.dot(along)).normalized();
 }
 
-TriangleMesh nestedShells() {
-  const TriangleMesh shell = together(boxMesh({0.1, 0.1, 0.1}), inverted(boxMesh({0.08, 0.08, 0.08})));
+geometry::TriangleMesh nestedShells() {
+  const geometry::TriangleMesh shell =
+      together(boxMesh({0.1, 0.1, 0.1}), inverted(boxMesh({0.08, 0.08, 0.08})));
   return together(shell, boxMesh({0.02, 0.02, 0.02}, {0.01, 0.005, 0}));
 }
 
-TriangleMesh comb() {
+geometry::TriangleMesh comb() {
   std::vector<std::pair<double, double>> outline{{-0.06, -0.03}, {0.06, -0.03}};
   for (int tooth = 5; tooth >= 0; --tooth) {
     const double left = -0.06 + 0.02 * tooth;
@@ -49,7 +51,7 @@ TriangleMesh comb() {
   return prismMesh(outline, 0.01);
 }
 
-TriangleMesh drum(int sides) {
+geometry::TriangleMesh drum(int sides) {
   std::vector<std::pair<double, double>> outline;
   for (int i = 0; i < sides; ++i)
     outline.emplace_back(0.03 * std::cos(2 * kPi * i / sides), 0.03 * std::sin(2 * kPi * i / sides));
@@ -84,7 +86,7 @@ Feature AdversarialBody::corner(std::size_t triangle, int corner) const {
 
 std::vector<AdversarialBody> adversarialBodies(int threads) {
   std::vector<AdversarialBody> bodies;
-  const auto add = [&](const char* name, TriangleMesh mesh, double voxel, double point) {
+  const auto add = [&](const char* name, geometry::TriangleMesh mesh, double voxel, double point) {
     AdversarialBody body;
     body.name = name;
     body.mesh = std::move(mesh);
@@ -115,11 +117,11 @@ std::vector<AdversarialBody> adversarialBodies(int threads) {
   parallelFor(threads, bodies.size(), [&](std::size_t i) {
     AdversarialBody& body = bodies[i];
     body.soup = TriangleSoup(body.mesh);
-    const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
+    const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(body.mesh);
     body.closed = surface->watertight();
     for (std::size_t f = 0; f < kFields.size(); ++f) {
       body.options.field = kFields[f];
-      body.structures[f] = buildHapticStructure(body.name, surface, body.options, 1);
+      body.structures[f] = structure::buildHapticStructure(body.name, surface, body.options, 1);
     }
     body.radius = body.structures[0]->bounding_sphere.radius;
     body.centre = body.structures[0]->bounding_sphere.centre;

@@ -11,7 +11,8 @@
 
 namespace abstand::verify {
 
-inline constexpr std::array kFields{FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed};
+inline constexpr std::array kFields{structure::FieldKind::kLayered, structure::FieldKind::kFloat,
+                                    structure::FieldKind::kMixed};
 
 /// A face, an edge or a corner of a mesh: a place on the surface and the way out of the body there.
 struct Feature {
@@ -23,12 +24,13 @@ struct Feature {
 /// One body, as the engine knows it and as the brute force does. Body frame, metres.
 struct AdversarialBody {
   std::string name;
-  TriangleMesh mesh;
-  HapticOptions options;  ///< but for the field
+  geometry::TriangleMesh mesh;
+  structure::HapticOptions options;  ///< but for the field
   bool closed{true};
-  TriangleSoup soup{TriangleMesh{}};
-  std::array<std::shared_ptr<const HapticStructure>, kFields.size()> structures;  ///< in kFields' order
-  double radius{0.0};                                                             ///< about `centre`
+  TriangleSoup soup{geometry::TriangleMesh{}};
+  std::array<std::shared_ptr<const structure::HapticStructure>, kFields.size()>
+      structures;      ///< in kFields' order
+  double radius{0.0};  ///< about `centre`
   Vector3d centre{Vector3d::Zero()};
 
   Feature face(std::size_t triangle, double u, double v) const;       ///< u, v in [0, 1): where in it

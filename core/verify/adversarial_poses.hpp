@@ -1,8 +1,8 @@
 // Poses of two bodies that are hard on an engine which samples.
 #pragma once
 
+#include "core/math/random.hpp"
 #include "core/verify/adversarial_bodies.hpp"
-#include "core/verify/random.hpp"
 
 namespace abstand::verify {
 

@@ -16,7 +16,7 @@ constexpr double kDepthTolerance = 0.05;
 
 BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const AdversarialBody& b,
                        const Transform& X_WB) {
-  const bool from_a = pointsFromA(*a.structures[0], *b.structures[0]);
+  const bool from_a = query::pointsFromA(*a.structures[0], *b.structures[0]);
   const AdversarialBody &P = from_a ? a : b, &F = from_a ? b : a;
   const Transform X_FP = from_a ? Transform(X_WB.inverse() * X_WA) : Transform(X_WA.inverse() * X_WB);
   const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
@@ -26,7 +26,7 @@ BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const Ad
   exact_ = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
 }
 
-BoundAnswer BoundJudge::operator()(const PairResult& r) const {
+BoundAnswer BoundJudge::operator()(const query::PairResult& r) const {
   BoundAnswer answer;
   // Written so that NaN is a breach.
   answer.breach = !(r.distance - r.bound <= exact_.most + rounding_);

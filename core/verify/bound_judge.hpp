@@ -20,7 +20,7 @@ class BoundJudge {
              const Transform& X_WB);
 
   const ExactDistance& exact() const { return exact_; }
-  BoundAnswer operator()(const PairResult& result) const;
+  BoundAnswer operator()(const query::PairResult& result) const;
 
  private:
   double voxel_;     ///< the larger of the two; m

@@ -85,7 +85,7 @@ double distanceTriangles(const Triangle& s, const Triangle& t) {
   return least;
 }
 
-TriangleSoup::TriangleSoup(const TriangleMesh& mesh) {
+TriangleSoup::TriangleSoup(const geometry::TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
   // Pieces: the lowest vertex that a vertex is joined to, repeated until nothing changes.

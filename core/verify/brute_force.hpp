@@ -21,7 +21,7 @@ double distanceTriangles(const Triangle& s, const Triangle& t);
 /// A mesh as a bag of triangles, each with a sphere about it to skip the hopeless ones.
 class TriangleSoup {
  public:
-  explicit TriangleSoup(const TriangleMesh& mesh);
+  explicit TriangleSoup(const geometry::TriangleMesh& mesh);
 
   std::size_t size() const { return triangles_.size(); }
   const Triangle& operator[](std::size_t i) const { return triangles_[i]; }

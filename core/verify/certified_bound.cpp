@@ -94,12 +94,12 @@ Table familyTable(const std::vector<Outcome>& outcomes, std::size_t field) {
 
 CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std::size_t bodies) {
   CheckResult result;
-  result.name = "bound." + std::string(fieldName(kFields[field]));
+  result.name = "bound." + std::string(structure::fieldName(kFields[field]));
   result.what =
       "The true distance of two meshes, by brute force over all pairs of triangles, is never below "
       "distance - bound: " +
       std::to_string(bodies) + " bodies, " + std::to_string(kPoseFamilies) + " families of poses, " +
-      std::string(fieldName(kFields[field])) + " fields.";
+      std::string(structure::fieldName(kFields[field])) + " fields.";
   result.quantity = "(distance - true distance) / bound";
   result.reason = "The contract: the true distance is never below distance - bound.";
   judge(result, collect(outcomes, field, &BoundAnswer::used), 1.0);
@@ -122,7 +122,7 @@ CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std
 
 CheckResult attainedOf(const std::vector<Outcome>& outcomes, std::size_t field) {
   CheckResult result;
-  result.name = "attained." + std::string(fieldName(kFields[field]));
+  result.name = "attained." + std::string(structure::fieldName(kFields[field]));
   result.what =
       "The distance is that of two points of the surfaces, so it never lies below the true one (inside: is "
       "no "

@@ -10,30 +10,34 @@
 namespace abstand::verify {
 namespace {
 
-std::shared_ptr<const HapticStructure> build(std::shared_ptr<const Surface> surface, FieldKind field,
-                                             double voxel, int threads) {
-  const HapticOptions options{
+std::shared_ptr<const structure::HapticStructure> build(std::shared_ptr<const geometry::Surface> surface,
+                                                        structure::FieldKind field, double voxel,
+                                                        int threads) {
+  const structure::HapticOptions options{
       .voxel_size = voxel, .point_spacing = voxel, .outer_layers = kOuterLayers, .field = field};
-  return buildHapticStructure("body", std::move(surface), options, threads);
+  return structure::buildHapticStructure("body", std::move(surface), options, threads);
 }
 
 }  // namespace
 
-std::shared_ptr<const HapticStructure> structureOf(const Shape& shape, FieldKind field, double voxel,
-                                                   int threads) {
-  return build(makeSurface(shape), field, voxel, threads);
+std::shared_ptr<const structure::HapticStructure> structureOf(const geometry::Shape& shape,
+                                                              structure::FieldKind field, double voxel,
+                                                              int threads) {
+  return build(geometry::makeSurface(shape), field, voxel, threads);
 }
 
-std::shared_ptr<const HapticStructure> structureOf(const TriangleMesh& mesh, FieldKind field, double voxel,
-                                                   int threads) {
-  return build(makeSurface(mesh), field, voxel, threads);
+std::shared_ptr<const structure::HapticStructure> structureOf(const geometry::TriangleMesh& mesh,
+                                                              structure::FieldKind field, double voxel,
+                                                              int threads) {
+  return build(geometry::makeSurface(mesh), field, voxel, threads);
 }
 
-PairResult query(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                 const Transform& X_WB, const PairOptions& options) {
-  PairScratch scratch;
-  PairResult result;
-  queryPair(a, X_WA, b, X_WB, options, scratch, result);
+query::PairResult query(const structure::HapticStructure& a, const Transform& X_WA,
+                        const structure::HapticStructure& b, const Transform& X_WB,
+                        const query::PairOptions& options) {
+  kernels::PairScratch scratch;
+  query::PairResult result;
+  query::queryPair(a, X_WA, b, X_WB, options, scratch, result);
   return result;
 }
 

@@ -12,13 +12,16 @@ namespace abstand::verify {
 /// Half the default voxel's outer layers: nothing that a check asks depends on them.
 inline constexpr int kOuterLayers = 10;
 
-std::shared_ptr<const HapticStructure> structureOf(const Shape& shape, FieldKind field, double voxel,
-                                                   int threads);
-std::shared_ptr<const HapticStructure> structureOf(const TriangleMesh& mesh, FieldKind field, double voxel,
-                                                   int threads);
+std::shared_ptr<const structure::HapticStructure> structureOf(const geometry::Shape& shape,
+                                                              structure::FieldKind field, double voxel,
+                                                              int threads);
+std::shared_ptr<const structure::HapticStructure> structureOf(const geometry::TriangleMesh& mesh,
+                                                              structure::FieldKind field, double voxel,
+                                                              int threads);
 
-PairResult query(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                 const Transform& X_WB, const PairOptions& options = {});
+query::PairResult query(const structure::HapticStructure& a, const Transform& X_WA,
+                        const structure::HapticStructure& b, const Transform& X_WB,
+                        const query::PairOptions& options = {});
 
 /// "%.3g".
 std::string shortNumber(double value);

@@ -16,7 +16,7 @@ double ballInBallForce(double r, double R, double c) {
 
 double capVolume(double r, double depth) { return kPi * depth * depth * (3.0 * r - depth) / 3.0; }
 
-Submerged submerged(const TriangleMesh& mesh, const Transform& X_WB) {
+Submerged submerged(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
   // Each triangle, cut at z = 0, spans pyramids with a point of the plane; the cut itself spans none.
   Submerged sum;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

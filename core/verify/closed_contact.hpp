@@ -19,7 +19,7 @@ struct Submerged {
   double volume{0.0};
   Vector3d centroid{Vector3d::Zero()};
 };
-Submerged submerged(const TriangleMesh& mesh, const Transform& X_WB);
+Submerged submerged(const geometry::TriangleMesh& mesh, const Transform& X_WB);
 
 /// Force (N, for stiffness 1) that pushes a pin of radius r and length l back to the axis of a long hole of
 /// radius R, r < R, that it is `offset` away from: l r int (rho - R) cos(phi) dphi where the pin's surface is

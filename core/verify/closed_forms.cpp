@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/math/random.hpp"
 #include "core/verify/brute_force.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/random.hpp"
 #include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
@@ -27,9 +27,13 @@ const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kSlabSize{1.6, 1.6
 const Transform kWallPose = fromXyzRpy({0, 0, -0.1}, Vector3d::Zero());
 
 enum Body { kBallBody, kSmallBallBody, kRodBody, kDrumBody, kBoxBody, kEggBody, kWallBody, kBodies };
-const std::array<Shape, kBodies> kShapes{
-    Sphere{kBallRadius}, Sphere{kSmallBall}, Capsule{kRod, kRodLength}, Cylinder{kDrum, kDrumLength},
-    Cuboid{kBox},        Ellipsoid{kEgg},    Cuboid{kSlabSize}};
+const std::array<geometry::Shape, kBodies> kShapes{geometry::Sphere{kBallRadius},
+                                                   geometry::Sphere{kSmallBall},
+                                                   geometry::Capsule{kRod, kRodLength},
+                                                   geometry::Cylinder{kDrum, kDrumLength},
+                                                   geometry::Cuboid{kBox},
+                                                   geometry::Ellipsoid{kEgg},
+                                                   geometry::Cuboid{kSlabSize}};
 
 /// How far a body reaches below its centre, turned by R.
 double reachDown(Body body, const Matrix3d& R) {
@@ -140,18 +144,19 @@ Pose randomCase(std::uint64_t seed, std::uint64_t index) {
 std::vector<CheckResult> checkClosedForms(const VerifyOptions& options) {
   std::vector<CheckResult> results;
   const std::size_t poses = std::max<std::size_t>(options.poses / kPart, 1);
-  for (const FieldKind field : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
-    std::array<std::shared_ptr<const HapticStructure>, kBodies> bodies;
+  for (const structure::FieldKind field :
+       {structure::FieldKind::kLayered, structure::FieldKind::kFloat, structure::FieldKind::kMixed}) {
+    std::array<std::shared_ptr<const structure::HapticStructure>, kBodies> bodies;
     for (std::size_t i = 0; i < kBodies; ++i)
       bodies[i] = structureOf(kShapes[i], field, kVoxel, options.threads);
-    const double sharpness = field == FieldKind::kLayered ? 1.0 : 0.25;  // voxels
+    const double sharpness = field == structure::FieldKind::kLayered ? 1.0 : 0.25;  // voxels
     std::vector<double> errors(poses, kNaN), parts(poses, kNaN);
     std::vector<std::size_t> cases(poses, 0);
     parallelFor(options.threads, poses, [&](std::size_t i) {
       if (options.stop()) return;
       const Pose pose = randomCase(options.seed, i);
       const Case& c = kCases[pose.number];
-      const PairResult r = query(*bodies[c.a], pose.X_WA, *bodies[c.b], pose.X_WB);
+      const query::PairResult r = query(*bodies[c.a], pose.X_WA, *bodies[c.b], pose.X_WB);
       const double error = std::abs(r.distance - pose.distance);
       const double edges = c.sharp ? bodies[c.a]->shell.covering_radius : 0.0;
       cases[i] = pose.number;
@@ -160,11 +165,11 @@ std::vector<CheckResult> checkClosedForms(const VerifyOptions& options) {
     });
 
     CheckResult result;
-    result.name = "closed_form." + std::string(fieldName(field));
+    result.name = "closed_form." + std::string(structure::fieldName(field));
     result.what =
         "Distances of balls, boxes, capsules, cylinders and eggs, apart and pressed into a wall, against "
         "closed forms; " +
-        std::string(fieldName(field)) + " fields, voxels and points of 5 mm.";
+        std::string(structure::fieldName(field)) + " fields, voxels and points of 5 mm.";
     result.quantity = "|distance - closed form| / allowed";
     result.reason =
         "Up to four voxels apart: a voxel with layers, a quarter of one with float distances, and the "

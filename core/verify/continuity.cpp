@@ -19,27 +19,30 @@ const double kSteepest = std::sqrt(3.0);
 /// A moves in a straight line against B, which rests at the origin.
 struct Path {
   std::string name, what;
-  std::shared_ptr<const Surface> a, b;
+  std::shared_ptr<const geometry::Surface> a, b;
   Transform start;
   Vector3d way;
 };
 
 std::vector<Path> somePaths() {
-  const auto block = [] { return makeSurface(Shape{Cuboid{{0.2, 0.2, 0.08}}}); };
+  const auto block = [] {
+    return geometry::makeSurface(geometry::Shape{geometry::Cuboid{{0.2, 0.2, 0.08}}});
+  };
   std::vector<Path> paths;
   paths.push_back({"press", "a ball pressed straight into a block, from 5 mm above to 10 mm deep",
-                   makeSurface(Shape{Sphere{0.04}}), block(),
+                   geometry::makeSurface(geometry::Shape{geometry::Sphere{0.04}}), block(),
                    fromXyzRpy({0.0031, 0.0017, 0.085}, {0.3, 0.2, 0.1}), Vector3d(0, 0, -0.015)});
   paths.push_back({"slide", "a ball that slides aslant over a block, 6 mm deep",
-                   makeSurface(Shape{Sphere{0.04}}), block(),
+                   geometry::makeSurface(geometry::Shape{geometry::Sphere{0.04}}), block(),
                    fromXyzRpy({-0.03, -0.02, 0.074}, {0.3, 0.2, 0.1}), Vector3d(0.05, 0.03, 0)});
   paths.push_back({"corner", "a cube's corner that ploughs through a block, 12 mm deep, and over its rim",
-                   makeSurface(Shape{Cuboid{{0.06, 0.06, 0.06}}}), block(),
+                   geometry::makeSurface(geometry::Shape{geometry::Cuboid{{0.06, 0.06, 0.06}}}), block(),
                    fromXyzRpy({0.04, -0.01, 0.04 + 0.03 * std::sqrt(3.0) - 0.012},
                               {kPi / 4, std::atan(std::sqrt(0.5)), 0.2}),
                    Vector3d(0.07, 0.01, 0)});
   paths.push_back({"star", "a star that slides over a ball, to and fro of its tips",
-                   makeSurface(starMesh(0.02, 0.05)), makeSurface(Shape{Sphere{0.08}}),
+                   geometry::makeSurface(starMesh(0.02, 0.05)),
+                   geometry::makeSurface(geometry::Shape{geometry::Sphere{0.08}}),
                    fromXyzRpy({-0.03, 0.01, 0.11}, {0.4, 0.7, 0.2}), Vector3d(0.06, 0.004, 0)});
   return paths;
 }
@@ -51,17 +54,17 @@ struct Jumps {
   double peak{0.0};                ///< N
 };
 
-Jumps follow(const Path& path, FieldKind field, const VerifyOptions& options) {
-  const HapticOptions build{
+Jumps follow(const Path& path, structure::FieldKind field, const VerifyOptions& options) {
+  const structure::HapticOptions build{
       .voxel_size = kPressVoxel, .point_spacing = kPressVoxel, .outer_layers = kOuterLayers, .field = field};
-  const auto a = buildHapticStructure("a", path.a, build, options.threads);
-  const auto b = buildHapticStructure("b", path.b, build, options.threads);
+  const auto a = structure::buildHapticStructure("a", path.a, build, options.threads);
+  const auto b = structure::buildHapticStructure("b", path.b, build, options.threads);
   const double step = kPartOfVoxel * kPressVoxel;
   const auto steps = static_cast<std::size_t>(path.way.norm() / step);
   std::vector<Vector3d> forces(steps + 1);
   std::vector<double> areas(steps + 1, 0.0);
-  const bool from_a = pointsFromA(*a, *b);
-  const HapticStructure &P = from_a ? *a : *b, &F = from_a ? *b : *a;
+  const bool from_a = query::pointsFromA(*a, *b);
+  const structure::HapticStructure &P = from_a ? *a : *b, &F = from_a ? *b : *a;
   parallelFor(options.threads, steps + 1, [&](std::size_t i) {
     Transform X_WA = path.start;
     X_WA.translation() += path.way.normalized() * (step * static_cast<double>(i));
@@ -100,16 +103,17 @@ std::vector<CheckResult> checkContinuity(const VerifyOptions& options) {
     Plot plot{"Force along the path: " + path.name, "way [m]", "force [N]", false, false, {}};
     std::vector<double> parts;
     std::size_t poses = 0;
-    for (const FieldKind field : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
+    for (const structure::FieldKind field :
+         {structure::FieldKind::kLayered, structure::FieldKind::kFloat, structure::FieldKind::kMixed}) {
       if (options.stop()) break;
       const Jumps jumps = follow(path, field, options);
       poses += jumps.way.size();
       const double part = jumps.peak > 0.0 ? jumps.largest / jumps.possible : kNaN;
-      if (field != FieldKind::kLayered) parts.push_back(part);
-      result.table.rows.push_back({std::string(fieldName(field)), shortNumber(jumps.largest),
+      if (field != structure::FieldKind::kLayered) parts.push_back(part);
+      result.table.rows.push_back({std::string(structure::fieldName(field)), shortNumber(jumps.largest),
                                    shortNumber(jumps.largest / jumps.peak), shortNumber(part),
                                    shortNumber(jumps.peak)});
-      plot.series.push_back({std::string(fieldName(field)), jumps.way, jumps.force});
+      plot.series.push_back({std::string(structure::fieldName(field)), jumps.way, jumps.force});
     }
     judge(result, parts, 1.0);
     result.poses = poses;

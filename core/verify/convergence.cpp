@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/math/random.hpp"
 #include "core/verify/check_tools.hpp"
 #include "core/verify/closed_contact.hpp"
-#include "core/verify/random.hpp"
 #include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
@@ -60,22 +60,22 @@ Press randomPress(Against against, int walls, double h, std::uint64_t seed, std:
   return press;
 }
 
-double relativeError(Against against, FieldKind field, double h, const VerifyOptions& options) {
-  const auto ball = structureOf(Sphere{kRadius}, field, h, options.threads);
-  std::vector<std::shared_ptr<const HapticStructure>> others;
-  const int walls = field == FieldKind::kLayered ? kWalls : 1;
+double relativeError(Against against, structure::FieldKind field, double h, const VerifyOptions& options) {
+  const auto ball = structureOf(geometry::Sphere{kRadius}, field, h, options.threads);
+  std::vector<std::shared_ptr<const structure::HapticStructure>> others;
+  const int walls = field == structure::FieldKind::kLayered ? kWalls : 1;
   if (against == Against::kBall) {
-    others.push_back(structureOf(Sphere{kOtherRadius}, field, h, options.threads));
+    others.push_back(structureOf(geometry::Sphere{kOtherRadius}, field, h, options.threads));
   } else {
     for (int wall = 0; wall < walls; ++wall)
-      others.push_back(structureOf(Cuboid{{kWallSize.x(), kWallSize.y(), thicknessOf(wall, h)}}, field, h,
-                                   options.threads));
+      others.push_back(structureOf(geometry::Cuboid{{kWallSize.x(), kWallSize.y(), thicknessOf(wall, h)}},
+                                   field, h, options.threads));
   }
   std::vector<double> errors(options.quick ? kQuickPoses : kPoses);
   parallelFor(options.threads, errors.size(), [&](std::size_t i) {
     const Press press = randomPress(against, walls, h, options.seed, i);
-    const PairResult r = query(*ball, press.X_WA, *others[static_cast<std::size_t>(press.wall)],
-                               Transform::Identity(), {.stiffness = kStiffness});
+    const query::PairResult r = query(*ball, press.X_WA, *others[static_cast<std::size_t>(press.wall)],
+                                      Transform::Identity(), {.stiffness = kStiffness});
     errors[i] = (r.force_a - press.force).norm() / press.force.norm();
   });
   return rms(errors);
@@ -93,11 +93,12 @@ std::vector<CheckResult> checkConvergence(const VerifyOptions& options) {
             {}};
   for (const Against against : {Against::kBall, Against::kWall}) {
     const std::string scene = against == Against::kBall ? "ball in ball" : "ball in wall";
-    for (const FieldKind field : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
-      Series series{scene + ", " + std::string(fieldName(field)), {}, {}};
+    for (const structure::FieldKind field :
+         {structure::FieldKind::kLayered, structure::FieldKind::kFloat, structure::FieldKind::kMixed}) {
+      Series series{scene + ", " + std::string(structure::fieldName(field)), {}, {}};
       CheckResult result;
       result.name = std::string("convergence.") + (against == Against::kBall ? "ball." : "wall.") +
-                    std::string(fieldName(field));
+                    std::string(structure::fieldName(field));
       result.table.header = {"h [mm]", "relative error of the force, rms"};
       for (const double h : kSteps) {
         if (options.stop()) break;
@@ -106,17 +107,17 @@ std::vector<CheckResult> checkConvergence(const VerifyOptions& options) {
         series.y.push_back(error);
         result.table.rows.push_back({shortNumber(1e3 * h), shortNumber(error)});
       }
-      result.what = "Force of a " + scene + ", " + std::string(fieldName(field)) +
+      result.what = "Force of a " + scene + ", " + std::string(structure::fieldName(field)) +
                     " fields, against the closed form, over five resolutions with random poses each.";
       result.quantity = "minus the order of convergence";
       // Layers are steps to any of 26 neighbours, so on slanting surfaces they count up to sqrt(3) times too
       // few voxels however fine these are: against the ball the error stays, and is only drawn.
-      if (field == FieldKind::kLayered && against == Against::kBall) {
+      if (field == structure::FieldKind::kLayered && against == Against::kBall) {
         plot.series.push_back(std::move(series));
         continue;
       }
-      const double order = field == FieldKind::kLayered ? 1.0 : 2.0;
-      result.reason = field == FieldKind::kLayered
+      const double order = field == structure::FieldKind::kLayered ? 1.0 : 2.0;
+      result.reason = field == structure::FieldKind::kLayered
                           ? "Layers are whole voxels along a wall's normal: errors shrink as h."
                           : "Trilinear distances and the points' weights err as h squared on smooth bodies.";
       result.reason += " " + shortNumber(kOrderNoise) +

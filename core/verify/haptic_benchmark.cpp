@@ -17,13 +17,14 @@ constexpr double kBenchmarkStiffness = 1e6;  // N/m^3
 
 struct Method {
   const char* name;
-  FieldKind field;
-  ForceLaw law;
+  structure::FieldKind field;
+  query::ForceLaw law;
 };
-constexpr std::array kMethods{Method{"layered, thesis law", FieldKind::kLayered, ForceLaw::kThesis},
-                              Method{"layered, volume law", FieldKind::kLayered, ForceLaw::kVolume},
-                              Method{"float", FieldKind::kFloat, ForceLaw::kVolume},
-                              Method{"mixed", FieldKind::kMixed, ForceLaw::kVolume}};
+constexpr std::array kMethods{
+    Method{"layered, thesis law", structure::FieldKind::kLayered, query::ForceLaw::kThesis},
+    Method{"layered, volume law", structure::FieldKind::kLayered, query::ForceLaw::kVolume},
+    Method{"float", structure::FieldKind::kFloat, query::ForceLaw::kVolume},
+    Method{"mixed", structure::FieldKind::kMixed, query::ForceLaw::kVolume}};
 
 /// Roots of the mean squares over a path.
 struct Quality {
@@ -40,17 +41,17 @@ struct Signal {
 };
 
 Signal measure(const HapticScene& scene, const Method& method, int threads) {
-  const HapticOptions options{.voxel_size = kBenchmarkVoxel,
-                              .point_spacing = kBenchmarkVoxel,
-                              .outer_layers = kOuterLayers,
-                              .field = method.field};
-  const auto a = buildHapticStructure("a", scene.a, options, threads);
-  const auto b = buildHapticStructure("b", scene.b, options, threads);
+  const structure::HapticOptions options{.voxel_size = kBenchmarkVoxel,
+                                         .point_spacing = kBenchmarkVoxel,
+                                         .outer_layers = kOuterLayers,
+                                         .field = method.field};
+  const auto a = structure::buildHapticStructure("a", scene.a, options, threads);
+  const auto b = structure::buildHapticStructure("b", scene.b, options, threads);
   const std::size_t n = scene.path.size();
   Signal signal{std::vector<Vector3d>(n), std::vector<Vector3d>(n), std::vector<Vector3d>(n)};
   parallelFor(threads, n, [&](std::size_t i) {
-    const PairResult r = query(*a, scene.path[i].X_WA, *b, Transform::Identity(),
-                               {.stiffness = kBenchmarkStiffness, .law = method.law});
+    const query::PairResult r = query(*a, scene.path[i].X_WA, *b, Transform::Identity(),
+                                      {.stiffness = kBenchmarkStiffness, .law = method.law});
     signal.force[i] = r.force_a;
     signal.torque_a[i] = r.torque_a;
     signal.torque_b[i] = r.torque_b;
@@ -110,13 +111,13 @@ CheckResult checkScene(const HapticScene& scene, const VerifyOptions& options) {
   for (const Method& method : kMethods) {
     if (options.stop()) break;
     Signal signal = measure(scene, method, options.threads);
-    if (method.law == ForceLaw::kThesis) {
+    if (method.law == query::ForceLaw::kThesis) {
       const double gain = gainOf(scene, signal);
       for (auto* values : {&signal.force, &signal.torque_a, &signal.torque_b})
         for (Vector3d& v : *values) v *= gain;
     }
     const Quality q = qualityOf(scene, signal),
-                  limit = method.field == FieldKind::kLayered ? kLayeredLimits : kFloatLimits;
+                  limit = method.field == structure::FieldKind::kLayered ? kLayeredLimits : kFloatLimits;
     for (const double part : {q.angle_deg / limit.angle_deg, q.size_percent / limit.size_percent,
                               q.noise_percent / limit.noise_percent, q.torque_percent / limit.torque_percent})
       parts.push_back(part);

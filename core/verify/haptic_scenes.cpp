@@ -24,8 +24,8 @@ HapticScene ballOnBlock() {
   HapticScene scene{"ball on block",
                     "a ball of 30 mm, 6 mm deep in a block, rolls aslant over it: stiffness times the cap's "
                     "volume, straight up, no torque",
-                    makeSurface(Shape{Sphere{kRadius}}),
-                    makeSurface(Shape{Cuboid{{0.16, 0.16, 2.0 * kTop}}}),
+                    geometry::makeSurface(geometry::Shape{geometry::Sphere{kRadius}}),
+                    geometry::makeSurface(geometry::Shape{geometry::Cuboid{{0.16, 0.16, 2.0 * kTop}}}),
                     {},
                     0};
   const Vector3d way = Vector3d(0.8, 0.6, 0.0), roll = Vector3d(-0.6, 0.8, 0.0);
@@ -45,7 +45,7 @@ HapticScene coneOnBlock() {
   // Its tip at the origin, pointing down.
   std::vector<std::pair<double, double>> circle;
   constexpr int kSides = 64;
-  TriangleMesh cone;
+  geometry::TriangleMesh cone;
   for (int i = 0; i < kSides; ++i) {
     const double a = 2.0 * kPi * i / kSides;
     cone.vertices.emplace_back(kRadius * std::cos(a), kRadius * std::sin(a), kHeight);
@@ -61,8 +61,8 @@ HapticScene coneOnBlock() {
       "cone on block",
       "the tip of a cone, tilted by 20 degrees, 12 mm deep in a block, turns once about the vertical: "
       "the volume's weight of water, through its centroid",
-      makeSurface(cone),
-      makeSurface(Shape{Cuboid{{0.16, 0.16, 2.0 * kTop}}}),
+      geometry::makeSurface(cone),
+      geometry::makeSurface(geometry::Shape{geometry::Cuboid{{0.16, 0.16, 2.0 * kTop}}}),
       {},
       0};
   const Vector3d com = scene.a->massProperties().com;
@@ -89,8 +89,8 @@ HapticScene pinInHole() {
       "pin in hole",
       "a pin of 20 mm in a hole of 21 mm, 3 mm off its axis, led round: radial force, on the pin no "
       "torque, on the block one across axis and force",
-      makeSurface(Shape{Cylinder{kPin, kLength}}),
-      makeSurface(latheMesh({{kHole, -0.03}, {0.06, -0.03}, {0.06, 0.03}, {kHole, 0.03}}, kSides)),
+      geometry::makeSurface(geometry::Shape{geometry::Cylinder{kPin, kLength}}),
+      geometry::makeSurface(latheMesh({{kHole, -0.03}, {0.06, -0.03}, {0.06, 0.03}, {kHole, 0.03}}, kSides)),
       {},
       0};
   const double force = pinInHoleForce(kPin, kHole, kOffset, kLength);
@@ -114,14 +114,14 @@ HapticScene blockInSlot() {
   const std::vector<std::pair<double, double>> outline{
       {-0.05, -0.03}, {0.05, -0.03}, {0.05, kSlotDepth},  {half, kSlotDepth},
       {half, 0.0},    {-half, 0.0},  {-half, kSlotDepth}, {-0.05, kSlotDepth}};
-  TriangleMesh slot = prismMesh(outline, 0.16);
+  geometry::TriangleMesh slot = prismMesh(outline, 0.16);
   for (Vector3d& v : slot.vertices) v = Vector3d(v.z(), v.x(), v.y());
   HapticScene scene{
       "block in slot",
       "a block in a slot with 2 mm to spare, pushed along 3 mm deep in the floor, then in a wall: "
       "stiffness times face times depth, straight back, no torque",
-      makeSurface(Shape{Cuboid{size}}),
-      makeSurface(std::move(slot)),
+      geometry::makeSurface(geometry::Shape{geometry::Cuboid{size}}),
+      geometry::makeSurface(std::move(slot)),
       {},
       0};
   for (const bool on_floor : {true, false}) {

@@ -20,7 +20,7 @@ struct ScenePose {
 
 struct HapticScene {
   std::string name, what;
-  std::shared_ptr<const Surface> a, b;
+  std::shared_ptr<const geometry::Surface> a, b;
   std::vector<ScenePose> path;
   std::size_t second_part{0};  ///< where the path starts anew; no noise is measured across
 };

@@ -44,15 +44,15 @@ std::vector<std::array<std::uint32_t, 3>> ears(const std::vector<Point>& polygon
 
 }  // namespace
 
-TriangleMesh boxMesh(const Vector3d& size, const Vector3d& centre) {
+geometry::TriangleMesh boxMesh(const Vector3d& size, const Vector3d& centre) {
   const double x = 0.5 * size.x(), y = 0.5 * size.y();
-  TriangleMesh mesh = prismMesh({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, size.z());
+  geometry::TriangleMesh mesh = prismMesh({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, size.z());
   for (Vector3d& v : mesh.vertices) v += centre;
   return mesh;
 }
 
-TriangleMesh prismMesh(const std::vector<Point>& polygon, double height) {
-  TriangleMesh mesh;
+geometry::TriangleMesh prismMesh(const std::vector<Point>& polygon, double height) {
+  geometry::TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const double z : {-0.5 * height, 0.5 * height})
     for (const Point& p : polygon) mesh.vertices.emplace_back(p.first, p.second, z);
@@ -68,20 +68,20 @@ TriangleMesh prismMesh(const std::vector<Point>& polygon, double height) {
   return mesh;
 }
 
-TriangleMesh spikeMesh(double base, double height) {
+geometry::TriangleMesh spikeMesh(double base, double height) {
   const double r = 0.5 * base;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   mesh.vertices = {{-r, -r, 0}, {r, -r, 0}, {r, r, 0}, {-r, r, 0}, {0, 0, height}};
   mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   return mesh;
 }
 
-TriangleMesh starMesh(double inner, double outer) {
+geometry::TriangleMesh starMesh(double inner, double outer) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   const std::vector<Vector3d> corners{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
                                       {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
                                       {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (const Vector3d& c : corners) mesh.vertices.push_back(inner * c.normalized());
   // Faces: three corners that are each other's nearest neighbours, 2 apart before scaling.
   const auto near = [&](std::uint32_t i, std::uint32_t j) { return (corners[i] - corners[j]).norm() < 2.1; };
@@ -102,7 +102,7 @@ TriangleMesh starMesh(double inner, double outer) {
   return mesh;
 }
 
-TriangleMesh torusMesh(double ring, double tube, int around, int across) {
+geometry::TriangleMesh torusMesh(double ring, double tube, int around, int across) {
   std::vector<Point> profile;
   for (int j = 0; j < across; ++j) {
     const double b = 2.0 * kPi * j / across;
@@ -111,9 +111,9 @@ TriangleMesh torusMesh(double ring, double tube, int around, int across) {
   return latheMesh(profile, around);
 }
 
-TriangleMesh latheMesh(const std::vector<Point>& profile, int around) {
+geometry::TriangleMesh latheMesh(const std::vector<Point>& profile, int around) {
   const auto across = static_cast<int>(profile.size());
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < around; ++i) {
     const double a = 2.0 * kPi * i / around;
     for (const auto& [r, z] : profile) mesh.vertices.emplace_back(r * std::cos(a), r * std::sin(a), z);
@@ -130,21 +130,21 @@ TriangleMesh latheMesh(const std::vector<Point>& profile, int around) {
   return mesh;
 }
 
-TriangleMesh foldedSheet(double size) {
+geometry::TriangleMesh foldedSheet(double size) {
   const double r = 0.5 * size;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   mesh.vertices = {{-r, -r, 0}, {0, -r, 0}, {0, r, 0}, {-r, r, 0}, {r, -r, r}, {r, r, r}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
   return mesh;
 }
 
-TriangleMesh inverted(TriangleMesh mesh) {
+geometry::TriangleMesh inverted(geometry::TriangleMesh mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
 
-TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b) {
-  TriangleMesh mesh = a;
+geometry::TriangleMesh together(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
+  geometry::TriangleMesh mesh = a;
   const auto first = static_cast<std::uint32_t>(a.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (const auto& t : b.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});

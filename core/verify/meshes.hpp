@@ -7,22 +7,22 @@
 
 namespace abstand::verify {
 
-TriangleMesh boxMesh(const Vector3d& size, const Vector3d& centre = Vector3d::Zero());
+geometry::TriangleMesh boxMesh(const Vector3d& size, const Vector3d& centre = Vector3d::Zero());
 /// A simple polygon in x and y, counter-clockwise, from z = -height/2 to height/2. Its caps are cut into
 /// triangles by ears.
-TriangleMesh prismMesh(const std::vector<std::pair<double, double>>& polygon, double height);
+geometry::TriangleMesh prismMesh(const std::vector<std::pair<double, double>>& polygon, double height);
 /// A square base of edge `base` in z = 0, its tip at z = height.
-TriangleMesh spikeMesh(double base, double height);
+geometry::TriangleMesh spikeMesh(double base, double height);
 /// An icosahedron with corners at `inner` whose faces are raised to tips at `outer` from the centre.
-TriangleMesh starMesh(double inner, double outer);
+geometry::TriangleMesh starMesh(double inner, double outer);
 /// A ring about z: `around` times `across` quads.
-TriangleMesh torusMesh(double ring, double tube, int around, int across);
+geometry::TriangleMesh torusMesh(double ring, double tube, int around, int across);
 /// A polygon in r and z, counter-clockwise, turned about z.
-TriangleMesh latheMesh(const std::vector<std::pair<double, double>>& profile, int around);
+geometry::TriangleMesh latheMesh(const std::vector<std::pair<double, double>>& profile, int around);
 /// Four triangles, folded along y; open.
-TriangleMesh foldedSheet(double size);
+geometry::TriangleMesh foldedSheet(double size);
 
-TriangleMesh inverted(TriangleMesh mesh);
-TriangleMesh together(const TriangleMesh& a, const TriangleMesh& b);
+geometry::TriangleMesh inverted(geometry::TriangleMesh mesh);
+geometry::TriangleMesh together(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b);
 
 }  // namespace abstand::verify

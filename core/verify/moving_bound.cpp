@@ -37,7 +37,7 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
     pose = adversarialPose(bodies, seed + kOtherPoses + other, index);
   const AdversarialBody &a = bodies[pose.a], &b = bodies[pose.b];
   const std::size_t field = index % kFields.size();
-  const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
+  const structure::HapticStructure &A = *a.structures[field], &B = *b.structures[field];
   Random random(seed + kOtherPoses, index);
   BodyPath path;
   path.size = random.below(kStepSizes.size());
@@ -49,11 +49,11 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
   turn.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   turn.translation() = about - turn.linear() * about;
 
-  PairMemory memory;
-  PairScratch scratch;
-  PairResult result;
+  query::PairMemory memory;
+  kernels::PairScratch scratch;
+  query::PairResult result;
   for (std::size_t i = 0; i < kMotionSteps; ++i) {
-    queryPair(A, pose.X_WA, B, pose.X_WB, {}, memory, scratch, result);
+    query::queryPair(A, pose.X_WA, B, pose.X_WB, {}, memory, scratch, result);
     const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
     path.answers[i] = judge(result);
     path.overlapping[i] = judge.exact().overlapping;

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "core/base/state_hash.hpp"
+#include "core/math/random.hpp"
 #include "core/scene/scene.hpp"
 #include "core/verify/adversarial_bodies.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/random.hpp"
 
 namespace abstand::verify {
 namespace {
@@ -17,8 +17,8 @@ constexpr int kFrames = 20;
 constexpr double kMargin = 0.02;    // m
 constexpr double kPoseRange = 0.2;  // m
 
-Scene makeScene(const std::vector<AdversarialBody>& bodies) {
-  Scene scene;
+scene::Scene makeScene(const std::vector<AdversarialBody>& bodies) {
+  scene::Scene scene;
   std::vector<ObjectId> ids;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     ids.push_back(
@@ -28,17 +28,17 @@ Scene makeScene(const std::vector<AdversarialBody>& bodies) {
   return scene;
 }
 
-std::uint64_t fingerprint(const Scene& scene) {
+std::uint64_t fingerprint(const scene::Scene& scene) {
   StateHash hash;
   const auto add = [&hash](const Vector3d& v) {
     for (int i = 0; i < 3; ++i) hash.add(v[i]);
   };
-  for (const Pair& pair : scene.pairs()) {
-    const PairResult& r = pair.result;
+  for (const scene::Pair& pair : scene.pairs()) {
+    const query::PairResult& r = pair.result;
     for (const double v : {r.distance, r.bound, r.depth, static_cast<double>(r.contacts)}) hash.add(v);
     for (const Vector3d& v : {r.witness_a, r.witness_b, r.force_a, r.torque_a, r.torque_b}) add(v);
   }
-  for (const Object& object : scene.objects()) {
+  for (const scene::Object& object : scene.objects()) {
     add(object.contact.force);
     add(object.contact.torque);
   }
@@ -49,7 +49,7 @@ std::uint64_t fingerprint(const Scene& scene) {
 
 std::vector<CheckResult> checkSameBits(const VerifyOptions& options) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(options.threads);
-  Scene scene = makeScene(bodies);
+  scene::Scene scene = makeScene(bodies);
   std::vector<std::uint64_t> expected;
   std::vector<double> differs;
   CheckResult result;

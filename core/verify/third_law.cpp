@@ -23,11 +23,12 @@ struct Sums {
 Sums sums(const AdversarialBody& a, const AdversarialBody& b, const AdversarialPose& pose, Random& random) {
   Sums s;
   const std::size_t field = random.below(kFields.size());
-  const HapticStructure &A = *a.structures[field], &B = *b.structures[field];
-  const PairOptions options{.margin = random.chance(0.5) ? 0.0 : random.between(0.0, kMaxMargin),
-                            .stiffness = 1e6,
-                            .law = random.chance(0.5) ? ForceLaw::kVolume : ForceLaw::kThesis};
-  const PairResult r = query(A, pose.X_WA, B, pose.X_WB, options);
+  const structure::HapticStructure &A = *a.structures[field], &B = *b.structures[field];
+  const query::PairOptions options{
+      .margin = random.chance(0.5) ? 0.0 : random.between(0.0, kMaxMargin),
+      .stiffness = 1e6,
+      .law = random.chance(0.5) ? query::ForceLaw::kVolume : query::ForceLaw::kThesis};
+  const query::PairResult r = query(A, pose.X_WA, B, pose.X_WB, options);
   if (r.contacts == 0) return s;
   const Vector3d q = random.inCube(kPoseReach);
   const Vector3d arm_a = pose.X_WA * A.com - q, arm_b = pose.X_WB * B.com - q;
@@ -36,7 +37,7 @@ Sums sums(const AdversarialBody& a, const AdversarialBody& b, const AdversarialP
       r.torque_a.norm() + r.torque_b.norm() + (arm_a.norm() + arm_b.norm()) * r.force_a.norm();
   s.moment = size > 0.0 ? (on_a + on_b).norm() / size : 0.0;
   if (a.radius == b.radius) return s;
-  const PairResult back = query(B, pose.X_WB, A, pose.X_WA, options);
+  const query::PairResult back = query(B, pose.X_WB, A, pose.X_WA, options);
   const bool same = back.force_a == -r.force_a && back.torque_a == r.torque_b &&
                     back.torque_b == r.torque_a && back.distance == r.distance && back.bound == r.bound &&
                     back.contacts == r.contacts && back.witness_a == r.witness_b &&

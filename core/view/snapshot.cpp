@@ -1,8 +1,8 @@
 #include "core/view/snapshot.hpp"
 
-namespace abstand {
+namespace abstand::view {
 
-void capture(const Scene& scene, SceneSnapshot& snapshot) {
+void capture(const scene::Scene& scene, SceneSnapshot& snapshot) {
   const auto& objects = scene.objects();
   const auto& pairs = scene.pairs();
   const bool first = snapshot.captured < 0 || snapshot.pairs.size() != pairs.size();
@@ -12,7 +12,7 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
     snapshot.pairs[i] = {pairs[i].result, pairs[i].options.margin, pairs[i].paused};
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Object& o = objects[i];
+    const scene::Object& o = objects[i];
     snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(),  o.velocity,
                            o.contact, o.spec.margin, o.colliding, o.reach};
     const ObjectId id(static_cast<std::uint32_t>(i));
@@ -27,4 +27,4 @@ void capture(const Scene& scene, SceneSnapshot& snapshot) {
   snapshot.captured = scene.steps();
 }
 
-}  // namespace abstand
+}  // namespace abstand::view

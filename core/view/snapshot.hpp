@@ -9,11 +9,11 @@
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
 
-namespace abstand {
+namespace abstand::view {
 
 struct ObjectSnapshot {
   Transform X_WB{Transform::Identity()};
-  PoseState pose_state{PoseState::kFresh};
+  scene::PoseState pose_state{scene::PoseState::kFresh};
   Vector3d p_WCom{Vector3d::Zero()};
   Twist velocity;
   Wrench contact;
@@ -23,7 +23,7 @@ struct ObjectSnapshot {
 };
 
 struct PairSnapshot {
-  PairResult result;
+  query::PairResult result;
   double margin{0.0};
   bool paused{false};  ///< see Scene::setPaused: the result is stale
 };
@@ -51,16 +51,16 @@ struct PairGroupSnapshot {
 
 /// A robot that reacts, as of the last cycle.
 struct RobotSnapshot {
-  StopState state{StopState::kRunning};
-  StopCause cause;                            ///< of the present state; while it runs: of the last one before
-  double since{0.0};                          ///< s, when the state began
-  double speed_scale{1.0};                    ///< 0 to 1, share of the planned speed
-  long refused_resets{0};                     ///< since SceneSnapshot::loop_start
-  ResetRefusal refusal{ResetRefusal::kNone};  ///< of the last one
-  StopLog log;                                ///< of what came before, since SceneSnapshot::loop_start
+  safety::StopState state{safety::StopState::kRunning};
+  safety::StopCause cause;  ///< of the present state; while it runs: of the last one before
+  double since{0.0};        ///< s, when the state began
+  double speed_scale{1.0};  ///< 0 to 1, share of the planned speed
+  long refused_resets{0};   ///< since SceneSnapshot::loop_start
+  safety::ResetRefusal refusal{safety::ResetRefusal::kNone};  ///< of the last one
+  safety::StopLog log;  ///< of what came before, since SceneSnapshot::loop_start
   /// The worst of each joint against each kind of limit, since SceneSnapshot::loop_start: the first ones, and
   /// how many there are.
-  std::array<LimitBreach, 16> breaches;
+  std::array<mechanism::LimitBreach, 16> breaches;
   std::size_t breach_count{0};
 };
 
@@ -82,7 +82,7 @@ struct SceneSnapshot {
   double step_s{1e-3};            ///< s of wall time that a cycle may take: what the loop has chosen
   long played_cycles{0};          ///< since playing began or its speed changed
   long overruns{0};               ///< of these, those that took longer than step_s
-  StepCounts work;                ///< how the pairs of the last step came to their results
+  scene::StepCounts work;         ///< how the pairs of the last step came to their results
   double real_time_factor{kNaN};  ///< scene time played by wall time; NaN while it is not known
   /// Those of SceneOutline::reacting, in its order; empty while nothing reacts.
   std::vector<RobotSnapshot> robots;
@@ -95,7 +95,7 @@ struct SceneSnapshot {
 /// Fills objects, pairs, work and nearest_pair (the first of equal ones; pairs that were never queried do not
 /// count), as of the last step(), and leaves the rest alone. A snapshot stays with one scene: only what was
 /// renewed since the last capture is copied. Allocates nothing when the sizes are right already.
-void capture(const Scene& scene, SceneSnapshot& snapshot);
+void capture(const scene::Scene& scene, SceneSnapshot& snapshot);
 
 /// What does not change while a scene is open: names, groups, pairs, for the tree and the tables.
 struct SceneOutline {
@@ -112,12 +112,12 @@ struct SceneOutline {
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
   std::vector<std::string> pair_groups;
-  std::vector<std::string> reacting;  ///< mechanisms with a `reaction`
-  bool falls{false};                  ///< some things have a mass
-  std::string cannot_react;           ///< why the closed loop cannot play; empty: it can
-  std::vector<TriangleMesh> meshes;   ///< one an object, body frame, for drawing
-  double start{0.0}, end{0.0};        ///< s
-  double frame_period{0.01};          ///< s, one step of the timeline
+  std::vector<std::string> reacting;           ///< mechanisms with a `reaction`
+  bool falls{false};                           ///< some things have a mass
+  std::string cannot_react;                    ///< why the closed loop cannot play; empty: it can
+  std::vector<geometry::TriangleMesh> meshes;  ///< one an object, body frame, for drawing
+  double start{0.0}, end{0.0};                 ///< s
+  double frame_period{0.01};                   ///< s, one step of the timeline
   std::string title;
 };
 
@@ -129,4 +129,4 @@ struct PlotSample {
   TorqueParts peak_torque{0.0, 0.0, 0.0, 0.0};  ///< N m or N, largest magnitudes of all joints
 };
 
-}  // namespace abstand
+}  // namespace abstand::view

@@ -17,13 +17,13 @@ constexpr double kCoarse = 0.05;          // m, for structures of which only the
 constexpr std::size_t kSamples = 16;      // of a scene, for engines that need milliseconds a frame
 constexpr std::size_t kFewSamples = 50;
 
-HapticOptions options(double voxel, double point) {
+structure::HapticOptions options(double voxel, double point) {
   return {.voxel_size = voxel, .point_spacing = point, .outer_layers = 20};
 }
 
 /// Every triangle cut into four.
-TriangleMesh quartered(const TriangleMesh& mesh) {
-  TriangleMesh fine;
+geometry::TriangleMesh quartered(const geometry::TriangleMesh& mesh) {
+  geometry::TriangleMesh fine;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vector3d a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
     const Vector3d ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
@@ -33,7 +33,7 @@ TriangleMesh quartered(const TriangleMesh& mesh) {
       fine.triangles.push_back({first, first + 1, first + 2});
     }
   }
-  return weld(fine, 0.0);
+  return geometry::weld(fine, 0.0);
 }
 
 std::vector<double> times(double start, double end) {
@@ -43,24 +43,26 @@ std::vector<double> times(double start, double end) {
   return t;
 }
 
-SceneDescription shipped(const char* file) { return loadScene(dataFolder() / "scenes" / file); }
+scene_file::SceneDescription shipped(const char* file) {
+  return scene_file::loadScene(dataFolder() / "scenes" / file);
+}
 
 /// Bodies, pairs and poses as a session has them; at the frames of its recording where `t` is empty.
-BenchScene fromSession(SceneDescription description, std::vector<double> t, double sagitta) {
+BenchScene fromSession(scene_file::SceneDescription description, std::vector<double> t, double sagitta) {
   description.defaults.haptic = options(kCoarse, kCoarse);
   for (auto& object : description.objects) object.settings.voxel = object.settings.point = kCoarse;
-  SessionOptions session_options;
+  session::SessionOptions session_options;
   session_options.threads = 1;
   session_options.cache = false;
-  Session session(std::move(description), session_options);
+  session::Session session(std::move(description), session_options);
   BenchScene scene;
-  for (const Object& o : session.scene().objects())
+  for (const scene::Object& o : session.scene().objects())
     scene.bodies.push_back({o.spec.name, o.spec.structure->surface->mesh(sagitta)});
-  for (const Pair& p : session.scene().pairs()) scene.pairs.emplace_back(p.a.index(), p.b.index());
+  for (const scene::Pair& p : session.scene().pairs()) scene.pairs.emplace_back(p.a.index(), p.b.index());
   if (t.empty()) t = session.frameTimes();
   for (const double time : t) {
     session.applyMotion(time);
-    for (const Object& o : session.scene().objects()) scene.X_WB.push_back(o.X_WB);
+    for (const scene::Object& o : session.scene().objects()) scene.X_WB.push_back(o.X_WB);
   }
   return scene;
 }
@@ -101,8 +103,8 @@ const BenchScene& rods() {
 
 const BenchScene& armsPersonTable() {
   static const BenchScene scene = [] {
-    SceneDescription description = shipped("hug_boxing.yaml");
-    ObjectDescription table;
+    scene_file::SceneDescription description = shipped("hug_boxing.yaml");
+    scene_file::ObjectDescription table;
     table.name = "table";
     table.mesh = dataFolder() / "robots" / "hug" / "table.stl";
     table.X_WB.translation() = Vector3d(0.2, 0.0, 0.0);
@@ -124,7 +126,7 @@ const BenchScene& bunnyOnBunny() {
     s.name = "bunnies";
     s.what = "two bumpy balls of about 200 mm";
     s.options = options(0.002, 0.002);
-    const TriangleMesh mesh = testing::bumpyBall(0.1, 8.5e-6);
+    const geometry::TriangleMesh mesh = testing::bumpyBall(0.1, 8.5e-6);
     s.bodies = {{"fixed", mesh}, {"turning", mesh}};
     s.pairs = {{0, 1}};
     for (const double t : times(0.0, 2.0)) {
@@ -160,7 +162,8 @@ const BenchScene& pegInHole() {
     for (int i = 0; i <= kRows; ++i)
       block.emplace_back(kBlock, kHeight * (static_cast<double>(i) / kRows - 0.5));
     s.bodies.push_back({"block", verify::latheMesh(block, kSides)});
-    s.bodies.push_back({"peg", makeSurface(Shape{Cylinder{kPeg, kPegLength}})->mesh(1e-5)});
+    s.bodies.push_back(
+        {"peg", geometry::makeSurface(geometry::Shape{geometry::Cylinder{kPeg, kPegLength}})->mesh(1e-5)});
     s.pairs = {{0, 1}};
     for (const double t : times(0.0, 2.0)) {
       const double aside = 0.00006 + 0.00008 * std::sin(2.6 * kPi * t);  // m

@@ -14,11 +14,11 @@ namespace abstand::bench {
 struct BenchScene {
   struct Body {
     std::string name;
-    TriangleMesh mesh;
+    geometry::TriangleMesh mesh;
   };
   std::string name;
-  std::string what;       ///< a few words for the table
-  HapticOptions options;  ///< of our structures
+  std::string what;                  ///< a few words for the table
+  structure::HapticOptions options;  ///< of our structures
   std::vector<Body> bodies;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<Transform> X_WB;  ///< frame, then body

@@ -22,10 +22,11 @@ void build(benchmark::State& state, const BenchScene& (*make)(), std::size_t bod
   bodies = std::min(bodies, scene.bodies.size());
   std::size_t bytes = 0, points = 0;
   for (auto _ : state) {
-    std::vector<std::shared_ptr<const HapticStructure>> built(bodies);
+    std::vector<std::shared_ptr<const structure::HapticStructure>> built(bodies);
     parallelFor(0, bodies, [&](std::size_t i) {
-      const std::shared_ptr<const Surface> surface = makeSurface(scene.bodies[i].mesh);
-      built[i] = buildHapticStructure(scene.bodies[i].name, surface, scene.options, bodies == 1 ? 0 : 1);
+      const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(scene.bodies[i].mesh);
+      built[i] =
+          structure::buildHapticStructure(scene.bodies[i].name, surface, scene.options, bodies == 1 ? 0 : 1);
     });
     bytes = points = 0;
     for (const auto& s : built) {
@@ -40,12 +41,12 @@ BENCHMARK_CAPTURE(build, arms_person_table_4mm, armsPersonTable, 1000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void buildMesh(benchmark::State& state, const TriangleMesh& mesh, double voxel, double point) {
+void buildMesh(benchmark::State& state, const geometry::TriangleMesh& mesh, double voxel, double point) {
   std::size_t bytes = 0, points = 0;
   for (auto _ : state) {
-    const std::shared_ptr<const Surface> surface = makeSurface(mesh);
-    const auto s = buildHapticStructure("mesh", surface,
-                                        {.voxel_size = voxel, .point_spacing = point, .outer_layers = 6});
+    const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(mesh);
+    const auto s = structure::buildHapticStructure(
+        "mesh", surface, {.voxel_size = voxel, .point_spacing = point, .outer_layers = 6});
     bytes = s->memoryBytes();
     points = s->shell.size();
   }
@@ -58,9 +59,9 @@ void buildOf300000Triangles(benchmark::State& state) {
 BENCHMARK(buildOf300000Triangles)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 void shellOfAMillionPoints(benchmark::State& state) {
-  const auto surface = makeSurface(Shape{Sphere{0.5}});
+  const auto surface = geometry::makeSurface(geometry::Shape{geometry::Sphere{0.5}});
   std::size_t points = 0;
-  for (auto _ : state) points = makePointshell(*surface, 0.00164, 0).size();
+  for (auto _ : state) points = shell::makePointshell(*surface, 0.00164, 0).size();
   state.counters["points"] = static_cast<double>(points);
 }
 BENCHMARK(shellOfAMillionPoints)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
@@ -72,9 +73,9 @@ void openFromCache(benchmark::State& state) {
   setenv("ABSTAND_CACHE", folder.c_str(), 1);
   const auto file = dataFolder() / "scenes" / "hug_boxing.yaml";
   try {
-    { const Session first(loadScene(file), {}); }
+    { const session::Session first(scene_file::loadScene(file), {}); }
     for (auto _ : state) {
-      const Session session(loadScene(file), {});
+      const session::Session session(scene_file::loadScene(file), {});
       benchmark::DoNotOptimize(session.cachedStructures());
       state.counters["structures_from_cache"] = static_cast<double>(session.cachedStructures());
     }

@@ -6,25 +6,25 @@
 #include "core/physics/physics_world.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand::testing {
+namespace abstand::bench {
 namespace {
 
-const Mechanism& robot(const benchmark::State& state) {
-  static const Mechanism seven = sevenAxisArm(), whole = humanoid();
+const mechanism::Mechanism& robot(const benchmark::State& state) {
+  static const mechanism::Mechanism seven = testing::sevenAxisArm(), whole = testing::humanoid();
   return state.range(0) == 7 ? seven : whole;
 }
 
 /// A robot in one of 64 postures, with everything that the calls below need.
 struct Posture {
-  RigidTree tree;
+  mechanism::RigidTree tree;
   std::vector<std::vector<double>> q;
   std::vector<double> qd, qdd, out;
-  ForwardState state;
+  mechanism::ForwardState state;
   std::size_t i{0};
-  explicit Posture(const Mechanism& m) : tree(makeRigidTree(m)) {
-    for (std::uint64_t seed = 0; seed < 64; ++seed) q.push_back(randomValues(m.dof, seed, 0, 2.0));
-    qd = randomValues(m.dof, 1, 100, 2.0);
-    qdd = randomValues(m.dof, 1, 200, 2.0);
+  explicit Posture(const mechanism::Mechanism& m) : tree(mechanism::makeRigidTree(m)) {
+    for (std::uint64_t seed = 0; seed < 64; ++seed) q.push_back(testing::randomValues(m.dof, seed, 0, 2.0));
+    qd = testing::randomValues(m.dof, 1, 100, 2.0);
+    qdd = testing::randomValues(m.dof, 1, 200, 2.0);
     out.resize(q[0].size());
   }
   const std::vector<double>& next() { return q[i++ % q.size()]; }
@@ -32,9 +32,9 @@ struct Posture {
 
 void forwardKinematics(benchmark::State& state) {
   Posture p(robot(state));
-  MechanismState poses;
+  mechanism::MechanismState poses;
   for (auto _ : state) {
-    forward(robot(state), p.next(), poses);
+    mechanism::forward(robot(state), p.next(), poses);
     benchmark::DoNotOptimize(poses.X_BF.data());
   }
 }
@@ -43,7 +43,7 @@ BENCHMARK(forwardKinematics)->Arg(7)->Arg(47);
 void inverseDynamicsCall(benchmark::State& state) {
   Posture p(robot(state));
   for (auto _ : state) {
-    inverseDynamics(p.tree, p.next(), p.qd, p.qdd, kGravity, {}, p.state.tree, p.out);
+    mechanism::inverseDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state.tree, p.out);
     benchmark::DoNotOptimize(p.out.data());
   }
 }
@@ -52,8 +52,8 @@ BENCHMARK(inverseDynamicsCall)->Arg(7)->Arg(47);
 void massMatrixCall(benchmark::State& state) {
   Posture p(robot(state));
   for (auto _ : state) {
-    placeBodies(p.tree, p.next(), p.state.tree);
-    massMatrix(p.tree, p.state.tree, p.state.mass);
+    mechanism::placeBodies(p.tree, p.next(), p.state.tree);
+    mechanism::massMatrix(p.tree, p.state.tree, p.state.mass);
     benchmark::DoNotOptimize(p.state.mass.M.data());
   }
 }
@@ -62,7 +62,7 @@ BENCHMARK(massMatrixCall)->Arg(7)->Arg(47);
 void forwardDynamicsCall(benchmark::State& state) {
   Posture p(robot(state));
   for (auto _ : state) {
-    forwardDynamics(p.tree, p.next(), p.qd, p.qdd, kGravity, {}, p.state, p.out);
+    mechanism::forwardDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state, p.out);
     benchmark::DoNotOptimize(p.out.data());
   }
 }
@@ -70,26 +70,27 @@ BENCHMARK(forwardDynamicsCall)->Arg(7)->Arg(47);
 
 void effectiveMassCall(benchmark::State& state) {
   Posture p(robot(state));
-  forwardDynamics(p.tree, p.next(), p.qd, p.qdd, kGravity, {}, p.state, p.out);
+  mechanism::forwardDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state, p.out);
   const int frame = static_cast<int>(p.tree.frames.size()) - 1;
-  const Vector3d p_B = poseOfFrame(p.tree, p.state.tree, frame).translation();
+  const Vector3d p_B = mechanism::poseOfFrame(p.tree, p.state.tree, frame).translation();
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        effectiveMass(p.tree, p.state.tree, p.state.mass, frame, p_B, Vector3d::UnitX(), p.out));
+        mechanism::effectiveMass(p.tree, p.state.tree, p.state.mass, frame, p_B, Vector3d::UnitX(), p.out));
 }
 BENCHMARK(effectiveMassCall)->Arg(7)->Arg(47);
 
 /// One step of a world with `range(0)` dofs (14: two arms), solver `range(1)` (0: ODE's joints, 1: reduced).
 void physicsStep(benchmark::State& state) {
-  PhysicsWorld world;
-  MechanismOptions options;
-  options.solver = state.range(1) == 0 ? MechanismSolver::kJointed : MechanismSolver::kReduced;
+  physics::PhysicsWorld world;
+  physics::MechanismOptions options;
+  options.solver =
+      state.range(1) == 0 ? physics::MechanismSolver::kJointed : physics::MechanismSolver::kReduced;
   options.gravity_compensation = true;
   for (int i = 0; i < (state.range(0) == 14 ? 2 : 1); ++i) {
-    const Mechanism m = state.range(0) == 47 ? humanoid() : sevenAxisArm();
+    const mechanism::Mechanism m = state.range(0) == 47 ? testing::humanoid() : testing::sevenAxisArm();
     options.damping.assign(static_cast<std::size_t>(m.dof), 1.0);
     const int robot = world.addMechanism(m, Transform::Identity(), options);
-    world.mechanism(robot).setState(randomValues(m.dof, 1, 0, 0.3),
+    world.mechanism(robot).setState(testing::randomValues(m.dof, 1, 0, 0.3),
                                     std::vector(static_cast<std::size_t>(m.dof), 0.0));
   }
   for (auto _ : state) world.step(0.001);
@@ -97,4 +98,4 @@ void physicsStep(benchmark::State& state) {
 BENCHMARK(physicsStep)->ArgsProduct({{7, 14, 47}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace abstand::testing
+}  // namespace abstand::bench

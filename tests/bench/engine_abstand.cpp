@@ -24,39 +24,39 @@ class Abstand final : public Engine {
       case Work::kContact:
       case Work::kCollide:
         std::ranges::fill(answers, Answer{0.0, kNaN});
-        for (const PairSet::Touch& touch : pairs_.contacts(poses, {}))
+        for (const query::PairSet::Touch& touch : pairs_.contacts(poses, {}))
           answers[touch.pair].value = work == Work::kContact ? touch.penalty.depth : 1.0;
         break;
       case Work::kSmallest: {
-        const PairResult& nearest = pairs_.nearest(poses, {}).result;
+        const query::PairResult& nearest = pairs_.nearest(poses, {}).result;
         answers[0] = {nearest.distance, nearest.bound};
       }
     }
   }
 
  private:
-  using Structures = std::vector<std::shared_ptr<const HapticStructure>>;
+  using Structures = std::vector<std::shared_ptr<const structure::HapticStructure>>;
 
   static Structures build(const BenchScene& scene) {
     Structures structures;
     for (const auto& body : scene.bodies) {
-      const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
-      structures.push_back(buildHapticStructure(body.name, surface, scene.options));
+      const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(body.mesh);
+      structures.push_back(structure::buildHapticStructure(body.name, surface, scene.options));
     }
     return structures;
   }
-  static PairSet pairsOf(const BenchScene& scene, const Structures& structures) {
-    std::vector<const HapticStructure*> bodies;
+  static query::PairSet pairsOf(const BenchScene& scene, const Structures& structures) {
+    std::vector<const structure::HapticStructure*> bodies;
     for (const auto& s : structures) bodies.push_back(s.get());
-    std::vector<PairSet::Bodies> pairs;
+    std::vector<query::PairSet::Bodies> pairs;
     for (const auto& [a, b] : scene.pairs)
       pairs.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
     return {std::move(bodies), std::move(pairs)};
   }
 
   Structures structures_;
-  PairSet pairs_;
-  std::vector<PairResult> results_;
+  query::PairSet pairs_;
+  std::vector<query::PairResult> results_;
 };
 
 }  // namespace

@@ -8,25 +8,26 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/structures.hpp"
 
-namespace abstand::testing {
+namespace abstand::bench {
 namespace {
 
 /// An ellipsoid round a box at the given distance of centres (mm): touching, near, far.
 void queryAt(benchmark::State& state) {
-  const auto& a = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, FieldKind::kMixed);
-  const auto& b = structureOf(Cuboid{{0.1, 0.12, 0.3}}, FieldKind::kMixed);
+  const auto& a = testing::structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, structure::FieldKind::kMixed);
+  const auto& b = testing::structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed);
   std::vector<Transform> poses;
   for (std::uint64_t seed = 0; seed < 64; ++seed) {
-    Transform X = randomPose(seed, 0.0);
-    X.translation() =
-        randomPose(seed + 100).translation().normalized() * 1e-3 * static_cast<double>(state.range(0));
+    Transform X = testing::randomPose(seed, 0.0);
+    X.translation() = testing::randomPose(seed + 100).translation().normalized() * 1e-3 *
+                      static_cast<double>(state.range(0));
     poses.push_back(X);
   }
-  PairScratch scratch;
-  PairResult result;
+  kernels::PairScratch scratch;
+  query::PairResult result;
   std::size_t i = 0;
   for (auto _ : state) {
-    queryPair(a, poses[i++ % poses.size()], b, Transform::Identity(), {.margin = 0.02}, scratch, result);
+    query::queryPair(a, poses[i++ % poses.size()], b, Transform::Identity(), {.margin = 0.02}, scratch,
+                     result);
     benchmark::DoNotOptimize(result);
   }
 }
@@ -36,18 +37,19 @@ BENCHMARK(queryAt)->Arg(120)->Arg(200)->Arg(500)->Arg(2000);
 /// um.
 void denseContact(benchmark::State& state) {
   const double spacing = 1e-6 * static_cast<double>(state.range(0));
-  const auto inner = buildHapticStructure("inner", makeSurface(Cuboid{{0.1, 0.1, 0.1}}),
-                                          {.voxel_size = 0.005, .point_spacing = spacing});
-  const auto& outer = structureOf(Cuboid{{0.4, 0.4, 0.4}}, FieldKind::kMixed);
+  const auto inner =
+      structure::buildHapticStructure("inner", geometry::makeSurface(geometry::Cuboid{{0.1, 0.1, 0.1}}),
+                                      {.voxel_size = 0.005, .point_spacing = spacing});
+  const auto& outer = testing::structureOf(geometry::Cuboid{{0.4, 0.4, 0.4}}, structure::FieldKind::kMixed);
   std::vector<Transform> poses;
-  for (std::uint64_t seed = 0; seed < 16; ++seed) poses.push_back(randomPose(seed, 0.05));
-  PairScratch scratch;
-  PairResult result;
+  for (std::uint64_t seed = 0; seed < 16; ++seed) poses.push_back(testing::randomPose(seed, 0.05));
+  kernels::PairScratch scratch;
+  query::PairResult result;
   std::size_t i = 0;
   long points = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (auto _ : state) {
-    queryPair(*inner, poses[i++ % poses.size()], outer, Transform::Identity(), {}, scratch, result);
+    query::queryPair(*inner, poses[i++ % poses.size()], outer, Transform::Identity(), {}, scratch, result);
     points += result.contacts;
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
@@ -57,16 +59,16 @@ void denseContact(benchmark::State& state) {
 BENCHMARK(denseContact)->Arg(4000)->Arg(2000)->Unit(benchmark::kMicrosecond);
 
 void forwardOfThreeLinks(benchmark::State& state) {
-  const Mechanism chain = parseMechanism(
+  const mechanism::Mechanism chain = robot_file::parseMechanism(
       "chain\nframe 1 0 0 0 theta\nframe 2 1.1 0 0 theta\nframe 3 1.1 0 0 theta\nend_chain\n", "chain");
   const std::vector<double> q{0.3, -0.2, 0.7};
-  MechanismState mechanism_state;
+  mechanism::MechanismState mechanism_state;
   for (auto _ : state) {
-    forward(chain, q, mechanism_state);
+    mechanism::forward(chain, q, mechanism_state);
     benchmark::DoNotOptimize(mechanism_state.X_BF.data());
   }
 }
 BENCHMARK(forwardOfThreeLinks);
 
 }  // namespace
-}  // namespace abstand::testing
+}  // namespace abstand::bench

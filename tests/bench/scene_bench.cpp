@@ -10,40 +10,40 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/structures.hpp"
 
-namespace abstand::testing {
+namespace abstand::bench {
 namespace {
 
 constexpr std::uint32_t kObjects = 1000;
 constexpr double kHall = 10.0;  // m, half an edge of the cube that they lie in
 
 /// Things of a hall, all pairs, most of them metres apart.
-Scene hall() {
-  const std::shared_ptr<const HapticStructure> kinds[] = {
-      buildHapticStructure("box", makeSurface(Cuboid{{0.1, 0.12, 0.3}}), {}),
-      buildHapticStructure("rod", makeSurface(Capsule{0.04, 0.4}), {}),
-      buildHapticStructure("ball", makeSurface(Sphere{0.1}), {})};
-  Scene scene;
+scene::Scene hall() {
+  const std::shared_ptr<const structure::HapticStructure> kinds[] = {
+      structure::buildHapticStructure("box", geometry::makeSurface(geometry::Cuboid{{0.1, 0.12, 0.3}}), {}),
+      structure::buildHapticStructure("rod", geometry::makeSurface(geometry::Capsule{0.04, 0.4}), {}),
+      structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.1}), {})};
+  scene::Scene scene;
   for (std::uint32_t i = 0; i < kObjects; ++i)
     scene.addObject({"object" + std::to_string(i), "objects", kinds[i % 3], 0.05});
-  for (std::uint32_t i = 0; i < kObjects; ++i) scene.setPose(ObjectId(i), randomPose(i, kHall), 0.0);
+  for (std::uint32_t i = 0; i < kObjects; ++i) scene.setPose(ObjectId(i), testing::randomPose(i, kHall), 0.0);
   for (std::uint32_t a = 0; a < kObjects; ++a)
     for (std::uint32_t b = a + 1; b < kObjects; ++b) scene.addPair(ObjectId(a), ObjectId(b));
   return scene;
 }
 
 /// `moving` objects, spread over the scene, go on circles at 1 m/s; a step a millisecond.
-void stepOfAThousand(benchmark::State& state, const QueryCulling& culling, int moving, int threads) {
-  static Scene scene = hall();
+void stepOfAThousand(benchmark::State& state, const scene::QueryCulling& culling, int moving, int threads) {
+  static scene::Scene scene = hall();
   scene.setThreads(threads);
   scene.setCulling(culling);
   scene.step();
   long n = 0;
-  StepCounts sum;
+  scene::StepCounts sum;
   for (auto _ : state) {
     const double t = 0.001 * static_cast<double>(++n);
     for (int k = 0; k < moving; ++k) {
       const auto i = static_cast<std::uint32_t>(k) * kObjects / static_cast<std::uint32_t>(moving);
-      Transform X = randomPose(i, kHall);
+      Transform X = testing::randomPose(i, kHall);
       X.translation() += Vector3d(std::cos(t), std::sin(t), 0.0);
       X.linear() = X.linear() * Eigen::AngleAxisd(t, Vector3d::UnitX());
       scene.setPose(ObjectId(i), X, t);
@@ -64,28 +64,28 @@ void stepOfAThousand(benchmark::State& state, const QueryCulling& culling, int m
 #define ABSTAND_STEP(name, culling, moving, threads) \
   BENCHMARK_CAPTURE(stepOfAThousand, name, culling, moving, threads)->Unit(benchmark::kMicrosecond)
 
-ABSTAND_STEP(nothing_moves, QueryCulling{}, 0, 1);
-ABSTAND_STEP(ten_move_all_queried, QueryCulling{}, 10, 1);
-ABSTAND_STEP(ten_move_rest, QueryCulling{.rest = 0.01}, 10, 1);
-ABSTAND_STEP(ten_move_horizon, (QueryCulling{.horizon = 2.0}), 10, 1);
-ABSTAND_STEP(ten_move_both, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 1);
-ABSTAND_STEP(ten_move_half_a_millisecond, QueryCulling{.budget = 0.0005}, 10, 1);
-ABSTAND_STEP(ten_move_both_two_threads, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 2);
-ABSTAND_STEP(hundred_move_both, (QueryCulling{.rest = 0.01, .horizon = 2.0}), 100, 1);
+ABSTAND_STEP(nothing_moves, scene::QueryCulling{}, 0, 1);
+ABSTAND_STEP(ten_move_all_queried, scene::QueryCulling{}, 10, 1);
+ABSTAND_STEP(ten_move_rest, scene::QueryCulling{.rest = 0.01}, 10, 1);
+ABSTAND_STEP(ten_move_horizon, (scene::QueryCulling{.horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_both, (scene::QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 1);
+ABSTAND_STEP(ten_move_half_a_millisecond, scene::QueryCulling{.budget = 0.0005}, 10, 1);
+ABSTAND_STEP(ten_move_both_two_threads, (scene::QueryCulling{.rest = 0.01, .horizon = 2.0}), 10, 2);
+ABSTAND_STEP(hundred_move_both, (scene::QueryCulling{.rest = 0.01, .horizon = 2.0}), 100, 1);
 
 /// Structures of the arms, the person and the things, built once.
-Scene armsPersonTable() {
+scene::Scene sceneOfArmsPersonTable() {
   static const auto structures = [] {
-    std::vector<std::shared_ptr<const HapticStructure>> built;
-    const bench::BenchScene& from = bench::armsPersonTable();
+    std::vector<std::shared_ptr<const structure::HapticStructure>> built;
+    const BenchScene& from = armsPersonTable();
     for (const auto& body : from.bodies) {
-      const std::shared_ptr<const Surface> surface = makeSurface(body.mesh);
-      built.push_back(buildHapticStructure(body.name, surface, from.options));
+      const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(body.mesh);
+      built.push_back(structure::buildHapticStructure(body.name, surface, from.options));
     }
     return built;
   }();
-  const bench::BenchScene& from = bench::armsPersonTable();
-  Scene scene;
+  const BenchScene& from = armsPersonTable();
+  scene::Scene scene;
   for (std::size_t i = 0; i < from.bodies.size(); ++i)
     scene.addObject({from.bodies[i].name, "bodies", structures[i], 0.0});
   for (const auto& [a, b] : from.pairs)
@@ -94,19 +94,19 @@ Scene armsPersonTable() {
 }
 
 /// A step a frame of the capture, which lasts 10 ms.
-void stepOfArmsPersonTable(benchmark::State& state, const QueryCulling& culling) {
+void stepOfArmsPersonTable(benchmark::State& state, const scene::QueryCulling& culling) {
   constexpr double kFrame = 0.01;  // s
-  const bench::BenchScene* from = nullptr;
+  const BenchScene* from = nullptr;
   try {
-    from = &bench::armsPersonTable();
+    from = &armsPersonTable();
   } catch (const std::exception& e) {
     state.SkipWithError(e.what());
     return;
   }
-  Scene scene = armsPersonTable();
+  scene::Scene scene = sceneOfArmsPersonTable();
   scene.setCulling(culling);
-  CycleStatistics times(kInfinity);
-  StepCounts sum;
+  scene::CycleStatistics times(kInfinity);
+  scene::StepCounts sum;
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(from->frames()))) {
     for (std::size_t f = 0; f < from->frames(); ++f) {
       const auto begin = std::chrono::steady_clock::now();
@@ -130,11 +130,11 @@ void stepOfArmsPersonTable(benchmark::State& state, const QueryCulling& culling)
 #define ABSTAND_ARMS(name, culling) \
   BENCHMARK_CAPTURE(stepOfArmsPersonTable, name, culling)->Iterations(1)->Unit(benchmark::kMicrosecond)
 
-ABSTAND_ARMS(all_queried, QueryCulling{});
-ABSTAND_ARMS(remember, QueryCulling{.remember = true});
-ABSTAND_ARMS(remember_rest, (QueryCulling{.rest = 0.01, .remember = true}));
-ABSTAND_ARMS(remember_rest_longest, (QueryCulling{.rest = 1.0, .remember = true}));
-ABSTAND_ARMS(contacts_only, (QueryCulling{.horizon = 0.0}));
+ABSTAND_ARMS(all_queried, scene::QueryCulling{});
+ABSTAND_ARMS(remember, scene::QueryCulling{.remember = true});
+ABSTAND_ARMS(remember_rest, (scene::QueryCulling{.rest = 0.01, .remember = true}));
+ABSTAND_ARMS(remember_rest_longest, (scene::QueryCulling{.rest = 1.0, .remember = true}));
+ABSTAND_ARMS(contacts_only, (scene::QueryCulling{.horizon = 0.0}));
 
 }  // namespace
-}  // namespace abstand::testing
+}  // namespace abstand::bench

@@ -11,50 +11,50 @@ namespace abstand::testing {
 namespace {
 
 /// Coarser than the scenes are, and built once, so that the test is short; distances keep their bounds.
-std::unique_ptr<Session> sessionOf(const std::string& name) {
-  SceneDescription scene = loadScene(projectFile("data/scenes/" + name));
-  HapticOptions& haptic = scene.defaults.haptic;
+std::unique_ptr<session::Session> sessionOf(const std::string& name) {
+  scene_file::SceneDescription scene = scene_file::loadScene(projectFile("data/scenes/" + name));
+  structure::HapticOptions& haptic = scene.defaults.haptic;
   haptic.voxel_size = haptic.point_spacing = 0.015;
   haptic.outer_layers = 4;
   for (auto& o : scene.objects) o.settings.voxel = o.settings.point = 0.03;
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
-  return std::make_unique<Session>(std::move(scene), options);
+  return std::make_unique<session::Session>(std::move(scene), options);
 }
 
-RunSummary run(Session& session, double start, double end, bool react) {
-  RunOptions o;
+run::RunSummary run(session::Session& session, double start, double end, bool react) {
+  run::RunOptions o;
   o.start = start;
   o.end = end;
   o.react = react;
-  return runScene(session, o);
+  return run::runScene(session, o);
 }
 
 // The boxer steps towards the left arm and punches past it, s into the capture.
 constexpr double kBegin = 5.5, kEnd = 7.5;
 
-Session& hug() {
+session::Session& hug() {
   static const auto session = sessionOf("hug_avoid.yaml");
   return *session;
 }
-Session& humanoid() {
+session::Session& humanoid() {
   static const auto session = sessionOf("humanoid_self.yaml");
   return *session;
 }
 
 TEST(HugAvoid, ArmsThatDoNotReactAreHit) {
-  const RunSummary s = run(hug(), kBegin, kEnd, false);
+  const run::RunSummary s = run(hug(), kBegin, kEnd, false);
   EXPECT_EQ(s.pairs, 291u);
   EXPECT_LT(s.min_distance->value, -0.05);
   EXPECT_GT(s.contacts, 0);
 }
 
 TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
-  const RunSummary s = run(hug(), kBegin, kEnd, true);
+  const run::RunSummary s = run(hug(), kBegin, kEnd, true);
   EXPECT_EQ(s.cycles, 2001);
   ASSERT_EQ(s.robots.size(), 2u);
-  for (const ReactionReport& r : s.robots) {
+  for (const loop::ReactionReport& r : s.robots) {
     ASSERT_TRUE(r.nearest_person);
     EXPECT_GT(r.nearest_person->value, 0.01) << r.name;
     EXPECT_GT(r.record.most_off_plan, 0.1) << "it did move";
@@ -62,23 +62,23 @@ TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
   EXPECT_EQ(s.contacts, 0);
   // The left one was nearer than its limit for a while, stopped its plan, and went on.
   ASSERT_GE(s.robots[0].stops.size(), 1u);
-  EXPECT_EQ(s.robots[0].stops[0].cause.reason, StopReason::kDistance);
+  EXPECT_EQ(s.robots[0].stops[0].cause.reason, safety::StopReason::kDistance);
 }
 
 TEST(HugAvoid, JointsKeepTheLimitsOfTheirFileInEveryCycleOfTheCapture) {
   // Positions in rad, velocities in rad/s and efforts in N m may be beyond by rounding alone.
   constexpr double kShare = 1e-6;
   const std::vector<double> times = hug().frameTimes();
-  ClosedLoop loop(hug(), times.front());
+  loop::ClosedLoop loop(hug(), times.front());
   std::vector<double> fastest(14, 0.0);
   double nearest = kInfinity;
   while (loop.time() <= times.back()) {
     loop.step();
     for (std::size_t m = 0; m < 2; ++m) {
-      const ReactingRobot& robot = *loop.robots()[m];
+      const loop::ReactingRobot& robot = *loop.robots()[m];
       const auto& frames = robot.driver().mechanism().frames;
       for (std::size_t k = 0; k < 7; ++k) {
-        const JointLimits& l = frames[k].limits;
+        const mechanism::JointLimits& l = frames[k].limits;
         ASSERT_LE(robot.q()[k], l.upper * (1.0 + kShare)) << loop.time() << " s, arm " << m << " joint " << k;
         ASSERT_GE(robot.q()[k], l.lower * (1.0 + kShare)) << loop.time() << " s, arm " << m << " joint " << k;
         ASSERT_LE(std::abs(robot.qd()[k]), l.velocity * (1.0 + kShare))
@@ -95,16 +95,16 @@ TEST(HugAvoid, JointsKeepTheLimitsOfTheirFileInEveryCycleOfTheCapture) {
   }
   EXPECT_GT(nearest, 0.01) << "and the boxer is never touched";
   EXPECT_GT(*std::max_element(fastest.begin(), fastest.end()), 0.999) << "some joint needed all it has";
-  EXPECT_TRUE(jointLimitsOf(hug(), &loop, times.front(), times.back()).empty()) << "their plans neither";
+  EXPECT_TRUE(run::jointLimitsOf(hug(), &loop, times.front(), times.back()).empty()) << "their plans neither";
 }
 
 TEST(HumanoidSelf, ArmsThatDoNotReactGoThroughEachOther) {
-  const RunSummary s = run(humanoid(), 0.0, 2.2, false);
+  const run::RunSummary s = run(humanoid(), 0.0, 2.2, false);
   EXPECT_LT(s.min_distance->value, -0.03);
 }
 
 TEST(HumanoidSelf, ArmsThatReactStayApart) {
-  const RunSummary s = run(humanoid(), 0.0, 2.2, true);
+  const run::RunSummary s = run(humanoid(), 0.0, 2.2, true);
   ASSERT_EQ(s.robots.size(), 1u);
   EXPECT_GT(s.robots[0].nearest->value, 0.03);
   EXPECT_EQ(s.contacts, 0);

@@ -17,16 +17,17 @@ constexpr int kSteps = 4000;
 constexpr double kRounding = 1e-14;  // of three products of numbers near 1, relative to a reach of 3.3 m
 
 TEST(ExperimentChain, FollowsItsClosedFormInThePlane) {
-  const Mechanism chain = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
+  const mechanism::Mechanism chain =
+      robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   ASSERT_EQ(chain.dof, 3);
-  MechanismState state;
+  mechanism::MechanismState state;
   std::vector<double> q(3);
   double worst = 0.0;
   for (int step = 0; step <= kSteps; ++step) {
     const double alpha = 2.0 * kPi * step * kDt / kPeriod;
     const double q_i = std::asin(0.5 * std::sin(alpha));
     q.assign(3, q_i);
-    forward(chain, q, state);
+    mechanism::forward(chain, q, state);
 
     // In the plane a pose is a complex number e^{i phi}: sin q_i = 0.5 sin(alpha), cos q_i = sqrt(1 - sin^2
     // q_i).
@@ -51,10 +52,11 @@ TEST(ExperimentChain, FollowsItsClosedFormInThePlane) {
 }
 
 TEST(ExperimentChain, SwingsThirtyDegreesAJointAndReturns) {
-  const Mechanism chain = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
-  MechanismState state;
+  const mechanism::Mechanism chain =
+      robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
+  mechanism::MechanismState state;
   // At alpha = 90 degrees every joint stands at 30: the links point to 30, 60 and 90 degrees.
-  forward(chain, std::vector(3, std::asin(0.5)), state);
+  mechanism::forward(chain, std::vector(3, std::asin(0.5)), state);
   const double tolerance = 1e-15 * 100;
   EXPECT_NEAR(state.X_BF[2].translation().x(), kLength * (std::sqrt(3.0) / 2 + 0.5), tolerance);
   EXPECT_NEAR(state.X_BF[2].translation().y(), kLength * (0.5 + std::sqrt(3.0) / 2), tolerance);

@@ -7,13 +7,14 @@
 namespace abstand::testing {
 namespace {
 
-std::unique_ptr<Session> openHug() {
-  SessionOptions options;
+std::unique_ptr<session::Session> openHug() {
+  session::SessionOptions options;
   options.threads = 1;
-  return std::make_unique<Session>(loadScene(projectFile("data/scenes/hug_alone.yaml")), options);
+  return std::make_unique<session::Session>(scene_file::loadScene(projectFile("data/scenes/hug_alone.yaml")),
+                                            options);
 }
 
-std::vector<double> joints(const Session& session) {
+std::vector<double> joints(const session::Session& session) {
   std::vector<double> q;
   for (const auto& m : session.mechanisms()) q.insert(q.end(), m->q().begin(), m->q().end());
   return q;
@@ -23,7 +24,7 @@ TEST(ThesisHug, FourteenBodiesGiveSeventyNinePairs) {
   const auto session = openHug();
   EXPECT_EQ(session->scene().objectCount(), 14u);
   EXPECT_EQ(session->scene().pairs().size(), 79u);  // not 66: the thesis subtracts the neighbours twice
-  for (const Pair& p : session->scene().pairs()) EXPECT_DOUBLE_EQ(p.options.margin, 0.075);
+  for (const scene::Pair& p : session->scene().pairs()) EXPECT_DOUBLE_EQ(p.options.margin, 0.075);
 }
 
 TEST(ThesisHug, LinksOfTheDemoAreClearWithoutTheMargin) {
@@ -31,7 +32,7 @@ TEST(ThesisHug, LinksOfTheDemoAreClearWithoutTheMargin) {
   const auto times = session->frameTimes();
   for (std::size_t i = 0; i < times.size(); i += 25) {
     session->step(times[i]);
-    for (const Pair& p : session->scene().pairs())
+    for (const scene::Pair& p : session->scene().pairs())
       EXPECT_GT(p.result.distance, 0.0) << session->scene().object(p.a).spec.name << " "
                                         << session->scene().object(p.b).spec.name << " t = " << times[i];
   }
@@ -53,7 +54,7 @@ TEST(ThesisHug, TorquesPointAway) {
     double power = 0.0, depth = 0.0;
     for (std::size_t j = 0; j < q.size(); ++j) power += session->jointEfforts()[j] * (q[j] - q_before[j]);
     int contacts = 0;
-    for (const Pair& p : session->scene().pairs()) {
+    for (const scene::Pair& p : session->scene().pairs()) {
       depth += p.result.depth;
       contacts += p.result.contacts > 0;
     }

@@ -16,19 +16,19 @@ constexpr double kStiffness = 1e6;
 /// Rod A turns about z through its centre, counter-clockwise; its end comes up against the lower face of rod
 /// B.
 struct Rods {
-  Scene scene;
+  scene::Scene scene;
   ObjectId a, b;
   explicit Rods(const Vector3d& fixed = kRod) : a(add("turning", kRod)), b(add("fixed", fixed)) {
     scene.addPair(a, b);
-    scene.setForceLaw(ForceLaw::kVolume, kStiffness);
+    scene.setForceLaw(query::ForceLaw::kVolume, kStiffness);
     scene.setPose(b, fromXyzRpy(kFixedCentre, Vector3d::Zero()), 0.0);
   }
   ObjectId add(const char* name, const Vector3d& size) {
-    const auto& shared = structureOf(Cuboid{size}, FieldKind::kMixed);
+    const auto& shared = structureOf(geometry::Cuboid{size}, structure::FieldKind::kMixed);
     return scene.addObject(
-        {name, "objects", std::shared_ptr<const HapticStructure>(&shared, [](auto*) {}), 0.0});
+        {name, "objects", std::shared_ptr<const structure::HapticStructure>(&shared, [](auto*) {}), 0.0});
   }
-  const PairResult& turn(double angle, double t) {
+  const query::PairResult& turn(double angle, double t) {
     scene.setPose(a, fromXyzRpy(Vector3d::Zero(), {0, 0, angle}), t);
     scene.step();
     return scene.pairs()[0].result;
@@ -45,7 +45,7 @@ double overlapArea(double angle) {
 
 TEST(ThesisRods, NothingHappensApart) {
   Rods rods;
-  const PairResult& r = rods.turn(0.2, 0.0);
+  const query::PairResult& r = rods.turn(0.2, 0.0);
   EXPECT_GT(r.distance, 0.03);
   EXPECT_EQ(r.contacts, 0);
   EXPECT_EQ(r.force_a.norm(), 0.0);
@@ -57,15 +57,15 @@ TEST(ThesisRods, ForcesPushApartAndTorquesStopTheTurning) {
   double t = 0.0;
   for (double angle = 0.40; angle < 0.56; angle += 0.01) {
     SCOPED_TRACE(angle);
-    const PairResult& r = rods.turn(angle, t += 0.001);
+    const query::PairResult& r = rods.turn(angle, t += 0.001);
     if (r.contacts == 0) continue;
     ++touching;
     EXPECT_LT(r.force_a.y(), 0.0);                                // the turning rod is pushed back down
     EXPECT_GT(-r.force_a.y(), 5 * std::abs(r.force_a.x()));       // along the fixed rod's normal
     EXPECT_LT(std::abs(r.force_a.z()), 0.02 * r.force_a.norm());  // in the plane
     EXPECT_LT(r.torque_a.z(), 0.0);                               // against the turning
-    const Object& a = rods.scene.object(rods.a);
-    const Object& b = rods.scene.object(rods.b);
+    const scene::Object& a = rods.scene.object(rods.a);
+    const scene::Object& b = rods.scene.object(rods.b);
     EXPECT_EQ((a.contact.force + b.contact.force).norm(), 0.0);  // third law
     const Vector3d ab = b.p_WCom() - a.p_WCom();
     // T_A = -T_B - AB x F_B: the thesis's equation 5.2 with the term that it drops.

@@ -13,17 +13,18 @@
 namespace abstand::testing {
 namespace {
 
-std::unique_ptr<Session> openSpheres() {
-  SessionOptions options;
+std::unique_ptr<session::Session> openSpheres() {
+  session::SessionOptions options;
   options.threads = 1;
-  return std::make_unique<Session>(loadScene(projectFile("data/scenes/spheres.yaml")), options);
+  return std::make_unique<session::Session>(scene_file::loadScene(projectFile("data/scenes/spheres.yaml")),
+                                            options);
 }
 
 TEST(ThesisSpheres, StructuresAreThoseOfTheThesis) {
   const auto session = openSpheres();
   ASSERT_EQ(session->scene().objectCount(), 3u);
   ASSERT_EQ(session->scene().pairs().size(), 3u);
-  for (const Object& o : session->scene().objects()) {
+  for (const scene::Object& o : session->scene().objects()) {
     EXPECT_EQ(o.spec.structure->grid.size, Vector3i(61, 61, 61));
     EXPECT_NEAR(static_cast<double>(o.spec.structure->shell.size()), 1066, 120);
   }
@@ -54,7 +55,7 @@ TEST(ThesisSpheres, ForcesPointAlongTheLineOfCentres) {
   int touching = 0;
   for (const double t : session->frameTimes()) {
     session->step(t);
-    for (const Pair& p : session->scene().pairs()) {
+    for (const scene::Pair& p : session->scene().pairs()) {
       if (p.result.contacts < 5) continue;
       ++touching;
       const Vector3d away = session->scene().object(p.a).p_WCom() - session->scene().object(p.b).p_WCom();
@@ -69,13 +70,13 @@ TEST(ThesisSpheres, ForcesPointAlongTheLineOfCentres) {
 
 TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
   const auto session = openSpheres();
-  PairThreads threads(session->scene());
-  std::vector<PairThreads::GroupIndex> groups;
+  scene::PairThreads threads(session->scene());
+  std::vector<scene::PairThreads::GroupIndex> groups;
   for (std::uint32_t i = 0; i < 3; ++i) {
     groups.push_back(threads.addGroup({PairId(i)}));
     threads.start(groups.back());
   }
-  std::vector<PairResult> live(3);
+  std::vector<query::PairResult> live(3);
   const auto times = session->frameTimes();
   for (std::size_t k = 0; k < times.size(); k += times.size() / 40 + 1) {
     session->step(times[k]);
@@ -85,7 +86,7 @@ TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
     const auto same = [&] {
       threads.collect(live);
       for (std::size_t i = 0; i < 3; ++i) {
-        const PairResult& step = session->scene().pairs()[i].result;
+        const query::PairResult& step = session->scene().pairs()[i].result;
         const double allowed = 0.01 * std::abs(step.distance) + 1e-5;
         if (std::abs(live[i].distance - step.distance) > allowed || live[i].force_a != step.force_a)
           return false;

@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   const auto zero = std::min(bytes.find('\0'), bytes.size());
   const std::string asf = bytes.substr(0, zero), amc = bytes.substr(std::min(zero + 1, bytes.size()));
-  abstand::looksLikeAsf(asf);
-  abstand::looksLikeAmc(amc);
-  abstand::testing::readAll([&] { return abstand::AcclaimPoints(asf, "asf", amc, "amc"); });
+  abstand::tracking::looksLikeAsf(asf);
+  abstand::tracking::looksLikeAmc(amc);
+  abstand::testing::readAll([&] { return abstand::tracking::AcclaimPoints(asf, "asf", amc, "amc"); });
   return 0;
 }

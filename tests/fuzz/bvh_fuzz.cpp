@@ -9,8 +9,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    abstand::BvhReader reader(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
-    abstand::BvhPose pose(reader.hierarchy());
+    abstand::tracking::BvhReader reader(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
+    abstand::tracking::BvhPose pose(reader.hierarchy());
     while (const auto values = reader.next()) {
       pose.set(*values);
       for (const auto& p : pose.positions()) ABSTAND_CHECK(p.allFinite());

@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  abstand::looksLikeC3d(bytes);
-  abstand::testing::readAll([&] { return abstand::C3dReader(bytes, "fuzz"); });
+  abstand::tracking::looksLikeC3d(bytes);
+  abstand::testing::readAll([&] { return abstand::tracking::C3dReader(bytes, "fuzz"); });
   return 0;
 }

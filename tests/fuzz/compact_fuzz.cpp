@@ -8,6 +8,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  abstand::testing::readAll([&] { return abstand::CompactReader(bytes, "fuzz"); });
+  abstand::testing::readAll([&] { return abstand::tracking::CompactReader(bytes, "fuzz"); });
   return 0;
 }

@@ -25,25 +25,25 @@ void tryTo(const Read& read) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   tryTo([&] {
-    const abstand::PcdCloud cloud = abstand::parsePcd(bytes, "fuzz");
+    const abstand::tracking::PcdCloud cloud = abstand::tracking::parsePcd(bytes, "fuzz");
     ABSTAND_CHECK(cloud.points.size() ==
                   static_cast<std::size_t>(cloud.width) * static_cast<std::size_t>(cloud.height));
-    const abstand::FittedCamera fit = abstand::fitCamera(cloud, "fuzz");
+    const abstand::tracking::FittedCamera fit = abstand::tracking::fitCamera(cloud, "fuzz");
     ABSTAND_CHECK(fit.residual <= 0.5 && fit.camera.fx > 0.0);
   });
   tryTo([&] {
-    const abstand::NpyArray array = abstand::parseNpy(bytes, "fuzz");
+    const abstand::tracking::NpyArray array = abstand::tracking::parseNpy(bytes, "fuzz");
     std::size_t count = 1;
     for (const std::size_t n : array.size) count *= n;
     array.at(0);
     array.at(count - 1);
   });
   tryTo([&] {
-    for (const float z : abstand::parseFreenectDepth(bytes, "fuzz").image.z)
+    for (const float z : abstand::tracking::parseFreenectDepth(bytes, "fuzz").image.z)
       ABSTAND_CHECK(z >= 0.0f && z < 66.0f);
   });
   tryTo([&] {
-    const abstand::TiffSize size = abstand::checkDepthTiff(bytes, "fuzz");
+    const abstand::tracking::TiffSize size = abstand::tracking::checkDepthTiff(bytes, "fuzz");
     ABSTAND_CHECK(size.width > 0 && size.height > 0);
   });
   return 0;

@@ -9,10 +9,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  abstand::looksLikeIrdsCsv(bytes);
-  if (abstand::looksLikeUiPrmd(bytes))
-    abstand::testing::readAll([&] { return abstand::UiPrmdReader(bytes, "p", bytes, "a"); });
+  abstand::tracking::looksLikeIrdsCsv(bytes);
+  if (abstand::tracking::looksLikeUiPrmd(bytes))
+    abstand::testing::readAll([&] { return abstand::tracking::UiPrmdReader(bytes, "p", bytes, "a"); });
   else
-    abstand::testing::readAll([&] { return abstand::IrdsReader(bytes, "fuzz"); });
+    abstand::testing::readAll([&] { return abstand::tracking::IrdsReader(bytes, "fuzz"); });
   return 0;
 }

@@ -9,7 +9,7 @@
 
 namespace {
 
-void checkClean(const abstand::LoadedMesh& loaded) {
+void checkClean(const abstand::mesh_file::LoadedMesh& loaded) {
   const auto& mesh = loaded.mesh;
   ABSTAND_CHECK(!mesh.triangles.empty());
   ABSTAND_CHECK(loaded.report.triangles == mesh.triangles.size());
@@ -18,8 +18,8 @@ void checkClean(const abstand::LoadedMesh& loaded) {
     for (const auto v : t) ABSTAND_CHECK(v < mesh.vertices.size());
     ABSTAND_CHECK(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
   }
-  ABSTAND_CHECK(abstand::surfaceArea(mesh) > 0.0);
-  const auto m = abstand::massProperties(mesh);
+  ABSTAND_CHECK(abstand::geometry::surfaceArea(mesh) > 0.0);
+  const auto m = abstand::geometry::massProperties(mesh);
   ABSTAND_CHECK(std::isfinite(m.volume) && m.com.allFinite() && m.inertia.allFinite());
   ABSTAND_CHECK(!loaded.report.watertight || loaded.report.volume > 0.0);
 }
@@ -35,7 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (data[0] == 'f') format = "off";
   if (data[0] == 'd') format = "dae";
   try {
-    checkClean(abstand::parseMesh({reinterpret_cast<const char*>(data + 1), size - 1}, format, "fuzz"));
+    checkClean(
+        abstand::mesh_file::parseMesh({reinterpret_cast<const char*>(data + 1), size - 1}, format, "fuzz"));
   } catch (const abstand::ParseError&) {
   }
   return 0;

@@ -16,13 +16,13 @@ void readAll(Make make) {
     const std::size_t points = reader.names().size();
     for (const auto& p : reader.rest()) ABSTAND_CHECK(p.allFinite());
     double last = -kInfinity;
-    for (PointFrame f; reader.next(f);) {
+    for (tracking::PointFrame f; reader.next(f);) {
       ABSTAND_CHECK(f.p.size() == points && f.state.size() == points && f.t > last);
       last = f.t;
       for (std::size_t i = 0; i < points; ++i)
-        ABSTAND_CHECK(f.state[i] == JointState::kMissing || f.p[i].allFinite());
+        ABSTAND_CHECK(f.state[i] == humanmodel::JointState::kMissing || f.p[i].allFinite());
     }
-    ABSTAND_CHECK(!reader.next(*std::make_unique<PointFrame>()));
+    ABSTAND_CHECK(!reader.next(*std::make_unique<tracking::PointFrame>()));
     reader.warnings();
   } catch (const ParseError&) {
   }

@@ -24,13 +24,13 @@ std::filesystem::path sceneFile() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto file = sceneFile();
-  std::optional<abstand::SceneDescription> scene;
+  std::optional<abstand::scene_file::SceneDescription> scene;
   try {
-    scene = abstand::parseScene(std::string(reinterpret_cast<const char*>(data), size), file);
+    scene = abstand::scene_file::parseScene(std::string(reinterpret_cast<const char*>(data), size), file);
   } catch (const abstand::ParseError&) {
     return 0;
   }
-  const auto again = abstand::parseScene(abstand::describeScene(*scene), file);
+  const auto again = abstand::scene_file::parseScene(abstand::scene_file::describeScene(*scene), file);
   ABSTAND_CHECK(again.objects.size() == scene->objects.size());
   ABSTAND_CHECK(again.humans.size() == scene->humans.size());
   ABSTAND_CHECK(again.mechanisms.size() == scene->mechanisms.size());

@@ -21,8 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ABSTAND_CHECK(serve::checkControl(format, packet.control) == serve::PacketFault::kNone);
   } else {
     ABSTAND_CHECK(packet.type == serve::PacketType::kSkeleton && packet.index < format.people.size());
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (packet.skeleton.has(static_cast<Joint>(j)))
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (packet.skeleton.has(static_cast<humanmodel::Joint>(j)))
         ABSTAND_CHECK(packet.skeleton.p[j].cwiseAbs().maxCoeff() <= serve::kMaxCoordinate);
   }
   return 0;

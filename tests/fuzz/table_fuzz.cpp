@@ -9,10 +9,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  abstand::looksLikeSkeletonCsv(bytes);
-  if (abstand::looksLikeSkeletonJson(bytes))
-    abstand::testing::readAll([&] { return abstand::SkeletonJsonReader(bytes, "fuzz"); });
+  abstand::tracking::looksLikeSkeletonCsv(bytes);
+  if (abstand::tracking::looksLikeSkeletonJson(bytes))
+    abstand::testing::readAll([&] { return abstand::tracking::SkeletonJsonReader(bytes, "fuzz"); });
   else
-    abstand::testing::readAll([&] { return abstand::SkeletonCsvReader(bytes, "fuzz"); });
+    abstand::testing::readAll([&] { return abstand::tracking::SkeletonCsvReader(bytes, "fuzz"); });
   return 0;
 }

@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  abstand::looksLikeTrc(bytes);
-  abstand::testing::readAll([&] { return abstand::TrcReader(bytes, "fuzz"); });
+  abstand::tracking::looksLikeTrc(bytes);
+  abstand::testing::readAll([&] { return abstand::tracking::TrcReader(bytes, "fuzz"); });
   return 0;
 }

@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "humanmodel/anthropometry.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -39,15 +39,15 @@ std::vector<HumanModel> variety() {
   return people;
 }
 
-Vector3d halfExtents(const Shape& shape) {
-  if (const auto* e = std::get_if<Ellipsoid>(&shape)) return e->semi_axes;
-  return 0.5 * std::get<Cuboid>(shape).size;
+Vector3d halfExtents(const geometry::Shape& shape) {
+  if (const auto* e = std::get_if<geometry::Ellipsoid>(&shape)) return e->semi_axes;
+  return 0.5 * std::get<geometry::Cuboid>(shape).size;
 }
 
-bool contains(const Shape& shape, const Vector3d& p) {
+bool contains(const geometry::Shape& shape, const Vector3d& p) {
   const Vector3d scaled = p.cwiseQuotient(halfExtents(shape));
-  return std::holds_alternative<Ellipsoid>(shape) ? scaled.squaredNorm() <= 1.0
-                                                  : scaled.cwiseAbs().maxCoeff() <= 1.0;
+  return std::holds_alternative<geometry::Ellipsoid>(shape) ? scaled.squaredNorm() <= 1.0
+                                                            : scaled.cwiseAbs().maxCoeff() <= 1.0;
 }
 
 /// Frame of a part in the rest pose, where it has the world's axes.
@@ -96,7 +96,7 @@ TEST(HumanModel, ThesisPresetIsTheCorrectedTable) {
     for (const HumanPart& p : m.parts) {
       const Row& row = table[index(kindOf(p.part))];
       ASSERT_EQ(row.kind, kindOf(p.part));
-      EXPECT_EQ(std::holds_alternative<Cuboid>(p.shape), row.cuboid) << partName(p.part);
+      EXPECT_EQ(std::holds_alternative<geometry::Cuboid>(p.shape), row.cuboid) << partName(p.part);
       EXPECT_NEAR(p.length, row.length * h, kTable) << partName(p.part);
       EXPECT_NEAR(p.contour, row.contour * h, kTable) << partName(p.part);
       const Vector3d half = halfExtents(p.shape);
@@ -300,4 +300,4 @@ TEST(HumanModel, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

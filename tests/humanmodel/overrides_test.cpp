@@ -5,7 +5,7 @@
 #include "humanmodel/cross_section.hpp"
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -59,19 +59,19 @@ TEST(Overrides, EachMeasureActsAlone) {
   const HumanPart both = with(kHand, wish({}, 0.3, 0.06)).part(kHand);
   EXPECT_EQ(both.breadth, 0.06);
   EXPECT_NEAR(both.contour, 0.3, 1e-9);
-  EXPECT_NEAR(std::get<Ellipsoid>(both.shape).semi_axes.y(), 0.03, kRounding);
+  EXPECT_NEAR(std::get<geometry::Ellipsoid>(both.shape).semi_axes.y(), 0.03, kRounding);
 }
 
 TEST(Overrides, ShapeKeepsLengthAndContour) {
   const HumanPart usual = with(BodyPart::kTorso, {}, HumanPreset::kThesis).part(BodyPart::kTorso);
   const HumanPart round =
       with(BodyPart::kTorso, wish({}, {}, {}, {}, "ellipsoid"), HumanPreset::kThesis).part(BodyPart::kTorso);
-  ASSERT_TRUE(std::holds_alternative<Ellipsoid>(round.shape));
+  ASSERT_TRUE(std::holds_alternative<geometry::Ellipsoid>(round.shape));
   EXPECT_NEAR(round.contour, usual.contour, kRounding);
-  EXPECT_NEAR(2.0 * std::get<Ellipsoid>(round.shape).semi_axes.z(), usual.length, kRounding);
+  EXPECT_NEAR(2.0 * std::get<geometry::Ellipsoid>(round.shape).semi_axes.z(), usual.length, kRounding);
   const HumanPart box = with(BodyPart::kHead, wish({}, {}, {}, {}, "cuboid")).part(BodyPart::kHead);
-  ASSERT_TRUE(std::holds_alternative<Cuboid>(box.shape));
-  EXPECT_NEAR(std::get<Cuboid>(box.shape).size.z(), box.length, kRounding);
+  ASSERT_TRUE(std::holds_alternative<geometry::Cuboid>(box.shape));
+  EXPECT_NEAR(std::get<geometry::Cuboid>(box.shape).size.z(), box.length, kRounding);
 }
 
 TEST(Overrides, LengthMovesTheJoints) {
@@ -109,4 +109,4 @@ TEST(Overrides, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

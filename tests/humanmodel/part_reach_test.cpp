@@ -6,7 +6,7 @@
 #include "humanmodel/poser.hpp"
 #include "tests/humanmodel/skeletons.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 TEST(PartReach, TheQuantileHoldsNinetyNineInAHundred) {
@@ -64,4 +64,4 @@ TEST(PartSpread, GoesOnFromPartToPartAndStaysWhileHeld) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

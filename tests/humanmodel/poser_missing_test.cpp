@@ -3,7 +3,7 @@
 
 #include "tests/humanmodel/skeletons.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -226,4 +226,4 @@ TEST(PoserMissing, AnyJointsMayBeMissingAtAnyTime) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -6,7 +6,7 @@
 #include "tests/humanmodel/skeletons.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using testing::largestShift;
@@ -251,4 +251,4 @@ TEST(Poser, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -4,7 +4,7 @@
 #include "humanmodel/segment_frame.hpp"
 #include "tests/humanmodel/skeletons.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 using enum Joint;
@@ -143,4 +143,4 @@ TEST(SegmentFrame, HingesBlendFromNoiseToSure) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

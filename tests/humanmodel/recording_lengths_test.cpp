@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::humanmodel {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -133,4 +133,4 @@ TEST(RecordingLengths, LegRatio) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::humanmodel

@@ -8,28 +8,29 @@
 
 namespace abstand::testing {
 
-inline HumanModel person(double height = 1.75, HumanPreset preset = HumanPreset::kAnthropometric) {
-  HumanOptions options;
+inline humanmodel::HumanModel person(
+    double height = 1.75, humanmodel::HumanPreset preset = humanmodel::HumanPreset::kAnthropometric) {
+  humanmodel::HumanOptions options;
   options.height = height;
   options.preset = preset;
-  return makeHuman(options);
+  return humanmodel::makeHuman(options);
 }
 
-inline void drop(SkeletonFrame& frame, Joint joint) {
-  frame.set(joint, Vector3d::Constant(kNaN), JointState::kMissing);
+inline void drop(humanmodel::SkeletonFrame& frame, humanmodel::Joint joint) {
+  frame.set(joint, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
 }
 
 /// Turns the joints `moved` about `centre` by `angle` about `axis`.
-inline void bend(SkeletonFrame& frame, Joint centre, const Vector3d& axis, double angle,
-                 std::initializer_list<Joint> moved) {
+inline void bend(humanmodel::SkeletonFrame& frame, humanmodel::Joint centre, const Vector3d& axis,
+                 double angle, std::initializer_list<humanmodel::Joint> moved) {
   const Matrix3d R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-  for (const Joint j : moved) frame.set(j, frame[centre] + R * (frame[j] - frame[centre]));
+  for (const humanmodel::Joint j : moved) frame.set(j, frame[centre] + R * (frame[j] - frame[centre]));
 }
 
 /// A person of another height who walks: hips sway, all elbows and knees bend, the trunk leans and twists.
-inline SkeletonFrame walking(double t, double height = 1.62) {
-  using enum Joint;
-  SkeletonFrame f = person(height).rest;
+inline humanmodel::SkeletonFrame walking(double t, double height = 1.62) {
+  using enum humanmodel::Joint;
+  humanmodel::SkeletonFrame f = person(height).rest;
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
   const double s = std::sin(3.0 * t), c = std::cos(3.0 * t);
   bend(f, kElbowLeft, -y, 0.6 + 0.4 * s, {kWristLeft, kHandLeft});
@@ -50,17 +51,17 @@ inline SkeletonFrame walking(double t, double height = 1.62) {
 }
 
 /// Largest angle (rad) between the rotations of the same part.
-inline double largestTurn(const HumanPose& a, const HumanPose& b) {
+inline double largestTurn(const humanmodel::HumanPose& a, const humanmodel::HumanPose& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < kBodyPartCount; ++i)
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     largest = std::max(
         largest, Eigen::AngleAxisd(Matrix3d(a.X_WP[i].linear().transpose() * b.X_WP[i].linear())).angle());
   return largest;
 }
 
-inline double largestShift(const HumanPose& a, const HumanPose& b) {
+inline double largestShift(const humanmodel::HumanPose& a, const humanmodel::HumanPose& b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < kBodyPartCount; ++i)
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     largest = std::max(largest, (a.X_WP[i].translation() - b.X_WP[i].translation()).norm());
   return largest;
 }

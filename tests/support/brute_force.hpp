@@ -30,7 +30,7 @@ inline Vector3d nearestOfTriangle(const Vector3d& p, const Vector3d& a, const Ve
   return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
-inline double unsignedDistance(const TriangleMesh& mesh, const Vector3d& p) {
+inline double unsignedDistance(const geometry::TriangleMesh& mesh, const Vector3d& p) {
   double least = kInfinity;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     least = std::min(
@@ -46,36 +46,38 @@ inline Vector3d randomPoint(std::uint64_t seed, double reach) {
   return p;
 }
 
-inline std::vector<Shape> someShapes() {
-  return {Sphere{0.05},
-          Ellipsoid{{0.1, 0.1, 0.1}},
-          Ellipsoid{{0.09, 0.12, 0.3}},
-          Ellipsoid{{0.3, 0.3, 0.05}},
-          Ellipsoid{{0.05, 0.4, 0.05}},
-          Ellipsoid{{1.0, 0.01, 0.1}},
-          Cuboid{{0.2, 0.3, 0.5}},
-          Cylinder{0.05, 0.4},
-          Cylinder{0.3, 0.02},
-          Capsule{0.06, 0.3},
-          Capsule{0.1, 0.0}};
+inline std::vector<geometry::Shape> someShapes() {
+  return {geometry::Sphere{0.05},
+          geometry::Ellipsoid{{0.1, 0.1, 0.1}},
+          geometry::Ellipsoid{{0.09, 0.12, 0.3}},
+          geometry::Ellipsoid{{0.3, 0.3, 0.05}},
+          geometry::Ellipsoid{{0.05, 0.4, 0.05}},
+          geometry::Ellipsoid{{1.0, 0.01, 0.1}},
+          geometry::Cuboid{{0.2, 0.3, 0.5}},
+          geometry::Cylinder{0.05, 0.4},
+          geometry::Cylinder{0.3, 0.02},
+          geometry::Capsule{0.06, 0.3},
+          geometry::Capsule{0.1, 0.0}};
 }
 
 /// Half the diagonal of the bounds: the size that tolerances are relative to.
-inline double pairUncertainty(const Shape& shape) { return 0.5 * bounds(shape).extent().norm(); }
+inline double pairUncertainty(const geometry::Shape& shape) {
+  return 0.5 * geometry::bounds(shape).extent().norm();
+}
 
 /// A function that is negative inside, zero on the surface and positive outside, of the order of 1.
-inline double implicitValue(const Shape& shape, const Vector3d& p) {
+inline double implicitValue(const geometry::Shape& shape, const Vector3d& p) {
   struct {
     Vector3d p;
-    double operator()(const Sphere& s) const { return p.norm() / s.radius - 1; }
-    double operator()(const Ellipsoid& s) const { return p.cwiseQuotient(s.semi_axes).norm() - 1; }
-    double operator()(const Cuboid& s) const {
+    double operator()(const geometry::Sphere& s) const { return p.norm() / s.radius - 1; }
+    double operator()(const geometry::Ellipsoid& s) const { return p.cwiseQuotient(s.semi_axes).norm() - 1; }
+    double operator()(const geometry::Cuboid& s) const {
       return (2 * p.cwiseQuotient(s.size)).cwiseAbs().maxCoeff() - 1;
     }
-    double operator()(const Cylinder& s) const {
+    double operator()(const geometry::Cylinder& s) const {
       return std::max(std::hypot(p.x(), p.y()) / s.radius, std::abs(2 * p.z() / s.length)) - 1;
     }
-    double operator()(const Capsule& s) const {
+    double operator()(const geometry::Capsule& s) const {
       const double beyond = std::max(0.0, std::abs(p.z()) - 0.5 * s.length);
       return std::hypot(p.x(), p.y(), beyond) / s.radius - 1;
     }

@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "core/geometry/shape.hpp"
+#include "core/math/random.hpp"
 #include "core/verify/meshes.hpp"
-#include "core/verify/random.hpp"
 
 namespace abstand::testing {
 
-TriangleMesh bumpyTorus(double ring, double tube, int around, int across) {
-  TriangleMesh mesh = verify::torusMesh(ring, tube, around, across);
+geometry::TriangleMesh bumpyTorus(double ring, double tube, int around, int across) {
+  geometry::TriangleMesh mesh = verify::torusMesh(ring, tube, around, across);
   for (Vector3d& v : mesh.vertices) {
     const double a = std::atan2(v.y(), v.x());
     const Vector3d middle(ring * std::cos(a), ring * std::sin(a), 0.0);
@@ -20,15 +20,15 @@ TriangleMesh bumpyTorus(double ring, double tube, int around, int across) {
   return mesh;
 }
 
-TriangleMesh bumpyBall(double radius, double sagitta) {
+geometry::TriangleMesh bumpyBall(double radius, double sagitta) {
   constexpr int kWaves = 24;
   constexpr double kHeight = 0.3;  // of the radius, of a wave of frequency 1
-  TriangleMesh mesh = tessellate(Sphere{radius}, sagitta);
+  geometry::TriangleMesh mesh = geometry::tessellate(geometry::Sphere{radius}, sagitta);
   for (Vector3d& v : mesh.vertices) {
     const Vector3d out = v.normalized();
     double height = 0.0;
     for (int i = 0; i < kWaves; ++i) {
-      verify::Random random(7, static_cast<std::uint64_t>(i));
+      Random random(7, static_cast<std::uint64_t>(i));
       const Vector3d along = random.direction();
       const double frequency = random.between(2.0, 14.0);
       height += kHeight / frequency * std::sin(frequency * along.dot(out) + random.between(0.0, 6.0));

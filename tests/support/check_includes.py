@@ -80,6 +80,7 @@ def main():
     folders = {p.parent.relative_to(root).as_posix() for p in files}
     errors += [f"{m} is not in tests/support/modules.txt" for m in sorted(folders - set(allowed))]
     errors += [f"tests/support/modules.txt: {m} has no sources" for m in sorted(set(allowed) - folders)]
+    errors += [f"{f}/README.md is missing" for f in sorted(folders) if not (root / f / "README.md").exists()]
     for path in files:
         errors += check_file(root, path, allowed)
     print("\n".join(errors) or f"{len(files)} files of {len(folders)} modules follow the order")

@@ -8,9 +8,10 @@ namespace abstand::testing {
 namespace {
 
 /// Adds a frame with its mass and the limits of its joint; gives its index.
-int add(Mechanism& m, int parent, JointType type, const Vector3d& axis, const Vector3d& xyz,
-        const LinkInertia& body, double reach, double effort) {
-  MechanismFrame f = jointFrame(static_cast<int>(m.frames.size()) + 1, parent, type, axis, xyz, m.dof++);
+int add(mechanism::Mechanism& m, int parent, mechanism::JointType type, const Vector3d& axis,
+        const Vector3d& xyz, const mechanism::LinkInertia& body, double reach, double effort) {
+  mechanism::MechanismFrame f =
+      jointFrame(static_cast<int>(m.frames.size()) + 1, parent, type, axis, xyz, m.dof++);
   f.inertia = body;
   f.limits = {-reach, reach, 3.0, effort};
   m.frames.push_back(f);
@@ -20,14 +21,14 @@ int add(Mechanism& m, int parent, JointType type, const Vector3d& axis, const Ve
 const Vector3d kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
 /// Seven axes from a shoulder, alternately along the arm (`down`) and across it.
-int addArm(Mechanism& m, int parent, const Vector3d& shoulder, const Vector3d& down) {
+int addArm(mechanism::Mechanism& m, int parent, const Vector3d& shoulder, const Vector3d& down) {
   constexpr std::array kLength{0.11, 0.2, 0.2, 0.2, 0.2, 0.19, 0.08};
   constexpr std::array kMass{3.6, 3.4, 2.9, 2.6, 1.7, 1.5, 0.4};
   constexpr std::array kEffort{200.0, 200.0, 100.0, 100.0, 100.0, 40.0, 40.0};
   Vector3d at = shoulder;
   for (std::size_t i = 0; i < 7; ++i) {
     const Vector3d size = Vector3d::Constant(0.11) + kLength[i] * down.cwiseAbs();
-    parent = add(m, parent, JointType::kRevolute, i % 2 == 0 ? down : kY, at,
+    parent = add(m, parent, mechanism::JointType::kRevolute, i % 2 == 0 ? down : kY, at,
                  boxMass(kMass[i], size, 0.5 * kLength[i] * down), 2.9, kEffort[i]);
     at = kLength[i] * down;
   }
@@ -36,9 +37,9 @@ int addArm(Mechanism& m, int parent, const Vector3d& shoulder, const Vector3d& d
 
 }  // namespace
 
-MechanismFrame jointFrame(int id, int parent, JointType type, const Vector3d& axis, const Vector3d& xyz,
-                          int dof) {
-  MechanismFrame f;
+mechanism::MechanismFrame jointFrame(int id, int parent, mechanism::JointType type, const Vector3d& axis,
+                                     const Vector3d& xyz, int dof) {
+  mechanism::MechanismFrame f;
   f.id = id;
   f.name = std::to_string(id);
   f.parent = parent;
@@ -50,44 +51,47 @@ MechanismFrame jointFrame(int id, int parent, JointType type, const Vector3d& ax
   return f;
 }
 
-LinkInertia pointMass(double mass, const Vector3d& com_F) { return {mass, com_F, Matrix3d::Zero()}; }
+mechanism::LinkInertia pointMass(double mass, const Vector3d& com_F) {
+  return {mass, com_F, Matrix3d::Zero()};
+}
 
-LinkInertia boxMass(double mass, const Vector3d& size, const Vector3d& com_F) {
+mechanism::LinkInertia boxMass(double mass, const Vector3d& size, const Vector3d& com_F) {
   const Vector3d s = size.cwiseAbs2();
   return {mass, com_F,
           mass / 12.0 * Vector3d(s.y() + s.z(), s.x() + s.z(), s.x() + s.y()).asDiagonal().toDenseMatrix()};
 }
 
-Mechanism pendulum(double mass, double length) {
-  Mechanism m;
+mechanism::Mechanism pendulum(double mass, double length) {
+  mechanism::Mechanism m;
   m.dof = 1;
-  m.frames.push_back(jointFrame(1, -1, JointType::kRevolute, kY, Vector3d::Zero(), 0));
+  m.frames.push_back(jointFrame(1, -1, mechanism::JointType::kRevolute, kY, Vector3d::Zero(), 0));
   m.frames[0].inertia = pointMass(mass, {0, 0, -length});
   m.prepare();
   return m;
 }
 
-Mechanism doublePendulum(double m0, double l0, double m1, double l1) {
-  Mechanism m = pendulum(m0, l0);
+mechanism::Mechanism doublePendulum(double m0, double l0, double m1, double l1) {
+  mechanism::Mechanism m = pendulum(m0, l0);
   m.dof = 2;
-  m.frames.push_back(jointFrame(2, 0, JointType::kRevolute, kY, {0, 0, -l0}, 1));
+  m.frames.push_back(jointFrame(2, 0, mechanism::JointType::kRevolute, kY, {0, 0, -l0}, 1));
   m.frames[1].inertia = pointMass(m1, {0, 0, -l1});
   m.prepare();
   return m;
 }
 
-Mechanism randomRobot(std::uint64_t seed, int frames, bool mimic) {
+mechanism::Mechanism randomRobot(std::uint64_t seed, int frames, bool mimic) {
   auto draw = [&, stream = std::uint64_t{1000}]() mutable { return 2.0 * randomUnit(seed, ++stream) - 1.0; };
   const auto vector = [&](double size) { return Vector3d(size * draw(), size * draw(), size * draw()); };
-  Mechanism m;
+  mechanism::Mechanism m;
   for (int i = 0; i < frames; ++i) {
     // Mostly chains; every fourth frame branches off. Every fifth is fixed, every third of the rest slides.
     const int parent = i == 0 ? -1 : i - 1 - (i % 4 == 3 ? 1 : 0);
     const bool fixed = (i + static_cast<int>(seed % 5)) % 5 == 4;
-    const auto type = fixed                                       ? JointType::kFixed
-                      : (i + static_cast<int>(seed % 3)) % 3 == 2 ? JointType::kPrismatic
-                                                                  : JointType::kRevolute;
-    MechanismFrame f = jointFrame(i + 1, parent, type, i % 3 == 0 ? kZ : vector(1.0), vector(0.4), -1);
+    const auto type = fixed                                       ? mechanism::JointType::kFixed
+                      : (i + static_cast<int>(seed % 3)) % 3 == 2 ? mechanism::JointType::kPrismatic
+                                                                  : mechanism::JointType::kRevolute;
+    mechanism::MechanismFrame f =
+        jointFrame(i + 1, parent, type, i % 3 == 0 ? kZ : vector(1.0), vector(0.4), -1);
     f.X_PJ.linear() = randomPose(seed * 100 + static_cast<std::uint64_t>(i)).linear();
     if (!fixed) {
       const bool shares = mimic && m.dof > 1 && i % 3 == 1;
@@ -104,17 +108,17 @@ Mechanism randomRobot(std::uint64_t seed, int frames, bool mimic) {
   return m;
 }
 
-Mechanism sevenAxisArm() {
-  Mechanism m;
+mechanism::Mechanism sevenAxisArm() {
+  mechanism::Mechanism m;
   m.name = "seven";
   addArm(m, -1, Vector3d::Zero(), kZ);
   m.prepare();
   return m;
 }
 
-Mechanism humanoid() {
-  constexpr auto kTurn = JointType::kRevolute, kSlide = JointType::kPrismatic;
-  Mechanism m;
+mechanism::Mechanism humanoid() {
+  constexpr auto kTurn = mechanism::JointType::kRevolute, kSlide = mechanism::JointType::kPrismatic;
+  mechanism::Mechanism m;
   m.name = "humanoid";
   int at = add(m, -1, kSlide, kX, {0, 0, 0}, boxMass(1.0, {0.3, 0.3, 0.1}, {0, 0, 0.1}), kInfinity, 500);
   at = add(m, at, kSlide, kY, {0, 0, 0}, boxMass(1.0, {0.3, 0.3, 0.1}, {0, 0, 0.1}), kInfinity, 500);

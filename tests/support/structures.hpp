@@ -6,6 +6,7 @@
 namespace abstand::testing {
 
 /// 5 mm voxels and points, 20 outer layers.
-const HapticStructure& structureOf(const Shape& shape, FieldKind field, double spacing = 0.005);
+const structure::HapticStructure& structureOf(const geometry::Shape& shape, structure::FieldKind field,
+                                              double spacing = 0.005);
 
 }  // namespace abstand::testing

@@ -9,7 +9,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::Contains;
@@ -82,9 +82,9 @@ TEST_P(RealRecording, IsABody) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);
   std::size_t upright = 0, head_above = 0, left_is_left = 0;
-  for (const SkeletonFrame& f : r.frames) {
-    using J = Joint;
-    for (std::size_t j = 0; j < kJointCount; ++j) ASSERT_TRUE(f.p[j].allFinite());
+  for (const humanmodel::SkeletonFrame& f : r.frames) {
+    using J = humanmodel::Joint;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) ASSERT_TRUE(f.p[j].allFinite());
     const Vector3d trunk = f[J::kNeck] - f[J::kPelvis];
     const Vector3d thighs = f[J::kKneeLeft] - f[J::kHipLeft] + f[J::kKneeRight] - f[J::kHipRight];
     if (trunk.z() < 0.8 * trunk.norm() || thighs.z() > -0.5 * thighs.norm())
@@ -148,4 +148,4 @@ TEST(TinyFixture, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

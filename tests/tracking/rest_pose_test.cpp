@@ -9,7 +9,7 @@
 #include "core/math/turn_between.hpp"
 #include "tracking/bvh/bvh_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// A bone of the export: where its joint lies in the rest pose and in the movement's first frame, from its
@@ -88,18 +88,21 @@ std::string bvhOf(const std::vector<Bone>& bones) {
 TEST(RestPose, TPoseAPoseAndCmuGiveTheSameBody) {
   const Recording t_pose = readBvhRecording(bvhOf(person(90, 0)), "t.bvh", {});
   ASSERT_EQ(t_pose.report.mapped.size(), 14u);
-  EXPECT_NEAR((t_pose.frames[0][Joint::kElbowLeft] - t_pose.frames[0][Joint::kShoulderLeft]).x(), 0.18, 1e-9)
+  EXPECT_NEAR(
+      (t_pose.frames[0][humanmodel::Joint::kElbowLeft] - t_pose.frames[0][humanmodel::Joint::kShoulderLeft])
+          .x(),
+      0.18, 1e-9)
       << "the movement, not the rest pose";
   for (const auto& [arms, legs] : {std::pair{45.0, 0.0}, {90.0, 20.0}, {0.0, 0.0}}) {
     const Recording other = readBvhRecording(bvhOf(person(arms, legs)), "o.bvh", {});
     EXPECT_EQ(other.report.units_guess, t_pose.report.units_guess);
     EXPECT_EQ(other.report.up, t_pose.report.up);
     EXPECT_NEAR(other.report.stature, t_pose.report.stature, 1e-9);
-    for (std::size_t j = 0; j < kJointCount; ++j)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       EXPECT_LT((other.frames[0].p[j] - t_pose.frames[0].p[j]).norm(), 1e-9)
-          << jointName(static_cast<Joint>(j)) << " at " << arms;
+          << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << " at " << arms;
   }
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -73,7 +73,8 @@ int main(int argc, char** argv) {
   if (options.isSet("select"))
     window.selection().setObjects({session.indexOf(options.value("select").toStdString())});
   if (options.isSet("stale"))
-    session.setPoseState(session.indexOf(options.value("stale").toStdString()), abstand::PoseState::kStale);
+    session.setPoseState(session.indexOf(options.value("stale").toStdString()),
+                         abstand::scene::PoseState::kStale);
   for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso})
     if (window.actions()[id]->shortcut().toString() == options.value("camera"))
       window.actions()[id]->trigger();

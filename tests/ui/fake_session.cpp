@@ -91,8 +91,8 @@ FakeSession::FakeSession() {
   compute(0.0);
 }
 
-int FakeSession::addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh,
-                           double radius) {
+int FakeSession::addObject(const std::string& name, const std::string& group, bool human,
+                           geometry::TriangleMesh mesh, double radius) {
   outline_.objects.push_back({name, group, human, true});
   outline_.meshes.push_back(std::move(mesh));
   radii_.push_back(radius);
@@ -143,7 +143,7 @@ void FakeSession::place(double t) {
 }
 
 void FakeSession::relate() {
-  for (ObjectSnapshot& object : snapshot_.objects) {
+  for (view::ObjectSnapshot& object : snapshot_.objects) {
     object.contact = {};
     object.colliding = false;
   }
@@ -152,15 +152,16 @@ void FakeSession::relate() {
   for (std::size_t p = 0; p < outline_.pairs.size(); ++p) {
     const auto a = static_cast<std::size_t>(outline_.pairs[p].first);
     const auto b = static_cast<std::size_t>(outline_.pairs[p].second);
-    ObjectSnapshot &one = snapshot_.objects[a], &other = snapshot_.objects[b];
-    PairSnapshot& pair = snapshot_.pairs[p];
+    view::ObjectSnapshot &one = snapshot_.objects[a], &other = snapshot_.objects[b];
+    view::PairSnapshot& pair = snapshot_.pairs[p];
     const Vector3d between = other.p_WCom - one.p_WCom;
     const Vector3d n = between.normalized();
     pair.margin = one.margin + other.margin;
     const int of = snapshot_.pair_group[p];
-    pair.paused = of < 0 || snapshot_.groups[static_cast<std::size_t>(of)].state != PairGroupState::kRunning;
+    pair.paused =
+        of < 0 || snapshot_.groups[static_cast<std::size_t>(of)].state != view::PairGroupState::kRunning;
     if (pair.paused) continue;
-    PairResult& result = pair.result;
+    query::PairResult& result = pair.result;
     result.distance = between.norm() - radii_[a] - radii_[b];
     result.bound = 0.0015;
     result.witness_a = one.p_WCom + radii_[a] * n;
@@ -180,7 +181,7 @@ void FakeSession::relate() {
       snapshot_.nearest_pair = static_cast<int>(p);
     }
   }
-  TorqueParts peak{0.0, 0.0, 0.0, 0.0};
+  view::TorqueParts peak{0.0, 0.0, 0.0, 0.0};
   for (std::size_t j = 0; j < snapshot_.joint_efforts.size(); ++j) {
     snapshot_.joint_efforts[j] = 0.1 * force * static_cast<double>(snapshot_.joint_efforts.size() - j);
     const double share = static_cast<double>(j + 1);
@@ -193,7 +194,7 @@ void FakeSession::relate() {
 }
 
 void FakeSession::group() {
-  for (PairGroupSnapshot& group : snapshot_.groups) group.pairs = 0;
+  for (view::PairGroupSnapshot& group : snapshot_.groups) group.pairs = 0;
   for (const int of : snapshot_.pair_group)
     if (of >= 0) ++snapshot_.groups[static_cast<std::size_t>(of)].pairs;
 }
@@ -204,7 +205,7 @@ void FakeSession::setTorques(bool on) {
   compute(snapshot_.t);
 }
 
-void FakeSession::setGroup(int group, PairGroupState state) {
+void FakeSession::setGroup(int group, view::PairGroupState state) {
   constexpr const char* kStates[]{"run", "pause", "stop"};
   log.push_back(kStates[static_cast<std::size_t>(state)] + (" " + std::to_string(group)));
   snapshot_.groups[static_cast<std::size_t>(group)].state = state;
@@ -229,10 +230,10 @@ void FakeSession::compute(double t) {
   // Velocities from the pose a moment before.
   place(t - 1e-3);
   std::vector<Vector3d> before;
-  for (const ObjectSnapshot& object : snapshot_.objects) before.push_back(object.X_WB.translation());
+  for (const view::ObjectSnapshot& object : snapshot_.objects) before.push_back(object.X_WB.translation());
   place(t);
   for (std::size_t i = 0; i < before.size(); ++i) {
-    ObjectSnapshot& object = snapshot_.objects[i];
+    view::ObjectSnapshot& object = snapshot_.objects[i];
     object.p_WCom = object.X_WB.translation();
     object.velocity.linear = (object.p_WCom - before[i]) / 1e-3;
   }
@@ -261,14 +262,14 @@ void FakeSession::advance(double seconds) {
   }
 }
 
-bool FakeSession::takeSnapshot(SceneSnapshot& out) {
+bool FakeSession::takeSnapshot(view::SceneSnapshot& out) {
   if (!fresh_) return false;
   out = snapshot_;
   fresh_ = false;
   return true;
 }
 
-void FakeSession::drainPlot(std::vector<PlotSample>& out) {
+void FakeSession::drainPlot(std::vector<view::PlotSample>& out) {
   out.insert(out.end(), samples_.begin(), samples_.end());
   samples_.clear();
 }
@@ -310,12 +311,12 @@ void FakeSession::setPoseUncertainty(int object, double metres) {
   fresh_ = true;
 }
 
-void FakeSession::setPoseState(int object, PoseState state) {
+void FakeSession::setPoseState(int object, scene::PoseState state) {
   snapshot_.objects[static_cast<std::size_t>(object)].pose_state = state;
   fresh_ = true;
 }
 
-void FakeSession::setWork(const StepCounts& work) {
+void FakeSession::setWork(const scene::StepCounts& work) {
   snapshot_.work = work;
   fresh_ = true;
 }

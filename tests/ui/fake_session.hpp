@@ -14,10 +14,10 @@ class FakeSession : public SessionPort {
  public:
   FakeSession();
 
-  const SceneOutline& outline() const override { return outline_; }
-  const std::vector<SceneNote>& notes() const override { return scene_notes; }
-  bool takeSnapshot(SceneSnapshot& out) override;
-  void drainPlot(std::vector<PlotSample>& out) override;
+  const view::SceneOutline& outline() const override { return outline_; }
+  const std::vector<scene::SceneNote>& notes() const override { return scene_notes; }
+  bool takeSnapshot(view::SceneSnapshot& out) override;
+  void drainPlot(std::vector<view::PlotSample>& out) override;
   void play(bool on) override;
   void step(int frames) override;
   void seek(double t) override;
@@ -27,7 +27,7 @@ class FakeSession : public SessionPort {
   void resetStops() override;
   void setMargin(int object, double metres) override;
   void setTorques(bool on) override;
-  void setGroup(int group, PairGroupState state) override;
+  void setGroup(int group, view::PairGroupState state) override;
   void addPair(int group, int pair) override;
   void removePair(int pair) override;
 
@@ -36,9 +36,9 @@ class FakeSession : public SessionPort {
   double time() const { return snapshot_.t; }
   bool playing() const { return snapshot_.playing; }
   int indexOf(const std::string& name) const;
-  void setPoseState(int object, PoseState state);
+  void setPoseState(int object, scene::PoseState state);
   void setPoseUncertainty(int object, double metres);
-  void setWork(const StepCounts& work);
+  void setWork(const scene::StepCounts& work);
   /// Lets the arm react; `update` may change what is said of it.
   template <class Update>
   void setRobot(Update update) {
@@ -47,7 +47,7 @@ class FakeSession : public SessionPort {
     fresh_ = true;
   }
 
-  std::vector<SceneNote> scene_notes;
+  std::vector<scene::SceneNote> scene_notes;
   double speed{1.0};
   bool loop{false};
   std::vector<std::string> log;  ///< commands as they came: "seek 1.5", "margin 3 0.04" ...
@@ -56,17 +56,17 @@ class FakeSession : public SessionPort {
   void addRobot();
   void addPerson();
   void addThings();
-  int addObject(const std::string& name, const std::string& group, bool human, TriangleMesh mesh,
+  int addObject(const std::string& name, const std::string& group, bool human, geometry::TriangleMesh mesh,
                 double radius);
   void compute(double t);
   void group();
   void place(double t);
   void relate();
 
-  SceneOutline outline_;
-  SceneSnapshot snapshot_;
+  view::SceneOutline outline_;
+  view::SceneSnapshot snapshot_;
   std::vector<double> radii_;
-  std::vector<PlotSample> samples_;
+  std::vector<view::PlotSample> samples_;
   bool fresh_{true};
 };
 

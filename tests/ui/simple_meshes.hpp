@@ -9,8 +9,9 @@
 namespace abstand::ui {
 
 /// Superellipsoid about the origin: exponent 1 an ellipsoid, towards 0 a box with rounded edges.
-inline TriangleMesh roundedBody(const Vector3d& half, double exponent, int rings = 16, int sectors = 28) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh roundedBody(const Vector3d& half, double exponent, int rings = 16,
+                                          int sectors = 28) {
+  geometry::TriangleMesh mesh;
   const auto power = [exponent](double v) { return std::copysign(std::pow(std::abs(v), exponent), v); };
   for (int r = 0; r <= rings; ++r) {
     const double latitude = kPi * (static_cast<double>(r) / rings - 0.5);
@@ -33,8 +34,8 @@ inline TriangleMesh roundedBody(const Vector3d& half, double exponent, int rings
   return mesh;
 }
 
-inline TriangleMesh box(const Vector3d& half) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh box(const Vector3d& half) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)
     mesh.vertices.emplace_back(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
                                i & 4 ? half.z() : -half.z());

@@ -8,7 +8,7 @@
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::ui {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST_F(StudioProgram, ARecordingNeedsAPersonInAScene) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::ui

@@ -109,10 +109,10 @@ TEST_F(ViewportTest, EveryToggleChangesThePicture) {
 
 TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
   const QImage whole = pictureAt(5.5);
-  session.setPoseState(session.indexOf("operator/torso"), PoseState::kStale);
+  session.setPoseState(session.indexOf("operator/torso"), scene::PoseState::kStale);
   window.pull();
   EXPECT_NE(window.viewport().picture(), whole);
-  session.setPoseState(session.indexOf("operator/torso"), PoseState::kFresh);
+  session.setPoseState(session.indexOf("operator/torso"), scene::PoseState::kFresh);
   window.pull();
   EXPECT_EQ(window.viewport().picture(), whole);
   window.viewport().setObjectVisible(session.indexOf("table"), false);

@@ -215,17 +215,17 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
   EXPECT_TRUE(bar->isVisible());
   EXPECT_FALSE(reset->isEnabled());
 
-  StopCause cause{StopReason::kDistance, 0.0398, 0.04, 0, -1};
+  safety::StopCause cause{safety::StopReason::kDistance, 0.0398, 0.04, 0, -1};
   const auto [a, b] = session.outline().pairs[0];
   const QString pair =
       QString::fromStdString(session.outline().objects[static_cast<std::size_t>(a)].name + " – " +
                              session.outline().objects[static_cast<std::size_t>(b)].name);
-  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
-    robot.state = StopState::kProtectiveStop;
+  session.setRobot([&](view::SceneSnapshot&, view::RobotSnapshot& robot) {
+    robot.state = safety::StopState::kProtectiveStop;
     robot.cause = cause;
     robot.since = 6.574;
     robot.speed_scale = 0.0;
-    robot.log.add({6.574, StopState::kRunning, StopState::kProtectiveStop, cause, 6.574});
+    robot.log.add({6.574, safety::StopState::kRunning, safety::StopState::kProtectiveStop, cause, 6.574});
   });
   EXPECT_TRUE(shows(state, "⚠ arm: protective stop since 6.574 s, speed 0 %")) << state->text().toStdString();
   EXPECT_EQ(reason->text(), "distance 39.8 mm, limit 40.0 mm, " + pair);
@@ -234,10 +234,11 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
             "6.574 s  arm: running → protective stop: distance 39.8 mm, limit 40.0 mm, " + pair);
 
   // One line more for each change, and none twice.
-  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
-    robot.state = StopState::kWaitingForReset;
+  session.setRobot([&](view::SceneSnapshot&, view::RobotSnapshot& robot) {
+    robot.state = safety::StopState::kWaitingForReset;
     robot.since = 7.0;
-    robot.log.add({7.0, StopState::kProtectiveStop, StopState::kWaitingForReset, cause, 0.426});
+    robot.log.add(
+        {7.0, safety::StopState::kProtectiveStop, safety::StopState::kWaitingForReset, cause, 0.426});
   });
   EXPECT_TRUE(shows(bar, "⚠ arm: waiting for reset"));
   EXPECT_EQ(panel->log()->blockCount(), 2);
@@ -245,15 +246,15 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
   session.log.clear();
   reset->click();
   EXPECT_EQ(session.log, std::vector<std::string>{"reset stops"});
-  session.setRobot([&](SceneSnapshot&, RobotSnapshot& robot) {
+  session.setRobot([&](view::SceneSnapshot&, view::RobotSnapshot& robot) {
     robot.refused_resets = 1;
-    robot.refusal = ResetRefusal::kCause;
+    robot.refusal = safety::ResetRefusal::kCause;
   });
   EXPECT_TRUE(QTest::qWaitFor([&] { return panel->log()->blockCount() == 3; }, kWaitMs));
   EXPECT_TRUE(panel->log()->toPlainText().endsWith("arm: reset refused: a cause asks for a stop"));
 
   // A new beginning: nothing is behind them.
-  session.setRobot([&](SceneSnapshot& snapshot, RobotSnapshot& robot) {
+  session.setRobot([&](view::SceneSnapshot& snapshot, view::RobotSnapshot& robot) {
     robot = {};
     snapshot.loop_start = 3.2;
     ++snapshot.loops;
@@ -274,22 +275,22 @@ TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
   };
   const std::string joint = session.outline().joints.at(1).name;
   const bool slides = session.outline().joints.at(1).prismatic;
-  session.setRobot([](SceneSnapshot&, RobotSnapshot& robot) {
+  session.setRobot([](view::SceneSnapshot&, view::RobotSnapshot& robot) {
     robot.breach_count = 1;
-    robot.breaches[0] = {1, LimitKind::kVelocity, -2.1, -1.92, 6.574, 6.5, 3};
+    robot.breaches[0] = {1, mechanism::LimitKind::kVelocity, -2.1, -1.92, 6.574, 6.5, 3};
   });
   EXPECT_TRUE(lines(1));
   EXPECT_EQ(log->toPlainText().toStdString(),
             "6.574 s  arm: joint " + joint + " beyond its velocity limit: " +
                 (slides ? "-2.10 m/s, limit -1.92 m/s" : "-2.10 rad/s, limit -1.92 rad/s"));
   // Worse is no news, another limit is.
-  session.setRobot([](SceneSnapshot&, RobotSnapshot& robot) {
+  session.setRobot([](view::SceneSnapshot&, view::RobotSnapshot& robot) {
     robot.breach_count = 2;
     robot.breaches[0].value = -2.5;
-    robot.breaches[1] = {1, LimitKind::kEffort, 31.0, 30.0, 7.0, 7.0, 1};
+    robot.breaches[1] = {1, mechanism::LimitKind::kEffort, 31.0, 30.0, 7.0, 7.0, 1};
   });
   EXPECT_TRUE(lines(2));
-  session.setRobot([](SceneSnapshot& snapshot, RobotSnapshot& robot) {
+  session.setRobot([](view::SceneSnapshot& snapshot, view::RobotSnapshot& robot) {
     robot = {};
     ++snapshot.loops;
   });
@@ -302,9 +303,10 @@ TEST_F(WindowTest, ReservationsOfTheSceneAreListed) {
   EXPECT_EQ(panel.topLevelItemCount(), 0);
   EXPECT_EQ(title(), "Reservations");
   FakeSession doubtful;
-  doubtful.scene_notes = {{"missing_body", "1 of 2 links of arm have no body: tool", Severity::kAlways},
-                          {"units_guess", "a.bvh: the units are guessed (cm)", Severity::kStrict},
-                          {"remark", "a.bvh: read as cm, y up", Severity::kNote}};
+  doubtful.scene_notes = {
+      {"missing_body", "1 of 2 links of arm have no body: tool", scene::Severity::kAlways},
+      {"units_guess", "a.bvh: the units are guessed (cm)", scene::Severity::kStrict},
+      {"remark", "a.bvh: read as cm, y up", scene::Severity::kNote}};
   window.setSession(&doubtful);
   ASSERT_EQ(panel.topLevelItemCount(), 3);
   EXPECT_EQ(title(), "⚠ Reservations (2)");
@@ -422,7 +424,7 @@ TEST_F(WindowTest, TheTorquesOfAJointCanBePlotted) {
 
 TEST_F(WindowTest, WhyNothingReactsIsSaid) {
   RobotPanel panel;
-  SceneOutline outline;
+  view::SceneOutline outline;
   outline.reacting = {"arm"};
   outline.cannot_react = "s.yaml:3:5: error: found no mass";
   panel.open(outline);
@@ -432,15 +434,21 @@ TEST_F(WindowTest, WhyNothingReactsIsSaid) {
 }
 
 TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
-  const SceneOutline& outline = session.outline();
-  const auto text = [&](const StopCause& cause) { return causeText(cause, outline, 0).toStdString(); };
-  EXPECT_EQ(text({StopReason::kSeparation, 0.5, 0.25, -1, -1}), "separation 0.50 m/s, limit 0.25 m/s");
-  EXPECT_EQ(text({StopReason::kEnergy, 0.1234, 0.0, -1, -1}), "energy 0.123 J, limit 0.000 J");
-  EXPECT_EQ(text({StopReason::kLostPerson, kInfinity, 0.2, -1, -1}), "lost person – s, limit 0.200 s");
-  EXPECT_EQ(text({StopReason::kTorque, kNaN, 40.0, -1, 2}), "torque, limit 40.0 N·m, joint joint3");
-  EXPECT_EQ(text({StopReason::kJointSpeed, 2.5, 2.0, -1, 99}), "joint speed 2.50 rad/s, limit 2.00 rad/s");
-  EXPECT_EQ(text({StopReason::kUser}), "user");
-  EXPECT_EQ(text({StopReason::kBraking, 0.0123, 0.05, -1, -1}), "braking path 12.3 mm, limit 50.0 mm");
+  const view::SceneOutline& outline = session.outline();
+  const auto text = [&](const safety::StopCause& cause) {
+    return causeText(cause, outline, 0).toStdString();
+  };
+  EXPECT_EQ(text({safety::StopReason::kSeparation, 0.5, 0.25, -1, -1}),
+            "separation 0.50 m/s, limit 0.25 m/s");
+  EXPECT_EQ(text({safety::StopReason::kEnergy, 0.1234, 0.0, -1, -1}), "energy 0.123 J, limit 0.000 J");
+  EXPECT_EQ(text({safety::StopReason::kLostPerson, kInfinity, 0.2, -1, -1}),
+            "lost person – s, limit 0.200 s");
+  EXPECT_EQ(text({safety::StopReason::kTorque, kNaN, 40.0, -1, 2}), "torque, limit 40.0 N·m, joint joint3");
+  EXPECT_EQ(text({safety::StopReason::kJointSpeed, 2.5, 2.0, -1, 99}),
+            "joint speed 2.50 rad/s, limit 2.00 rad/s");
+  EXPECT_EQ(text({safety::StopReason::kUser}), "user");
+  EXPECT_EQ(text({safety::StopReason::kBraking, 0.0123, 0.05, -1, -1}),
+            "braking path 12.3 mm, limit 50.0 mm");
 }
 
 TEST_F(WindowTest, OpeningASceneIsShown) {

@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kCmuRate = 120.0;
@@ -22,7 +22,7 @@ std::filesystem::path findAsf(const std::filesystem::path& amc, const std::files
   std::error_code ec;
   for (fs::directory_iterator it(amc.has_parent_path() ? amc.parent_path() : fs::path("."), ec), end;
        !ec && it != end; it.increment(ec))
-    if (lowerCase(it->path().extension().string()) == ".asf") all.push_back(it->path());
+    if (text::lowerCase(it->path().extension().string()) == ".asf") all.push_back(it->path());
   std::sort(all.begin(), all.end());
   const fs::path* best = nullptr;
   for (const auto& path : all)
@@ -98,7 +98,7 @@ bool AcclaimPoints::next(PointFrame& frame) {
   if (motion_ ? !motion_->next(values_) : frames_ > 0) return false;
   if (!motion_) values_.assign(channels_, 0.0);
   place(values_, frame.p);
-  frame.state.assign(frame.p.size(), JointState::kTracked);
+  frame.state.assign(frame.p.size(), humanmodel::JointState::kTracked);
   frame.t = static_cast<double>(frames_++) / kCmuRate;
   return true;
 }
@@ -109,4 +109,4 @@ std::vector<FileWarning> AcclaimPoints::warnings() const {
       {0, "an ASF holds a skeleton without motion: one frame in its rest pose; open the AMC for the motion"}};
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/acclaim/asf_skeleton.hpp"
 #include "tracking/recording/point_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The skeleton of an AMC: what the user says; else the ASF beside it whose name is the longest begin of its
 /// own, as 11.asf of 11_01.amc; else the only ASF there. Throws ParseError where there is none.
@@ -41,4 +41,4 @@ class AcclaimPoints : public PointReader {
   std::size_t channels_{0}, frames_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

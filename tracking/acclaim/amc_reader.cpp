@@ -7,7 +7,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/acclaim/words.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 bool looksLikeAmc(std::string_view text) {
   if (text.starts_with("#!OML:ASF")) return true;
@@ -16,7 +16,7 @@ bool looksLikeAmc(std::string_view text) {
     const auto words = wordsOf(line);
     if (words.empty()) continue;
     if (words[0].front() != ':') return false;
-    const std::string key = lowerCase(words[0]);
+    const std::string key = text::lowerCase(words[0]);
     if (key == ":fully-specified" || key == ":degrees" || key == ":radians") return true;
   }
   return false;
@@ -32,7 +32,7 @@ AmcReader::AmcReader(std::string_view text, std::string file, const AsfSkeleton&
   }
   frame_of_bone_.assign(skeleton.bones.size(), 0);
   while (nextWords() && words_[0].front() == ':') {
-    const std::string key = lowerCase(words_[0]);
+    const std::string key = text::lowerCase(words_[0]);
     if (key == ":degrees") in_degrees_ = true;
     if (key == ":radians") in_degrees_ = false;
     has_words_ = false;
@@ -51,19 +51,19 @@ bool AmcReader::readBone(std::vector<double>& values) {
   const SourcePos pos{file_, lines_.number()};
   const auto it = index_.find(std::string(words_[0]));
   if (it == index_.end())
-    throw ParseError(pos, "found the bone " + inQuotes(words_[0]) + ", expected one of the skeleton");
+    throw ParseError(pos, "found the bone " + text::inQuotes(words_[0]) + ", expected one of the skeleton");
   const AsfBone& bone = skeleton_.bones[it->second];
   if (frame_of_bone_[it->second] == frames_ + 1)
-    throw ParseError(pos,
-                     "found the bone " + inQuotes(words_[0]) + " a second time in a frame, expected it once");
+    throw ParseError(
+        pos, "found the bone " + text::inQuotes(words_[0]) + " a second time in a frame, expected it once");
   if (words_.size() != bone.channels.size() + 1)
     throw ParseError(pos, "found " + std::to_string(words_.size() - 1) + " numbers for " +
-                              inQuotes(words_[0]) + ", expected " + std::to_string(bone.channels.size()) +
-                              " as its dof says");
+                              text::inQuotes(words_[0]) + ", expected " +
+                              std::to_string(bone.channels.size()) + " as its dof says");
   for (std::size_t k = 0; k < bone.channels.size(); ++k) {
     const auto v = parseDouble(words_[k + 1]);
     if (!v || std::abs(*v) > kLargestCoordinate)
-      throw ParseError(pos, "found " + inQuotes(words_[k + 1]) + ", expected a number below 1e9");
+      throw ParseError(pos, "found " + text::inQuotes(words_[k + 1]) + ", expected a number below 1e9");
     const bool is_angle = bone.channels[k] >= AsfChannel::kRx;
     values[first_[it->second] + k] = is_angle && in_degrees_ ? *v * (kPi / 180.0) : *v;
   }
@@ -79,7 +79,8 @@ bool AmcReader::next(std::vector<double>& values) {
   }
   const int start = lines_.number();
   if (words_.size() != 1 || !parseInt(words_[0]))
-    throw ParseError({file_, start}, "found " + inQuotes(words_[0]) + ", expected the number of a frame");
+    throw ParseError({file_, start},
+                     "found " + text::inQuotes(words_[0]) + ", expected the number of a frame");
   has_words_ = false;
   values.assign(channels_, 0.0);
   std::size_t bones = 0;
@@ -106,4 +107,4 @@ bool AmcReader::next(std::vector<double>& values) {
   return false;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

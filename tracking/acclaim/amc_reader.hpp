@@ -10,7 +10,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the text begins like an AMC: `#!OML:ASF`, or a line `:FULLY-SPECIFIED` before the first frame.
 bool looksLikeAmc(std::string_view text);
@@ -44,4 +44,4 @@ class AmcReader {
   std::vector<FileWarning> warnings_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMaxBones = 10000;
@@ -30,7 +30,7 @@ class AsfParser {
     while (lines_.next(line)) {
       const Words words = wordsOf(line);
       if (words.empty()) continue;
-      if (words[0].front() == ':') section_ = lowerCase(words[0]);
+      if (words[0].front() == ':') section_ = text::lowerCase(words[0]);
       if (section_ == ":documentation" || section_ == ":skin") continue;
       if (words[0].front() != ':') take(words);
     }
@@ -47,7 +47,7 @@ class AsfParser {
   double number(std::string_view word) const {
     const auto v = parseDouble(word);
     if (!v || std::abs(*v) > kLargestCoordinate)
-      fail("found " + inQuotes(word) + ", expected a number below 1e9");
+      fail("found " + text::inQuotes(word) + ", expected a number below 1e9");
     return *v;
   }
 
@@ -61,15 +61,15 @@ class AsfParser {
   }
 
   std::string orderOf(std::string_view word) const {
-    std::string order = lowerCase(word);
+    std::string order = text::lowerCase(word);
     std::string sorted = order;
     std::sort(sorted.begin(), sorted.end());
-    if (sorted != "xyz") fail("found " + inQuotes(word) + ", expected an order like XYZ");
+    if (sorted != "xyz") fail("found " + text::inQuotes(word) + ", expected an order like XYZ");
     return order;
   }
 
   void take(const Words& words) {
-    const std::string key = lowerCase(words[0]);
+    const std::string key = text::lowerCase(words[0]);
     if (section_ == ":units") takeUnit(key, words);
     if (section_ == ":root") takeRoot(key, words);
     if (section_ == ":bonedata") takeBone(key, words);
@@ -77,12 +77,13 @@ class AsfParser {
   }
 
   void takeUnit(const std::string& key, const Words& words) {
-    if (words.size() < 2) fail("found " + inQuotes(words[0]) + " alone, expected its unit");
+    if (words.size() < 2) fail("found " + text::inQuotes(words[0]) + " alone, expected its unit");
     if (key == "length") {
       out_.length = number(words[1]);
-      if (out_.length <= 0.0) fail("found a unit of length " + inQuotes(words[1]) + ", expected more than 0");
+      if (out_.length <= 0.0)
+        fail("found a unit of length " + text::inQuotes(words[1]) + ", expected more than 0");
     }
-    if (key == "angle") out_.in_degrees = !lowerCase(words[1]).starts_with("rad");
+    if (key == "angle") out_.in_degrees = !text::lowerCase(words[1]).starts_with("rad");
   }
 
   void takeRoot(const std::string& key, const Words& words) {
@@ -100,12 +101,13 @@ class AsfParser {
     bone.channels.clear();
     for (std::size_t i = 1; i < words.size(); ++i) {
       constexpr std::string_view kNames[]{"tx", "ty", "tz", "rx", "ry", "rz"};
-      const auto it = std::find(std::begin(kNames), std::end(kNames), lowerCase(words[i]));
+      const auto it = std::find(std::begin(kNames), std::end(kNames), text::lowerCase(words[i]));
       const auto channel = static_cast<AsfChannel>(it - std::begin(kNames));
       if (it == std::end(kNames) || (!is_root && channel < AsfChannel::kRx))
-        fail("found " + inQuotes(words[i]) + ", expected rx, ry or rz" + (is_root ? ", or tx to tz" : ""));
+        fail("found " + text::inQuotes(words[i]) + ", expected rx, ry or rz" +
+             (is_root ? ", or tx to tz" : ""));
       if (std::find(bone.channels.begin(), bone.channels.end(), channel) != bone.channels.end())
-        fail("found " + inQuotes(words[i]) + " a second time, expected it once");
+        fail("found " + text::inQuotes(words[i]) + " a second time, expected it once");
       bone.channels.push_back(channel);
     }
   }
@@ -119,7 +121,7 @@ class AsfParser {
       length_ = 1.0;
       return;
     }
-    if (!in_bone_) fail("found " + inQuotes(words[0]) + ", expected begin");
+    if (!in_bone_) fail("found " + text::inQuotes(words[0]) + ", expected begin");
     AsfBone& bone = bones_.back();
     if (key == "end") {
       in_bone_ = false;
@@ -127,7 +129,7 @@ class AsfParser {
         fail("found a bone without a name of its own, expected one");
       bone.offset *= length_;
       if (!index_.emplace(bone.name, bones_.size() - 1).second)
-        fail("found the bone " + inQuotes(bone.name) + " a second time, expected it once");
+        fail("found the bone " + text::inQuotes(bone.name) + " a second time, expected it once");
     } else if (key == "name") {
       if (words.size() < 2) fail("found no name, expected one");
       bone.name = words[1];
@@ -151,14 +153,14 @@ class AsfParser {
       if (name == "root") return std::size_t{0};
       const auto it = index_.find(std::string(name));
       if (it == index_.end())
-        fail("found " + inQuotes(name) + " in the hierarchy, expected a bone of :bonedata");
+        fail("found " + text::inQuotes(name) + " in the hierarchy, expected a bone of :bonedata");
       return it->second;
     };
     const std::size_t parent = bone(words[0]);
     for (std::size_t i = 1; i < words.size(); ++i) {
       AsfBone& child = bones_[bone(words[i])];
       if (child.parent >= 0 || &child == &bones_[0])
-        fail("found a second parent of " + inQuotes(words[i]) + ", expected one");
+        fail("found a second parent of " + text::inQuotes(words[i]) + ", expected one");
       child.parent = static_cast<int>(parent);
       children_.resize(bones_.size());
       children_[parent].push_back(bone(words[i]));
@@ -219,4 +221,4 @@ bool looksLikeAsf(std::string_view text) {
 
 AsfSkeleton parseAsf(std::string_view text, const std::string& file) { return AsfParser(text, file).parse(); }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What one number of a bone moves. Turns are about the bone's own axes.
 enum class AsfChannel : std::uint8_t { kTx, kTy, kTz, kRx, kRy, kRz };
@@ -39,4 +39,4 @@ bool looksLikeAsf(std::string_view text);
 /// skipped.
 AsfSkeleton parseAsf(std::string_view text, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Splits at blanks and parentheses; what follows a '#' is a remark.
 inline std::vector<std::string_view> wordsOf(std::string_view line) {
@@ -20,4 +20,4 @@ inline std::vector<std::string_view> wordsOf(std::string_view line) {
   return words;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -1,7 +1,7 @@
 // Cutting the model into segments, and forward kinematics.
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using enum RigSegment;
@@ -29,12 +29,16 @@ constexpr double kWristFlexion = unit::deg(70), kWristDeviation = unit::deg(35);
 constexpr double kAnkleDown = unit::deg(55), kAnkleUp = unit::deg(35), kAnkleRoll = unit::deg(30);
 
 RigSegment onSide(RigSegment left, int side) { return side > 0 ? left : segmentAt(index(left) + 1); }
-BodyPart onSide(BodyPart left, int side) { return static_cast<BodyPart>(index(left) + (side > 0 ? 0u : 1u)); }
-Joint jointOf(const HumanModel& model, BodyPart part) { return model.part(part).proximal; }
+humanmodel::BodyPart onSide(humanmodel::BodyPart left, int side) {
+  return static_cast<humanmodel::BodyPart>(humanmodel::index(left) + (side > 0 ? 0u : 1u));
+}
+humanmodel::Joint jointOf(const humanmodel::HumanModel& model, humanmodel::BodyPart part) {
+  return model.part(part).proximal;
+}
 
 /// World place of a part's centre in the rest pose.
-Vector3d centre(const HumanModel& model, BodyPart part) {
-  const HumanPart& p = model.part(part);
+Vector3d centre(const humanmodel::HumanModel& model, humanmodel::BodyPart part) {
+  const humanmodel::HumanPart& p = model.part(part);
   return model.rest[p.proximal] - p.p_proximal;
 }
 
@@ -59,12 +63,12 @@ void addHinge(RigPart& part, int i, const Vector3d& axis, double least, double m
 
 std::string_view segmentName(RigSegment s) { return kNames[index(s)]; }
 
-BodyRig makeRig(const HumanModel& model) {
+BodyRig makeRig(const humanmodel::HumanModel& model) {
   BodyRig rig;
   rig.height = model.height;
   std::array<Vector3d, kRigSegments> p_WS;  // origins in the rest pose
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  const SkeletonFrame& rest = model.rest;
+  const humanmodel::SkeletonFrame& rest = model.rest;
   const auto hang = [&](RigSegment s, RigSegment parent, const Vector3d& p_W) -> RigPart& {
     p_WS[index(s)] = p_W;
     RigPart& part = rig.parts[index(s)];
@@ -72,12 +76,12 @@ BodyRig makeRig(const HumanModel& model) {
     part.p_parent = p_W - p_WS[index(parent)];
     return part;
   };
-  const auto dress = [&](RigSegment s, BodyPart from) {
+  const auto dress = [&](RigSegment s, humanmodel::BodyPart from) {
     rig.parts[index(s)].shape = model.part(from).shape;
     rig.parts[index(s)].p_shape = centre(model, from) - p_WS[index(s)];
   };
 
-  const Vector3d pelvis = rest[Joint::kPelvis], neck = rest[Joint::kNeck];
+  const Vector3d pelvis = rest[humanmodel::Joint::kPelvis], neck = rest[humanmodel::Joint::kNeck];
   const Vector3d bend = pelvis + kBendShare * (neck - pelvis);
   RigPart& root = hang(kPelvis, kPelvis, pelvis);
   root.joint = RigJoint::kFree;
@@ -85,42 +89,43 @@ BodyRig makeRig(const HumanModel& model) {
   root.p_parent.setZero();
   addBall(hang(kChest, kPelvis, bend), z, z, kBack, kBackTwist);
   addBall(hang(kHead, kChest, neck), z, z, kNeckCone, kNeckTwist);
-  dress(kHead, BodyPart::kHead);
+  dress(kHead, humanmodel::BodyPart::kHead);
   for (const int side : {1, -1}) {
     const Vector3d out = side * y;
-    addBall(
-        hang(onSide(kUpperArmLeft, side), kChest, rest[jointOf(model, onSide(BodyPart::kBicepsLeft, side))]),
-        -z, x + 0.7 * out - 0.3 * z, kShoulderCone, kShoulderTwist);
+    addBall(hang(onSide(kUpperArmLeft, side), kChest,
+                 rest[jointOf(model, onSide(humanmodel::BodyPart::kBicepsLeft, side))]),
+            -z, x + 0.7 * out - 0.3 * z, kShoulderCone, kShoulderTwist);
     addHinge(hang(onSide(kForearmLeft, side), onSide(kUpperArmLeft, side),
-                  rest[jointOf(model, onSide(BodyPart::kForearmLeft, side))]),
+                  rest[jointOf(model, onSide(humanmodel::BodyPart::kForearmLeft, side))]),
              0, -y, -kOverstretch, kElbow);
     RigPart& hand = hang(onSide(kHandLeft, side), onSide(kForearmLeft, side),
-                         rest[jointOf(model, onSide(BodyPart::kHandLeft, side))]);
+                         rest[jointOf(model, onSide(humanmodel::BodyPart::kHandLeft, side))]);
     addHinge(hand, 0, x, -kWristFlexion, kWristFlexion);
     addHinge(hand, 1, y, -kWristDeviation, kWristDeviation);
-    addBall(hang(onSide(kThighLeft, side), kPelvis, rest[jointOf(model, onSide(BodyPart::kThighLeft, side))]),
+    addBall(hang(onSide(kThighLeft, side), kPelvis,
+                 rest[jointOf(model, onSide(humanmodel::BodyPart::kThighLeft, side))]),
             -z, x + 0.3 * out - 0.8 * z, kHipCone, kHipTwist);
     addHinge(hang(onSide(kCalfLeft, side), onSide(kThighLeft, side),
-                  rest[jointOf(model, onSide(BodyPart::kCalfLeft, side))]),
+                  rest[jointOf(model, onSide(humanmodel::BodyPart::kCalfLeft, side))]),
              0, y, -kOverstretch, kKnee);
     RigPart& foot = hang(onSide(kFootLeft, side), onSide(kCalfLeft, side),
-                         rest[jointOf(model, onSide(BodyPart::kFootLeft, side))]);
+                         rest[jointOf(model, onSide(humanmodel::BodyPart::kFootLeft, side))]);
     addHinge(foot, 0, y, -kAnkleUp, kAnkleDown);
     addHinge(foot, 1, x, -kAnkleRoll, kAnkleRoll);
-    dress(onSide(kUpperArmLeft, side), onSide(BodyPart::kBicepsLeft, side));
-    dress(onSide(kForearmLeft, side), onSide(BodyPart::kForearmLeft, side));
-    dress(onSide(kHandLeft, side), onSide(BodyPart::kHandLeft, side));
-    dress(onSide(kThighLeft, side), onSide(BodyPart::kThighLeft, side));
-    dress(onSide(kCalfLeft, side), onSide(BodyPart::kCalfLeft, side));
-    dress(onSide(kFootLeft, side), onSide(BodyPart::kFootLeft, side));
+    dress(onSide(kUpperArmLeft, side), onSide(humanmodel::BodyPart::kBicepsLeft, side));
+    dress(onSide(kForearmLeft, side), onSide(humanmodel::BodyPart::kForearmLeft, side));
+    dress(onSide(kHandLeft, side), onSide(humanmodel::BodyPart::kHandLeft, side));
+    dress(onSide(kThighLeft, side), onSide(humanmodel::BodyPart::kThighLeft, side));
+    dress(onSide(kCalfLeft, side), onSide(humanmodel::BodyPart::kCalfLeft, side));
+    dress(onSide(kFootLeft, side), onSide(humanmodel::BodyPart::kFootLeft, side));
   }
 
-  const HumanPart& torso = model.part(BodyPart::kTorso);
-  const Vector3d trunk = centre(model, BodyPart::kTorso);
+  const humanmodel::HumanPart& torso = model.part(humanmodel::BodyPart::kTorso);
+  const Vector3d trunk = centre(model, humanmodel::BodyPart::kTorso);
   const double top = trunk.z() + 0.5 * torso.length, bottom = trunk.z() - 0.5 * torso.length;
   const auto drum = [&](RigSegment s, double from, double to) {
     const Vector3d middle{trunk.x(), trunk.y(), 0.5 * (from + to)};
-    rig.parts[index(s)].shape = Ellipsoid{
+    rig.parts[index(s)].shape = geometry::Ellipsoid{
         {0.5 * kTrunkDepth * torso.depth, 0.5 * kTrunkBreadth * torso.breadth, 0.5 * kDrum * (to - from)}};
     rig.parts[index(s)].p_shape = middle - p_WS[index(s)];
   };
@@ -133,20 +138,20 @@ BodyRig makeRig(const HumanModel& model) {
     column += part.freedoms;
   }
 
-  const auto carry = [&](Joint j, RigSegment s) {
+  const auto carry = [&](humanmodel::Joint j, RigSegment s) {
     rig.carrier[static_cast<std::size_t>(j)] = s;
     rig.p_joint[static_cast<std::size_t>(j)] = rest[j] - p_WS[index(s)];
   };
-  using enum Joint;
-  for (const Joint j : {kPelvis, kHipLeft, kHipRight}) carry(j, RigSegment::kPelvis);
-  for (const Joint j : {kSpine, kThorax, kNeck, kShoulderLeft, kShoulderRight}) carry(j, kChest);
-  for (const Joint j : {Joint::kHead, kHeadTop}) carry(j, RigSegment::kHead);
+  using enum humanmodel::Joint;
+  for (const humanmodel::Joint j : {kPelvis, kHipLeft, kHipRight}) carry(j, RigSegment::kPelvis);
+  for (const humanmodel::Joint j : {kSpine, kThorax, kNeck, kShoulderLeft, kShoulderRight}) carry(j, kChest);
+  for (const humanmodel::Joint j : {humanmodel::Joint::kHead, kHeadTop}) carry(j, RigSegment::kHead);
   carry(kElbowLeft, kUpperArmLeft);
   carry(kElbowRight, kUpperArmRight);
   carry(kWristLeft, kForearmLeft);
   carry(kWristRight, kForearmRight);
-  carry(Joint::kHandLeft, RigSegment::kHandLeft);
-  carry(Joint::kHandRight, RigSegment::kHandRight);
+  carry(humanmodel::Joint::kHandLeft, RigSegment::kHandLeft);
+  carry(humanmodel::Joint::kHandRight, RigSegment::kHandRight);
   carry(kKneeLeft, kThighLeft);
   carry(kKneeRight, kThighRight);
   carry(kAnkleLeft, kCalfLeft);
@@ -174,9 +179,10 @@ void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS) {
   }
 }
 
-void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, JointState state, SkeletonFrame& frame) {
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    frame.set(static_cast<Joint>(j), X_WS[index(rig.carrier[j])] * rig.p_joint[j], state);
+void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::JointState state,
+              humanmodel::SkeletonFrame& frame) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    frame.set(static_cast<humanmodel::Joint>(j), X_WS[index(rig.carrier[j])] * rig.p_joint[j], state);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "humanmodel/human_model.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A parent stands before its children. The torso of the model is two segments here, as people bend.
 enum class RigSegment : std::uint8_t {
@@ -55,8 +55,8 @@ struct RigPart {
   Vector3d middle{-Vector3d::UnitZ()};    ///< ... the middle of where it may point, in the parent's frame
   double cone{kPi};                       ///< ... the most that it may be away from there
   double twist{kPi};                      ///< ... and the most that it may turn about itself
-  Shape shape{Sphere{0.01}};              ///< what a camera sees of it
-  Vector3d p_shape{Vector3d::Zero()};     ///< its centre, in S; its axes are those of S
+  geometry::Shape shape{geometry::Sphere{0.01}};  ///< what a camera sees of it
+  Vector3d p_shape{Vector3d::Zero()};             ///< its centre, in S; its axes are those of S
 };
 
 inline constexpr int kRigDof = 6 + 3 + 3 + 2 * (3 + 1 + 2) + 2 * (3 + 1 + 2);
@@ -66,8 +66,8 @@ struct BodyRig {
   std::array<RigPart, kRigSegments> parts;
   /// Each canonical joint: the segment that carries it and its place there (m). Shoulders, neck and thorax
   /// are the chest's, hips, pelvis and spine the pelvis's, an elbow the upper arm's, and so on.
-  std::array<RigSegment, kJointCount> carrier;
-  std::array<Vector3d, kJointCount> p_joint;
+  std::array<RigSegment, humanmodel::kJointCount> carrier;
+  std::array<Vector3d, humanmodel::kJointCount> p_joint;
   double height{0.0};  ///< m
 
   const RigPart& operator[](RigSegment s) const { return parts[index(s)]; }
@@ -75,7 +75,7 @@ struct BodyRig {
 
 /// The limits of the joints are the widest that healthy adults reach (Boone, Azen 1979; Kapandji), with 10
 /// degrees to spare, as no one's neutral pose is exactly the model's.
-BodyRig makeRig(const HumanModel& model);
+BodyRig makeRig(const humanmodel::HumanModel& model);
 
 /// Where all segments are.
 struct RigPose {
@@ -93,6 +93,7 @@ using RigPlacement = std::array<Transform, kRigSegments>;
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS);
 
 /// Where the canonical joints are, all of them with state `state`; `t` stays.
-void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, JointState state, SkeletonFrame& frame);
+void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::JointState state,
+              humanmodel::SkeletonFrame& frame);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "core/math/turn_between.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 Vector3d rotationVector(const Quaterniond& q) {
@@ -210,4 +210,4 @@ BodySolver::Vector difference(const BodyRig& rig, const RigPose& from, const Rig
   return d;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Collects the rows of a least-squares problem about one pose of a rig and takes a step.
 ///
@@ -74,4 +74,4 @@ void advance(const BodyRig& rig, const BodySolver::Vector& d, RigPose& pose);
 /// The change that leads from `from` to `to`, to first order the inverse of advance().
 BodySolver::Vector difference(const BodyRig& rig, const RigPose& from, const RigPose& to);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kInferredWeight = 0.25;
@@ -15,14 +15,15 @@ constexpr double kAtRest = 1e-7;  // rad, m
 
 }  // namespace
 
-JointFit fitJoints(const BodyRig& rig, const SkeletonFrame& frame, const RigPose& start, int most_steps) {
+JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, const RigPose& start,
+                   int most_steps) {
   BodySolver solver(rig);
   JointFit fit{start, kInfinity, 0};
   const auto misfit = [&](const RigPlacement& X_WS) {
     double sum = 0.0;
     int count = 0;
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      if (frame.state[j] == JointState::kMissing) continue;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      if (frame.state[j] == humanmodel::JointState::kMissing) continue;
       sum += (X_WS[index(rig.carrier[j])] * rig.p_joint[j] - frame.p[j]).squaredNorm();
       ++count;
     }
@@ -30,11 +31,11 @@ JointFit fitJoints(const BodyRig& rig, const SkeletonFrame& frame, const RigPose
   };
   for (; fit.steps < most_steps; ++fit.steps) {
     solver.begin(fit.pose);
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      if (frame.state[j] == JointState::kMissing) continue;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      if (frame.state[j] == humanmodel::JointState::kMissing) continue;
       const RigSegment s = rig.carrier[j];
       solver.addPoint(s, solver.placement()[index(s)] * rig.p_joint[j], frame.p[j],
-                      frame.state[j] == JointState::kTracked ? 1.0 : kInferredWeight);
+                      frame.state[j] == humanmodel::JointState::kTracked ? 1.0 : kInferredWeight);
     }
     solver.addLimits(kLimitWeight);
     const double moved = solver.step(kDamping, kMaxTurn);
@@ -47,27 +48,27 @@ JointFit fitJoints(const BodyRig& rig, const SkeletonFrame& frame, const RigPose
   return fit;
 }
 
-RigPose startAt(const SkeletonFrame& frame) {
+RigPose startAt(const humanmodel::SkeletonFrame& frame) {
   RigPose pose;
   Vector3d mean = Vector3d::Zero();
   int count = 0;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    if (frame.state[j] == JointState::kMissing) continue;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    if (frame.state[j] == humanmodel::JointState::kMissing) continue;
     mean += frame.p[j];
     ++count;
   }
   if (count > 0) pose.X_WP.translation() = mean / count;
-  if (frame.has(Joint::kPelvis)) pose.X_WP.translation() = frame[Joint::kPelvis];
+  if (frame.has(humanmodel::Joint::kPelvis)) pose.X_WP.translation() = frame[humanmodel::Joint::kPelvis];
   Vector3d left = Vector3d::Zero();
-  const auto line = [&](Joint l, Joint r) {
+  const auto line = [&](humanmodel::Joint l, humanmodel::Joint r) {
     if (frame.has(l) && frame.has(r)) left += frame[l] - frame[r];
   };
-  line(Joint::kHipLeft, Joint::kHipRight);
-  line(Joint::kShoulderLeft, Joint::kShoulderRight);
+  line(humanmodel::Joint::kHipLeft, humanmodel::Joint::kHipRight);
+  line(humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight);
   if (left.head<2>().norm() > 1e-6)
     pose.X_WP.linear() =
         Eigen::AngleAxisd(std::atan2(-left.x(), left.y()), Vector3d::UnitZ()).toRotationMatrix();
   return pose;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include "tracking/body/body_solver.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct JointFit {
   RigPose pose;
@@ -13,10 +13,11 @@ struct JointFit {
 
 /// Least squares over the joints of `frame`, from `start`, within the limits of the joints. Inferred joints
 /// count a quarter. No allocation, no throw.
-JointFit fitJoints(const BodyRig& rig, const SkeletonFrame& frame, const RigPose& start, int most_steps = 60);
+JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, const RigPose& start,
+                   int most_steps = 60);
 
 /// A pose to start from: standing, the pelvis on the hips of the frame (else on the mean of its joints) and
 /// turned as they are.
-RigPose startAt(const SkeletonFrame& frame);
+RigPose startAt(const humanmodel::SkeletonFrame& frame);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

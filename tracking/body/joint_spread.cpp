@@ -4,17 +4,17 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 
-std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const BodySolver& problem,
-                                             const BodySolver::Matrix& information) {
-  std::array<double, kJointCount> spread;
+std::array<double, humanmodel::kJointCount> jointSpreads(const BodyRig& rig, const BodySolver& problem,
+                                                         const BodySolver::Matrix& information) {
+  std::array<double, humanmodel::kJointCount> spread;
   spread.fill(kInfinity);
   BodySolver::Matrix H = information;
   H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff();
   const Eigen::LLT<BodySolver::Matrix> llt(H);
   if (llt.info() != Eigen::Success) return spread;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const RigSegment s = rig.carrier[j];
     const auto J = problem.jacobian(s, problem.placement()[index(s)] * rig.p_joint[j]);
     const Eigen::Matrix<double, kRigDof, 3> half = llt.matrixL().solve(J.transpose());
@@ -25,4 +25,4 @@ std::array<double, kJointCount> jointSpreads(const BodyRig& rig, const BodySolve
   return spread;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

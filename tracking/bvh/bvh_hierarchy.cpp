@@ -9,7 +9,7 @@
 #include "core/base/number.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kMaxChannels = 6;
@@ -18,7 +18,7 @@ constexpr double kShortestFrameTime = 1e-6;
 constexpr double kLongestFrameTime = 3600.0;
 
 std::string found(std::string_view word) {
-  return word.empty() ? "found the end of the file" : "found " + inQuotes(word);
+  return word.empty() ? "found the end of the file" : "found " + text::inQuotes(word);
 }
 
 double readLength(TextCursor& in, const std::string& what) {
@@ -31,7 +31,7 @@ double readLength(TextCursor& in, const std::string& what) {
 }
 
 std::optional<BvhChannel> parseChannel(std::string_view word) {
-  const std::string name = lowerCase(word);
+  const std::string name = text::lowerCase(word);
   if (name.size() < 2 || name[0] < 'x' || name[0] > 'z') return std::nullopt;
   const int axis = name[0] - 'x';
   const std::string_view kind = std::string_view(name).substr(1);
@@ -42,7 +42,8 @@ std::optional<BvhChannel> parseChannel(std::string_view word) {
 
 void readChannels(TextCursor& in, BvhJoint& joint, std::size_t& channel_count) {
   if (!joint.channels.empty())
-    throw ParseError(in.pos(), "found a second CHANNELS in joint " + inQuotes(joint.name) + ", expected one");
+    throw ParseError(in.pos(),
+                     "found a second CHANNELS in joint " + text::inQuotes(joint.name) + ", expected one");
   const auto word = in.word();
   const auto count = parseInt(word);
   if (!count || *count < 0 || *count > kMaxChannels)
@@ -91,14 +92,14 @@ class TreeReader {
     if (joint.name.empty()) throw ParseError(in_.pos(), "found no name, expected the name of a joint");
     const auto brace = in_.word();
     if (brace != "{")
-      throw ParseError(in_.pos(), found(brace) + ", expected '{' after joint " + inQuotes(joint.name));
+      throw ParseError(in_.pos(), found(brace) + ", expected '{' after joint " + text::inQuotes(joint.name));
     open_.push_back({out_.joints.size(), is_end});
     out_.joints.push_back(std::move(joint));
   }
 
   void step() {
     const auto word = in_.word();
-    const std::string key = lowerCase(word);
+    const std::string key = text::lowerCase(word);
     const Level level = open_.back();
     BvhJoint& joint = out_.joints[level.joint];
     if (key == "offset") {
@@ -112,11 +113,11 @@ class TreeReader {
       open(static_cast<int>(level.joint), true);
     } else if (key == "}") {
       if (!level.has_offset)
-        throw ParseError(in_.pos(),
-                         "found the end of joint " + inQuotes(joint.name) + ", expected its OFFSET first");
+        throw ParseError(in_.pos(), "found the end of joint " + text::inQuotes(joint.name) +
+                                        ", expected its OFFSET first");
       open_.pop_back();
     } else {
-      throw ParseError(in_.pos(), found(word) + " in joint " + inQuotes(joint.name) +
+      throw ParseError(in_.pos(), found(word) + " in joint " + text::inQuotes(joint.name) +
                                       ", expected OFFSET, CHANNELS, JOINT, End Site or '}'");
     }
   }
@@ -131,20 +132,21 @@ class TreeReader {
 BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warnings) {
   in.take("\xEF\xBB\xBF");  // the byte order mark that some editors write
   const auto first = in.word();
-  if (lowerCase(first) != "hierarchy") throw ParseError(in.pos(), found(first) + ", expected HIERARCHY");
+  if (text::lowerCase(first) != "hierarchy")
+    throw ParseError(in.pos(), found(first) + ", expected HIERARCHY");
   const auto root = in.word();
-  if (lowerCase(root) != "root") throw ParseError(in.pos(), found(root) + ", expected ROOT");
+  if (text::lowerCase(root) != "root") throw ParseError(in.pos(), found(root) + ", expected ROOT");
 
   BvhHierarchy h;
   TreeReader(in, h).readRoot();
   const std::size_t of_first_root = h.joints.size();
-  while (lowerCase(in.peek()) == "root") {
+  while (text::lowerCase(in.peek()) == "root") {
     in.word();
     const int line = in.line();
     const std::size_t next = h.joints.size();
     TreeReader(in, h).readRoot();
     warnings.push_back(
-        {line, "a further ROOT " + inQuotes(h.joints[next].name) + ": only the first person is read"});
+        {line, "a further ROOT " + text::inQuotes(h.joints[next].name) + ": only the first person is read"});
   }
   h.joints.resize(of_first_root);
   if (h.channel_count == 0)
@@ -153,14 +155,15 @@ BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warning
   std::unordered_set<std::string> names;
   for (const auto& joint : h.joints)
     if (!joint.name.ends_with("/end") && !names.insert(joint.name).second)
-      warnings.push_back({0, "the name " + inQuotes(joint.name) + " stands twice: the first joint is used"});
+      warnings.push_back(
+          {0, "the name " + text::inQuotes(joint.name) + " stands twice: the first joint is used"});
   return h;
 }
 
 BvhMotionHead parseBvhMotionHead(TextCursor& in, std::vector<FileWarning>& warnings) {
   BvhMotionHead head;
   const auto motion = in.word();
-  if (lowerCase(motion) != "motion") throw ParseError(in.pos(), found(motion) + ", expected MOTION");
+  if (text::lowerCase(motion) != "motion") throw ParseError(in.pos(), found(motion) + ", expected MOTION");
 
   if (!in.take("frames :")) throw ParseError(in.pos(), found(in.peek()) + ", expected 'Frames:'");
   const auto count = in.word();
@@ -181,4 +184,4 @@ BvhMotionHead parseBvhMotionHead(TextCursor& in, std::vector<FileWarning>& warni
   return head;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

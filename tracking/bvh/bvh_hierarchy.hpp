@@ -11,7 +11,7 @@
 #include "tracking/recording/file_warning.hpp"
 #include "tracking/recording/text_cursor.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What one number of a frame moves. Rotations are in degrees about the joint's own axes.
 enum class BvhChannel : std::uint8_t {
@@ -57,4 +57,4 @@ struct BvhMotionHead {
 };
 BvhMotionHead parseBvhMotionHead(TextCursor& in, std::vector<FileWarning>& warnings);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// R = R * (rotation about axis by degrees): only two columns change.
@@ -55,4 +55,4 @@ void BvhPose::set(std::span<const double> values) {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "tracking/bvh/bvh_hierarchy.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Forward kinematics of a BVH tree. BVH's convention is columns: a point of the joint's axes goes to its
 /// parent's by p_parent = t + R(first channel) R(second channel) R(third channel) p_joint, where t is the
@@ -31,4 +31,4 @@ class BvhPose {
   std::vector<Matrix3d> R_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

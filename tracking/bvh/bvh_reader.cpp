@@ -5,7 +5,7 @@
 
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -76,8 +76,8 @@ bool BvhReader::readNumber(double& value) {
     return false;
   }
   if (r.ec == std::errc{} && whole && std::isfinite(value))
-    throw ParseError(here(), "found " + inQuotes(word) + ", expected a number below 1e9");
-  throw ParseError(here(), "found " + inQuotes(word) + ", expected a number",
+    throw ParseError(here(), "found " + text::inQuotes(word) + ", expected a number below 1e9");
+  throw ParseError(here(), "found " + text::inQuotes(word) + ", expected a number",
                    word.find(',') != std::string_view::npos ? "the decimal point of BVH is a point" : "");
 }
 
@@ -150,4 +150,4 @@ bool BvhReader::readFrame() {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

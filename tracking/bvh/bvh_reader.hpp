@@ -8,7 +8,7 @@
 
 #include "tracking/bvh/bvh_hierarchy.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A BVH text, opened. The numbers of a frame are counted, not its lines: a frame may be spread over several
 /// lines, or several may share one. But where the first or the second line of the data holds exactly one
@@ -61,4 +61,4 @@ class BvhReader {
   std::vector<double> values_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -2,7 +2,7 @@
 
 #include "tracking/markers/point_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 bool looksLikeBvh(std::string_view text) {
   TextCursor in(text, "");
@@ -26,7 +26,7 @@ bool BvhPoints::next(PointFrame& frame) {
   pose_.set(*values);
   frame.t = static_cast<double>(reader_.framesRead() - 1) * reader_.head().frame_time;
   frame.p = pose_.positions();
-  frame.state.assign(frame.p.size(), JointState::kTracked);
+  frame.state.assign(frame.p.size(), humanmodel::JointState::kTracked);
   return true;
 }
 
@@ -35,4 +35,4 @@ Recording readBvhRecording(std::string text, const std::string& file, const Reco
   return readPoints(points, file, options);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the text begins like a BVH file.
 bool looksLikeBvh(std::string_view text);
@@ -36,4 +36,4 @@ class BvhPoints : public PointReader {
 /// UsageError for the options.
 Recording readBvhRecording(std::string text, const std::string& file, const RecordingOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

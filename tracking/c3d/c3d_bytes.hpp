@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The computers that C3D files come from, by the number in the file. DEC has integers as Intel has them, and
 /// floats of its own.
@@ -52,4 +52,4 @@ class C3dBytes {
   std::string file_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kHead = 4;  // bytes before the first record
@@ -80,7 +80,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
       found.emplace_back(id, name, pointer + 2);
     if (step == 0) break;
     if (step < 2) {
-      stop(pointer, "the record " + inQuotes(name) + " points back by " + std::to_string(step));
+      stop(pointer, "the record " + text::inQuotes(name) + " points back by " + std::to_string(step));
       if (id >= 0) found.pop_back();
       break;
     }
@@ -91,10 +91,10 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
     try {
       out.emplace((it == groups.end() ? "" : it->second) + ":" + name, readValues(bytes, place));
     } catch (const ParseError& e) {
-      warnings.push_back({0, e.message() + ": the parameter " + inQuotes(name) + " is left out"});
+      warnings.push_back({0, e.message() + ": the parameter " + text::inQuotes(name) + " is left out"});
     }
   }
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tracking/c3d/c3d_bytes.hpp"
 #include "tracking/recording/file_warning.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// One parameter: numbers, or texts.
 struct C3dParameter {
@@ -24,4 +24,4 @@ using C3dParameters = std::map<std::string, C3dParameter>;
 /// that is longer than the file, is left out with a warning.
 C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start, std::vector<FileWarning>& warnings);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kBlock = 512;
@@ -17,7 +17,7 @@ constexpr double kHighestRate = 1e6;  // Hz
 constexpr int kMaxLabelLists = 256;
 
 std::optional<UnitChoice> unitOf(const std::string& name) {
-  const std::string low = lowerCase(name);
+  const std::string low = text::lowerCase(name);
   const double scale = low == "mm" ? 0.001 : low == "cm" ? 0.01 : low == "m" ? 1.0 : 0.0;
   if (scale == 0.0) return std::nullopt;
   return UnitChoice{low, "POINT:UNITS of the file", scale, ""};
@@ -159,15 +159,16 @@ void C3dReader::describe() {
     return it == parameters_.end() || it->second.texts.empty() ? std::string() : it->second.texts[0];
   };
   facts_.unit = unitOf(text("POINT:UNITS"));
-  std::string up = lowerCase(text("POINT:Y_SCREEN"));
+  std::string up = text::lowerCase(text("POINT:Y_SCREEN"));
   if (up.starts_with('+')) up.erase(0, 1);
   if (up == "x" || up == "y" || up == "z" || up == "-x" || up == "-y" || up == "-z")
     facts_.up = UpChoice{up, "POINT:Y_SCREEN of the file", ""};
 
   constexpr const char* kProcessors[]{"Intel", "DEC", "MIPS"};
-  facts_.notes.push_back(std::string(kProcessors[static_cast<int>(bytes_.processor) - 84]) +
-                         (is_float_ ? ", floating point" : ", integers of " + rounded(scale_, 4) + " units") +
-                         ", " + std::to_string(points_) + " points");
+  facts_.notes.push_back(
+      std::string(kProcessors[static_cast<int>(bytes_.processor) - 84]) +
+      (is_float_ ? ", floating point" : ", integers of " + text::rounded(scale_, 4) + " units") + ", " +
+      std::to_string(points_) + " points");
   if (const auto analog = bytes_.u16(4); analog > 0)
     facts_.notes.push_back(std::to_string(analog) + " analog samples a frame are skipped");
   std::vector<double> residuals;
@@ -175,8 +176,8 @@ void C3dReader::describe() {
     for (std::size_t i = 0; i < points_; ++i)
       if (const Point p = point(f, i); p.is_valid && p.residual > 0.0) residuals.push_back(p.residual);
   if (!residuals.empty())
-    facts_.notes.push_back("residuals: median " + rounded(quantile(residuals, 0.5), 2) + ", largest " +
-                           rounded(quantile(residuals, 1.0), 2) + " units");
+    facts_.notes.push_back("residuals: median " + text::rounded(quantile(residuals, 0.5), 2) + ", largest " +
+                           text::rounded(quantile(residuals, 1.0), 2) + " units");
 }
 
 bool C3dReader::next(PointFrame& frame) {
@@ -189,4 +190,4 @@ bool C3dReader::next(PointFrame& frame) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

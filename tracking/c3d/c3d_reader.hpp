@@ -9,7 +9,7 @@
 #include "tracking/c3d/c3d_parameters.hpp"
 #include "tracking/recording/point_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the bytes begin with the number of the parameter block and the key 0x50.
 bool looksLikeC3d(std::string_view bytes);
@@ -53,4 +53,4 @@ class C3dReader : public PointReader {
   bool is_float_{false}, trust_residuals_{true};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

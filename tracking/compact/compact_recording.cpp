@@ -11,7 +11,7 @@
 #include "core/base/output_file.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::string_view kMagic = "ABSTREC1";
@@ -43,22 +43,22 @@ std::uint64_t readU64(std::string_view bytes) {
 
 void writeCompact(std::ostream& out, const Recording& recording) {
   out.write(kMagic.data(), static_cast<std::streamsize>(kMagic.size()));
-  out.put(static_cast<char>(kJointCount));
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    const auto name = jointName(static_cast<Joint>(j));
+  out.put(static_cast<char>(humanmodel::kJointCount));
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto name = humanmodel::jointName(static_cast<humanmodel::Joint>(j));
     out.put(static_cast<char>(name.size()));
     out.write(name.data(), static_cast<std::streamsize>(name.size()));
   }
-  std::array<std::array<std::int64_t, 3>, kJointCount> last{};
-  for (const SkeletonFrame& f : recording.frames) {
+  std::array<std::array<std::int64_t, 3>, humanmodel::kJointCount> last{};
+  for (const humanmodel::SkeletonFrame& f : recording.frames) {
     const bool spread = std::any_of(f.spread.begin(), f.spread.end(), [](double s) { return s > 0.0; });
     out.put(static_cast<char>(spread ? kFrameWithSpread : kFrame));
     writeU64(out, std::bit_cast<std::uint64_t>(f.t));
-    for (std::size_t j = 0; j < kJointCount; ++j) {
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       out.put(static_cast<char>(f.state[j]));
-      if (f.state[j] == JointState::kMissing) continue;
+      if (f.state[j] == humanmodel::JointState::kMissing) continue;
       if (!(f.p[j].cwiseAbs().maxCoeff() <= kFarthest))
-        throw UsageError("found " + std::string(jointName(static_cast<Joint>(j))) +
+        throw UsageError("found " + std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) +
                          " farther than 1e6 m away at t = " + formatDouble(f.t) +
                          ", expected a person nearer by");
       for (int k = 0; k < 3; ++k) {
@@ -92,8 +92,8 @@ CompactReader::CompactReader(std::string_view bytes, std::string file)
       fail("found the end, expected the name of a joint");
     names_.emplace_back(bytes_.substr(at_, length));
     at_ += length;
-    if (!parseJoint(names_.back()))
-      fail("found the joint " + inQuotes(names_.back()) + ", expected a canonical one");
+    if (!humanmodel::parseJoint(names_.back()))
+      fail("found the joint " + text::inQuotes(names_.back()) + ", expected a canonical one");
   }
   last_.resize(names_.size());
   facts_.format = "compact";
@@ -138,7 +138,7 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
   for (std::size_t j = 0; j < names_.size(); ++j) {
     std::uint8_t state = 0;
     if (!readByte(state)) return false;
-    if (state > static_cast<std::uint8_t>(JointState::kTracked))
+    if (state > static_cast<std::uint8_t>(humanmodel::JointState::kTracked))
       fail("found the state " + std::to_string(state) + " of a joint, expected 0 to 2");
     if (state == 0) continue;
     Vector3d p;
@@ -151,7 +151,7 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
       last_[j][k] += difference;
       p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
     }
-    frame.set(j, p, static_cast<JointState>(state));
+    frame.set(j, p, static_cast<humanmodel::JointState>(state));
     std::int64_t steps = 0;
     if (!spread) continue;
     if (!readDifference(steps)) return false;
@@ -187,4 +187,4 @@ bool CompactReader::next(PointFrame& frame) {
   return false;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Places are kept in whole micrometres: what is read differs from what was written by 0.5 um at most.
 inline constexpr double kCompactStep = 1e-6;
@@ -51,4 +51,4 @@ class CompactReader : public PointReader {
   bool done_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/part_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kUneven = 0.1;
@@ -15,14 +15,14 @@ constexpr double kThirdDifference = 20.0;
 /// Median of |x| of a normal distribution, in standard deviations.
 constexpr double kMedianOfNormal = 0.6744897501960817;
 
-using Frames = std::vector<SkeletonFrame>;
+using Frames = std::vector<humanmodel::SkeletonFrame>;
 
 double medianOrNaN(std::vector<double> values) {
   return values.empty() ? kNaN : quantile(std::move(values), 0.5);
 }
 
 BoneHealth examineBone(const Frames& frames, const PartJoints& part) {
-  const Joint a = part.joints.front(), b = part.joints.back();
+  const humanmodel::Joint a = part.joints.front(), b = part.joints.back();
   std::vector<double> all;
   for (const auto& f : frames)
     if (f.has(a) && f.has(b)) all.push_back((f[a] - f[b]).norm());
@@ -36,7 +36,7 @@ BoneHealth examineBone(const Frames& frames, const PartJoints& part) {
   return bone;
 }
 
-std::vector<double> speedsOf(const Frames& frames, Joint j) {
+std::vector<double> speedsOf(const Frames& frames, humanmodel::Joint j) {
   std::vector<double> speeds;
   for (std::size_t i = 1; i < frames.size(); ++i)
     if (frames[i].has(j) && frames[i - 1].has(j) && frames[i].t > frames[i - 1].t)
@@ -44,16 +44,16 @@ std::vector<double> speedsOf(const Frames& frames, Joint j) {
   return speeds;
 }
 
-JointHealth examineJoint(const Frames& frames, Joint j) {
-  JointHealth health{std::string(jointName(j))};
+JointHealth examineJoint(const Frames& frames, humanmodel::Joint j) {
+  JointHealth health{std::string(humanmodel::jointName(j))};
   double last_seen = frames.front().t;
   std::size_t missing_before = 0;  // at the last place
   for (const auto& f : frames) {
-    const JointState state = f.state[static_cast<std::size_t>(j)];
-    health.missing += state == JointState::kMissing ? 1 : 0;
-    health.inferred += state == JointState::kInferred ? 1 : 0;
+    const humanmodel::JointState state = f.state[static_cast<std::size_t>(j)];
+    health.missing += state == humanmodel::JointState::kMissing ? 1 : 0;
+    health.inferred += state == humanmodel::JointState::kInferred ? 1 : 0;
     if (health.missing > missing_before) health.longest_gap = std::max(health.longest_gap, f.t - last_seen);
-    if (state == JointState::kMissing) continue;
+    if (state == humanmodel::JointState::kMissing) continue;
     last_seen = f.t;
     missing_before = health.missing;
   }
@@ -66,21 +66,23 @@ JointHealth examineJoint(const Frames& frames, Joint j) {
 std::vector<Jump> findJumps(const Frames& frames) {
   std::vector<Jump> jumps;
   for (std::size_t i = 1; i < frames.size(); ++i)
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      const auto joint = static_cast<Joint>(j);
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      const auto joint = static_cast<humanmodel::Joint>(j);
       if (!frames[i].has(joint) || !frames[i - 1].has(joint)) continue;
       const double dt = frames[i].t - frames[i - 1].t, way = (frames[i][joint] - frames[i - 1][joint]).norm();
-      if (way > kFastestJoint * dt) jumps.push_back({std::string(jointName(joint)), frames[i].t, way / dt});
+      if (way > kFastestJoint * dt)
+        jumps.push_back({std::string(humanmodel::jointName(joint)), frames[i].t, way / dt});
     }
   return jumps;
 }
 
 /// True where left and right of the torso changed places between two frames.
-bool isSwap(const SkeletonFrame& a, const SkeletonFrame& b) {
+bool isSwap(const humanmodel::SkeletonFrame& a, const humanmodel::SkeletonFrame& b) {
   double straight = 0.0, crossed = 0.0;
   int pairs = 0;
-  for (const auto& [left, right] : {std::pair{Joint::kHipLeft, Joint::kHipRight},
-                                    std::pair{Joint::kShoulderLeft, Joint::kShoulderRight}}) {
+  for (const auto& [left, right] :
+       {std::pair{humanmodel::Joint::kHipLeft, humanmodel::Joint::kHipRight},
+        std::pair{humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight}}) {
     if (!a.has(left) || !a.has(right) || !b.has(left) || !b.has(right)) continue;
     straight += (a[left] - b[left]).norm() + (a[right] - b[right]).norm();
     crossed += (a[left] - b[right]).norm() + (a[right] - b[left]).norm();
@@ -91,8 +93,9 @@ bool isSwap(const SkeletonFrame& a, const SkeletonFrame& b) {
 
 double medianJitter(const Frames& frames) {
   std::vector<double> values;
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    if (const double v = jitterOf(frames, static_cast<Joint>(j)); std::isfinite(v)) values.push_back(v);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (const double v = jitterOf(frames, static_cast<humanmodel::Joint>(j)); std::isfinite(v))
+      values.push_back(v);
   return medianOrNaN(std::move(values));
 }
 
@@ -104,8 +107,8 @@ FilterHealth tryFilter(const Frames& frames, double rate, double speed, Smoothin
   health.jitter_after = medianJitter(after);
   std::vector<double> moved;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (frames[i].state[j] != JointState::kMissing)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (frames[i].state[j] != humanmodel::JointState::kMissing)
         moved.push_back((frames[i].p[j] - after[i].p[j]).norm());
   health.moved = moved.empty() ? 0.0 : quantile(std::move(moved), 0.99);
   if (smoothing == Smoothing::kOneEuro) {
@@ -120,7 +123,7 @@ FilterHealth tryFilter(const Frames& frames, double rate, double speed, Smoothin
 
 }  // namespace
 
-double jitterOf(const Frames& frames, Joint j) {
+double jitterOf(const Frames& frames, humanmodel::Joint j) {
   std::vector<double> differences;
   for (std::size_t i = 3; i < frames.size(); ++i) {
     const auto &a = frames[i - 3], &b = frames[i - 2], &c = frames[i - 1], &d = frames[i];
@@ -146,8 +149,8 @@ DoctorReport examine(const Recording& recording) {
   for (const auto& part : partJoints())
     if (auto bone = examineBone(frames, part); bone.length > 0.0) report.bones.push_back(std::move(bone));
   std::vector<double> speeds;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
-    auto joint = examineJoint(frames, static_cast<Joint>(j));
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    auto joint = examineJoint(frames, static_cast<humanmodel::Joint>(j));
     if (joint.missing == frames.size()) continue;
     speeds.push_back(joint.speed);
     report.joints.push_back(std::move(joint));
@@ -165,4 +168,4 @@ DoctorReport examine(const Recording& recording) {
   return report;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

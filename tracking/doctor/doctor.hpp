@@ -8,7 +8,7 @@
 #include "tracking/doctor/gap_fill.hpp"
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// No joint of a person is faster (m/s): the hand of a punch or a throw reaches about 10.
 inline constexpr double kFastestJoint = 12.0;
@@ -64,6 +64,6 @@ DoctorReport examine(const Recording& recording);
 
 /// Standard deviation of the noise in a coordinate of a joint (m), by the median of its third differences, so
 /// that jumps and quick turns count little; NaN where no four frames in a row have it.
-double jitterOf(const std::vector<SkeletonFrame>& frames, Joint joint);
+double jitterOf(const std::vector<humanmodel::SkeletonFrame>& frames, humanmodel::Joint joint);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

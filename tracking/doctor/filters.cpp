@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kBodyCutoff = 6.0;   // Hz
@@ -15,12 +15,12 @@ double lowPassShare(double cutoff, double dt) { return 1.0 / (1.0 + 1.0 / (2.0 *
 
 /// Runs one filter over every stretch of a joint that has no gap.
 template <typename Filter>
-void run(std::vector<SkeletonFrame>& frames, const Filter& fresh, bool backwards) {
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+void run(std::vector<humanmodel::SkeletonFrame>& frames, const Filter& fresh, bool backwards) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     Filter filter = fresh;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      SkeletonFrame& f = frames[backwards ? frames.size() - 1 - k : k];
-      if (f.state[j] == JointState::kMissing)
+      humanmodel::SkeletonFrame& f = frames[backwards ? frames.size() - 1 - k : k];
+      if (f.state[j] == humanmodel::JointState::kMissing)
         filter.reset();
       else
         f.p[j] = filter.step(f.p[j]);
@@ -85,7 +85,7 @@ std::optional<Smoothing> parseSmoothing(const std::string& name) {
 
 double smoothingCutoff(double rate) { return std::min(kBodyCutoff, rate / 3.0); }
 
-void smooth(std::vector<SkeletonFrame>& frames, double rate, Smoothing smoothing) {
+void smooth(std::vector<humanmodel::SkeletonFrame>& frames, double rate, Smoothing smoothing) {
   ABSTAND_CHECK(rate > 0.0);
   if (smoothing == Smoothing::kOneEuro) return run(frames, OneEuro({}, rate), false);
   const Butterworth filter(smoothingCutoff(rate), rate);
@@ -93,4 +93,4 @@ void smooth(std::vector<SkeletonFrame>& frames, double rate, Smoothing smoothing
   if (smoothing == Smoothing::kButterworthBothWays) run(frames, filter, true);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

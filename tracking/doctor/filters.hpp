@@ -7,7 +7,7 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Butterworth low-pass of second order, bilinear transform with the cutoff warped (textbook form). Starts at
 /// rest in its first value. One coordinate triple; no allocation.
@@ -59,6 +59,6 @@ double smoothingCutoff(double rate);
 
 /// Smooths every joint; starts anew behind a gap. The last one runs forwards and backwards: no delay, but
 /// only for what is recorded already. `rate` in Hz, above 0.
-void smooth(std::vector<SkeletonFrame>& frames, double rate, Smoothing smoothing);
+void smooth(std::vector<humanmodel::SkeletonFrame>& frames, double rate, Smoothing smoothing);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,10 +7,10 @@
 #include "humanmodel/part_reach.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
-using J = Joint;
+using J = humanmodel::Joint;
 /// Bones of the limbs, the inner joint first, trunk outwards.
 constexpr std::array<std::pair<J, J>, 12> kLimbs{{{J::kShoulderLeft, J::kElbowLeft},
                                                   {J::kElbowLeft, J::kWristLeft},
@@ -25,21 +25,24 @@ constexpr std::array<std::pair<J, J>, 12> kLimbs{{{J::kShoulderLeft, J::kElbowLe
                                                   {J::kKneeRight, J::kAnkleRight},
                                                   {J::kAnkleRight, J::kToeRight}}};
 
-bool has(const SkeletonFrame& f, std::size_t j) { return f.state[j] != JointState::kMissing; }
+bool has(const humanmodel::SkeletonFrame& f, std::size_t j) {
+  return f.state[j] != humanmodel::JointState::kMissing;
+}
 
 /// Velocity at a known place from it and its known neighbour away from the gap; zero where there is none.
-Vector3d velocityAt(const std::vector<SkeletonFrame>& frames, std::size_t j, std::size_t at,
+Vector3d velocityAt(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std::size_t at,
                     bool before_gap) {
   const bool has_neighbour = before_gap ? at > 0 : at + 1 < frames.size();
   if (!has_neighbour) return Vector3d::Zero();
-  const SkeletonFrame &a = frames[at], &b = frames[before_gap ? at - 1 : at + 1];
+  const humanmodel::SkeletonFrame &a = frames[at], &b = frames[before_gap ? at - 1 : at + 1];
   if (!has(b, j) || a.t == b.t) return Vector3d::Zero();
   return (a.p[j] - b.p[j]) / (a.t - b.t);
 }
 
 /// Fills frames first..last of one joint, which is known at first - 1 and last + 1.
-void fillOne(std::vector<SkeletonFrame>& frames, std::size_t j, std::size_t first, std::size_t last) {
-  const SkeletonFrame &a = frames[first - 1], &b = frames[last + 1];
+void fillOne(std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std::size_t first,
+             std::size_t last) {
+  const humanmodel::SkeletonFrame &a = frames[first - 1], &b = frames[last + 1];
   const double dt = b.t - a.t;
   const Vector3d va = velocityAt(frames, j, first - 1, true), vb = velocityAt(frames, j, last + 1, false);
   for (std::size_t i = first; i <= last; ++i) {
@@ -47,18 +50,19 @@ void fillOne(std::vector<SkeletonFrame>& frames, std::size_t j, std::size_t firs
     frames[i].set(static_cast<J>(j),
                   (2 * s3 - 3 * s2 + 1) * a.p[j] + (s3 - 2 * s2 + s) * dt * va + (3 * s2 - 2 * s3) * b.p[j] +
                       (s3 - s2) * dt * vb,
-                  JointState::kInferred);
+                  humanmodel::JointState::kInferred);
     // Known as well as at its ends, and less by as far as it could have gone meanwhile.
     const double unseen = std::min(frames[i].t - a.t, b.t - frames[i].t);
-    frames[i].spread[j] = std::max(a.spread[j], b.spread[j]) + unseen * kPersonSpeed / kReachQuantile;
+    frames[i].spread[j] =
+        std::max(a.spread[j], b.spread[j]) + unseen * humanmodel::kPersonSpeed / humanmodel::kReachQuantile;
   }
 }
 
 }  // namespace
 
-GapFill fillGaps(std::vector<SkeletonFrame>& frames, double longest) {
+GapFill fillGaps(std::vector<humanmodel::SkeletonFrame>& frames, double longest) {
   GapFill result;
-  std::vector<std::array<bool, kJointCount>> filled(frames.size());
+  std::vector<std::array<bool, humanmodel::kJointCount>> filled(frames.size());
   for (auto& f : filled) f.fill(false);
 
   // Lengths of the bones where both ends are known.
@@ -71,7 +75,7 @@ GapFill fillGaps(std::vector<SkeletonFrame>& frames, double longest) {
     length[b] = lengths.empty() ? kNaN : quantile(std::move(lengths), 0.5);
   }
 
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     for (std::size_t i = 0; i < frames.size(); ++i) {
       if (has(frames[i], j)) continue;
       std::size_t end = i;
@@ -92,9 +96,10 @@ GapFill fillGaps(std::vector<SkeletonFrame>& frames, double longest) {
       if (!filled[i][static_cast<std::size_t>(outer)] || !frames[i].has(inner)) continue;
       const Vector3d bone = frames[i][outer] - frames[i][inner];
       if (bone.norm() > 0.0 && std::isfinite(length[b]))
-        frames[i].set(outer, frames[i][inner] + bone * (length[b] / bone.norm()), JointState::kInferred);
+        frames[i].set(outer, frames[i][inner] + bone * (length[b] / bone.norm()),
+                      humanmodel::JointState::kInferred);
     }
   return result;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

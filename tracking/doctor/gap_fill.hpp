@@ -5,7 +5,7 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct GapFill {
   std::size_t filled{0};  ///< joints of frames that have a place now
@@ -16,6 +16,6 @@ struct GapFill {
 /// velocities on both sides, then moves what was filled in an arm or a leg along its bone to the median
 /// length that the bone has elsewhere (trunk outwards). What is filled is kInferred. Joints that are never
 /// there, and derived ones, are treated alike.
-GapFill fillGaps(std::vector<SkeletonFrame>& frames, double longest);
+GapFill fillGaps(std::vector<humanmodel::SkeletonFrame>& frames, double longest);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include "core/safety/motion_prediction.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// The measured places of one joint.
@@ -14,10 +14,11 @@ struct Way {
   std::vector<Vector3d> p;
 };
 
-Way wayOf(const std::vector<SkeletonFrame>& frames, std::size_t joint) {
+Way wayOf(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t joint) {
   Way way;
-  for (const SkeletonFrame& f : frames) {
-    if (f.state[joint] != JointState::kTracked || (!way.t.empty() && !(f.t > way.t.back()))) continue;
+  for (const humanmodel::SkeletonFrame& f : frames) {
+    if (f.state[joint] != humanmodel::JointState::kTracked || (!way.t.empty() && !(f.t > way.t.back())))
+      continue;
     way.t.push_back(f.t);
     way.p.push_back(f.p[joint]);
   }
@@ -36,15 +37,15 @@ std::optional<Vector3d> placeAt(const Way& way, double t, double longest_gap) {
 
 }  // namespace
 
-std::vector<PredictionTrial> tryPredictions(const Recording& recording, const MotionBounds& bounds,
+std::vector<PredictionTrial> tryPredictions(const Recording& recording, const safety::MotionBounds& bounds,
                                             std::span<const double> ahead) {
   bounds.validate();
-  const PredictionOptions options;
+  const safety::PredictionOptions options;
   std::vector<PredictionTrial> trials(ahead.size());
   std::vector<std::vector<double>> still(ahead.size()), guess(ahead.size());
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const Way way = wayOf(recording.frames, j);
-    MotionPrediction prediction(options);
+    safety::MotionPrediction prediction(options);
     for (std::size_t i = 0; i < way.t.size(); ++i) {
       Transform X = Transform::Identity();
       X.translation() = way.p[i];
@@ -55,7 +56,8 @@ std::vector<PredictionTrial> tryPredictions(const Recording& recording, const Mo
         const double off = (*place - way.p[i]).norm();
         still[h].push_back(off);
         guess[h].push_back((*place - prediction.at(ahead[h]).translation()).norm());
-        const EnclosingSphere reach = reachAt(way.p[i], prediction.velocity().linear, bounds, ahead[h]);
+        const geometry::EnclosingSphere reach =
+            safety::reachAt(way.p[i], prediction.velocity().linear, bounds, ahead[h]);
         trials[h].outside += (*place - reach.centre).norm() > reach.radius ? 1 : 0;
         trials[h].speed_needed = std::max(trials[h].speed_needed, off / ahead[h]);
       }
@@ -80,4 +82,4 @@ std::vector<PredictionTrial> tryPredictions(const Recording& recording, const Mo
   return trials;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

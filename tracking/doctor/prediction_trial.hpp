@@ -7,7 +7,7 @@
 #include "core/safety/reach_set.hpp"
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Of all joints at all frames that have a place `ahead` s later, between two frames that have one.
 struct PredictionTrial {
@@ -22,7 +22,7 @@ struct PredictionTrial {
 /// Guesses are those of MotionPrediction with its usual weights, reach sets those of reachAt() from the place
 /// and the guessed velocity. Joints that were not measured (inferred, missing) do not count. Throws
 /// UsageError for bounds that are not allowed.
-std::vector<PredictionTrial> tryPredictions(const Recording& recording, const MotionBounds& bounds,
+std::vector<PredictionTrial> tryPredictions(const Recording& recording, const safety::MotionBounds& bounds,
                                             std::span<const double> ahead);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

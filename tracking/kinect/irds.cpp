@@ -9,7 +9,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/kinect/kinect_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kMillisecond = 1e-3;
@@ -94,7 +94,7 @@ IrdsReader::Stamp IrdsReader::readStamp(std::span<const std::string_view> cells)
     const auto& c = cells[i];
     const auto r = std::from_chars(c.data(), c.data() + c.size(), stamp[i]);
     if (r.ec != std::errc{} || r.ptr != c.data() + c.size())
-      throw ParseError(pos(), "found " + inQuotes(c) + " in a time stamp, expected an integer");
+      throw ParseError(pos(), "found " + text::inQuotes(c) + " in a time stamp, expected an integer");
   }
   return stamp;
 }
@@ -105,7 +105,7 @@ void IrdsReader::begin(const Stamp& stamp, PointFrame& frame) {
     throw ParseError(pos(), "found a time stamp of " + std::to_string(stamp[2]) + " ms, expected below 1e12");
   if (frames_ > 0 && frame.t <= last_t_)
     throw ParseError(pos(), "found a time stamp of " + std::to_string(stamp[2]) + " ms after " +
-                                rounded(last_t_ / kMillisecond, 0) + ", expected it to rise");
+                                text::rounded(last_t_ / kMillisecond, 0) + ", expected it to rise");
   last_t_ = frame.t;
 }
 
@@ -114,22 +114,22 @@ void IrdsReader::setJoint(std::string_view name, std::string_view state, std::sp
   const auto all = names();
   const auto joint = std::find(all.begin(), all.end(), name);
   if (joint == all.end())
-    throw ParseError(pos(), "found the joint " + inQuotes(name) + ", expected one of Kinect v2");
+    throw ParseError(pos(), "found the joint " + text::inQuotes(name) + ", expected one of Kinect v2");
   const auto tracked = parseTrackingState(state);
   if (!tracked)
-    throw ParseError(pos(), "found " + inQuotes(state) + ", expected Tracked, Inferred or NotTracked");
+    throw ParseError(pos(), "found " + text::inQuotes(state) + ", expected Tracked, Inferred or NotTracked");
   const auto index = static_cast<std::size_t>(joint - all.begin());
   Vector3d p_C;
   for (int i = 0; i < 3; ++i) {
     const auto v = parseDouble(p[static_cast<std::size_t>(i)]);
     if (!v || std::abs(*v) > kLargestCoordinate)
-      throw ParseError(pos(), "found " + inQuotes(p[static_cast<std::size_t>(i)]) + " for " +
+      throw ParseError(pos(), "found " + text::inQuotes(p[static_cast<std::size_t>(i)]) + " for " +
                                   std::string(name) + ", expected a number below 1e9");
     p_C[i] = *v;
   }
   if (frame.p[index].allFinite())
     throw ParseError(pos(), "found " + std::string(name) + " a second time in a frame, expected it once");
-  if (*tracked != JointState::kMissing) frame.set(index, p_C, *tracked);
+  if (*tracked != humanmodel::JointState::kMissing) frame.set(index, p_C, *tracked);
 }
 
 bool IrdsReader::nextOfTable(PointFrame& frame) {
@@ -164,11 +164,11 @@ bool IrdsReader::nextOfText(PointFrame& frame) {
   for (std::size_t i = kStamp; i < cells.size(); i += kPerJoint) {
     std::string_view name = cells[i], end = cells[i + kPerJoint - 1];
     if (!name.starts_with('(') || !end.ends_with(')'))
-      throw ParseError(pos(), "found " + inQuotes(name) + ", expected '(JointName,State,x,y,z,u,v)'");
+      throw ParseError(pos(), "found " + text::inQuotes(name) + ", expected '(JointName,State,x,y,z,u,v)'");
     name.remove_prefix(1);
     setJoint(name, cells[i + 1], std::span(cells).subspan(i + 2, 3), frame);
   }
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the first line names the columns JointName and TrackingStatus.
 bool looksLikeIrdsCsv(std::string_view text);
@@ -55,4 +55,4 @@ class IrdsReader : public PointReader {
   double last_t_{0.0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -1,6 +1,6 @@
 #include "tracking/kinect/kinect_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 const std::array<std::string, 25> kKinectV2{
@@ -32,11 +32,11 @@ std::span<const std::string> utdMhadJoints() { return kUtdMhad; }
 std::span<const std::string> uiPrmdJoints() { return kUiPrmd; }
 std::span<const int> uiPrmdParents() { return kUiPrmdParents; }
 
-std::optional<JointState> parseTrackingState(std::string_view word) {
-  if (word == "Tracked") return JointState::kTracked;
-  if (word == "Inferred") return JointState::kInferred;
-  if (word == "NotTracked") return JointState::kMissing;
+std::optional<humanmodel::JointState> parseTrackingState(std::string_view word) {
+  if (word == "Tracked") return humanmodel::JointState::kTracked;
+  if (word == "Inferred") return humanmodel::JointState::kInferred;
+  if (word == "NotTracked") return humanmodel::JointState::kMissing;
   return std::nullopt;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

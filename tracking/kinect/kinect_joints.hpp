@@ -9,7 +9,7 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The 25 joints of Kinect v2, as its SDK numbers and names them.
 std::span<const std::string> kinectV2Joints();
@@ -21,6 +21,6 @@ std::span<const std::string> uiPrmdJoints();
 std::span<const int> uiPrmdParents();
 
 /// "Tracked", "Inferred" or "NotTracked".
-std::optional<JointState> parseTrackingState(std::string_view word);
+std::optional<humanmodel::JointState> parseTrackingState(std::string_view word);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

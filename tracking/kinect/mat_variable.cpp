@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kHead = 128, kVersion = 124, kMaxUnpacked = std::size_t{256} << 20;
@@ -144,7 +144,7 @@ MatrixHead readHead(Elements& in) {
 MatVariable readNumbers(Elements& in, const MatrixHead& head) {
   const std::uint32_t kind = head.flags & 0xff;
   if ((kind != kDoubleClass && kind != kSingleClass) || (head.flags & kComplex) != 0)
-    in.fail("found " + inQuotes(head.name) + " that is no array of real numbers, expected one");
+    in.fail("found " + text::inQuotes(head.name) + " that is no array of real numbers, expected one");
   std::uint32_t type = 0;
   const auto content = in.next(type);
   MatVariable out{head.size, numbersOf(content, type, in)};
@@ -179,11 +179,11 @@ MatVariable readMatVariable(std::string_view bytes, const std::string& name, con
     const MatrixHead head = readHead(matrix);
     if (head.name == name) return readNumbers(matrix, head);
     if (others.size() < 200)
-      others += (others.empty() ? "" : ", ") + inQuotes(head.name) + " (" + sizeText(head.size) + ")";
+      others += (others.empty() ? "" : ", ") + text::inQuotes(head.name) + " (" + sizeText(head.size) + ")";
   }
   throw ParseError(
       {file}, (others.empty() ? std::string("found no variable") : "found " + others) + ", expected " + name,
       others.find("'d_depth'") != std::string::npos ? "this is a depth recording, not a skeleton" : "");
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

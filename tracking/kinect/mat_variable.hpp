@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Real numbers, column-major as MATLAB keeps them.
 struct MatVariable {
@@ -19,4 +19,4 @@ struct MatVariable {
 /// is not in the file, with the names and sizes of those that are.
 MatVariable readMatVariable(std::string_view bytes, const std::string& name, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/kinect/kinect_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kNumbers = 66;
@@ -20,7 +20,8 @@ bool nextRow(Lines& lines, const std::string& file, std::vector<double>& row) {
   Cells cells(line, file, lines.number());
   for (std::size_t i = 0; i < kNumbers; ++i) row.push_back(cells.number(cells.need("66 numbers")));
   std::string_view more;
-  if (cells.next(more)) throw ParseError(cells.pos(), "found " + inQuotes(more) + ", expected 66 numbers");
+  if (cells.next(more))
+    throw ParseError(cells.pos(), "found " + text::inQuotes(more) + ", expected 66 numbers");
   return true;
 }
 
@@ -62,7 +63,7 @@ std::filesystem::path uiPrmdPartner(const std::filesystem::path& file) {
     if (std::filesystem::exists(path, ec)) return path;
     throw ParseError({file.string()}, std::string("found the ") + one +
                                           " of a UI-PRMD skeleton without its " + other + ", expected " +
-                                          inQuotes(partner) + " beside it");
+                                          text::inQuotes(partner) + " beside it");
   }
   throw ParseError(
       {file.string(), 1},
@@ -112,4 +113,4 @@ bool UiPrmdReader::next(PointFrame& frame) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

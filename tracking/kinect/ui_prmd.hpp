@@ -8,7 +8,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the first line is 66 numbers with commas between them.
 bool looksLikeUiPrmd(std::string_view text);
@@ -39,4 +39,4 @@ class UiPrmdReader : public PointReader {
   std::vector<double> p_, a_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include "tracking/kinect/kinect_joints.hpp"
 #include "tracking/kinect/mat_variable.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kJoints = 20;
@@ -46,4 +46,4 @@ bool UtdMhadReader::next(PointFrame& frame) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "tracking/recording/point_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the bytes begin as MATLAB files do.
 bool looksLikeMat(std::string_view bytes);
@@ -28,4 +28,4 @@ class UtdMhadReader : public PointReader {
   std::size_t frames_{0}, next_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

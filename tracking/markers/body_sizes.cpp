@@ -1,6 +1,6 @@
 #include "tracking/markers/body_sizes.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::array<std::string_view, kBodySizes> kNames{
@@ -52,7 +52,7 @@ BodyRig resized(const BodyRig& base, const SizeVector& sizes) {
   rig.height = base.height * sizes[0];
   for (std::size_t i = 1; i < kRigSegments; ++i)
     rig.parts[i].p_parent = growth(base.parts[i].parent, sizes).cwiseProduct(base.parts[i].p_parent);
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     rig.p_joint[j] = growth(base.carrier[j], sizes).cwiseProduct(base.p_joint[j]);
   return rig;
 }
@@ -75,4 +75,4 @@ Eigen::Matrix<double, 3, static_cast<int>(kBodySizes)> sizeJacobian(const BodyRi
   return J;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

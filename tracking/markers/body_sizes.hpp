@@ -6,7 +6,7 @@
 
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What is fitted of a body's size. Left and right are alike.
 enum class BodySize : std::uint8_t {
@@ -51,4 +51,4 @@ Eigen::Matrix<double, 3, static_cast<int>(kBodySizes)> sizeJacobian(const BodyRi
                                                                     const RigPlacement& X_WS, RigSegment s,
                                                                     const Vector3d& p_S);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

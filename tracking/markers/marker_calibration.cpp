@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using enum RigSegment;
@@ -212,4 +212,4 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
   return std::move(calibration).take();
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

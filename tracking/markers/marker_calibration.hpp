@@ -8,7 +8,7 @@
 #include "tracking/markers/marker_set.hpp"
 #include "tracking/markers/marker_solver.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Places of all markers at one moment, world, m; NaN where one is missing.
 using MarkerPlaces = std::vector<Vector3d>;
@@ -37,4 +37,4 @@ std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMa
 /// straight, limbs hang.
 BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/markers/marker_solution.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using enum RigSegment;
@@ -27,9 +27,9 @@ constexpr double kHipFromMiddle = 0.36 * 0.24 / 1.75;
 /// The model of mean stature, its hips where markers see them turn.
 const BodyRig& usualRig() {
   static const BodyRig rig = [] {
-    BodyRig made = makeRig(makeHuman({}));
-    for (const auto& [segment, joint, side] :
-         {std::tuple(kThighLeft, Joint::kHipLeft, 1.0), std::tuple(kThighRight, Joint::kHipRight, -1.0)}) {
+    BodyRig made = makeRig(humanmodel::makeHuman({}));
+    for (const auto& [segment, joint, side] : {std::tuple(kThighLeft, humanmodel::Joint::kHipLeft, 1.0),
+                                               std::tuple(kThighRight, humanmodel::Joint::kHipRight, -1.0)}) {
       made.parts[index(segment)].p_parent.y() = side * kHipFromMiddle * made.height;
       made.p_joint[static_cast<std::size_t>(joint)] = made.parts[index(segment)].p_parent;
     }
@@ -61,7 +61,7 @@ void nameMarkers(const MarkerMatch& match, RawRecording& raw) {
   const BodyRig& rig = usualRig();
   raw.match = JointMatch{};
   raw.match.joint.fill(-1);
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     std::vector<int> points;
     for (const auto& m : match.markers)
       if (m.segment == rig.carrier[j]) points.insert(points.end(), m.points.begin(), m.points.end());
@@ -101,7 +101,7 @@ void MarkerTrack::add(const PointFrame& frame) {
   for (const auto& marker : match_->markers) {
     Vector3d sum = Vector3d::Zero();
     for (const int i : marker.points)
-      sum += frame.state[static_cast<std::size_t>(i)] == JointState::kMissing
+      sum += frame.state[static_cast<std::size_t>(i)] == humanmodel::JointState::kMissing
                  ? Vector3d::Constant(kNaN)
                  : frame.p[static_cast<std::size_t>(i)];
     const Vector3d mean = sum / static_cast<double>(marker.points.size());
@@ -109,18 +109,18 @@ void MarkerTrack::add(const PointFrame& frame) {
   }
 }
 
-std::vector<SkeletonFrame> MarkerTrack::heightsOf() const {
-  std::vector<SkeletonFrame> frames;
+std::vector<humanmodel::SkeletonFrame> MarkerTrack::heightsOf() const {
+  std::vector<humanmodel::SkeletonFrame> frames;
   for (const auto i : sampleIndices(places_.size())) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     std::optional<Vector3d> low = meanOn(*match_, places_[i], {kFootLeft, kFootRight});
     if (!low) low = meanOn(*match_, places_[i], {kCalfLeft, kCalfRight});
     if (!low) low = meanOn(*match_, places_[i], {kPelvis});
     std::optional<Vector3d> high = meanOn(*match_, places_[i], {kHead});
     if (!high) high = meanOn(*match_, places_[i], {kChest});
     if (!high) high = meanOn(*match_, places_[i], {kPelvis});
-    if (low) f.set(Joint::kPelvis, *low);
-    if (high) f.set(Joint::kThorax, *high);
+    if (low) f.set(humanmodel::Joint::kPelvis, *low);
+    if (high) f.set(humanmodel::Joint::kThorax, *high);
     frames.push_back(f);
   }
   return frames;
@@ -138,8 +138,8 @@ UnitChoice MarkerTrack::chooseUnitOf(const RecordingOptions& options) const {
   const double share = has(kHead) ? kHeadHeight : has(kChest) ? kChestHeight : kPelvisHeight;
   std::vector<double> heights;
   for (const auto& f : heightsOf())
-    if (f.has(Joint::kPelvis) && f.has(Joint::kThorax))
-      heights.push_back((f[Joint::kThorax] - f[Joint::kPelvis]).norm() / share);
+    if (f.has(humanmodel::Joint::kPelvis) && f.has(humanmodel::Joint::kThorax))
+      heights.push_back((f[humanmodel::Joint::kThorax] - f[humanmodel::Joint::kPelvis]).norm() / share);
   std::optional<double> stature;
   if (!heights.empty()) stature = quantile(std::move(heights), 0.9);
   if (stature && !(*stature > 0.0)) stature.reset();
@@ -174,13 +174,13 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
     return none;
   }
   for (auto& f : solution.frames)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (f.state[j] != JointState::kMissing) {
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (f.state[j] != humanmodel::JointState::kMissing) {
         f.p[j] = R_WF.transpose() * f.p[j] / unit.scale;
         f.spread[j] /= unit.scale;
       }
   raw.frames = std::move(solution.frames);
-  raw.rest = SkeletonFrame{};
+  raw.rest = humanmodel::SkeletonFrame{};
   raw.unit = unit;
   raw.up = up;
   raw.is_canonical = true;
@@ -188,4 +188,4 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   return report;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

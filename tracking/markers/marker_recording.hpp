@@ -10,7 +10,7 @@
 #include "tracking/recording/marker_report.hpp"
 #include "tracking/recording/point_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The markers of one file. Not shared between threads.
 class MarkerTrack {
@@ -36,11 +36,11 @@ class MarkerTrack {
  private:
   UpChoice chooseUpOf(const RecordingOptions& options) const;
   UnitChoice chooseUnitOf(const RecordingOptions& options) const;
-  std::vector<SkeletonFrame> heightsOf() const;
+  std::vector<humanmodel::SkeletonFrame> heightsOf() const;
 
   std::optional<MarkerMatch> match_;
   std::string reason_;
   std::vector<std::vector<Vector3d>> places_;  ///< by frame and found marker, axes and units of the file
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/name_index.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using enum RigSegment;
@@ -43,8 +43,8 @@ double numberIn(const Word& word, double least, double most, SourcePos pos) {
   const auto value = parseDouble(word.text);
   if (value && *value >= least && *value <= most) return *value;
   pos.column = word.column;
-  throw ParseError(pos, "found " + inQuotes(word.text) + ", expected a number from " + formatDouble(least) +
-                            " to " + formatDouble(most));
+  throw ParseError(pos, "found " + text::inQuotes(word.text) + ", expected a number from " +
+                            formatDouble(least) + " to " + formatDouble(most));
 }
 
 std::optional<RigSegment> parseSegment(std::string_view name) {
@@ -71,7 +71,7 @@ SetMarker parseMarker(std::string_view line, std::size_t colon, SourcePos pos) {
   const auto segment = parseSegment(words[0].text);
   if (!segment) {
     const auto near = nearestName(std::string(words[0].text), segmentNames());
-    throw ParseError(pos, "found " + inQuotes(words[0].text) + ", expected a segment of the body",
+    throw ParseError(pos, "found " + text::inQuotes(words[0].text) + ", expected a segment of the body",
                      near.empty() ? "" : "did you mean '" + near + "'?");
   }
   marker.segment = *segment;
@@ -81,9 +81,9 @@ SetMarker parseMarker(std::string_view line, std::size_t colon, SourcePos pos) {
   return marker;
 }
 
-double halfExtent(const Shape& shape, int axis) {
-  if (const auto* e = std::get_if<Ellipsoid>(&shape)) return e->semi_axes[axis];
-  if (const auto* c = std::get_if<Cuboid>(&shape)) return 0.5 * c->size[axis];
+double halfExtent(const geometry::Shape& shape, int axis) {
+  if (const auto* e = std::get_if<geometry::Ellipsoid>(&shape)) return e->semi_axes[axis];
+  if (const auto* c = std::get_if<geometry::Cuboid>(&shape)) return 0.5 * c->size[axis];
   ABSTAND_CHECK(!"parts are ellipsoids or cuboids");
 }
 
@@ -99,22 +99,22 @@ Vector3d placeOn(const BodyRig& rig, const SetMarker& marker) {
 }  // namespace
 
 Vector3d farJoint(const BodyRig& rig, RigSegment s) {
-  const auto joint = [&](Joint j) { return rig.p_joint[static_cast<std::size_t>(j)]; };
+  const auto joint = [&](humanmodel::Joint j) { return rig.p_joint[static_cast<std::size_t>(j)]; };
   switch (s) {
     case kPelvis:
       return rig[kChest].p_parent;
     case kChest:
       return rig[kHead].p_parent;
     case kHead:
-      return joint(Joint::kHeadTop);
+      return joint(humanmodel::Joint::kHeadTop);
     case kHandLeft:
-      return joint(Joint::kHandLeft);
+      return joint(humanmodel::Joint::kHandLeft);
     case kHandRight:
-      return joint(Joint::kHandRight);
+      return joint(humanmodel::Joint::kHandRight);
     case kFootLeft:
-      return joint(Joint::kToeLeft);
+      return joint(humanmodel::Joint::kToeLeft);
     case kFootRight:
-      return joint(Joint::kToeRight);
+      return joint(humanmodel::Joint::kToeRight);
     default:
       // Arms and legs: the one segment that hangs on it.
       for (std::size_t i = index(s) + 1; i < kRigSegments; ++i)
@@ -137,7 +137,7 @@ MarkerSet parseMarkerSet(std::string_view text, const std::filesystem::path& fil
     if (bare.empty() || bare.front() == '#') continue;
     const auto colon = line.find(':');
     if (colon == std::string_view::npos)
-      throw ParseError({pos.file, pos.line, 1}, "found " + inQuotes(bare) + ", expected 'key: value'");
+      throw ParseError({pos.file, pos.line, 1}, "found " + text::inQuotes(bare) + ", expected 'key: value'");
     const auto key = trimmed(line.substr(0, colon));
     const auto value = trimmed(line.substr(colon + 1));
     if (key == "name")
@@ -155,7 +155,7 @@ MarkerSet parseMarkerSet(std::string_view text, const std::filesystem::path& fil
       for (const auto& name : set.markers.back().names)
         if (!seen.insert(plainName(name)).second)
           throw ParseError({pos.file, pos.line, 1},
-                           "found " + inQuotes(name) + " a second time, expected it once");
+                           "found " + text::inQuotes(name) + " a second time, expected it once");
       if (set.markers.size() > kMaxMarkers)
         throw ParseError({pos.file, pos.line, 1},
                          "found more than " + std::to_string(kMaxMarkers) + " markers, expected fewer");
@@ -228,4 +228,4 @@ std::optional<MarkerMatch> chooseMarkerSet(std::span<const MarkerSet> sets, cons
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

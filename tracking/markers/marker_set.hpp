@@ -10,7 +10,7 @@
 
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// One marker of a set.
 struct SetMarker {
@@ -67,4 +67,4 @@ std::optional<MarkerMatch> chooseMarkerSet(std::span<const MarkerSet> sets, cons
 /// their tips, the foot at the toe, pelvis and chest at the joint above.
 Vector3d farJoint(const BodyRig& rig, RigSegment s);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using enum RigSegment;
@@ -44,7 +44,8 @@ std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments)
 }
 
 /// Standard deviation of each joint along its worst axis (m), from the markers that carried the last solve.
-std::array<double, kJointCount> spreadsOf(const BodyRig& rig, const MarkerSolver& solver, double rms) {
+std::array<double, humanmodel::kJointCount> spreadsOf(const BodyRig& rig, const MarkerSolver& solver,
+                                                      double rms) {
   auto spread = jointSpreads(rig, solver.problem(), solver.information());
   for (double& s : spread) s *= std::max(1.0, rms / kSkinMotion);
   return spread;
@@ -135,14 +136,18 @@ void writeBones(const BodyRig& rig, MarkerReport& report) {
 }
 
 /// Where no marker shows the chest, it goes on from the pelvis; nothing else goes on from anything.
-JointState stateOf(Joint j, bool is_shown, const std::array<double, kJointCount>& spread) {
+humanmodel::JointState stateOf(humanmodel::Joint j, bool is_shown,
+                               const std::array<double, humanmodel::kJointCount>& spread) {
   if (!is_shown) {
-    const bool is_trunk = j == Joint::kSpine || j == Joint::kThorax || j == Joint::kNeck;
-    const bool has_pelvis = spread[static_cast<std::size_t>(Joint::kPelvis)] <= kTracked;
-    return is_trunk && has_pelvis ? JointState::kInferred : JointState::kMissing;
+    const bool is_trunk =
+        j == humanmodel::Joint::kSpine || j == humanmodel::Joint::kThorax || j == humanmodel::Joint::kNeck;
+    const bool has_pelvis = spread[static_cast<std::size_t>(humanmodel::Joint::kPelvis)] <= kTracked;
+    return is_trunk && has_pelvis ? humanmodel::JointState::kInferred : humanmodel::JointState::kMissing;
   }
   const double s = spread[static_cast<std::size_t>(j)];
-  return s <= kTracked ? JointState::kTracked : s <= kInferred ? JointState::kInferred : JointState::kMissing;
+  return s <= kTracked    ? humanmodel::JointState::kTracked
+         : s <= kInferred ? humanmodel::JointState::kInferred
+                          : humanmodel::JointState::kMissing;
 }
 
 bool isGood(const MarkerPose& pose) {
@@ -165,7 +170,7 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
   std::size_t wait = 0, next_wait = 1;
   out.frames.resize(moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    SkeletonFrame& frame = out.frames[i];
+    humanmodel::SkeletonFrame& frame = out.frames[i];
     frame.t = t[i];
     MarkerPose pose;
     if (hold.last) {
@@ -193,12 +198,13 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
     RigPlacement X_WS;
     place(rig, pose.pose, X_WS);
     ledger.add(out.body, X_WS, moments[i]);
-    jointsOf(rig, X_WS, JointState::kTracked, frame);
+    jointsOf(rig, X_WS, humanmodel::JointState::kTracked, frame);
     const auto spread = spreadsOf(rig, solver, pose.rms);
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      const JointState state = stateOf(static_cast<Joint>(j), shown[index(rig.carrier[j])], spread);
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      const humanmodel::JointState state =
+          stateOf(static_cast<humanmodel::Joint>(j), shown[index(rig.carrier[j])], spread);
       frame.state[j] = state;
-      if (state == JointState::kMissing)
+      if (state == humanmodel::JointState::kMissing)
         frame.p[j].setConstant(kNaN);
       else
         frame.spread[j] = shown[index(rig.carrier[j])] ? spread[j] : kAlone;
@@ -209,4 +215,4 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

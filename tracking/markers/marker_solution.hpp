@@ -7,10 +7,11 @@
 #include "tracking/markers/marker_calibration.hpp"
 #include "tracking/recording/marker_report.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct MarkerSolution {
-  std::vector<SkeletonFrame> frames;  ///< joint centres of the solved body, a frame for each moment
+  std::vector<humanmodel::SkeletonFrame>
+      frames;  ///< joint centres of the solved body, a frame for each moment
   MarkerBody body;
   MarkerReport report;  ///< all but `set` and `reason`
 };
@@ -22,4 +23,4 @@ struct MarkerSolution {
 MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
                             std::span<const double> t, std::span<const MarkerPlaces> moments);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

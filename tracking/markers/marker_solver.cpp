@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kLimitWeight = 400.0;  // 1/rad^2: 3 degrees beyond cost as much as skin that moves
@@ -130,4 +130,4 @@ MarkerPose MarkerSolver::search(std::span<const RigMarker> markers, std::span<co
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

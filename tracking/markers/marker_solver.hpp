@@ -6,7 +6,7 @@
 
 #include "tracking/body/body_solver.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A marker that is fixed to a segment, at p_S (m).
 struct RigMarker {
@@ -62,4 +62,4 @@ class MarkerSolver {
 /// The weight (1/m^2) of a marker that is `distance` off.
 double markerWeight(double distance, double reach);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -12,14 +12,15 @@
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/joint_map.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 JointMatch canonicalNames(std::span<const std::string> names) {
   JointMatch match;
   match.joint.fill(-1);
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (const auto j = parseJoint(names[i])) match.joint[static_cast<std::size_t>(*j)] = static_cast<int>(i);
+    if (const auto j = humanmodel::parseJoint(names[i]))
+      match.joint[static_cast<std::size_t>(*j)] = static_cast<int>(i);
   return match;
 }
 
@@ -34,67 +35,69 @@ JointMatch matchNames(const PointFacts& facts, std::span<const std::string> name
     return match;
   }
   std::string some;
-  for (std::size_t i = 0; i < names.size() && i < 3; ++i) some += (i > 0 ? ", " : "") + inQuotes(names[i]);
+  for (std::size_t i = 0; i < names.size() && i < 3; ++i)
+    some += (i > 0 ? ", " : "") + text::inQuotes(names[i]);
   throw ParseError(
       {file}, "found joints that no joint map knows (" + some + "...), expected names of a known convention",
       "write a joint map for them as data/joint_maps/README.md says");
 }
 
 /// The middle of several points; missing where one of them is, inferred where one of them is.
-void setMean(const PointFrame& from, const std::vector<int>& points, Joint j, SkeletonFrame& to) {
+void setMean(const PointFrame& from, const std::vector<int>& points, humanmodel::Joint j,
+             humanmodel::SkeletonFrame& to) {
   Vector3d sum = Vector3d::Zero();
-  JointState state = JointState::kTracked;
+  humanmodel::JointState state = humanmodel::JointState::kTracked;
   double spread = 0.0;
   for (const int i : points) {
     sum += from.p[static_cast<std::size_t>(i)];
     spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
     state = std::min(state, from.state[static_cast<std::size_t>(i)]);
   }
-  if (state == JointState::kMissing) return;
+  if (state == humanmodel::JointState::kMissing) return;
   to.set(j, sum / static_cast<double>(points.size()), state);
   to.spread[static_cast<std::size_t>(j)] = spread;
 }
 
-SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
-  SkeletonFrame frame;
+humanmodel::SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
+  humanmodel::SkeletonFrame frame;
   frame.t = from.t;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     if (match.joint[j] < 0) continue;
     const auto i = static_cast<std::size_t>(match.joint[j]);
     if (i >= from.p.size())
-      setMean(from, match.means[i - from.p.size()], static_cast<Joint>(j), frame);
-    else if (from.state[i] != JointState::kMissing) {
-      frame.set(static_cast<Joint>(j), from.p[i], from.state[i]);
+      setMean(from, match.means[i - from.p.size()], static_cast<humanmodel::Joint>(j), frame);
+    else if (from.state[i] != humanmodel::JointState::kMissing) {
+      frame.set(static_cast<humanmodel::Joint>(j), from.p[i], from.state[i]);
       frame.spread[j] = from.spreadOf(i);
     }
   }
   return frame;
 }
 
-SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) {
+humanmodel::SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) {
   if (p.empty()) return {};
   PointFrame rest;
   rest.p = p;
-  rest.state.assign(p.size(), JointState::kTracked);
+  rest.state.assign(p.size(), humanmodel::JointState::kTracked);
   return pick(rest, match);
 }
 
 /// What the tracker guessed without saying how well; how far off that may be is known in metres only.
-void markGuesses(std::vector<SkeletonFrame>& frames) {
+void markGuesses(std::vector<humanmodel::SkeletonFrame>& frames) {
   for (auto& f : frames)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (f.state[j] == JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (f.state[j] == humanmodel::JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
 }
 
 /// Gives the marked joints their spread, now that the frames are in metres.
-void spreadGuesses(std::vector<SkeletonFrame>& frames) {
+void spreadGuesses(std::vector<humanmodel::SkeletonFrame>& frames) {
   for (auto& f : frames)
     for (double& spread : f.spread)
-      if (spread == kInfinity) spread = kGuessedSpread;
+      if (spread == kInfinity) spread = humanmodel::kGuessedSpread;
 }
 
 /// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
-double rateOf(const std::vector<SkeletonFrame>& frames) {
+double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
   if (steps.empty()) return 0.0;
@@ -178,8 +181,8 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
   // Solving markers settles both: a guess is one all the same.
-  recording.report.units_guessed = !facts.unit && lowerCase(options.units) == "auto";
-  recording.report.up_guessed = !facts.up && lowerCase(options.up) == "auto";
+  recording.report.units_guessed = !facts.unit && text::lowerCase(options.units) == "auto";
+  recording.report.up_guessed = !facts.up && text::lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())
@@ -189,4 +192,4 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   return recording;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

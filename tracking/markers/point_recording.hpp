@@ -6,11 +6,11 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Reads all frames, finds out which point is which joint, and converts. `file` names the file in messages.
 /// Names that no joint map knows are a ParseError; of a file of markers they are a warning, and the recording
 /// moves nothing. Throws ParseError for file and maps, UsageError for the options.
 Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kAnkleHeight = 0.039;  // share of the stature
@@ -23,13 +23,14 @@ constexpr std::array<Unit, 5> kUnits{
 
 class Lengths {
  public:
-  Lengths(const SkeletonFrame& rest, const std::vector<SkeletonFrame>& frames) : rest_(rest) {
+  Lengths(const humanmodel::SkeletonFrame& rest, const std::vector<humanmodel::SkeletonFrame>& frames)
+      : rest_(rest) {
     for (const auto i : sampleIndices(frames.size())) samples_.push_back(&frames[i]);
   }
 
   /// NaN where the joints are never there.
-  double median(Joint a, Joint b) const { return over(a, b, 0.5); }
-  double straightest(Joint a, Joint b) const {
+  double median(humanmodel::Joint a, humanmodel::Joint b) const { return over(a, b, 0.5); }
+  double straightest(humanmodel::Joint a, humanmodel::Joint b) const {
     const double moving = over(a, b, kStraightest);
     return rest_.has(a) && rest_.has(b) ? std::max(moving, (rest_[a] - rest_[b]).norm()) : moving;
   }
@@ -38,31 +39,31 @@ class Lengths {
   double hipDrop() const {
     std::vector<double> drops;
     for (const auto* f : samples_) {
-      if (!f->has(Joint::kPelvis) || !f->has(Joint::kNeck) || !f->has(Joint::kHipLeft) ||
-          !f->has(Joint::kHipRight))
+      if (!f->has(humanmodel::Joint::kPelvis) || !f->has(humanmodel::Joint::kNeck) ||
+          !f->has(humanmodel::Joint::kHipLeft) || !f->has(humanmodel::Joint::kHipRight))
         continue;
-      const Vector3d down = (*f)[Joint::kPelvis] - (*f)[Joint::kNeck];
+      const Vector3d down = (*f)[humanmodel::Joint::kPelvis] - (*f)[humanmodel::Joint::kNeck];
       if (down.norm() == 0.0) continue;
-      const Vector3d p_hips = 0.5 * ((*f)[Joint::kHipLeft] + (*f)[Joint::kHipRight]);
-      drops.push_back((p_hips - (*f)[Joint::kPelvis]).dot(down.normalized()));
+      const Vector3d p_hips = 0.5 * ((*f)[humanmodel::Joint::kHipLeft] + (*f)[humanmodel::Joint::kHipRight]);
+      drops.push_back((p_hips - (*f)[humanmodel::Joint::kPelvis]).dot(down.normalized()));
     }
     return drops.empty() ? kNaN : quantile(drops, 0.5);
   }
 
  private:
-  double over(Joint a, Joint b, double q) const {
+  double over(humanmodel::Joint a, humanmodel::Joint b, double q) const {
     std::vector<double> lengths;
     for (const auto* f : samples_)
       if (f->has(a) && f->has(b)) lengths.push_back(((*f)[a] - (*f)[b]).norm());
     return lengths.empty() ? kNaN : quantile(lengths, q);
   }
 
-  const SkeletonFrame& rest_;
-  std::vector<const SkeletonFrame*> samples_;
+  const humanmodel::SkeletonFrame& rest_;
+  std::vector<const humanmodel::SkeletonFrame*> samples_;
 };
 
 UnitChoice wantedUnit(const std::string& wanted) {
-  std::string name = lowerCase(wanted);
+  std::string name = text::lowerCase(wanted);
   if (name == "in" || name == "inch") name = "inches";
   for (const auto& unit : kUnits)
     if (name == unit.name) return {unit.name, "given by the user", unit.metres, ""};
@@ -75,42 +76,47 @@ UnitChoice wantedUnit(const std::string& wanted) {
 
 }  // namespace
 
-std::optional<double> measureStature(const SkeletonFrame& rest, const std::vector<SkeletonFrame>& frames) {
+std::optional<double> measureStature(const humanmodel::SkeletonFrame& rest,
+                                     const std::vector<humanmodel::SkeletonFrame>& frames) {
   const Lengths lengths(rest, frames);
-  const double leg = 0.5 * (lengths.median(Joint::kHipLeft, Joint::kKneeLeft) +
-                            lengths.median(Joint::kKneeLeft, Joint::kAnkleLeft) +
-                            lengths.median(Joint::kHipRight, Joint::kKneeRight) +
-                            lengths.median(Joint::kKneeRight, Joint::kAnkleRight));
-  const double above_ankle = lengths.straightest(Joint::kHeadTop, Joint::kNeck) +
-                             lengths.straightest(Joint::kNeck, Joint::kPelvis) + lengths.hipDrop() + leg;
+  const double leg = 0.5 * (lengths.median(humanmodel::Joint::kHipLeft, humanmodel::Joint::kKneeLeft) +
+                            lengths.median(humanmodel::Joint::kKneeLeft, humanmodel::Joint::kAnkleLeft) +
+                            lengths.median(humanmodel::Joint::kHipRight, humanmodel::Joint::kKneeRight) +
+                            lengths.median(humanmodel::Joint::kKneeRight, humanmodel::Joint::kAnkleRight));
+  const double above_ankle = lengths.straightest(humanmodel::Joint::kHeadTop, humanmodel::Joint::kNeck) +
+                             lengths.straightest(humanmodel::Joint::kNeck, humanmodel::Joint::kPelvis) +
+                             lengths.hipDrop() + leg;
   const double stature = above_ankle / (1.0 - kAnkleHeight);
   if (!std::isfinite(stature) || stature <= 0.0) return std::nullopt;
   return stature;
 }
 
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature) {
-  const std::string range = rounded(kShortestAdult, 1) + " to " + rounded(kTallestAdult, 1) + " m";
+  const std::string range =
+      text::rounded(kShortestAdult, 1) + " to " + text::rounded(kTallestAdult, 1) + " m";
   const auto plausible = [](double metres) { return metres >= kShortestAdult && metres <= kTallestAdult; };
-  if (lowerCase(wanted) != "auto") {
+  if (text::lowerCase(wanted) != "auto") {
     UnitChoice choice = wantedUnit(wanted);
     if (stature && !plausible(*stature * choice.scale))
-      choice.warning = "with the given units the person is " + rounded(*stature * choice.scale, 3) +
+      choice.warning = "with the given units the person is " + text::rounded(*stature * choice.scale, 3) +
                        " m tall, not " + range;
     return choice;
   }
   if (!stature)
     return {"cm", "the joints that give a stature are not all in the file; centimetres are the most usual",
             0.01, "the units are not known: centimetres are assumed; give them if that is wrong"};
-  const std::string measured = "along the bones the person is " + rounded(*stature, 3) + " units tall: ";
+  const std::string measured =
+      "along the bones the person is " + text::rounded(*stature, 3) + " units tall: ";
   for (const auto& unit : kUnits)
     if (plausible(*stature * unit.metres))
-      return {unit.name,
-              measured + rounded(*stature * unit.metres, 3) + " m in " + unit.name + ", an adult's stature",
-              unit.metres, ""};
+      return {
+          unit.name,
+          measured + text::rounded(*stature * unit.metres, 3) + " m in " + unit.name + ", an adult's stature",
+          unit.metres, ""};
   const double scale = kAssumedStature / *stature;
   return {"free", measured + "in no usual unit an adult's stature (" + range + ")", scale,
-          measured + "no usual unit gives " + range + ", so it is scaled to " + rounded(kAssumedStature, 2) +
-              " m; give the units if they are known"};
+          measured + "no usual unit gives " + range + ", so it is scaled to " +
+              text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

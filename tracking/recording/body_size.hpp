@@ -7,14 +7,15 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Stature in the units of the frames, along the bones, so that bent and lying poses count as upright ones
 /// do: head_top-neck + neck-pelvis + pelvis-hips along the trunk + hip-knee + knee-ankle, the legs' mean of
 /// both sides, each over sampled frames, and the height of the ankle, 0.039 of the stature (Drillis and
 /// Contini 1966, in Winter 2009, fig. 4.1). The spine counts as long as it is at its straightest (rest pose,
 /// 90 % of the frames). Nullopt where one of the joints is in no frame.
-std::optional<double> measureStature(const SkeletonFrame& rest, const std::vector<SkeletonFrame>& frames);
+std::optional<double> measureStature(const humanmodel::SkeletonFrame& rest,
+                                     const std::vector<humanmodel::SkeletonFrame>& frames);
 
 /// Metres per unit of a file, and why.
 struct UnitChoice {
@@ -35,4 +36,4 @@ inline constexpr double kAssumedStature = 1.75;
 /// adult.
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,24 +9,24 @@
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/part_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// The lowest foot of a recording that stands on the floor is nearer to z = 0 than this (m).
 constexpr double kFloorDistance = 0.3;
 
-void turnAndScale(std::vector<SkeletonFrame>& frames, const Matrix3d& R, double scale) {
+void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d& R, double scale) {
   if (scale == 1.0 && R == Matrix3d::Identity()) return;  // keeps every bit, the sign of a zero too
   for (auto& f : frames)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (f.state[j] != JointState::kMissing) {
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (f.state[j] != humanmodel::JointState::kMissing) {
         f.p[j] = scale * (R * f.p[j]);
         f.spread[j] *= scale;
       }
 }
 
 /// The points of the file that make a joint.
-std::vector<std::size_t> pointsOf(const JointMatch& match, Joint j, std::size_t points) {
+std::vector<std::size_t> pointsOf(const JointMatch& match, humanmodel::Joint j, std::size_t points) {
   const int joint = match.joint[static_cast<std::size_t>(j)];
   if (joint < 0) return {};
   const auto i = static_cast<std::size_t>(joint);
@@ -36,20 +36,23 @@ std::vector<std::size_t> pointsOf(const JointMatch& match, Joint j, std::size_t 
 }
 
 /// Fills `mapped`, `not_mapped` and `missing_parts`.
-void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& frames, RecordingReport& report) {
-  const auto known = [&](Joint j) {
-    return std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) { return f.has(j); });
+void reportParts(const RawRecording& raw, const std::vector<humanmodel::SkeletonFrame>& frames,
+                 RecordingReport& report) {
+  const auto known = [&](humanmodel::Joint j) {
+    return std::any_of(frames.begin(), frames.end(),
+                       [j](const humanmodel::SkeletonFrame& f) { return f.has(j); });
   };
-  const auto used_as_found = [&](Joint j) {
-    return raw.is_canonical || std::any_of(frames.begin(), frames.end(), [j](const SkeletonFrame& f) {
-             return f.state[static_cast<std::size_t>(j)] == JointState::kTracked;
+  const auto used_as_found = [&](humanmodel::Joint j) {
+    return raw.is_canonical ||
+           std::any_of(frames.begin(), frames.end(), [j](const humanmodel::SkeletonFrame& f) {
+             return f.state[static_cast<std::size_t>(j)] == humanmodel::JointState::kTracked;
            });
   };
   std::vector<bool> used(raw.joints.size(), false);
   std::string sentence;
   for (const auto& part : partJoints()) {
     std::vector<std::string> names;
-    for (const Joint j : part.joints) {
+    for (const humanmodel::Joint j : part.joints) {
       for (const std::size_t i : pointsOf(raw.match, j, raw.joints.size())) {
         if (!used_as_found(j)) continue;
         used[i] = true;
@@ -58,8 +61,8 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
       }
     }
     std::string missing;
-    for (const Joint j : {part.joints.front(), part.joints.back()})
-      if (!known(j)) missing += (missing.empty() ? "" : " and ") + std::string(jointName(j));
+    for (const humanmodel::Joint j : {part.joints.front(), part.joints.back()})
+      if (!known(j)) missing += (missing.empty() ? "" : " and ") + std::string(humanmodel::jointName(j));
     if (missing.empty()) {
       report.mapped[std::string(part.part)] = std::move(names);
     } else {
@@ -76,23 +79,25 @@ void reportParts(const RawRecording& raw, const std::vector<SkeletonFrame>& fram
 }
 
 /// Frames in which a joint that the recording has elsewhere is missing.
-std::size_t countGaps(const std::vector<SkeletonFrame>& frames) {
-  std::array<bool, kJointCount> somewhere{};
+std::size_t countGaps(const std::vector<humanmodel::SkeletonFrame>& frames) {
+  std::array<bool, humanmodel::kJointCount> somewhere{};
   for (const auto& f : frames)
-    for (std::size_t j = 0; j < kJointCount; ++j) somewhere[j] |= f.state[j] != JointState::kMissing;
-  return static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), [&](const SkeletonFrame& f) {
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (somewhere[j] && f.state[j] == JointState::kMissing) return true;
-    return false;
-  }));
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      somewhere[j] |= f.state[j] != humanmodel::JointState::kMissing;
+  return static_cast<std::size_t>(
+      std::count_if(frames.begin(), frames.end(), [&](const humanmodel::SkeletonFrame& f) {
+        for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+          if (somewhere[j] && f.state[j] == humanmodel::JointState::kMissing) return true;
+        return false;
+      }));
 }
 
 /// Frames in which the person's left lies on the left, and on the right, of where the toes point to.
 struct Sides {
   int agree{0}, contradict{0};
 };
-Sides countSides(const std::vector<SkeletonFrame>& frames) {
-  using J = Joint;
+Sides countSides(const std::vector<humanmodel::SkeletonFrame>& frames) {
+  using J = humanmodel::Joint;
   Sides sides;
   for (const auto i : sampleIndices(frames.size())) {
     const auto& f = frames[i];
@@ -107,9 +112,9 @@ Sides countSides(const std::vector<SkeletonFrame>& frames) {
 }
 
 /// Toes that were made from the hips say nothing about sides.
-bool toesWereFound(const std::vector<SkeletonFrame>& frames) {
-  return std::any_of(frames.begin(), frames.end(), [](const SkeletonFrame& f) {
-    return f.state[static_cast<std::size_t>(Joint::kToeLeft)] == JointState::kTracked;
+bool toesWereFound(const std::vector<humanmodel::SkeletonFrame>& frames) {
+  return std::any_of(frames.begin(), frames.end(), [](const humanmodel::SkeletonFrame& f) {
+    return f.state[static_cast<std::size_t>(humanmodel::Joint::kToeLeft)] == humanmodel::JointState::kTracked;
   });
 }
 
@@ -133,10 +138,10 @@ void reportSides(const RawRecording& raw, RecordingReport& report) {
 
 /// Exchanges what is called left and right.
 void swapSides(RawRecording& raw) {
-  constexpr auto kFirstLeft = static_cast<std::size_t>(Joint::kShoulderLeft);
-  for (const std::size_t first : {kFirstLeft, static_cast<std::size_t>(Joint::kHipLeft)})
+  constexpr auto kFirstLeft = static_cast<std::size_t>(humanmodel::Joint::kShoulderLeft);
+  for (const std::size_t first : {kFirstLeft, static_cast<std::size_t>(humanmodel::Joint::kHipLeft)})
     for (std::size_t j = first; j < first + 4; ++j) {
-      const auto swap = [j](SkeletonFrame& f) {
+      const auto swap = [j](humanmodel::SkeletonFrame& f) {
         std::swap(f.p[j], f.p[j + 4]);
         std::swap(f.state[j], f.state[j + 4]);
         std::swap(f.spread[j], f.spread[j + 4]);
@@ -149,8 +154,8 @@ void swapSides(RawRecording& raw) {
 
 /// How often the line from hip to hip turns by more than 90 degrees between two frames: a tracker swapped
 /// sides.
-std::size_t countSideSwaps(const std::vector<SkeletonFrame>& frames) {
-  using J = Joint;
+std::size_t countSideSwaps(const std::vector<humanmodel::SkeletonFrame>& frames) {
+  using J = humanmodel::Joint;
   std::size_t swaps = 0;
   for (std::size_t i = 2; i < frames.size(); ++i) {
     const auto &a = frames[i - 1], &b = frames[i];
@@ -161,17 +166,18 @@ std::size_t countSideSwaps(const std::vector<SkeletonFrame>& frames) {
   return swaps;
 }
 
-void warnOfPlace(const std::vector<SkeletonFrame>& frames, RecordingReport& report) {
+void warnOfPlace(const std::vector<humanmodel::SkeletonFrame>& frames, RecordingReport& report) {
   double lowest = kInfinity;
   for (const auto& f : frames)
-    for (const Joint j : {Joint::kAnkleLeft, Joint::kAnkleRight, Joint::kToeLeft, Joint::kToeRight})
+    for (const humanmodel::Joint j : {humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kAnkleRight,
+                                      humanmodel::Joint::kToeLeft, humanmodel::Joint::kToeRight})
       if (f.has(j)) lowest = std::min(lowest, f[j].z());
   if (!std::isfinite(lowest)) return;
   report.lowest_foot = lowest;
   if (std::abs(lowest) <= kFloorDistance) return;
   report.in_fields.push_back(report.warnings.size());
-  report.warnings.push_back("the lowest foot of the recording is at z = " + rounded(lowest, 2) +
-                            " m, not on the floor: place the recording by " + rounded(-lowest, 2) +
+  report.warnings.push_back("the lowest foot of the recording is at z = " + text::rounded(lowest, 2) +
+                            " m, not on the floor: place the recording by " + text::rounded(-lowest, 2) +
                             " m in z");
 }
 
@@ -219,8 +225,8 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.scale = unit.scale;
   report.up = up.axis;
   report.up_reason = up.reason;
-  report.units_guessed = !raw.unit && lowerCase(options.units) == "auto";
-  report.up_guessed = !raw.up && lowerCase(options.up) == "auto";
+  report.units_guessed = !raw.unit && text::lowerCase(options.units) == "auto";
+  report.up_guessed = !raw.up && text::lowerCase(options.up) == "auto";
   report.stature = stature ? *stature * unit.scale : 0.0;
 
   Matrix3d R_WF = rotationToZUp(up.axis);
@@ -238,4 +244,4 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,16 +11,17 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/recording/up_axis.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What a reader found, before anything is derived, scaled or turned.
 struct RawRecording {
   std::string format;
   std::vector<std::string> joints;  ///< names in the file
   JointMatch match;
-  SkeletonFrame rest;                 ///< the file's rest pose, where it has one
-  std::vector<SkeletonFrame> frames;  ///< canonical joints in the file's axes and units; at least one
-  double rate{0.0};                   ///< Hz
+  humanmodel::SkeletonFrame rest;  ///< the file's rest pose, where it has one
+  std::vector<humanmodel::SkeletonFrame>
+      frames;        ///< canonical joints in the file's axes and units; at least one
+  double rate{0.0};  ///< Hz
   std::string rate_reason;
   std::optional<UnitChoice> unit;  ///< where the file or its format says it; else it is guessed
   std::optional<UpChoice> up;      ///< likewise
@@ -33,4 +34,4 @@ struct RawRecording {
 /// UsageError for options that mean nothing.
 Recording convert(RawRecording raw, const RecordingOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 #include "humanmodel/joints.hpp"
 #include "tracking/recording/joint_map.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Fills joints of the frames, and of `rest` by the same rules, in any axes and units:
 ///  - pelvis: middle of the hips; thorax and neck: middle of the shoulders; spine: middle of pelvis and
@@ -27,7 +27,8 @@ namespace abstand {
 ///    median frame: it is the sole, as in Biovision's first example), 0.45 of the calf in front of the ankle
 ///    and 0.16 below it (0.039 / 0.246, ibid.), forward being square to the calf and to the line of the hips.
 /// Joints made so are kInferred. Returns a sentence on each thing that was made or moved.
-std::vector<std::string> deriveJoints(SkeletonFrame& rest, std::vector<SkeletonFrame>& frames,
+std::vector<std::string> deriveJoints(humanmodel::SkeletonFrame& rest,
+                                      std::vector<humanmodel::SkeletonFrame>& frames,
                                       HeadPoint head = HeadPoint::kBase);
 
 /// Evenly spaced indices below `count`, at most `most` of them, for estimates over a whole recording.
@@ -36,4 +37,4 @@ std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t most = 200
 /// The value below which a share `q` of the values lies. ABSTAND_CHECKs that there are any.
 double quantile(std::vector<double> values, double q);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

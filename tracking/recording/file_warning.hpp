@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Something odd in a file that did not stop the reading. line 0: no line is known.
 struct FileWarning {
@@ -13,4 +13,4 @@ struct FileWarning {
   std::size_t frames_missing{0};  ///< frames that the file claims, or begins, and does not hold
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

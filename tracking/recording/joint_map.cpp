@@ -8,7 +8,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/name_index.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uintmax_t kMaxMapBytes = 1 << 20;
@@ -17,7 +17,7 @@ constexpr std::uintmax_t kMaxMapBytes = 1 << 20;
 int oneOf(std::string_view value, std::array<const char*, 2> words, const SourcePos& pos) {
   for (int i = 0; i < 2; ++i)
     if (value == words[static_cast<std::size_t>(i)]) return i;
-  throw ParseError(pos, "found " + inQuotes(value) + ", expected " + words[0] + " or " + words[1]);
+  throw ParseError(pos, "found " + text::inQuotes(value) + ", expected " + words[0] + " or " + words[1]);
 }
 
 }  // namespace
@@ -26,7 +26,8 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
   JointMap map;
   map.file = file;
   std::vector<std::string> keys{"name", "origin", "licence", "prefix", "requires", "head_is", "points"};
-  for (std::size_t j = 0; j < kJointCount; ++j) keys.emplace_back(jointName(static_cast<Joint>(j)));
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    keys.emplace_back(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));
 
   SourcePos pos{file.string()};
   for (std::size_t from = 0; from < text.size();) {
@@ -37,7 +38,7 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
     if (line.empty() || line.front() == '#') continue;
     const auto colon = line.find(':');
     if (colon == std::string_view::npos)
-      throw ParseError(pos, "found " + inQuotes(line) + ", expected 'key: name | name ...'");
+      throw ParseError(pos, "found " + text::inQuotes(line) + ", expected 'key: name | name ...'");
     const std::string key(trimmed(line.substr(0, colon)));
     const auto value = trimmed(line.substr(colon + 1));
     if (key == "name")
@@ -54,16 +55,16 @@ JointMap parseJointMap(std::string_view text, const std::filesystem::path& file)
       map.head = oneOf(value, {"base", "middle"}, pos) == 0 ? HeadPoint::kBase : HeadPoint::kMiddle;
     else if (key == "points")
       map.of_markers = oneOf(value, {"joints", "markers"}, pos) == 1;
-    else if (const auto joint = parseJoint(key)) {
+    else if (const auto joint = humanmodel::parseJoint(key)) {
       auto& names = map.names[static_cast<std::size_t>(*joint)];
       if (!names.empty())
-        throw ParseError(pos, "found " + inQuotes(key) + " a second time, expected it once");
+        throw ParseError(pos, "found " + text::inQuotes(key) + " a second time, expected it once");
       names = namesBetweenBars(value, pos);
     } else {
       const auto near = nearestName(key, keys);
       throw ParseError(
           pos,
-          "found " + inQuotes(key) +
+          "found " + text::inQuotes(key) +
               ", expected a canonical joint or name, origin, licence, prefix, requires, head_is, "
               "points",
           near.empty() ? "" : "did you mean '" + near + "'?");
@@ -104,7 +105,7 @@ JointMatch matchJoints(const JointMap& map, std::span<const std::string> names) 
     ++match.specific;
   }
   std::vector<bool> used(names.size(), false);
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     for (std::size_t rank = 0; rank < map.names[j].size() && match.joint[j] < 0; ++rank) {
       const std::string& wanted = map.names[j][rank];
       if (isSum(wanted)) {
@@ -149,4 +150,4 @@ JointMatch chooseJointMap(std::span<const JointMap> maps, std::span<const std::s
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

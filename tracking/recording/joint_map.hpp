@@ -10,7 +10,7 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Which point of the head a file's `head` is.
 enum class HeadPoint : std::uint8_t { kBase, kMiddle };
@@ -22,8 +22,9 @@ struct JointMap {
   std::vector<std::string> prefixes;  ///< that names may carry, e.g. "mixamorig:"
   std::vector<std::string> required;  ///< names without which the map does not apply
   HeadPoint head{HeadPoint::kBase};
-  bool of_markers{false};                                   ///< the points lie on the skin, not in the joints
-  std::array<std::vector<std::string>, kJointCount> names;  ///< by canonical joint, the best first
+  bool of_markers{false};  ///< the points lie on the skin, not in the joints
+  std::array<std::vector<std::string>, humanmodel::kJointCount>
+      names;  ///< by canonical joint, the best first
 };
 
 /// Throws ParseError with the line for an unknown key, joint or form.
@@ -35,8 +36,9 @@ std::vector<JointMap> loadJointMaps(const std::filesystem::path& folder);
 
 /// What a map makes of the joints of a file.
 struct JointMatch {
-  std::string map;                      ///< its name
-  std::array<int, kJointCount> joint;   ///< index into the file's names and, behind them, means; -1: none
+  std::string map;  ///< its name
+  std::array<int, humanmodel::kJointCount>
+      joint;                            ///< index into the file's names and, behind them, means; -1: none
   std::vector<std::vector<int>> means;  ///< joints that are the middle of several points of the file
   HeadPoint head{HeadPoint::kBase};
   bool of_markers{false};
@@ -55,4 +57,4 @@ JointMatch matchJoints(const JointMap& map, std::span<const std::string> names);
 /// places, fewer not found; then the first.
 JointMatch chooseJointMap(std::span<const JointMap> maps, std::span<const std::string> names);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct MarkerUse {
   std::string label, segment;
@@ -33,4 +33,4 @@ struct MarkerReport {
   std::size_t lost{0};                                ///< frames without a pose
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

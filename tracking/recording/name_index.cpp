@@ -2,7 +2,7 @@
 
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::string_view kPlus = " + ";
@@ -28,7 +28,7 @@ std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos
 }
 
 std::string plainName(std::string_view name) {
-  std::string s = lowerCase(trimmed(name));
+  std::string s = text::lowerCase(trimmed(name));
   for (char& c : s)
     if (c == '_' || c == '.' || c == '-') c = ' ';
   return s;
@@ -66,4 +66,4 @@ std::vector<int> NameIndex::points(std::string_view sum) const {
 
 bool isSum(std::string_view name) { return name.find(kPlus) != std::string_view::npos; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

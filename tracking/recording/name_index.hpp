@@ -9,7 +9,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view text);
@@ -39,4 +39,4 @@ class NameIndex {
 /// Whether a name is a sum, "A + B".
 bool isSum(std::string_view name);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

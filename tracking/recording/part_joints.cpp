@@ -1,9 +1,9 @@
 #include "tracking/recording/part_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
-using PartJoint = Joint;
+using PartJoint = humanmodel::Joint;
 constexpr PartJoint kTorso[]{PartJoint::kPelvis, PartJoint::kSpine, PartJoint::kThorax, PartJoint::kNeck};
 constexpr PartJoint kHead[]{PartJoint::kNeck, PartJoint::kHead, PartJoint::kHeadTop};
 constexpr PartJoint kBicepsLeft[]{PartJoint::kShoulderLeft, PartJoint::kElbowLeft},
@@ -38,4 +38,4 @@ constexpr PartJoints kParts[]{{"torso", kTorso},
 
 std::span<const PartJoints> partJoints() { return kParts; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,24 +11,25 @@
 #include "tracking/recording/file_warning.hpp"
 #include "tracking/recording/up_axis.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// One moment of a file, in the file's axes and units. A point that is missing holds NaN.
 struct PointFrame {
   double t{0.0};  ///< s
   std::vector<Vector3d> p;
-  std::vector<JointState> state;
+  std::vector<humanmodel::JointState> state;
   std::vector<double> spread;  ///< standard deviation along the worst axis; 0, or nothing: not known
 
   /// All `points` missing, at t = 0.
   void clear(std::size_t points) {
     t = 0.0;
     p.assign(points, Vector3d::Constant(kNaN));
-    state.assign(points, JointState::kMissing);
+    state.assign(points, humanmodel::JointState::kMissing);
     spread.assign(points, 0.0);
   }
   double spreadOf(std::size_t point) const { return point < spread.size() ? spread[point] : 0.0; }
-  void set(std::size_t point, const Vector3d& p_FP, JointState s = JointState::kTracked) {
+  void set(std::size_t point, const Vector3d& p_FP,
+           humanmodel::JointState s = humanmodel::JointState::kTracked) {
     p[point] = p_FP;
     state[point] = s;
   }
@@ -65,4 +66,4 @@ class PointReader {
   virtual std::vector<FileWarning> warnings() const { return {}; }
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,13 +4,13 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
-const SkeletonFrame& Recording::at(double t) const {
+const humanmodel::SkeletonFrame& Recording::at(double t) const {
   ABSTAND_CHECK(!frames.empty());
   auto after = std::upper_bound(frames.begin(), frames.end(), t,
-                                [](double value, const SkeletonFrame& f) { return value < f.t; });
+                                [](double value, const humanmodel::SkeletonFrame& f) { return value < f.t; });
   return after == frames.begin() ? *after : *(after - 1);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

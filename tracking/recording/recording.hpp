@@ -9,7 +9,7 @@
 #include "humanmodel/joints.hpp"
 #include "tracking/recording/marker_report.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What a user may say about a file instead of letting the reader guess.
 struct RecordingOptions {
@@ -60,10 +60,10 @@ struct RecordingReport {
 
 struct Recording {
   RecordingReport report;
-  std::vector<SkeletonFrame> frames;  ///< t rises; canonical joints, metres, z up
+  std::vector<humanmodel::SkeletonFrame> frames;  ///< t rises; canonical joints, metres, z up
 
   /// The frame at time t: the recorded one at or just before it (no interpolation), clamped at both ends.
-  const SkeletonFrame& at(double t) const;
+  const humanmodel::SkeletonFrame& at(double t) const;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -1,6 +1,6 @@
 #include "tracking/recording/text_cursor.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -59,4 +59,4 @@ bool TextCursor::take(std::string_view expected) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Walks over a text without copying it. A word ends at white space; '{' and '}' are words of their own.
 class TextCursor {
@@ -38,4 +38,4 @@ class TextCursor {
   int line_{1};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "-x", "-y", "-z"};
@@ -19,8 +19,8 @@ constexpr double kSteady = 0.6;
 constexpr double kStanding = 0.7;
 
 /// The lowest joints known, else nullopt.
-std::optional<Vector3d> foot(const SkeletonFrame& f) {
-  using J = Joint;
+std::optional<Vector3d> foot(const humanmodel::SkeletonFrame& f) {
+  using J = humanmodel::Joint;
   for (const auto& [left, right] : {std::pair{J::kAnkleLeft, J::kAnkleRight},
                                     {J::kKneeLeft, J::kKneeRight},
                                     {J::kHipLeft, J::kHipRight},
@@ -29,10 +29,11 @@ std::optional<Vector3d> foot(const SkeletonFrame& f) {
   return std::nullopt;
 }
 
-std::optional<Vector3d> feetToHead(const SkeletonFrame& f) {
+std::optional<Vector3d> feetToHead(const humanmodel::SkeletonFrame& f) {
   const auto low = foot(f);
   if (!low) return std::nullopt;
-  for (const Joint high : {Joint::kHeadTop, Joint::kHead, Joint::kNeck, Joint::kThorax})
+  for (const humanmodel::Joint high : {humanmodel::Joint::kHeadTop, humanmodel::Joint::kHead,
+                                       humanmodel::Joint::kNeck, humanmodel::Joint::kThorax})
     if (f.has(high) && (f[high] - *low).norm() > 0.0) return (f[high] - *low).normalized();
   return std::nullopt;
 }
@@ -44,8 +45,8 @@ std::string nearestAxis(const Vector3d& d) {
 }
 
 /// The axis of the rest pose, if it is a standing one.
-std::optional<std::string> standingRest(const SkeletonFrame& rest) {
-  using J = Joint;
+std::optional<std::string> standingRest(const humanmodel::SkeletonFrame& rest) {
+  using J = humanmodel::Joint;
   for (const J j : {J::kPelvis, J::kNeck, J::kHipLeft, J::kHipRight, J::kAnkleLeft, J::kAnkleRight})
     if (!rest.has(j)) return std::nullopt;
   const Vector3d trunk = rest[J::kNeck] - rest[J::kPelvis];
@@ -57,9 +58,9 @@ std::optional<std::string> standingRest(const SkeletonFrame& rest) {
 
 }  // namespace
 
-UpChoice chooseUp(const std::string& wanted, const SkeletonFrame& rest,
-                  const std::vector<SkeletonFrame>& frames) {
-  const std::string name = lowerCase(wanted);
+UpChoice chooseUp(const std::string& wanted, const humanmodel::SkeletonFrame& rest,
+                  const std::vector<humanmodel::SkeletonFrame>& frames) {
+  const std::string name = text::lowerCase(wanted);
   if (name != "auto") {
     for (const char* axis : kAxes)
       if (name == axis || name == std::string("+") + axis) return {axis, "given by the user", ""};
@@ -80,8 +81,8 @@ UpChoice chooseUp(const std::string& wanted, const SkeletonFrame& rest,
 
   const Vector3d mean = sum / count;
   const std::string measured = "mean direction from feet to head in " + std::to_string(count) + " frames: (" +
-                               rounded(mean.x(), 2) + ", " + rounded(mean.y(), 2) + ", " +
-                               rounded(mean.z(), 2) + ")";
+                               text::rounded(mean.x(), 2) + ", " + text::rounded(mean.y(), 2) + ", " +
+                               text::rounded(mean.z(), 2) + ")";
   const std::string axis = nearestAxis(mean);
   if (!rest_axis || *rest_axis == axis) return {axis, measured, ""};
   if (mean.cwiseAbs().maxCoeff() < kSteady)
@@ -101,4 +102,4 @@ Matrix3d rotationToZUp(const std::string& axis) {
   return R;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

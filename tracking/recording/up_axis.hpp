@@ -6,7 +6,7 @@
 
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct UpChoice {
   std::string axis{"y"};  ///< "x", "y", "z", "-x", "-y" or "-z"
@@ -18,11 +18,11 @@ struct UpChoice {
 /// nearest to the mean direction from the feet to the head over sampled frames. Where that direction wavers
 /// (a person who rolls on the floor), the rest pose decides, if it stands: legs opposite to the trunk. A
 /// standing rest pose that contradicts the frames is a warning: the person may be lying all the time.
-UpChoice chooseUp(const std::string& wanted, const SkeletonFrame& rest,
-                  const std::vector<SkeletonFrame>& frames);
+UpChoice chooseUp(const std::string& wanted, const humanmodel::SkeletonFrame& rest,
+                  const std::vector<humanmodel::SkeletonFrame>& frames);
 
 /// The proper rotation that takes `axis` to z and, for an axis other than z, keeps one of the other two: y up
 /// goes by (x, y, z) -> (x, -z, y).
 Matrix3d rotationToZUp(const std::string& axis);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include "core/base/text_file.hpp"
 #include "tracking/registry/recording_format.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 std::vector<std::string> recordingFormats() {
   std::vector<std::string> names;
@@ -32,4 +32,4 @@ Recording openRecording(const std::filesystem::path& file, const RecordingOption
   return chosen->read(std::move(bytes), file, options);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The names that RecordingOptions::format may have beside "auto".
 std::vector<std::string> recordingFormats();
@@ -13,4 +13,4 @@ std::vector<std::string> recordingFormats();
 /// the options.
 Recording openRecording(const std::filesystem::path& file, const RecordingOptions& options = {});
 
-}  // namespace abstand
+}  // namespace abstand::tracking

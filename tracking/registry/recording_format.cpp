@@ -13,7 +13,7 @@
 #include "tracking/table/skeleton_json.hpp"
 #include "tracking/trc/trc_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ constexpr RecordingFormat kFormats[]{
 
 std::span<const RecordingFormat> allRecordingFormats() { return kFormats; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

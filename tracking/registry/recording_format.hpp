@@ -8,7 +8,7 @@
 
 #include "tracking/recording/recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct RecordingFormat {
   const char* name;  ///< what the user may ask for
@@ -21,4 +21,4 @@ struct RecordingFormat {
 /// No two of them know the same file.
 std::span<const RecordingFormat> allRecordingFormats();
 
-}  // namespace abstand
+}  // namespace abstand::tracking

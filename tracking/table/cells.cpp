@@ -7,7 +7,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/recording/point_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 bool Cells::next(std::string_view& cell) {
   start_ = std::min(at_, line_.size());
@@ -24,7 +24,7 @@ bool Cells::next(std::string_view& cell) {
 double Cells::number(std::string_view cell) const {
   const auto v = parseDouble(cell);
   if (!v || std::abs(*v) > kLargestCoordinate)
-    throw ParseError(pos(), "found " + inQuotes(cell) + ", expected a number below 1e9");
+    throw ParseError(pos(), "found " + text::inQuotes(cell) + ", expected a number below 1e9");
   return *v;
 }
 
@@ -44,4 +44,4 @@ bool Lines::next(std::string_view& line) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

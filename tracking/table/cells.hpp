@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Splits a line at its separators; cells lose the blanks at both ends. Keeps views of `line` and `file`.
 class Cells {
@@ -45,4 +45,4 @@ class Lines {
   int number_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "humanmodel/joints.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 struct Named {
@@ -23,7 +23,7 @@ struct Named {
 Named splitName(std::string_view cell) {
   const auto dot = cell.find_last_of("._");
   if (dot == std::string_view::npos || dot == 0) return {cell, -1};
-  const std::string field = lowerCase(cell.substr(dot + 1));
+  const std::string field = text::lowerCase(cell.substr(dot + 1));
   const int f = field == "x"            ? 0
                 : field == "y"          ? 1
                 : field == "z"          ? 2
@@ -34,7 +34,7 @@ Named splitName(std::string_view cell) {
 }
 
 std::optional<CsvTime> timeOf(std::string_view cell) {
-  const std::string name = lowerCase(cell);
+  const std::string name = text::lowerCase(cell);
   if (name == "t" || name == "time" || name == "timestamp") return CsvTime::kSeconds;
   if (name == "frame") return CsvTime::kFrames;
   return std::nullopt;
@@ -42,7 +42,8 @@ std::optional<CsvTime> timeOf(std::string_view cell) {
 
 std::vector<std::string> canonicalNames() {
   std::vector<std::string> names;
-  for (std::size_t j = 0; j < kJointCount; ++j) names.emplace_back(jointName(static_cast<Joint>(j)));
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    names.emplace_back(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));
   return names;
 }
 
@@ -50,7 +51,7 @@ std::vector<std::string> canonicalNames() {
 bool meansCanonical(const std::vector<std::string>& joints) {
   const auto known = canonicalNames();
   const auto near = std::count_if(joints.begin(), joints.end(), [&](const std::string& name) {
-    return name == lowerCase(name) && !nearestName(name, known).empty();
+    return name == text::lowerCase(name) && !nearestName(name, known).empty();
   });
   return 2 * static_cast<std::size_t>(near) > joints.size();
 }
@@ -73,7 +74,7 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
   std::string_view cell;
   cells.next(cell);
   const auto time = timeOf(cell);
-  if (!time) throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected the column 't'");
+  if (!time) throw ParseError(cells.pos(), "found " + text::inQuotes(cell) + ", expected the column 't'");
   out.time = *time;
 
   std::vector<std::array<bool, 5>> seen;
@@ -82,7 +83,7 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
   while (cells.next(cell)) {
     const Named named = splitName(cell);
     if (named.field < 0)
-      throw ParseError(cells.pos(), "found the column " + inQuotes(cell) +
+      throw ParseError(cells.pos(), "found the column " + text::inQuotes(cell) +
                                         ", expected JOINT.x, .y, .z, .confidence or .spread");
     const auto [at, is_new] = index.emplace(std::string(named.joint), out.joints.size());
     if (is_new) {
@@ -93,7 +94,7 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
     bool& had = seen[at->second][static_cast<std::size_t>(named.field)];
     if (had)
       throw ParseError(cells.pos(),
-                       "found the column " + inQuotes(cell) + " a second time, expected it once");
+                       "found the column " + text::inQuotes(cell) + " a second time, expected it once");
     had = true;
     out.columns.push_back({at->second, named.field});
   }
@@ -101,11 +102,12 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
 
   out.is_canonical = meansCanonical(out.joints);
   for (std::size_t j = 0; j < out.joints.size(); ++j) {
-    if (out.is_canonical && !parseJoint(out.joints[j])) {
+    if (out.is_canonical && !humanmodel::parseJoint(out.joints[j])) {
       const auto near = nearestName(out.joints[j], canonicalNames());
-      throw ParseError(places[j],
-                       "found the joint " + inQuotes(out.joints[j]) + ", expected one of docs/recordings.md",
-                       near.empty() ? "" : "did you mean '" + near + "'?");
+      throw ParseError(
+          places[j],
+          "found the joint " + text::inQuotes(out.joints[j]) + ", expected one of docs/recordings.md",
+          near.empty() ? "" : "did you mean '" + near + "'?");
     }
     if (!seen[j][0] || !seen[j][1] || !seen[j][2])
       throw ParseError({file, 1}, "found only some columns of " + out.joints[j] + ", expected .x, .y and .z");
@@ -113,4 +115,4 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
   return out;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 inline constexpr int kConfidenceField = 3, kSpreadField = 4;
 
@@ -33,4 +33,4 @@ bool looksLikeCsvColumns(std::string_view line);
 /// order. Where most names are canonical ones, all must be. Throws ParseError with the column.
 CsvColumns parseCsvColumns(std::string_view line, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,15 +10,15 @@
 #include "core/text/message_text.hpp"
 #include "tracking/markers/point_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// Where a table counts frames and says no rate.
 constexpr double kAssumedRate = 30.0;
 
-double confidenceOf(JointState s) {
-  if (s == JointState::kMissing) return 0.0;
-  return s == JointState::kTracked ? kTrackedConfidence : kInferredConfidence;
+double confidenceOf(humanmodel::JointState s) {
+  if (s == humanmodel::JointState::kMissing) return 0.0;
+  return s == humanmodel::JointState::kTracked ? kTrackedConfidence : kInferredConfidence;
 }
 
 double spreadOf(const Cells& cells, double v) {
@@ -30,24 +30,26 @@ double spreadOf(const Cells& cells, double v) {
 
 void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
   std::vector<std::size_t> joints;
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     if (std::any_of(recording.frames.begin(), recording.frames.end(),
-                    [j](const SkeletonFrame& f) { return f.state[j] != JointState::kMissing; }))
+                    [j](const humanmodel::SkeletonFrame& f) {
+                      return f.state[j] != humanmodel::JointState::kMissing;
+                    }))
       joints.push_back(j);
-  std::array<bool, kJointCount> has_spread{};
+  std::array<bool, humanmodel::kJointCount> has_spread{};
   for (const auto& f : recording.frames)
-    for (std::size_t j = 0; j < kJointCount; ++j) has_spread[j] |= f.spread[j] > 0.0;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) has_spread[j] |= f.spread[j] > 0.0;
   out << 't';
   for (const auto j : joints) {
     for (const char* field : {".x", ".y", ".z", ".confidence"})
-      out << ',' << jointName(static_cast<Joint>(j)) << field;
-    if (has_spread[j]) out << ',' << jointName(static_cast<Joint>(j)) << ".spread";
+      out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << field;
+    if (has_spread[j]) out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << ".spread";
   }
   out << '\n';
   for (const auto& f : recording.frames) {
     out << formatDouble(f.t);
     for (const auto j : joints) {
-      const bool known = f.state[j] != JointState::kMissing;
+      const bool known = f.state[j] != humanmodel::JointState::kMissing;
       for (int k = 0; k < 3; ++k) out << ',' << (known ? formatDouble(f.p[j][k]) : "");
       out << ',' << formatDouble(confidenceOf(f.state[j]));
       if (has_spread[j]) out << ',' << (known ? formatDouble(f.spread[j]) : "");
@@ -124,10 +126,12 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
     else
       frame.p[c.joint][c.field] = v;
   }
-  if (cells.next(cell)) throw ParseError(cells.pos(), "found " + inQuotes(cell) + ", expected " + cell_count);
+  if (cells.next(cell))
+    throw ParseError(cells.pos(), "found " + text::inQuotes(cell) + ", expected " + cell_count);
   for (std::size_t j = 0; j < frame.p.size(); ++j) {
     if (frame.p[j].allFinite() && confidence_[j] > 0.0)
-      frame.state[j] = confidence_[j] >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+      frame.state[j] = confidence_[j] >= kMinTrackedConfidence ? humanmodel::JointState::kTracked
+                                                               : humanmodel::JointState::kInferred;
     else
       frame.p[j].setConstant(kNaN);
   }
@@ -138,4 +142,4 @@ Recording readSkeletonCsv(std::string_view text, const std::string& file, const 
   return readPoints(reader, file, options);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

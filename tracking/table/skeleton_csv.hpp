@@ -11,7 +11,7 @@
 #include "tracking/table/cells.hpp"
 #include "tracking/table/csv_columns.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Confidences that are written for the states of a joint, and the least that is read as tracked. 0 is
 /// missing.
@@ -56,4 +56,4 @@ class SkeletonCsvReader : public PointReader {
 Recording readSkeletonCsv(std::string_view text, const std::string& file,
                           const RecordingOptions& options = {});
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -30,7 +30,7 @@ Json parseLine(std::string_view line, const SourcePos& pos) {
   if (!isShallow(line)) throw ParseError(pos, "found brackets nested more than 16 deep, expected a skeleton");
   Json json = Json::parse(line.begin(), line.end(), nullptr, false);
   if (!json.is_object() || !json.contains("joints") || !json["joints"].is_object())
-    throw ParseError(pos, "found " + inQuotes(line) + ", expected an object with \"t\" and \"joints\"");
+    throw ParseError(pos, "found " + text::inQuotes(line) + ", expected an object with \"t\" and \"joints\"");
   return json;
 }
 
@@ -50,14 +50,15 @@ double timeOf(const Json& json, const SourcePos& pos) {
   return json["time_us"].get<double>() * 1e-6;
 }
 
-JointState stateOf(const Json& json, const SourcePos& pos) {
+humanmodel::JointState stateOf(const Json& json, const SourcePos& pos) {
   if (json.is_number()) {
     const double confidence = numberOf(json, pos, "a confidence");
-    if (confidence <= 0.0) return JointState::kMissing;
-    return confidence >= kMinTrackedConfidence ? JointState::kTracked : JointState::kInferred;
+    if (confidence <= 0.0) return humanmodel::JointState::kMissing;
+    return confidence >= kMinTrackedConfidence ? humanmodel::JointState::kTracked
+                                               : humanmodel::JointState::kInferred;
   }
-  if (json == "tracked") return JointState::kTracked;
-  if (json == "inferred") return JointState::kInferred;
+  if (json == "tracked") return humanmodel::JointState::kTracked;
+  if (json == "inferred") return humanmodel::JointState::kInferred;
   throw ParseError(pos,
                    "found an unknown state of a joint, expected \"tracked\", \"inferred\" or a confidence");
 }
@@ -81,7 +82,7 @@ SkeletonJsonReader::SkeletonJsonReader(std::string_view text, std::string file)
   bool all_canonical = true;
   for (const auto& [name, value] : json["joints"].items()) {
     names_.push_back(name);
-    all_canonical = all_canonical && parseJoint(name);
+    all_canonical = all_canonical && humanmodel::parseJoint(name);
   }
   if (names_.empty()) throw ParseError(pos, "found no joint, expected them in the first line");
   facts_.format = "jsonl";
@@ -114,17 +115,19 @@ bool SkeletonJsonReader::next(PointFrame& frame) {
   for (const auto& [name, value] : json["joints"].items()) {
     const auto it = std::find(names_.begin(), names_.end(), name);
     if (it == names_.end())
-      throw ParseError(pos, "found the joint " + inQuotes(name) + ", expected one of the first line");
+      throw ParseError(pos, "found the joint " + text::inQuotes(name) + ", expected one of the first line");
     if (value.is_null()) continue;
     if (!value.is_array() || (value.size() != 3 && value.size() != 4))
-      throw ParseError(pos, "found no place of " + inQuotes(name) + ", expected [x, y, z] or null");
+      throw ParseError(pos, "found no place of " + text::inQuotes(name) + ", expected [x, y, z] or null");
     Vector3d p;
     for (std::size_t k = 0; k < 3; ++k) p[static_cast<int>(k)] = numberOf(value[k], pos, name);
-    const JointState state = value.size() == 4 ? stateOf(value[3], pos) : JointState::kTracked;
-    if (state != JointState::kMissing) frame.set(static_cast<std::size_t>(it - names_.begin()), p, state);
+    const humanmodel::JointState state =
+        value.size() == 4 ? stateOf(value[3], pos) : humanmodel::JointState::kTracked;
+    if (state != humanmodel::JointState::kMissing)
+      frame.set(static_cast<std::size_t>(it - names_.begin()), p, state);
   }
   ++frames_;
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the first line begins an object that has "joints".
 bool looksLikeSkeletonJson(std::string_view text);
@@ -39,4 +39,4 @@ class SkeletonJsonReader : public PointReader {
   double last_t_{0.0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

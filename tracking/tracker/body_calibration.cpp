@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kApart = 0.2;  // s
@@ -23,34 +23,34 @@ enum class Size { kLength, kGirth };
 
 /// One size that the search changes: a kind of part, left and right alike.
 struct Knob {
-  PartKind kind;
+  humanmodel::PartKind kind;
   Size size;
 };
-constexpr std::array<Knob, 10> kKnobs{{{PartKind::kTorso, Size::kLength},
-                                       {PartKind::kThigh, Size::kLength},
-                                       {PartKind::kCalf, Size::kLength},
-                                       {PartKind::kBiceps, Size::kLength},
-                                       {PartKind::kForearm, Size::kLength},
-                                       {PartKind::kTorso, Size::kGirth},
-                                       {PartKind::kThigh, Size::kGirth},
-                                       {PartKind::kCalf, Size::kGirth},
-                                       {PartKind::kBiceps, Size::kGirth},
-                                       {PartKind::kForearm, Size::kGirth}}};
+constexpr std::array<Knob, 10> kKnobs{{{humanmodel::PartKind::kTorso, Size::kLength},
+                                       {humanmodel::PartKind::kThigh, Size::kLength},
+                                       {humanmodel::PartKind::kCalf, Size::kLength},
+                                       {humanmodel::PartKind::kBiceps, Size::kLength},
+                                       {humanmodel::PartKind::kForearm, Size::kLength},
+                                       {humanmodel::PartKind::kTorso, Size::kGirth},
+                                       {humanmodel::PartKind::kThigh, Size::kGirth},
+                                       {humanmodel::PartKind::kCalf, Size::kGirth},
+                                       {humanmodel::PartKind::kBiceps, Size::kGirth},
+                                       {humanmodel::PartKind::kForearm, Size::kGirth}}};
 
 /// Of each knob, a factor of what is usual for the height.
 using Sizes = std::array<double, kKnobs.size()>;
 
-HumanOptions optionsOf(const HumanOptions& start, const Sizes& sizes) {
-  HumanOptions options = start;
+humanmodel::HumanOptions optionsOf(const humanmodel::HumanOptions& start, const Sizes& sizes) {
+  humanmodel::HumanOptions options = start;
   options.overrides.clear();
-  const HumanModel usual = makeHuman(options);
+  const humanmodel::HumanModel usual = humanmodel::makeHuman(options);
   options.overrides = start.overrides;
   for (std::size_t k = 0; k < kKnobs.size(); ++k) {
     if (sizes[k] == 1.0) continue;
-    for (std::size_t i = 0; i < kBodyPartCount; ++i) {
-      const auto part = static_cast<BodyPart>(i);
-      if (kindOf(part) != kKnobs[k].kind || start.overrides.count(part) > 0) continue;
-      PartOverride& own = options.overrides[part];
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
+      const auto part = static_cast<humanmodel::BodyPart>(i);
+      if (humanmodel::kindOf(part) != kKnobs[k].kind || start.overrides.count(part) > 0) continue;
+      humanmodel::PartOverride& own = options.overrides[part];
       if (kKnobs[k].size == Size::kLength)
         own.length = sizes[k] * usual.part(part).length;
       else
@@ -75,27 +75,28 @@ std::vector<RigPose> BodyCalibration::poses() const {
   return poses;
 }
 
-std::vector<RigPose> BodyCalibration::turnedPoses(const HumanOptions& body) const {
-  const BodyRig rig = makeRig(makeHuman(body));
+std::vector<RigPose> BodyCalibration::turnedPoses(const humanmodel::HumanOptions& body) const {
+  const BodyRig rig = makeRig(humanmodel::makeHuman(body));
   std::vector<RigPose> turned = poses();
   for (RigPose& pose : turned) pose = flippedFacing(rig, pose);
   return turned;
 }
 
-double BodyCalibration::whenTurned(const HumanOptions& body) const {
+double BodyCalibration::whenTurned(const humanmodel::HumanOptions& body) const {
   if (images_.empty()) return kNaN;
   std::vector<RigPose> as_tracked = poses(), turned = turnedPoses(body);
   return costOf(body, kTurnSteps, turned) / costOf(body, kTurnSteps, as_tracked);
 }
 
-void BodyCalibration::turnRound(const HumanOptions& body) {
+void BodyCalibration::turnRound(const humanmodel::HumanOptions& body) {
   std::vector<RigPose> turned = turnedPoses(body);
   costOf(body, kTurnSteps, turned);
   for (std::size_t i = 0; i < images_.size(); ++i) images_[i].pose = turned[i];
 }
 
-double BodyCalibration::costOf(const HumanOptions& options, int steps, std::vector<RigPose>& poses) const {
-  const BodyRig rig = makeRig(makeHuman(options));
+double BodyCalibration::costOf(const humanmodel::HumanOptions& options, int steps,
+                               std::vector<RigPose>& poses) const {
+  const BodyRig rig = makeRig(humanmodel::makeHuman(options));
   DepthFit fit(rig);
   DepthFit::Weights weights;
   weights.prior.setConstant(1.0);
@@ -109,7 +110,7 @@ double BodyCalibration::costOf(const HumanOptions& options, int steps, std::vect
   return sum / static_cast<double>(images_.size());
 }
 
-HumanOptions BodyCalibration::fit(const HumanOptions& start) const {
+humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& start) const {
   if (images_.empty()) return start;
   std::vector<RigPose> poses = this->poses();
   Sizes best;
@@ -148,4 +149,4 @@ HumanOptions BodyCalibration::fit(const HumanOptions& start) const {
   return optionsOf(start, best);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "tracking/tracker/body_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Collects images of one person together with the poses that a tracker found in them, and looks for the body
 /// that explains them best. May allocate.
@@ -19,14 +19,14 @@ class BodyCalibration {
 
   /// How much worse the images are explained when the person faces the other way: ratio of the costs, each
   /// image fitted anew. NaN without images.
-  double whenTurned(const HumanOptions& body) const;
+  double whenTurned(const humanmodel::HumanOptions& body) const;
   /// From now on the images are of a person who faces the other way.
-  void turnRound(const HumanOptions& body);
+  void turnRound(const humanmodel::HumanOptions& body);
 
   /// Lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image fitted
   /// anew, as long as the images are explained better. The height of `start` stays, and so do the parts that
   /// it overrides. Without images `start` itself.
-  HumanOptions fit(const HumanOptions& start) const;
+  humanmodel::HumanOptions fit(const humanmodel::HumanOptions& start) const;
 
  private:
   struct Image {
@@ -35,10 +35,10 @@ class BodyCalibration {
     RigPose pose;
   };
   std::vector<RigPose> poses() const;
-  std::vector<RigPose> turnedPoses(const HumanOptions& body) const;
-  double costOf(const HumanOptions& options, int steps, std::vector<RigPose>& poses) const;
+  std::vector<RigPose> turnedPoses(const humanmodel::HumanOptions& body) const;
+  double costOf(const humanmodel::HumanOptions& options, int steps, std::vector<RigPose>& poses) const;
 
   std::vector<Image> images_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr float kSameSurface = 0.05f;  // m, pixels of a cell that are farther apart are two surfaces
@@ -153,4 +153,4 @@ BodyObservation::Look BodyObservation::at(const Vector3d& p_CX) const {
   return look;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

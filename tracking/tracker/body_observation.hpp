@@ -9,7 +9,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What is known of a cell of the grid. unknown: nothing was measured, or somebody or something else is
 /// there. person: the person. empty: the camera looks past the person.
@@ -67,4 +67,4 @@ class BodyObservation {
   SeenPoints points_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 #include "tracking/tracker/joint_uncertainty.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kHalfBody = 0.10;    // m, from the skin that is seen to the middle of the body
@@ -122,7 +122,7 @@ void BodyTracker::find() {
   const double facing = front_ ? *front_ : std::atan2(-away.y(), -away.x()) + (away_ ? kPi : 0.0);
   RigPlacement X_WS;
   place(*rig_, RigPose{}, X_WS);
-  const std::size_t vertex = static_cast<std::size_t>(Joint::kHeadTop);
+  const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
   const double above = (X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex]).z();
 
   TrackedBody best;
@@ -150,7 +150,7 @@ void BodyTracker::find() {
 }
 
 void BodyTracker::finish(double t) {
-  body_.frame = SkeletonFrame{};
+  body_.frame = humanmodel::SkeletonFrame{};
   body_.frame.t = t;
   body_.visible.fill(0.0);
   if (!body_.found) {
@@ -161,18 +161,18 @@ void BodyTracker::finish(double t) {
   away_ = false;
   front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
-  jointsOf(*rig_, body_.X_WS, JointState::kTracked, body_.frame);
+  jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
   SeenSegments seen = 0;
   for (std::size_t s = 0; s < kRigSegments; ++s)
     if (body_.visible[s] >= kSeen) seen |= 1u << s;
   hidden_.see(t, seen);
   const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, body_.visible);
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
     body_.frame.spread[j] =
         std::hypot(tracked[j], kOfStature * stature_deviation_, is_seen ? 0.0 : hidden_.spread()[j]);
-    if (!is_seen) body_.frame.state[j] = JointState::kInferred;
+    if (!is_seen) body_.frame.state[j] = humanmodel::JointState::kInferred;
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 #include "tracking/tracker/hidden_spread.hpp"
 #include "tracking/tracker/limb_search.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What is known of the person after an image.
 struct TrackedBody {
@@ -16,7 +16,7 @@ struct TrackedBody {
   RigPlacement X_WS;
   DepthMisfit misfit;
   std::array<double, kRigSegments> visible{};  ///< share of each segment that was seen where it is
-  SkeletonFrame
+  humanmodel::SkeletonFrame
       frame;  ///< joints in the world; inferred where little of their segment was seen, missing when lost
 };
 
@@ -66,4 +66,4 @@ class BodyTracker {
   int badly_{0};                         ///< images in a row that the body did not explain
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

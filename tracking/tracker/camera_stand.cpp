@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kFloorImages = 5;
@@ -64,4 +64,4 @@ void CameraStand::settle() {
       "no floor in sight: the camera is taken to be level, the lowest that is seen of a person at z = 0";
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

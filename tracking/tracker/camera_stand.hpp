@@ -5,7 +5,7 @@
 
 #include "tracking/depth/people/people_finder.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Looks for a floor in the first images. Without one until five images showed somebody, the camera is taken
 /// to be level, over a floor on which the lowest person of these stands. The world is then z up, x along the
@@ -32,4 +32,4 @@ class CameraStand {
   std::string reason_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "tracking/tracker/camera_stand.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kLearning = 5.0;  // s of the stream that sizes are learned from
@@ -81,7 +81,7 @@ class Walk {
         track_.seconds -= processorSeconds() - pause;
       }
       // Who is not in this image is lost in it.
-      SkeletonFrame none;
+      humanmodel::SkeletonFrame none;
       none.t = frame.t;
       for (const auto& [id, k] : place)
         if (track_.people[k].frames.back().t < frame.t) track_.people[k].frames.push_back(none);
@@ -121,7 +121,7 @@ void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, dou
   }
   ClipPerson& person = track.people[it->second];
   if (keep) {
-    SkeletonFrame none;
+    humanmodel::SkeletonFrame none;
     none.t = t;
     person.frames.push_back(body ? body->frame : none);
     for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track.camera.spread);
@@ -142,4 +142,4 @@ ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options) {
   return Walk(stream, options).run();
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A person in an image, as long as the call lasts.
 struct ClipMoment {
@@ -34,12 +34,13 @@ struct ClipTrackerOptions {
 /// What became of one person.
 struct ClipPerson {
   int id{0};
-  HumanOptions body;
+  humanmodel::HumanOptions body;
   Stature stature;
-  Facing facing;                      ///< in the first seconds
-  std::vector<SkeletonFrame> frames;  ///< of every image from the first that shows the person to the last
-  std::size_t found{0};               ///< images in which the body was found
-  double residual{kNaN};              ///< m, mean over these of the root mean square distance to the body
+  Facing facing;  ///< in the first seconds
+  std::vector<humanmodel::SkeletonFrame>
+      frames;             ///< of every image from the first that shows the person to the last
+  std::size_t found{0};   ///< images in which the body was found
+  double residual{kNaN};  ///< m, mean over these of the root mean square distance to the body
 };
 
 struct ClipTrack {
@@ -64,4 +65,4 @@ void finishTrack(ClipTrack& track);
 /// person stands. Throws ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

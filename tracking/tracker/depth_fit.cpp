@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr float kNormalWeight = 0.03f;  // m for a normal at right angles
@@ -221,4 +221,4 @@ void DepthFit::visibility(const BodyObservation& seen, const RigPlacement& X_WS,
     share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tracking/body/body_solver.hpp"
 #include "tracking/tracker/fit_surface.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// How well a pose explains an image.
 struct DepthMisfit {
@@ -77,4 +77,4 @@ class DepthFit {
   mutable std::array<float, SeenPoints::kMax> best_{}, score_{};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 
 FitSurfaces fitSurfaces(const BodyRig& rig) {
   FitSurfaces surfaces;
   for (std::size_t i = 0; i < kRigSegments; ++i) {
     surfaces[i].centre = rig.parts[i].p_shape.cast<float>();
-    const Bounds box = bounds(rig.parts[i].shape);
+    const geometry::Bounds box = geometry::bounds(rig.parts[i].shape);
     surfaces[i].semi = (0.5 * box.extent()).cast<float>();
     surfaces[i].drum = i < 2;
   }
@@ -90,4 +90,4 @@ void scoreOf(const FitSurface& s, const Transform& X_WS, const SeenPoints& point
   (s.drum ? scoreAs<true> : scoreAs<false>)(s, X_WS, points, normal_weight, score);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tracking/body/body_rig.hpp"
 #include "tracking/tracker/body_observation.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// One segment's surface: the points whose level is 1. An ellipsoid has the level |q|, q = p / semi; a drum,
 /// round across and blunt along z, ((qx^2 + qy^2)^2 + qz^4)^(1/4). The trunk is two drums. A cuboid (foot)
@@ -39,4 +39,4 @@ SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const V
 void scoreOf(const FitSurface& s, const Transform& X_WS, const SeenPoints& points, float normal_weight,
              float* score);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

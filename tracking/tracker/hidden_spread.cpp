@@ -4,14 +4,14 @@
 
 #include "humanmodel/part_reach.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 bool has(SeenSegments seen, std::size_t s) { return (seen >> s & 1u) != 0; }
 
 }  // namespace
 
-std::array<double, kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen) {
+std::array<double, humanmodel::kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen) {
   // The point of a segment by which it hangs on what is seen, and the way (m) from there.
   struct Hold {
     Vector3d p_S{Vector3d::Zero()};
@@ -30,8 +30,8 @@ std::array<double, kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen
     const double way = has(seen, parent) ? 0.0 : along(hold[parent], rig.parts[s].p_parent);
     if (way < hold[s].way) hold[s] = {Vector3d::Zero(), way};
   }
-  std::array<double, kJointCount> ways;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  std::array<double, humanmodel::kJointCount> ways;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig.carrier[j]);
     ways[j] = has(seen, s) ? 0.0 : along(hold[s], rig.p_joint[j]);
   }
@@ -42,15 +42,15 @@ void HiddenSpread::see(double t, SeenSegments seen) {
   const auto ways = hiddenWays(*rig_, seen);
   for (std::size_t s = 0; s < kRigSegments; ++s)
     if (has(seen, s)) last_seen_[s] = t;
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig_->carrier[j]);
     if (has(seen, s)) {
       spread_[j] = 0.0;
       continue;
     }
-    const double moved = kMin + (t - last_seen_[s]) * kPersonSpeed / kReachQuantile;
-    spread_[j] = std::max(kMin, std::min(moved, 2.0 * ways[j] / kReachQuantile));
+    const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed / humanmodel::kReachQuantile;
+    spread_[j] = std::max(kMin, std::min(moved, 2.0 * ways[j] / humanmodel::kReachQuantile));
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

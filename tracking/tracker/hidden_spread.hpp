@@ -3,7 +3,7 @@
 
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The segments that were seen, bit by RigSegment.
 using SeenSegments = std::uint32_t;
@@ -11,7 +11,7 @@ using SeenSegments = std::uint32_t;
 /// For each canonical joint the shortest way (m) along the bones from a seen segment to it; 0 for a joint of
 /// a seen segment, infinite where no segment is seen. Joint angles do not matter: wherever the limb is, the
 /// joint is within this distance of the end of the seen segment.
-std::array<double, kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen);
+std::array<double, humanmodel::kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen);
 
 /// Remembers when each segment was last seen, and turns that into uncertainties. Estimate and truth both lie
 /// within hiddenWays() of the seen segment, so at most twice that apart; and since the segment was last seen,
@@ -27,12 +27,12 @@ class HiddenSpread {
   void see(double t, SeenSegments seen);
   /// After see(): standard deviation (m) of each joint along its worst axis, so that kReachQuantile times it
   /// is the distance above; 0 for joints of seen segments. Without the error of the seen segment itself.
-  const std::array<double, kJointCount>& spread() const { return spread_; }
+  const std::array<double, humanmodel::kJointCount>& spread() const { return spread_; }
 
  private:
   const BodyRig* rig_;
   std::array<double, kRigSegments> last_seen_;  ///< s; -infinity: never
-  std::array<double, kJointCount> spread_{};
+  std::array<double, humanmodel::kJointCount> spread_{};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

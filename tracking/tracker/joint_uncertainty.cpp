@@ -5,7 +5,7 @@
 
 #include "tracking/body/joint_spread.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kNoise = 3.0;  // of the residual, as deviation of a point
@@ -15,9 +15,9 @@ struct Terms {
   double shape, hidden;
 };
 
-Terms termsOf(Joint joint) {
+Terms termsOf(humanmodel::Joint joint) {
   switch (joint) {
-    using enum Joint;
+    using enum humanmodel::Joint;
     case kPelvis:
     case kSpine:
     case kThorax:
@@ -65,17 +65,18 @@ bool isEnd(RigSegment s) {
 
 }  // namespace
 
-std::array<double, kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem, double residual,
-                                               const std::array<double, kRigSegments>& visible) {
-  std::array<double, kJointCount> spread = jointSpreads(rig, problem, problem.information());
-  for (std::size_t j = 0; j < kJointCount; ++j) {
+std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
+                                                           double residual,
+                                                           const std::array<double, kRigSegments>& visible) {
+  std::array<double, humanmodel::kJointCount> spread = jointSpreads(rig, problem, problem.information());
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const RigSegment s = rig.carrier[j];
     double share = visible[index(s)];
     if (isEnd(s)) share = std::min(share, visible[index(rig[s].parent)]);
-    const Terms terms = termsOf(static_cast<Joint>(j));
+    const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
     spread[j] = std::hypot(terms.shape, kNoise * residual * spread[j], (1.0 - share) * terms.hidden);
   }
   return spread;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include "tracking/body/body_solver.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Standard deviation (m) of each joint along its worst axis, of the raw error: three independent terms.
 /// - What recordings mean by a joint differs from the model's joint, and bodies differ from the model: a
@@ -15,7 +15,8 @@ namespace abstand {
 ///   segment; for hands and feet the worse of itself and the segment that carries it).
 /// The constants are set so that kReachQuantile times the result holds 99 in 100 raw errors of the simulated
 /// captures (tests/tracking/tracker, docs/tracking.md). Does not allocate, does not throw.
-std::array<double, kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem, double residual,
-                                               const std::array<double, kRigSegments>& visible);
+std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
+                                                           double residual,
+                                                           const std::array<double, kRigSegments>& visible);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kBetter = 0.97;       // a place has to cost less than this share of the old one's
@@ -120,4 +120,4 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
   return found;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

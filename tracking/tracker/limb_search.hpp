@@ -5,7 +5,7 @@
 
 #include "tracking/tracker/depth_fit.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// An arm or a leg: three segments in a chain, of which the middle one bends on a hinge.
 struct Limb {
@@ -43,4 +43,4 @@ class LimbSearch {
   RigPlacement X_WS_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -1,7 +1,7 @@
 // People of a camera that looks now, image by image.
 #include "tracking/tracker/live_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // s; so long beyond the time that the finder keeps a number, so that nobody comes back to a body that is
@@ -52,7 +52,7 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
 
 /// Who is not in this image is lost in it, and after a while for good.
 void LiveTracker::forget(double t) {
-  SkeletonFrame none;
+  humanmodel::SkeletonFrame none;
   none.t = t;
   for (auto it = followers_.begin(); it != followers_.end();) {
     const auto& [id, follower] = *it;
@@ -73,4 +73,4 @@ ClipTrack LiveTracker::track() const {
   return track;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

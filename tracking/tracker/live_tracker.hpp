@@ -8,7 +8,7 @@
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct LiveTrackerOptions {
   TrackedPerson::Options person;
@@ -53,4 +53,4 @@ class LiveTracker {
   std::vector<Seen> seen_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

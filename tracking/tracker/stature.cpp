@@ -6,7 +6,7 @@
 
 #include "tracking/recording/derived_joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // The soles and the hair that a camera at the height of the chest does not see.
@@ -82,4 +82,4 @@ Stature measureStature(std::span<const VerticalExtent> images) {
   return stature;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The vertical extent of a person in one image.
 struct VerticalExtent {
@@ -51,4 +51,4 @@ struct Stature {
 /// interval, with the extent that was seen as lower end. May allocate.
 Stature measureStature(std::span<const VerticalExtent> images);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "tracking/depth/simulator/depth_render.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kSagitta = 2e-3;                 // m, of the shapes' meshes
@@ -50,7 +50,7 @@ ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const 
     Transform X_CP = X_CW * body.X_WS[s];
     X_CP.translate(part.p_shape);
     render.clear();
-    render.draw(tessellate(part.shape, kSagitta), X_CP);
+    render.draw(geometry::tessellate(part.shape, kSagitta), X_CP);
     const int side = sideOf(segmentAt(s));
     const Colour& colour = side > 0 ? kLeft : side < 0 ? kRight : kTrunk;
     const DepthImage& drawn = render.image();
@@ -70,4 +70,4 @@ ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const 
   return picture;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

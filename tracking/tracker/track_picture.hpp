@@ -4,7 +4,7 @@
 #include "tracking/depth/formats/colour_png.hpp"
 #include "tracking/tracker/body_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The depth image in grey, nearer is brighter, and beside it the same with the rig's shapes drawn where they
 /// are nearer than 10 cm behind what was measured: the left side of the body orange, the right one blue,
@@ -12,4 +12,4 @@ namespace abstand {
 ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const BodyRig& rig,
                       const TrackedBody& body);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "tracking/tracker/turned_round.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMeasured = 15;  // images
@@ -16,7 +16,7 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   facing_.away = options.away.value_or(false);
   facing_.given = options.away.has_value();
   if (!options.height) return;
-  HumanOptions body;
+  humanmodel::HumanOptions body;
   body.height = *options.height;
   stature_ = Stature::given(body.height);
   use(body);
@@ -29,9 +29,9 @@ TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
   fitted_ = true;
 }
 
-void TrackedPerson::use(const HumanOptions& body) {
+void TrackedPerson::use(const humanmodel::HumanOptions& body) {
   body_ = body;
-  auto rig = std::make_unique<BodyRig>(makeRig(makeHuman(body)));
+  auto rig = std::make_unique<BodyRig>(makeRig(humanmodel::makeHuman(body)));
   tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
   tracker_->setStatureDeviation(stature_.deviation());
   if (facing_.away) tracker_->expectAway();
@@ -63,7 +63,7 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
 void TrackedPerson::settle() {
   if (!tracker_) {
     if (extents_.empty()) return;
-    HumanOptions body;
+    humanmodel::HumanOptions body;
     stature_ = measureStature(extents_);
     body.height = stature_.used;
     use(body);
@@ -73,7 +73,8 @@ void TrackedPerson::settle() {
   }
 }
 
-TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const HumanOptions& body, Facing facing) {
+TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const humanmodel::HumanOptions& body,
+                                      Facing facing) {
   if (!facing.given) facing.ratio = images.whenTurned(body);
   if (facing.ratio < Facing::kBackBelow) {
     facing.away = true;
@@ -91,4 +92,4 @@ void TrackedPerson::take(const Fit& fit) {
   fitted_ = true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

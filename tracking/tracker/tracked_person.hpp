@@ -7,7 +7,7 @@
 #include "tracking/tracker/body_calibration.hpp"
 #include "tracking/tracker/stature.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Which way a person looked who was seen first.
 struct Facing {
@@ -24,7 +24,7 @@ struct Facing {
 
 /// What the images of a person have told of the body.
 struct KnownBody {
-  HumanOptions body;
+  humanmodel::HumanOptions body;
   Stature stature;
   Facing facing;
 };
@@ -52,7 +52,7 @@ class TrackedPerson {
                          std::span<const std::uint8_t> is_person);
   bool fitted() const { return fitted_; }
   /// The body in use; nothing while the stature is being measured.
-  const std::optional<HumanOptions>& body() const { return body_; }
+  const std::optional<humanmodel::HumanOptions>& body() const { return body_; }
   const Facing& facing() const { return facing_; }
   /// Meaningful with body().
   const Stature& stature() const { return stature_; }
@@ -63,17 +63,17 @@ class TrackedPerson {
 
  private:
   struct Fit {
-    HumanOptions body;
+    humanmodel::HumanOptions body;
     Facing facing;
   };
   /// The facing is compared unless it is given.
-  static Fit fit(BodyCalibration images, const HumanOptions& body, Facing facing);
-  void use(const HumanOptions& body);
+  static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
+  void use(const humanmodel::HumanOptions& body);
   void take(const Fit& fit);
 
   Options options_;
   std::vector<VerticalExtent> extents_;
-  std::optional<HumanOptions> body_;
+  std::optional<humanmodel::HumanOptions> body_;
   Facing facing_;
   Stature stature_;
   std::unique_ptr<BodyRig> rig_;
@@ -83,4 +83,4 @@ class TrackedPerson {
   bool fitted_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

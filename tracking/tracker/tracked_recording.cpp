@@ -9,7 +9,7 @@
 #include "tracking/recording/part_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 std::string toMillimetre(double m) {
@@ -40,10 +40,13 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.sides_reason = facingReason(tracked.facing);
   r.stature = tracked.stature.known() ? tracked.stature.used : 0.0;
   r.joint_map = "tracked";
-  for (std::size_t j = 0; j < kJointCount; ++j) r.joints.emplace_back(jointName(static_cast<Joint>(j)));
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    r.joints.emplace_back(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));
   for (const PartJoints& part : partJoints())
-    for (const Joint j : part.joints) r.mapped[std::string(part.part)].emplace_back(jointName(j));
-  for (const SkeletonFrame& frame : recording.frames) r.gaps += !frame.has(Joint::kPelvis);
+    for (const humanmodel::Joint j : part.joints)
+      r.mapped[std::string(part.part)].emplace_back(humanmodel::jointName(j));
+  for (const humanmodel::SkeletonFrame& frame : recording.frames)
+    r.gaps += !frame.has(humanmodel::Joint::kPelvis);
   r.warnings = trackWarnings(tracked);
   r.notes = facts.notes;
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
@@ -132,4 +135,4 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   return recording;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The person of a track as a recording; its report says what was understood of the depth, where the world
 /// comes from, and the size of the body. Throws UsageError where there is no such person. `person` counts
@@ -31,4 +31,4 @@ bool isDepthRecording(const std::filesystem::path& path);
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
                            std::optional<double> height, const KnownThings& known = {});
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,17 +5,18 @@
 
 #include "tracking/body/joint_fit.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
-constexpr std::array<std::pair<Joint, Joint>, 8> kSides{{{Joint::kShoulderLeft, Joint::kShoulderRight},
-                                                         {Joint::kElbowLeft, Joint::kElbowRight},
-                                                         {Joint::kWristLeft, Joint::kWristRight},
-                                                         {Joint::kHandLeft, Joint::kHandRight},
-                                                         {Joint::kHipLeft, Joint::kHipRight},
-                                                         {Joint::kKneeLeft, Joint::kKneeRight},
-                                                         {Joint::kAnkleLeft, Joint::kAnkleRight},
-                                                         {Joint::kToeLeft, Joint::kToeRight}}};
+constexpr std::array<std::pair<humanmodel::Joint, humanmodel::Joint>, 8> kSides{
+    {{humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight},
+     {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kElbowRight},
+     {humanmodel::Joint::kWristLeft, humanmodel::Joint::kWristRight},
+     {humanmodel::Joint::kHandLeft, humanmodel::Joint::kHandRight},
+     {humanmodel::Joint::kHipLeft, humanmodel::Joint::kHipRight},
+     {humanmodel::Joint::kKneeLeft, humanmodel::Joint::kKneeRight},
+     {humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kAnkleRight},
+     {humanmodel::Joint::kToeLeft, humanmodel::Joint::kToeRight}}};
 
 }  // namespace
 
@@ -27,12 +28,12 @@ double yawOf(const RigPose& pose) {
 RigPose flippedFacing(const BodyRig& rig, const RigPose& pose) {
   RigPlacement X_WS;
   place(rig, pose, X_WS);
-  SkeletonFrame frame;
-  jointsOf(rig, X_WS, JointState::kTracked, frame);
+  humanmodel::SkeletonFrame frame;
+  jointsOf(rig, X_WS, humanmodel::JointState::kTracked, frame);
   for (const auto& [left, right] : kSides)
     std::swap(frame.p[static_cast<std::size_t>(left)], frame.p[static_cast<std::size_t>(right)]);
-  for (const auto& [ankle, toe] :
-       {std::pair{Joint::kAnkleLeft, Joint::kToeLeft}, {Joint::kAnkleRight, Joint::kToeRight}}) {
+  for (const auto& [ankle, toe] : {std::pair{humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kToeLeft},
+                                   {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight}}) {
     Vector3d foot = frame[toe] - frame[ankle];
     foot.head<2>() *= -1.0;
     frame.set(toe, frame[ankle] + foot);
@@ -40,4 +41,4 @@ RigPose flippedFacing(const BodyRig& rig, const RigPose& pose) {
   return fitJoints(rig, frame, startAt(frame)).pose;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

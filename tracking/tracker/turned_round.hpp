@@ -3,7 +3,7 @@
 
 #include "tracking/body/body_rig.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Where a person faces: rad, about the world's z from its x.
 double yawOf(const RigPose& pose);
@@ -13,4 +13,4 @@ double yawOf(const RigPose& pose);
 /// allocation, no throw.
 RigPose flippedFacing(const BodyRig& rig, const RigPose& pose);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "core/base/number.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kHighestRate = 1e6;  // Hz
@@ -20,7 +20,7 @@ std::vector<std::string_view> tabbed(std::string_view line) {
 }
 
 std::optional<UnitChoice> unitOf(const std::string& name) {
-  const std::string low = lowerCase(name);
+  const std::string low = text::lowerCase(name);
   const double scale = low == "mm"                      ? 0.001
                        : low == "cm"                    ? 0.01
                        : low == "m"                     ? 1.0
@@ -58,13 +58,13 @@ void TrcReader::readHead() {
   const auto values = tabbed(need("the values of DataRate, CameraRate, ..."));
   const SourcePos pos{file_, lines_.number()};
   for (std::size_t i = 0; i < keys.size() && i < values.size(); ++i) {
-    const std::string key = lowerCase(keys[i]);
+    const std::string key = text::lowerCase(keys[i]);
     if (key == "units") facts_.unit = unitOf(std::string(values[i]));
     if (key != "datarate" && key != "numframes" && key != "nummarkers") continue;
     const auto v = parseDouble(values[i]);
     if (!v || *v < 0.0 || *v > kLargestCoordinate)
       throw ParseError(
-          pos, "found " + inQuotes(values[i]) + " for " + std::string(keys[i]) + ", expected a number");
+          pos, "found " + text::inQuotes(values[i]) + " for " + std::string(keys[i]) + ", expected a number");
     if (key == "numframes") claimed_frames_ = static_cast<long long>(*v);
     if (key == "nummarkers") claimed_markers_ = static_cast<long long>(*v);
     if (key == "datarate" && *v > 0.0 && *v <= kHighestRate) {
@@ -76,9 +76,9 @@ void TrcReader::readHead() {
 
 void TrcReader::readNames(std::string_view line) {
   const auto cells = tabbed(line);
-  if (cells.size() < 2 || lowerCase(cells[0]) != "frame#" || lowerCase(cells[1]) != "time")
+  if (cells.size() < 2 || text::lowerCase(cells[0]) != "frame#" || text::lowerCase(cells[1]) != "time")
     throw ParseError({file_, lines_.number()},
-                     "found " + inQuotes(line) + ", expected Frame#, Time and the markers");
+                     "found " + text::inQuotes(line) + ", expected Frame#, Time and the markers");
   for (std::size_t i = 2; i < cells.size(); ++i)
     if (!cells[i].empty()) names_.emplace_back(cells[i]);
   if (names_.empty()) throw ParseError({file_, lines_.number()}, "found no marker, expected their names");
@@ -122,11 +122,11 @@ void TrcReader::readRow(Cells& cells, PointFrame& frame) {
   while (cells.next(cell)) {
     if (cell_count++ == expected) {
       beyond = cells.pos();
-      first_beyond = inQuotes(cell);
+      first_beyond = text::inQuotes(cell);
     }
     if (cell.empty()) continue;
     value_count = cell_count;
-    const double v = lowerCase(cell) == "nan" ? kNaN : cells.number(cell);
+    const double v = text::lowerCase(cell) == "nan" ? kNaN : cells.number(cell);
     if (cell_count <= expected) frame.p[(cell_count - 1) / 3][static_cast<int>((cell_count - 1) % 3)] = v;
   }
   if (value_count > expected) {
@@ -163,7 +163,7 @@ bool TrcReader::next(PointFrame& frame) {
   readRow(cells, frame);
   for (std::size_t i = 0; i < frame.p.size(); ++i) {
     if (frame.p[i].allFinite())
-      frame.state[i] = JointState::kTracked;
+      frame.state[i] = humanmodel::JointState::kTracked;
     else
       frame.p[i].setConstant(kNaN);
   }
@@ -171,4 +171,4 @@ bool TrcReader::next(PointFrame& frame) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

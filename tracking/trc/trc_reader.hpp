@@ -8,7 +8,7 @@
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// True where the text begins with PathFileType.
 bool looksLikeTrc(std::string_view text);
@@ -48,4 +48,4 @@ class TrcReader : public PointReader {
   bool done_{false};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,14 +8,14 @@ namespace abstand::ui {
 
 namespace {
 
-GroupKind kindOf(const SceneOutline::ObjectInfo& info) {
+GroupKind kindOf(const view::SceneOutline::ObjectInfo& info) {
   if (info.human) return GroupKind::kHuman;
   return info.group == "objects" ? GroupKind::kObjects : GroupKind::kMechanism;
 }
 
 }  // namespace
 
-std::vector<Group> groupsOf(const SceneOutline& outline) {
+std::vector<Group> groupsOf(const view::SceneOutline& outline) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < outline.objects.size(); ++i) {
     const auto& info = outline.objects[i];
@@ -31,7 +31,7 @@ std::vector<Group> groupsOf(const SceneOutline& outline) {
   return groups;
 }
 
-std::string shortName(const SceneOutline::ObjectInfo& info) {
+std::string shortName(const view::SceneOutline::ObjectInfo& info) {
   const std::string prefix = info.group + "/";
   return info.name.size() > prefix.size() && info.name.starts_with(prefix) ? info.name.substr(prefix.size())
                                                                            : info.name;

@@ -18,9 +18,9 @@ struct Group {
 };
 
 /// In the order of the first member: mechanisms first, then people, then objects.
-std::vector<Group> groupsOf(const SceneOutline& outline);
+std::vector<Group> groupsOf(const view::SceneOutline& outline);
 
 /// "hand_left" of "operator/hand_left" in the group "operator"; the whole name otherwise.
-std::string shortName(const SceneOutline::ObjectInfo& info);
+std::string shortName(const view::SceneOutline::ObjectInfo& info);
 
 }  // namespace abstand::ui

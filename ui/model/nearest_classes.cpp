@@ -16,7 +16,7 @@ constexpr const char* kThings = "objects";
 
 enum Side { kPerson, kRobot, kThing };
 
-Side sideOf(const SceneOutline::ObjectInfo& object) {
+Side sideOf(const view::SceneOutline::ObjectInfo& object) {
   if (object.human) return kPerson;
   return object.group == kThings ? kThing : kRobot;
 }
@@ -37,7 +37,7 @@ QString className(int i) {
   return names[static_cast<std::size_t>(i)];
 }
 
-QString pairText(const SceneOutline& outline, const SceneSnapshot& snapshot, int pair) {
+QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
   const auto i = static_cast<std::size_t>(pair);
   const auto [a, b] = outline.pairs[i];
   return trClass("%1 – %2, %3")
@@ -48,7 +48,8 @@ QString pairText(const SceneOutline& outline, const SceneSnapshot& snapshot, int
 
 }  // namespace
 
-std::vector<NearestOfClass> nearestOfClasses(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
+                                             const view::SceneSnapshot& snapshot) {
   std::array<NearestOfClass, kClasses> least;
   for (int i = 0; i < kClasses; ++i) least[static_cast<std::size_t>(i)] = {className(i), -1, kInfinity};
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
@@ -66,7 +67,7 @@ std::vector<NearestOfClass> nearestOfClasses(const SceneOutline& outline, const 
   return found;
 }
 
-QString nearestText(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   const auto classes = nearestOfClasses(outline, snapshot);
   const int nearest = snapshot.nearest_pair;
   const auto known = [&](int pair) {
@@ -84,7 +85,7 @@ QString nearestText(const SceneOutline& outline, const SceneSnapshot& snapshot) 
   return known(nearest) ? trClass("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
 }
 
-QString nearestLines(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+QString nearestLines(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   QString text;
   for (const NearestOfClass& of : nearestOfClasses(outline, snapshot))
     text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + of.name + QStringLiteral(": ") +

@@ -17,12 +17,13 @@ struct NearestOfClass {
 
 /// Person – robot, person – thing, robot – robot, robot – thing, in this order; a class without a pair whose
 /// distance is known is left out. Two people and two things are in no class.
-std::vector<NearestOfClass> nearestOfClasses(const SceneOutline& outline, const SceneSnapshot& snapshot);
+std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
+                                             const view::SceneSnapshot& snapshot);
 
 /// "⚠ Person – robot: operator/hand_left – arm/link7, 12.3 mm; person – thing 40.1 mm"; the nearest of all
 /// where no class has one; empty without pairs.
-QString nearestText(const SceneOutline& outline, const SceneSnapshot& snapshot);
+QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 /// A line for each class, with the names of the bodies.
-QString nearestLines(const SceneOutline& outline, const SceneSnapshot& snapshot);
+QString nearestLines(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
 }  // namespace abstand::ui

@@ -12,7 +12,7 @@
 
 namespace abstand::ui {
 
-void PairTableModel::open(const SceneOutline& outline) {
+void PairTableModel::open(const view::SceneOutline& outline) {
   beginResetModel();
   names_.clear();
   for (const auto& info : outline.objects) names_.push_back(QString::fromStdString(info.name));
@@ -23,12 +23,12 @@ void PairTableModel::open(const SceneOutline& outline) {
   endResetModel();
 }
 
-void PairTableModel::refresh(const SceneSnapshot& snapshot) {
+void PairTableModel::refresh(const view::SceneSnapshot& snapshot) {
   if (snapshot.pairs.size() != values_.size() || values_.empty()) return;
   std::copy(snapshot.pairs.begin(), snapshot.pairs.end(), values_.begin());
   for (std::size_t i = 0; i < std::min(lost_.size(), snapshot.objects.size()); ++i) {
-    const PoseState state = snapshot.objects[i].pose_state;
-    lost_[i] = state == PoseState::kStale || state == PoseState::kRejected;
+    const scene::PoseState state = snapshot.objects[i].pose_state;
+    lost_[i] = state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
     reach_[i] = snapshot.objects[i].reach;
   }
   Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
@@ -41,7 +41,7 @@ int PairTableModel::rowCount(const QModelIndex& parent) const {
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
 PairTableModel::Level PairTableModel::level(std::size_t row) const {
-  const PairSnapshot& pair = values_[row];
+  const view::PairSnapshot& pair = values_[row];
   if (pair.paused) return Level::kPaused;
   if (pair.result.contacts > 0 || pair.result.distance < 0.0) return Level::kContact;
   if (lost_[static_cast<std::size_t>(pairs_[row].first)] ||
@@ -58,7 +58,7 @@ double PairTableModel::pairUncertainty(std::size_t row) const {
 }
 
 QVariant PairTableModel::text(std::size_t row, int column) const {
-  const PairSnapshot& pair = values_[row];
+  const view::PairSnapshot& pair = values_[row];
   switch (column) {
     case kState:
       switch (level(row)) {
@@ -99,7 +99,7 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
 }
 
 double PairTableModel::number(std::size_t row, int column) const {
-  const PairSnapshot& pair = values_[row];
+  const view::PairSnapshot& pair = values_[row];
   const auto finite = [](double v) { return std::isnan(v) ? kInfinity : v; };
   switch (column) {
     case kState:
@@ -145,7 +145,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       }
       return {};
     case Qt::ToolTipRole: {
-      const PairSnapshot& pair = values_[row];
+      const view::PairSnapshot& pair = values_[row];
       if (pair.paused)
         return tr("%1 and %2 are not checked: their group does not run, or they are in none. When last "
                   "checked: %3")

@@ -21,8 +21,8 @@ class PairTableModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  void open(const SceneOutline& outline);
-  void refresh(const SceneSnapshot& snapshot);
+  void open(const view::SceneOutline& outline);
+  void refresh(const view::SceneSnapshot& snapshot);
 
   std::pair<int, int> objectsOf(int pair) const { return pairs_[static_cast<std::size_t>(pair)]; }
   QString nameOf(int object) const { return names_[static_cast<std::size_t>(object)]; }
@@ -41,7 +41,7 @@ class PairTableModel : public QAbstractTableModel {
 
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<PairSnapshot> values_;
+  std::vector<view::PairSnapshot> values_;
   std::vector<double> reach_;  // by object, m: how far it may be from where it is shown
   std::vector<bool>
       lost_;  // by object: its pose is stale or was rejected, so its distances are never called safe

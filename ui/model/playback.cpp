@@ -21,7 +21,7 @@ void Playback::setPort(SessionPort* port) {
   patience_ = 0;
   const bool was_playing = std::exchange(playing_, false);
   if (port_) {
-    const SceneOutline& outline = port_->outline();
+    const view::SceneOutline& outline = port_->outline();
     start_ = outline.start;
     end_ = std::max(outline.start, outline.end);
     period_ = outline.frame_period > 0.0 ? outline.frame_period : 0.01;
@@ -36,7 +36,7 @@ void Playback::setPort(SessionPort* port) {
   if (was_playing) Q_EMIT playingChanged(false);
 }
 
-void Playback::onSnapshot(const SceneSnapshot& snapshot) {
+void Playback::onSnapshot(const view::SceneSnapshot& snapshot) {
   if (patience_ > 0) {
     const bool obeyed = std::abs(snapshot.t - awaited_) < 0.5 * period_ && snapshot.playing == play_asked_;
     if (!obeyed && --patience_ > 0) return;

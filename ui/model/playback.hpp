@@ -20,7 +20,7 @@ class Playback : public QObject {
 
   /// Null: no session. The port must outlive its stay here.
   void setPort(SessionPort* port);
-  void onSnapshot(const SceneSnapshot& snapshot);
+  void onSnapshot(const view::SceneSnapshot& snapshot);
 
   double time() const { return time_; }
   double start() const { return start_; }

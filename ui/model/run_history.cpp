@@ -5,7 +5,7 @@
 
 namespace abstand::ui {
 
-void RunHistory::open(const SceneOutline& outline) {
+void RunHistory::open(const view::SceneOutline& outline) {
   distance_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kSmallest);
   force_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kLargest);
   start_ = outline.start;
@@ -19,18 +19,18 @@ void RunHistory::torqueOf(int joint) {
   for (FrameSeries& series : torques_) series = FrameSeries(start_, end_, period_, Keep::kLargest);
 }
 
-void RunHistory::add(const SceneSnapshot& snapshot) {
+void RunHistory::add(const view::SceneSnapshot& snapshot) {
   if (joint_ < 0 || static_cast<std::size_t>(joint_) >= snapshot.joint_torques.size()) return;
-  const TorqueParts& parts = snapshot.joint_torques[static_cast<std::size_t>(joint_)];
-  for (std::size_t k = 0; k < kTorqueParts; ++k) torques_[k].add(snapshot.t, parts[k]);
+  const view::TorqueParts& parts = snapshot.joint_torques[static_cast<std::size_t>(joint_)];
+  for (std::size_t k = 0; k < view::kTorqueParts; ++k) torques_[k].add(snapshot.t, parts[k]);
 }
 
-void RunHistory::add(const std::vector<PlotSample>& samples) {
-  for (const PlotSample& sample : samples) {
+void RunHistory::add(const std::vector<view::PlotSample>& samples) {
+  for (const view::PlotSample& sample : samples) {
     distance_.add(sample.t, sample.min_distance);
     force_.add(sample.t, sample.peak_force);
     if (joint_ >= 0) continue;
-    for (std::size_t k = 0; k < kTorqueParts; ++k) torques_[k].add(sample.t, sample.peak_torque[k]);
+    for (std::size_t k = 0; k < view::kTorqueParts; ++k) torques_[k].add(sample.t, sample.peak_torque[k]);
   }
 }
 

@@ -13,18 +13,18 @@ namespace abstand::ui {
 /// The series that the time strip and the plots draw. GUI thread only.
 class RunHistory {
  public:
-  void open(const SceneOutline& outline);
-  void add(const std::vector<PlotSample>& samples);
+  void open(const view::SceneOutline& outline);
+  void add(const std::vector<view::PlotSample>& samples);
 
   const FrameSeries& distance() const { return distance_; }
   const FrameSeries& force() const { return force_; }
   /// Of the joint that torqueOf() named last: what acts on it, with its sign; of all joints: the largest
   /// magnitudes. In the order of TorqueParts.
-  const std::array<FrameSeries, kTorqueParts>& torques() const { return torques_; }
+  const std::array<FrameSeries, view::kTorqueParts>& torques() const { return torques_; }
   /// Joint of the outline, or -1 for the largest of all. Starts the series anew.
   void torqueOf(int joint);
   /// Of the chosen joint; the largest of all come with the samples.
-  void add(const SceneSnapshot& snapshot);
+  void add(const view::SceneSnapshot& snapshot);
 
   /// Time at which the next contact after t begins, or the one before t began, among what has been computed.
   std::optional<double> nextContact(double t) const;
@@ -35,7 +35,7 @@ class RunHistory {
   bool begins(std::size_t frame) const { return contact(frame) && (frame == 0 || !contact(frame - 1)); }
 
   FrameSeries distance_, force_;
-  std::array<FrameSeries, kTorqueParts> torques_;
+  std::array<FrameSeries, view::kTorqueParts> torques_;
   double start_{0.0}, end_{0.0}, period_{1.0};
   int joint_{-1};
 };

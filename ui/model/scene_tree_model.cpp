@@ -25,7 +25,7 @@ bool sameShown(double a, double b) {
 
 }  // namespace
 
-void SceneTreeModel::open(const SceneOutline& outline) {
+void SceneTreeModel::open(const view::SceneOutline& outline) {
   beginResetModel();
   groups_ = groupsOf(outline);
   rows_.assign(outline.objects.size(), {});
@@ -44,7 +44,7 @@ void SceneTreeModel::open(const SceneOutline& outline) {
   endResetModel();
 }
 
-void SceneTreeModel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (snapshot.objects.size() != rows_.size()) return;
   std::fill(nearest_.begin(), nearest_.end(), kNaN);
   for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {
@@ -59,9 +59,10 @@ void SceneTreeModel::refresh(const SceneOutline& outline, const SceneSnapshot& s
     const QModelIndex parent = index(static_cast<int>(g), 0);
     for (const int object : groups_[g].objects) {
       const auto i = static_cast<std::size_t>(object);
-      const ObjectSnapshot& now = snapshot.objects[i];
+      const view::ObjectSnapshot& now = snapshot.objects[i];
       Row& row = rows_[i];
-      const bool hollow = now.pose_state == PoseState::kStale || now.pose_state == PoseState::kRejected;
+      const bool hollow =
+          now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
       if (row.colliding == now.colliding && row.hollow == hollow && sameShown(row.distance, nearest_[i]))
         continue;
       group_changed |= row.colliding != now.colliding;

@@ -17,9 +17,9 @@ class SceneTreeModel : public QAbstractItemModel {
  public:
   using QAbstractItemModel::QAbstractItemModel;
 
-  void open(const SceneOutline& outline);
+  void open(const view::SceneOutline& outline);
   /// Takes over contact marks and distances; tells the views only about what changed.
-  void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   void setTheme(Theme theme);
 
   const std::vector<Group>& groups() const { return groups_; }

@@ -16,13 +16,13 @@ class SessionPort {
   virtual ~SessionPort() = default;
 
   /// Constant as long as the session lives.
-  virtual const SceneOutline& outline() const = 0;
+  virtual const view::SceneOutline& outline() const = 0;
   /// What to know of the scene before believing it; constant likewise.
-  virtual const std::vector<SceneNote>& notes() const = 0;
+  virtual const std::vector<scene::SceneNote>& notes() const = 0;
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
-  virtual bool takeSnapshot(SceneSnapshot& out) = 0;
+  virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.
-  virtual void drainPlot(std::vector<PlotSample>& out) = 0;
+  virtual void drainPlot(std::vector<view::PlotSample>& out) = 0;
 
   virtual void play(bool on) = 0;
   /// Moves by this many frame periods (negative: back) and stays paused.
@@ -41,7 +41,7 @@ class SessionPort {
   /// first: on.
   virtual void setTorques(bool on) = 0;
   /// A group of SceneOutline::pair_groups. Pairs of one that does not run are stale.
-  virtual void setGroup(int group, PairGroupState state) = 0;
+  virtual void setGroup(int group, view::PairGroupState state) = 0;
   /// Puts a pair (index of the outline) that is in no group into one, or takes it out of its group.
   virtual void addPair(int group, int pair) = 0;
   virtual void removePair(int pair) = 0;

@@ -12,76 +12,77 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("abstand::ui::StopText", text); }
 
-QString reasonText(StopReason reason) {
+QString reasonText(safety::StopReason reason) {
   switch (reason) {
-    case StopReason::kDistance:
+    case safety::StopReason::kDistance:
       return tr("distance");
-    case StopReason::kSeparation:
+    case safety::StopReason::kSeparation:
       return tr("separation");
-    case StopReason::kEnergy:
+    case safety::StopReason::kEnergy:
       return tr("energy");
-    case StopReason::kStaleInput:
+    case safety::StopReason::kStaleInput:
       return tr("stale input");
-    case StopReason::kLostPerson:
+    case safety::StopReason::kLostPerson:
       return tr("lost person");
-    case StopReason::kLostLink:
+    case safety::StopReason::kLostLink:
       return tr("lost connection");
-    case StopReason::kTorque:
+    case safety::StopReason::kTorque:
       return tr("torque");
-    case StopReason::kJointSpeed:
+    case safety::StopReason::kJointSpeed:
       return tr("joint speed");
-    case StopReason::kSpeedBound:
+    case safety::StopReason::kSpeedBound:
       return tr("bound on speed");
-    case StopReason::kUser:
+    case safety::StopReason::kUser:
       return tr("user");
-    case StopReason::kBraking:
+    case safety::StopReason::kBraking:
       return tr("braking path");
   }
   return {};
 }
 
 /// The `index`th joint of a mechanism; null where there is none.
-const SceneOutline::JointInfo* jointOf(const SceneOutline& outline, const std::string& mechanism, int index) {
+const view::SceneOutline::JointInfo* jointOf(const view::SceneOutline& outline, const std::string& mechanism,
+                                             int index) {
   for (const auto& joint : outline.joints)
     if (joint.mechanism == mechanism && index-- == 0) return &joint;
   return nullptr;
 }
 
-QString numberText(double value, const StopCause& cause, const SceneOutline::JointInfo* joint) {
+QString numberText(double value, const safety::StopCause& cause, const view::SceneOutline::JointInfo* joint) {
   switch (cause.reason) {
-    case StopReason::kDistance:
-    case StopReason::kBraking:
+    case safety::StopReason::kDistance:
+    case safety::StopReason::kBraking:
       return millimetresWithUnit(value);
-    case StopReason::kSeparation:
-    case StopReason::kSpeedBound:
+    case safety::StopReason::kSeparation:
+    case safety::StopReason::kSpeedBound:
       return tr("%1 m/s").arg(fixed(value, 2));
-    case StopReason::kEnergy:
+    case safety::StopReason::kEnergy:
       return tr("%1 J").arg(fixed(value, 3));
-    case StopReason::kStaleInput:
-    case StopReason::kLostPerson:
-    case StopReason::kLostLink:
+    case safety::StopReason::kStaleInput:
+    case safety::StopReason::kLostPerson:
+    case safety::StopReason::kLostLink:
       return tr("%1 s").arg(fixed(value, 3));
-    case StopReason::kTorque:
+    case safety::StopReason::kTorque:
       return (joint && joint->prismatic ? tr("%1 N") : tr("%1 N·m")).arg(fixed(value, 1));
-    case StopReason::kJointSpeed:
+    case safety::StopReason::kJointSpeed:
       return (joint && joint->prismatic ? tr("%1 m/s") : tr("%1 rad/s")).arg(fixed(value, 2));
-    case StopReason::kUser:
+    case safety::StopReason::kUser:
       break;
   }
   return fixed(value, 3);
 }
 
-int rank(StopState state) {
+int rank(safety::StopState state) {
   switch (state) {
-    case StopState::kRunning:
+    case safety::StopState::kRunning:
       return 0;
-    case StopState::kSlowing:
+    case safety::StopState::kSlowing:
       return 1;
-    case StopState::kProtectiveStop:
+    case safety::StopState::kProtectiveStop:
       return 2;
-    case StopState::kWaitingForReset:
+    case safety::StopState::kWaitingForReset:
       return 3;
-    case StopState::kEmergencyStop:
+    case safety::StopState::kEmergencyStop:
       return 4;
   }
   return 0;
@@ -89,37 +90,37 @@ int rank(StopState state) {
 
 }  // namespace
 
-QString stateText(StopState state) {
+QString stateText(safety::StopState state) {
   switch (state) {
-    case StopState::kRunning:
+    case safety::StopState::kRunning:
       return tr("running");
-    case StopState::kSlowing:
+    case safety::StopState::kSlowing:
       return tr("slowed down");
-    case StopState::kProtectiveStop:
+    case safety::StopState::kProtectiveStop:
       return tr("protective stop");
-    case StopState::kEmergencyStop:
+    case safety::StopState::kEmergencyStop:
       return tr("emergency stop");
-    case StopState::kWaitingForReset:
+    case safety::StopState::kWaitingForReset:
       return tr("waiting for reset");
   }
   return {};
 }
 
-QString refusalText(ResetRefusal refusal) {
+QString refusalText(safety::ResetRefusal refusal) {
   switch (refusal) {
-    case ResetRefusal::kCause:
+    case safety::ResetRefusal::kCause:
       return tr("a cause asks for a stop");
-    case ResetRefusal::kTooEarly:
+    case safety::ResetRefusal::kTooEarly:
       return tr("it does not stand yet");
-    case ResetRefusal::kNone:
+    case safety::ResetRefusal::kNone:
       break;
   }
   return {};
 }
 
-bool isStop(StopState state) { return rank(state) > rank(StopState::kSlowing); }
+bool isStop(safety::StopState state) { return rank(state) > rank(safety::StopState::kSlowing); }
 
-QString causeText(const StopCause& cause, const SceneOutline& outline, std::size_t robot) {
+QString causeText(const safety::StopCause& cause, const view::SceneOutline& outline, std::size_t robot) {
   const auto* joint = cause.joint >= 0 && robot < outline.reacting.size()
                           ? jointOf(outline, outline.reacting[robot], cause.joint)
                           : nullptr;
@@ -137,7 +138,7 @@ QString causeText(const StopCause& cause, const SceneOutline& outline, std::size
   return text;
 }
 
-QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size_t robot) {
+QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot) {
   const QString name =
       robot < outline.reacting.size() ? QString::fromStdString(outline.reacting[robot]) : QString();
   const QString text =
@@ -146,35 +147,36 @@ QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size
                                            : tr("%1: %2").arg(text, causeText(entry.cause, outline, robot));
 }
 
-QString breachText(const LimitBreach& breach, const SceneOutline& outline, std::size_t robot) {
+QString breachText(const mechanism::LimitBreach& breach, const view::SceneOutline& outline,
+                   std::size_t robot) {
   const std::string name = robot < outline.reacting.size() ? outline.reacting[robot] : std::string();
   const auto* joint = jointOf(outline, name, breach.dof);
   const bool slides = joint && joint->prismatic;
   const auto amount = [&](double value) {
     switch (breach.kind) {
-      case LimitKind::kPosition:
+      case mechanism::LimitKind::kPosition:
         return slides ? tr("%1 m").arg(fixed(value, 3)) : tr("%1 rad").arg(fixed(value, 3));
-      case LimitKind::kVelocity:
+      case mechanism::LimitKind::kVelocity:
         return slides ? tr("%1 m/s").arg(fixed(value, 2)) : tr("%1 rad/s").arg(fixed(value, 2));
-      case LimitKind::kAcceleration:
+      case mechanism::LimitKind::kAcceleration:
         return slides ? tr("%1 m/s²").arg(fixed(value, 2)) : tr("%1 rad/s²").arg(fixed(value, 2));
-      case LimitKind::kEffort:
+      case mechanism::LimitKind::kEffort:
         return slides ? tr("%1 N").arg(fixed(value, 1)) : tr("%1 N m").arg(fixed(value, 1));
     }
     return QString();
   };
-  const QString kind = breach.kind == LimitKind::kPosition       ? tr("position")
-                       : breach.kind == LimitKind::kVelocity     ? tr("velocity")
-                       : breach.kind == LimitKind::kAcceleration ? tr("acceleration")
-                                                                 : tr("effort");
+  const QString kind = breach.kind == mechanism::LimitKind::kPosition       ? tr("position")
+                       : breach.kind == mechanism::LimitKind::kVelocity     ? tr("velocity")
+                       : breach.kind == mechanism::LimitKind::kAcceleration ? tr("acceleration")
+                                                                            : tr("effort");
   return tr("%1  %2: joint %3 beyond its %4 limit: %5, limit %6")
       .arg(secondsWithUnit(breach.t), QString::fromStdString(name),
            joint ? QString::fromStdString(joint->name) : QString::number(breach.dof), kind,
            amount(breach.value), amount(breach.limit));
 }
 
-QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bool* alarm) {
-  const RobotSnapshot* worst = nullptr;
+QString worstText(const view::SceneSnapshot& snapshot, const view::SceneOutline& outline, bool* alarm) {
+  const view::RobotSnapshot* worst = nullptr;
   std::size_t who = 0;
   for (std::size_t i = 0; i < std::min(snapshot.robots.size(), outline.reacting.size()); ++i) {
     if (worst && rank(snapshot.robots[i].state) <= rank(worst->state)) continue;
@@ -183,7 +185,7 @@ QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bo
   }
   *alarm = worst && isStop(worst->state);
   if (!worst) return {};
-  if (worst->state == StopState::kRunning) return tr("Robots: running");
+  if (worst->state == safety::StopState::kRunning) return tr("Robots: running");
   return tr("%1: %2").arg(QString::fromStdString(outline.reacting[who]), stateText(worst->state));
 }
 

@@ -7,19 +7,20 @@
 
 namespace abstand::ui {
 
-QString stateText(StopState state);
+QString stateText(safety::StopState state);
 /// Why a reset was refused.
-QString refusalText(ResetRefusal refusal);
+QString refusalText(safety::ResetRefusal refusal);
 /// It stands or is being brought to stand: shown in the alarm colour, with a mark.
-bool isStop(StopState state);
+bool isStop(safety::StopState state);
 /// "distance 39.8 mm, limit 40.0 mm, left_arm/link5 – operator/hand_left". `robot`: index into
 /// SceneOutline::reacting.
-QString causeText(const StopCause& cause, const SceneOutline& outline, std::size_t robot);
+QString causeText(const safety::StopCause& cause, const view::SceneOutline& outline, std::size_t robot);
 /// One line of the log: "6.574 s  left_arm: running → protective stop: distance …"
-QString entryText(const StopEntry& entry, const SceneOutline& outline, std::size_t robot);
+QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot);
 /// "6.574 s  left_arm: joint A2 beyond its velocity limit: 2.10 rad/s, limit 1.92 rad/s"
-QString breachText(const LimitBreach& breach, const SceneOutline& outline, std::size_t robot);
+QString breachText(const mechanism::LimitBreach& breach, const view::SceneOutline& outline,
+                   std::size_t robot);
 /// "left_arm: protective stop" of the robot that is worst off, the first of equal ones; empty without robots.
-QString worstText(const SceneSnapshot& snapshot, const SceneOutline& outline, bool* alarm);
+QString worstText(const view::SceneSnapshot& snapshot, const view::SceneOutline& outline, bool* alarm);
 
 }  // namespace abstand::ui

@@ -19,13 +19,13 @@ constexpr int kNameColumn = 0, kPairsColumn = 1, kStateColumn = 2;
 constexpr int kGroupRole = Qt::UserRole, kPairRole = Qt::UserRole + 1;
 constexpr int kNoGroup = -1;
 
-QString stateName(PairGroupState state) {
+QString stateName(view::PairGroupState state) {
   switch (state) {
-    case PairGroupState::kRunning:
+    case view::PairGroupState::kRunning:
       return GroupPanel::tr("running");
-    case PairGroupState::kPaused:
+    case view::PairGroupState::kPaused:
       return GroupPanel::tr("paused: stale");
-    case PairGroupState::kStopped:
+    case view::PairGroupState::kStopped:
       return GroupPanel::tr("stopped: stale");
   }
   return {};
@@ -78,15 +78,15 @@ GroupPanel::GroupPanel(QWidget* parent)
   layout->addLayout(buttons);
   head_->setContentsMargins(8, 2, 8, 2);
 
-  connect(run_, &QPushButton::clicked, this, [this] { order(PairGroupState::kRunning); });
-  connect(pause_, &QPushButton::clicked, this, [this] { order(PairGroupState::kPaused); });
-  connect(stop_, &QPushButton::clicked, this, [this] { order(PairGroupState::kStopped); });
+  connect(run_, &QPushButton::clicked, this, [this] { order(view::PairGroupState::kRunning); });
+  connect(pause_, &QPushButton::clicked, this, [this] { order(view::PairGroupState::kPaused); });
+  connect(stop_, &QPushButton::clicked, this, [this] { order(view::PairGroupState::kStopped); });
   connect(remove_, &QPushButton::clicked, this, &GroupPanel::removeSelected);
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, &GroupPanel::enableButtons);
   open({});
 }
 
-void GroupPanel::open(const SceneOutline& outline) {
+void GroupPanel::open(const view::SceneOutline& outline) {
   groups_.clear();
   pairs_.clear();
   shown_group_.clear();
@@ -109,7 +109,7 @@ void GroupPanel::open(const SceneOutline& outline) {
 }
 
 /// Anew, with the groups that were open and the pairs that were selected.
-void GroupPanel::fill(const SceneSnapshot& snapshot) {
+void GroupPanel::fill(const view::SceneSnapshot& snapshot) {
   std::vector<bool> open(groups_.size() + 1), chosen(pairs_.size());
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
     const QTreeWidgetItem* item = tree_->topLevelItem(i);
@@ -140,7 +140,7 @@ void GroupPanel::fill(const SceneSnapshot& snapshot) {
     if (rows[i]) rows[i]->setExpanded(open[i]);
 }
 
-void GroupPanel::refresh(const SceneSnapshot& snapshot) {
+void GroupPanel::refresh(const view::SceneSnapshot& snapshot) {
   if (snapshot.groups.size() != groups_.size() || snapshot.pair_group.size() != pairs_.size()) return;
   if (snapshot.pair_group != shown_group_) fill(snapshot);
   std::size_t stale = 0;
@@ -148,8 +148,8 @@ void GroupPanel::refresh(const SceneSnapshot& snapshot) {
     QTreeWidgetItem* item = tree_->topLevelItem(i);
     const int group = item->data(0, kGroupRole).toInt();
     item->setText(kPairsColumn, QString::number(item->childCount()));
-    const bool runs = group != kNoGroup &&
-                      snapshot.groups[static_cast<std::size_t>(group)].state == PairGroupState::kRunning;
+    const bool runs = group != kNoGroup && snapshot.groups[static_cast<std::size_t>(group)].state ==
+                                               view::PairGroupState::kRunning;
     if (!runs) stale += static_cast<std::size_t>(item->childCount());
     item->setText(kStateColumn, group == kNoGroup
                                     ? tr("removed: stale")
@@ -162,7 +162,7 @@ void GroupPanel::refresh(const SceneSnapshot& snapshot) {
   enableButtons();
 }
 
-void GroupPanel::order(PairGroupState state) {
+void GroupPanel::order(view::PairGroupState state) {
   for (const QTreeWidgetItem* item : tree_->selectedItems()) {
     const QVariant group = item->data(0, kGroupRole);
     if (group.isValid() && group.toInt() != kNoGroup) Q_EMIT stateWanted(group.toInt(), state);

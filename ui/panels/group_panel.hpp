@@ -19,18 +19,18 @@ class GroupPanel : public QWidget {
  public:
   explicit GroupPanel(QWidget* parent = nullptr);
 
-  void open(const SceneOutline& outline);
-  void refresh(const SceneSnapshot& snapshot);
+  void open(const view::SceneOutline& outline);
+  void refresh(const view::SceneSnapshot& snapshot);
   QTreeWidget* tree() const { return tree_; }
 
  Q_SIGNALS:
-  void stateWanted(int group, abstand::PairGroupState state);
+  void stateWanted(int group, abstand::view::PairGroupState state);
   void addWanted(int group, int pair);
   void removeWanted(int pair);
 
  private:
-  void fill(const SceneSnapshot& snapshot);
-  void order(PairGroupState state);
+  void fill(const view::SceneSnapshot& snapshot);
+  void order(view::PairGroupState state);
   void removeSelected();
   void enableButtons();
 

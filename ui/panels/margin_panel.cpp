@@ -21,7 +21,7 @@ MarginPanel::MarginPanel(QWidget* parent) : QScrollArea(parent), gather_{new QTi
   connect(gather_, &QTimer::timeout, this, &MarginPanel::send);
 }
 
-void MarginPanel::open(const SceneOutline& outline, const std::vector<double>& margins) {
+void MarginPanel::open(const view::SceneOutline& outline, const std::vector<double>& margins) {
   gather_->stop();
   waiting_.clear();
   group_rows_.clear();

@@ -25,7 +25,7 @@ class MarginPanel : public QScrollArea {
   explicit MarginPanel(QWidget* parent = nullptr);
 
   /// `margins`: metres, by object; what reset() returns to.
-  void open(const SceneOutline& outline, const std::vector<double>& margins);
+  void open(const view::SceneOutline& outline, const std::vector<double>& margins);
   /// Null for an index that is not there.
   MarginRow* row(int object) const;
   MarginRow* groupRow(const QString& group) const;

@@ -9,13 +9,13 @@ namespace abstand::ui {
 
 namespace {
 
-QString weightText(Severity severity) {
+QString weightText(scene::Severity severity) {
   switch (severity) {
-    case Severity::kAlways:
+    case scene::Severity::kAlways:
       return NotePanel::tr("⚠ fails check");
-    case Severity::kStrict:
+    case scene::Severity::kStrict:
       return NotePanel::tr("⚠ fails check --strict");
-    case Severity::kNote:
+    case scene::Severity::kNote:
       break;
   }
   return NotePanel::tr("to know");
@@ -34,16 +34,16 @@ NotePanel::NotePanel(QWidget* parent) : QTreeWidget(parent) {
   header()->setStretchLastSection(true);
 }
 
-void NotePanel::open(const std::vector<SceneNote>& notes) {
+void NotePanel::open(const std::vector<scene::SceneNote>& notes) {
   clear();
   doubts_ = 0;
-  for (const SceneNote& note : notes) {
+  for (const scene::SceneNote& note : notes) {
     const QString text = QString::fromStdString(note.text);
     auto* row = new QTreeWidgetItem(this, {weightText(note.fails), QString::fromStdString(note.kind), text});
     // Long sentences do not fit into a panel.
     row->setToolTip(2, text);
-    if (note.fails == Severity::kAlways) row->setForeground(0, QColor(kVermillion));
-    doubts_ += note.fails == Severity::kNote ? 0 : 1;
+    if (note.fails == scene::Severity::kAlways) row->setForeground(0, QColor(kVermillion));
+    doubts_ += note.fails == scene::Severity::kNote ? 0 : 1;
   }
 }
 

@@ -15,7 +15,7 @@ class NotePanel : public QTreeWidget {
  public:
   explicit NotePanel(QWidget* parent = nullptr);
 
-  void open(const std::vector<SceneNote>& notes);
+  void open(const std::vector<scene::SceneNote>& notes);
   /// "⚠ Reservations (2)": those that may fail a check; "Reservations" without.
   QString title() const;
 

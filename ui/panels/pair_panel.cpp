@@ -79,13 +79,13 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PairPanel::chooseCurrent);
 }
 
-void PairPanel::open(const SceneOutline& outline) {
+void PairPanel::open(const view::SceneOutline& outline) {
   model_->open(outline);
   filter_->setObjects({});
   showCount();
 }
 
-void PairPanel::refresh(const SceneSnapshot& snapshot) { model_->refresh(snapshot); }
+void PairPanel::refresh(const view::SceneSnapshot& snapshot) { model_->refresh(snapshot); }
 
 void PairPanel::chooseCurrent() {
   if (choosing_) return;

@@ -22,8 +22,8 @@ class PairPanel : public QWidget {
  public:
   explicit PairPanel(Selection& selection, QWidget* parent = nullptr);
 
-  void open(const SceneOutline& outline);
-  void refresh(const SceneSnapshot& snapshot);
+  void open(const view::SceneOutline& outline);
+  void refresh(const view::SceneSnapshot& snapshot);
   QTableView* table() const { return table_; }
   QLineEdit* filterBox() const { return filter_box_; }
 

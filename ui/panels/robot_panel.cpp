@@ -60,7 +60,7 @@ RobotPanel::RobotPanel(QWidget* parent)
   open({});
 }
 
-void RobotPanel::open(const SceneOutline& outline) {
+void RobotPanel::open(const view::SceneOutline& outline) {
   while (QLayoutItem* item = cards_layout_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -91,7 +91,7 @@ void RobotPanel::open(const SceneOutline& outline) {
   head_->setText(tr("No robot of this scene has a reaction: all follow their recorded motion."));
 }
 
-void RobotPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (cards_.empty()) return;
   const bool reacting = snapshot.robots.size() == cards_.size();
   head_->setText(
@@ -111,20 +111,21 @@ void RobotPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snaps
       setAlarm(card.state, false);
       continue;
     }
-    const RobotSnapshot& robot = snapshot.robots[i];
-    waits |= robot.state == StopState::kWaitingForReset;
+    const view::RobotSnapshot& robot = snapshot.robots[i];
+    waits |= robot.state == safety::StopState::kWaitingForReset;
     card.state->setText(tr("%1%2: %3 since %4, speed %5 %")
                             .arg(isStop(robot.state) ? QStringLiteral("⚠ ") : QString(), name,
                                  stateText(robot.state), secondsWithUnit(robot.since),
                                  fixed(100.0 * robot.speed_scale, 0)));
     setAlarm(card.state, isStop(robot.state));
-    card.reason->setText(robot.state == StopState::kRunning ? QString() : causeText(robot.cause, outline, i));
+    card.reason->setText(robot.state == safety::StopState::kRunning ? QString()
+                                                                    : causeText(robot.cause, outline, i));
   }
   reset_->setEnabled(waits);
   if (reacting) addEntries(outline, snapshot);
 }
 
-void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void RobotPanel::addEntries(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (snapshot.loops != loops_) {
     loops_ = snapshot.loops;
     std::fill(in_log_.begin(), in_log_.end(), 0);
@@ -133,12 +134,12 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
     log_->clear();
   }
   struct New {
-    const StopEntry* entry;
+    const safety::StopEntry* entry;
     std::size_t robot;
   };
   std::vector<New> news;
   for (std::size_t i = 0; i < snapshot.robots.size(); ++i) {
-    const StopLog& log = snapshot.robots[i].log;
+    const safety::StopLog& log = snapshot.robots[i].log;
     const std::size_t unseen = log.count() - in_log_[i];
     if (unseen > log.kept())
       log_->appendPlainText(tr("%1: %2 earlier changes are not listed")
@@ -152,7 +153,7 @@ void RobotPanel::addEntries(const SceneOutline& outline, const SceneSnapshot& sn
                    [](const New& a, const New& b) { return a.entry->t < b.entry->t; });
   for (const New& n : news) log_->appendPlainText(entryText(*n.entry, outline, n.robot));
   for (std::size_t i = 0; i < snapshot.robots.size(); ++i) {
-    const RobotSnapshot& robot = snapshot.robots[i];
+    const view::RobotSnapshot& robot = snapshot.robots[i];
     if (robot.refused_resets > refused_[i])
       log_->appendPlainText(tr("%1  %2: reset refused: %3")
                                 .arg(secondsWithUnit(snapshot.t), QString::fromStdString(outline.reacting[i]),

@@ -26,8 +26,8 @@ class RobotPanel : public QWidget {
 
   explicit RobotPanel(QWidget* parent = nullptr);
 
-  void open(const SceneOutline& outline);
-  void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void open(const view::SceneOutline& outline);
+  void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   const QPlainTextEdit* log() const { return log_; }
 
  Q_SIGNALS:
@@ -38,7 +38,7 @@ class RobotPanel : public QWidget {
   struct Card {
     QLabel *state, *reason;
   };
-  void addEntries(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void addEntries(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
   QLabel* head_;
   QPushButton* reset_;
@@ -48,7 +48,8 @@ class RobotPanel : public QWidget {
   long loops_{-1};                   ///< SceneSnapshot::loops that the log belongs to
   std::vector<std::size_t> in_log_;  ///< entries of each robot's log that were there already
   std::vector<long> refused_;        ///< resets of each robot that the log tells of
-  std::vector<std::set<std::pair<int, LimitKind>>> broken_;  ///< limits of each robot's joints, likewise
+  std::vector<std::set<std::pair<int, mechanism::LimitKind>>>
+      broken_;  ///< limits of each robot's joints, likewise
 };
 
 }  // namespace abstand::ui

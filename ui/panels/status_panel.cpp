@@ -36,7 +36,7 @@ void setText(QLabel* label, const QString& text) {
 }
 
 /// "Checked 120 of 639, rested 480, beyond 30, late 9"; what is 0 is not named.
-QString leftOut(const StepCounts& work, std::size_t pairs) {
+QString leftOut(const scene::StepCounts& work, std::size_t pairs) {
   QString text = StatusPanel::tr("Checked %1 of %2").arg(work.checked).arg(pairs);
   if (work.rested > 0) text += StatusPanel::tr(", rested %1").arg(work.rested);
   if (work.beyond > 0) text += StatusPanel::tr(", beyond %1").arg(work.beyond);
@@ -44,12 +44,12 @@ QString leftOut(const StepCounts& work, std::size_t pairs) {
   return text;
 }
 
-std::size_t notChecked(const SceneSnapshot& snapshot) {
+std::size_t notChecked(const view::SceneSnapshot& snapshot) {
   return static_cast<std::size_t>(std::count_if(snapshot.pairs.begin(), snapshot.pairs.end(),
-                                                [](const PairSnapshot& pair) { return pair.paused; }));
+                                                [](const view::PairSnapshot& pair) { return pair.paused; }));
 }
 
-QString leftOutInWords(const StepCounts& work, std::size_t pairs) {
+QString leftOutInWords(const scene::StepCounts& work, std::size_t pairs) {
   const long looked_at = work.checked + work.rested + work.beyond + work.put_off;
   return StatusPanel::tr(
              "Pairs in the last cycle\n"
@@ -109,10 +109,10 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   clear();
 }
 
-void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   const auto pair = static_cast<std::size_t>(snapshot.nearest_pair);
   if (snapshot.nearest_pair >= 0 && pair < snapshot.pairs.size() && pair < outline.pairs.size()) {
-    const PairResult& result = snapshot.pairs[pair].result;
+    const query::PairResult& result = snapshot.pairs[pair].result;
     const bool alarm = result.contacts > 0 || result.distance < 0.0;
     nearest_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + nearestText(outline, snapshot));
     nearest_->setToolTip(nearestLines(outline, snapshot));
@@ -138,7 +138,7 @@ void StatusPanel::refresh(const SceneOutline& outline, const SceneSnapshot& snap
                           : tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }
 
-void StatusPanel::showRobots(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void StatusPanel::showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   robots_->setVisible(!outline.reacting.empty());
   if (outline.reacting.empty()) return;
   bool alarm = false;

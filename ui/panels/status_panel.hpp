@@ -25,14 +25,14 @@ struct Opening {
 class StatusPanel : public QObject {
  public:
   explicit StatusPanel(QStatusBar* bar);
-  void refresh(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   void clear();
   /// Takes the place of the nearest pair, until hideOpening().
   void showOpening(const Opening& opening);
   void hideOpening();
 
  private:
-  void showRobots(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
   QLabel* nearest_;
   QLabel* opening_;

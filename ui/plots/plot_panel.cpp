@@ -77,7 +77,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   setJoints({});
 }
 
-void PlotPanel::setJoints(const std::vector<SceneOutline::JointInfo>& joints) {
+void PlotPanel::setJoints(const std::vector<view::SceneOutline::JointInfo>& joints) {
   joint_->clear();
   prismatic_.clear();
   joint_->addItem(tr("largest of all"), -1);
@@ -101,10 +101,11 @@ void PlotPanel::nameTorques() {
 }
 
 void PlotPanel::setSeries(const FrameSeries* distance, const FrameSeries* force,
-                          const std::array<FrameSeries, kTorqueParts>* torques, double start, double end) {
+                          const std::array<FrameSeries, view::kTorqueParts>* torques, double start,
+                          double end) {
   charts_[0]->setSeries(distance);
   charts_[1]->setSeries(force);
-  for (std::size_t k = 0; k < kTorqueParts; ++k) charts_[2]->setSeries(&(*torques)[k], k);
+  for (std::size_t k = 0; k < view::kTorqueParts; ++k) charts_[2]->setSeries(&(*torques)[k], k);
   start_ = start;
   end_ = end;
   time_ = start;

@@ -24,9 +24,9 @@ class PlotPanel : public QWidget {
   /// Series live in the owner and must outlive the panel or be replaced; null for none.
   /// `torques`: in the order of TorqueParts.
   void setSeries(const FrameSeries* distance, const FrameSeries* force,
-                 const std::array<FrameSeries, kTorqueParts>* torques, double start, double end);
+                 const std::array<FrameSeries, view::kTorqueParts>* torques, double start, double end);
   /// Joints that can be chosen; the largest of all is chosen.
-  void setJoints(const std::vector<SceneOutline::JointInfo>& joints);
+  void setJoints(const std::vector<view::SceneOutline::JointInfo>& joints);
   void setTime(double t);
   /// Margin (m) of the nearest pair, shown as a band in the distance chart.
   void setMargin(double metres);

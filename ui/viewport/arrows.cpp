@@ -27,7 +27,7 @@ double scaleFor(double largest, double longest, double fixed, bool automatic, Ar
 
 }  // namespace
 
-void Arrows::open(const SceneOutline& outline) {
+void Arrows::open(const view::SceneOutline& outline) {
   const auto n = static_cast<int>(outline.objects.size());
   for (auto& batch : forces_)
     batch = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
@@ -40,11 +40,11 @@ void Arrows::open(const SceneOutline& outline) {
   for (auto& pushes : pushes_) pushes.assign(outline.objects.size(), {});
 }
 
-void Arrows::sumForces(const SceneOutline& outline, const SceneSnapshot& snapshot) {
+void Arrows::sumForces(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   for (auto& pushes : pushes_) std::fill(pushes.begin(), pushes.end(), Push{});
   for (std::size_t p = 0; p < std::min(outline.pairs.size(), snapshot.pairs.size()); ++p) {
-    const PairSnapshot& pair = snapshot.pairs[p];
-    const PairResult& result = pair.result;
+    const view::PairSnapshot& pair = snapshot.pairs[p];
+    const query::PairResult& result = pair.result;
     if (pair.paused || result.contacts == 0) continue;
     auto& pushes = pushes_[result.distance < 0.0 ? kReal : kVirtual];
     const double weight = result.force_a.norm();
@@ -64,12 +64,13 @@ void Arrows::sumForces(const SceneOutline& outline, const SceneSnapshot& snapsho
           pushes[i].weight > 0.0 ? Vector3d(pushes[i].point / pushes[i].weight) : snapshot.objects[i].p_WCom;
 }
 
-bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options) {
+bool Arrows::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,
+                     const ViewOptions& options) {
   if (!torques_ || snapshot.objects.size() != pushes_[kReal].size()) return false;
   sumForces(outline, snapshot);
   std::array<double, kKinds> most{};
   double most_force = 0.0, most_torque = 0.0, most_speed = 0.0;
-  for (const ObjectSnapshot& object : snapshot.objects) {
+  for (const view::ObjectSnapshot& object : snapshot.objects) {
     if (options.torques) most_torque = std::max(most_torque, object.contact.torque.norm());
     if (options.velocities) most_speed = std::max(most_speed, object.velocity.linear.norm());
   }
@@ -96,7 +97,7 @@ bool Arrows::refresh(const SceneOutline& outline, const SceneSnapshot& snapshot,
   torques_->begin();
   velocities_->begin();
   for (std::size_t i = 0; i < snapshot.objects.size(); ++i) {
-    const ObjectSnapshot& object = snapshot.objects[i];
+    const view::ObjectSnapshot& object = snapshot.objects[i];
     const auto arrow = [](ArrowBatch& batch, const Vector3d& p_W, const Vector3d& v, double least,
                           double factor, double shortest, double longest, double radius) {
       const double size = v.norm();

@@ -22,12 +22,13 @@ class Arrows {
  public:
   explicit Arrows(vtkRenderer* renderer) : renderer_{renderer} {}
 
-  void open(const SceneOutline& outline);
+  void open(const view::SceneOutline& outline);
   /// Two forces on each object, each at the centre of its contact points (weighted by force): that of pairs
   /// whose surfaces overlap, and, thinner and in another colour, that of pairs that are only within their
   /// margins. Total torque about its centre of mass, velocity of its centre of mass. True when something
   /// looks different now.
-  bool refresh(const SceneOutline& outline, const SceneSnapshot& snapshot, const ViewOptions& options);
+  bool refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,
+               const ViewOptions& options);
 
   const ArrowScale& forceScale() const { return force_scale_[kReal]; }
   const ArrowScale& virtualScale() const { return force_scale_[kVirtual]; }
@@ -42,7 +43,7 @@ class Arrows {
     Vector3d point{Vector3d::Zero()};  ///< the sum of weighted points at first
     double weight{0.0};
   };
-  void sumForces(const SceneOutline& outline, const SceneSnapshot& snapshot);
+  void sumForces(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
   vtkRenderer* renderer_;
   std::array<std::unique_ptr<ArrowBatch>, kKinds> forces_;

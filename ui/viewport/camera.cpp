@@ -57,7 +57,7 @@ void Camera::pan(double dx, double dy) {
 
 void Camera::zoom(double factor) { place(focus_, distance_ * factor); }
 
-void Camera::look(CameraPreset preset, const Bounds& box) {
+void Camera::look(CameraPreset preset, const geometry::Bounds& box) {
   switch (preset) {
     case CameraPreset::kFront:
       azimuth_ = 0.0, elevation_ = 0.08;
@@ -76,7 +76,7 @@ void Camera::look(CameraPreset preset, const Bounds& box) {
   fit(box);
 }
 
-void Camera::fit(const Bounds& box) {
+void Camera::fit(const geometry::Bounds& box) {
   if (!(box.upper.x() >= box.lower.x())) return;
   place(box.centre(), distance_);
   update();

@@ -22,9 +22,9 @@ class Camera {
   /// Distance times `factor`.
   void zoom(double factor);
   /// Looks from the preset's side at the box.
-  void look(CameraPreset preset, const Bounds& box);
+  void look(CameraPreset preset, const geometry::Bounds& box);
   /// Keeps the direction and brings the box into sight.
-  void fit(const Bounds& box);
+  void fit(const geometry::Bounds& box);
 
   /// Where a point is on the screen, from the upper left corner; depth > 0 before the camera.
   QPointF project(const Vector3d& p_W, double* depth = nullptr) const;

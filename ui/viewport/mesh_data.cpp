@@ -24,7 +24,7 @@ constexpr int kShadowCells = 24;                // along the longest side
 constexpr double kOutline = 0.006;              // m
 constexpr double kOutlineShare = 0.06;          // of the object's size, for small ones
 
-vtkSmartPointer<vtkPolyData> toPolyData(const TriangleMesh& mesh) {
+vtkSmartPointer<vtkPolyData> toPolyData(const geometry::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkPolyData> blownUp(vtkPolyData* clean) {
 
 }  // namespace
 
-MeshData makeMeshData(const TriangleMesh& mesh, double keep) {
+MeshData makeMeshData(const geometry::TriangleMesh& mesh, double keep) {
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(toPolyData(mesh));
   clean->ConvertPolysToLinesOff();

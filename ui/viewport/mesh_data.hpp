@@ -16,6 +16,6 @@ struct MeshData {
 };
 
 /// `keep`: share of the triangles to keep, 1 for all; small meshes are kept whole.
-MeshData makeMeshData(const TriangleMesh& mesh, double keep);
+MeshData makeMeshData(const geometry::TriangleMesh& mesh, double keep);
 
 }  // namespace abstand::ui

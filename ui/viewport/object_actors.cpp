@@ -46,7 +46,7 @@ bool show(vtkActor* actor, bool visible) {
 
 }  // namespace
 
-void ObjectActors::open(const SceneOutline& outline, Theme theme) {
+void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
   for (const Item& item : items_) {
     renderer_->RemoveActor(item.body);
     renderer_->RemoveActor(item.outline);
@@ -57,7 +57,7 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
   infos_ = outline.objects;
   theme_ = theme;
   std::size_t triangles = 0;
-  for (const TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
+  for (const geometry::TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
   const double keep = triangles > kTriangleBudget
                           ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles)
                           : 1.0;
@@ -67,10 +67,10 @@ void ObjectActors::open(const SceneOutline& outline, Theme theme) {
     item.human = infos_[i].human;
     item.pose = vtkSmartPointer<vtkMatrix4x4>::New();
     item.shadow_pose = vtkSmartPointer<vtkMatrix4x4>::New();
-    static const TriangleMesh kNothing;
+    static const geometry::TriangleMesh kNothing;
     const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
     if (i < outline.meshes.size() && !outline.meshes[i].vertices.empty()) {
-      Bounds box;
+      geometry::Bounds box;
       for (const Vector3d& v : outline.meshes[i].vertices) box.add(v);
       item.centre = 0.5 * (box.lower + box.upper);
       item.half = (0.5 * (box.upper - box.lower)).cwiseMax(1e-6);
@@ -113,7 +113,7 @@ vtkSmartPointer<vtkActor> ObjectActors::addActor(vtkRenderer* renderer, vtkPolyD
 
 void ObjectActors::setTheme(Theme theme) {
   theme_ = theme;
-  SceneOutline names;
+  view::SceneOutline names;
   names.objects = infos_;
   const SceneColours colours = sceneColours(theme);
   for (const Group& group : groupsOf(names)) {
@@ -131,7 +131,7 @@ void ObjectActors::setTheme(Theme theme) {
   }
 }
 
-bool ObjectActors::refresh(const SceneSnapshot& snapshot, const Selection& selection,
+bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const Selection& selection,
                            const ViewOptions& options) {
   bool changed = false;
   const std::size_t n = std::min(items_.size(), snapshot.objects.size());
@@ -156,7 +156,7 @@ bool ObjectActors::place(Item& item, const Transform& X_WB) {
   return true;
 }
 
-bool ObjectActors::veil(Item& item, const ObjectSnapshot& now, bool hollow) {
+bool ObjectActors::veil(Item& item, const view::ObjectSnapshot& now, bool hollow) {
   const bool misty = item.visible && !hollow && std::isfinite(now.reach) && now.reach > kMinMist;
   bool changed = show(item.mist, misty);
   if (!misty) return changed;
@@ -166,16 +166,18 @@ bool ObjectActors::veil(Item& item, const ObjectSnapshot& now, bool hollow) {
   return assign(item.mist_pose, stretched.matrix()) || changed;
 }
 
-bool ObjectActors::paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options) {
+bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chosen,
+                         const ViewOptions& options) {
   vtkProperty* look = item.body->GetProperty();
   const auto before = look->GetMTime();
-  const bool hollow = now.pose_state == PoseState::kStale || now.pose_state == PoseState::kRejected;
+  const bool hollow =
+      now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
   const bool marked = now.colliding || chosen;
   setColour(look, now.colliding ? QColor(kVermillion) : item.colour);
   look->SetRepresentation(hollow ? VTK_WIREFRAME : VTK_SURFACE);
   look->SetLighting(!hollow);
   // An inferred pose is between known and lost: whole, but with its edges.
-  look->SetEdgeVisibility(now.pose_state == PoseState::kInferred);
+  look->SetEdgeVisibility(now.pose_state == scene::PoseState::kInferred);
   look->SetEdgeColor(0.45, 0.5, 0.55);
   look->SetOpacity(item.human && !marked ? options.human_opacity : 1.0);
   bool changed = look->GetMTime() != before;
@@ -197,8 +199,8 @@ void ObjectActors::setVisible(int object, bool visible) {
     items_[static_cast<std::size_t>(object)].visible = visible;
 }
 
-Bounds ObjectActors::bounds(const std::vector<int>& only) const {
-  Bounds box;
+geometry::Bounds ObjectActors::bounds(const std::vector<int>& only) const {
+  geometry::Bounds box;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const bool wanted = only.empty() ? items_[i].visible
                                      : std::find(only.begin(), only.end(), static_cast<int>(i)) != only.end();

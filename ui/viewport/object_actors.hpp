@@ -28,15 +28,15 @@ class ObjectActors {
   /// Bodies and outlines into `renderer`, shadows into `back`.
   ObjectActors(vtkRenderer* renderer, vtkRenderer* back) : renderer_{renderer}, back_{back} {}
 
-  void open(const SceneOutline& outline, Theme theme);
+  void open(const view::SceneOutline& outline, Theme theme);
   void setTheme(Theme theme);
   /// True when something looks different now.
-  bool refresh(const SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);
+  bool refresh(const view::SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);
   void setVisible(int object, bool visible);
   void setFloorHeight(double z) { floor_ = z; }
 
   /// World box of what is visible, of the chosen objects where there are any.
-  Bounds bounds(const std::vector<int>& only = {}) const;
+  geometry::Bounds bounds(const std::vector<int>& only = {}) const;
   /// Nearest visible object under a display position (physical pixels from the lower left corner), -1 for
   /// none.
   int pick(double x, double y) const;
@@ -53,13 +53,13 @@ class ObjectActors {
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
   bool place(Item& item, const Transform& X_WB);
-  bool veil(Item& item, const ObjectSnapshot& now, bool hollow);
-  bool paint(Item& item, const ObjectSnapshot& now, bool chosen, const ViewOptions& options);
+  bool veil(Item& item, const view::ObjectSnapshot& now, bool hollow);
+  bool paint(Item& item, const view::ObjectSnapshot& now, bool chosen, const ViewOptions& options);
 
   vtkRenderer* renderer_;
   vtkRenderer* back_;
   std::vector<Item> items_;
-  std::vector<SceneOutline::ObjectInfo> infos_;
+  std::vector<view::SceneOutline::ObjectInfo> infos_;
   Theme theme_{Theme::kLight};
   double floor_{0.0};
 };

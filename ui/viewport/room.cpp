@@ -118,7 +118,7 @@ void Room::setVisible(bool visible) {
   grid_->SetVisibility(visible);
 }
 
-void Room::fitTo(const Bounds& box) {
+void Room::fitTo(const geometry::Bounds& box) {
   if (!(box.upper.x() >= box.lower.x())) return;
   height_ = std::min(0.0, box.lower.z());
   const Vector3d reach = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs());

@@ -18,7 +18,7 @@ class Room {
   void setTheme(Theme theme);
   void setVisible(bool visible);
   /// Floor below everything in `box`, but no higher than z = 0; wide enough for it.
-  void fitTo(const Bounds& box);
+  void fitTo(const geometry::Bounds& box);
   double floorHeight() const { return height_; }
 
  private:

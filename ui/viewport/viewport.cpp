@@ -131,7 +131,7 @@ Viewport::~Viewport() {
   if (impl_->gl) impl_->gl->removeEventFilter(this);
 }
 
-void Viewport::open(const SceneOutline& outline, const SceneSnapshot& first) {
+void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot& first) {
   Impl& my = *impl_;
   my.outline = &outline;
   my.snapshot = first;
@@ -158,7 +158,7 @@ void Viewport::close() {
   my.askForFrame();
 }
 
-void Viewport::refresh(const SceneSnapshot& snapshot) {
+void Viewport::refresh(const view::SceneSnapshot& snapshot) {
   impl_->snapshot = snapshot;
   impl_->refresh();
 }

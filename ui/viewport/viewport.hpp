@@ -22,9 +22,9 @@ class Viewport : public QWidget {
   ~Viewport() override;
 
   /// Builds all actors and looks at the scene. The outline must live until the next open() or close().
-  void open(const SceneOutline& outline, const SceneSnapshot& first);
+  void open(const view::SceneOutline& outline, const view::SceneSnapshot& first);
   void close();
-  void refresh(const SceneSnapshot& snapshot);
+  void refresh(const view::SceneSnapshot& snapshot);
 
   const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);

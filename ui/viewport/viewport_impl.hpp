@@ -35,8 +35,8 @@ struct Viewport::Impl {
   Viewport& owner;
   Selection& selection;
   ViewOptions options;
-  const SceneOutline* outline{nullptr};
-  SceneSnapshot snapshot;
+  const view::SceneOutline* outline{nullptr};
+  view::SceneSnapshot snapshot;
 
   QVTKOpenGLNativeWidget* gl{nullptr};  // null without OpenGL
   vtkNew<vtkGenericOpenGLRenderWindow> window;

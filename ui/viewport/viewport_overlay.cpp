@@ -45,7 +45,7 @@ void Viewport::Impl::addClosest() {
     std::iota(order_.begin(), order_.end(), 0);
   }
   const auto distance = [&](int pair) {
-    const PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
+    const view::PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
     return std::isnan(p.result.distance) || p.paused ? kInfinity : p.result.distance;
   };
   // A chosen pair comes first, then by distance.
@@ -56,8 +56,8 @@ void Viewport::Impl::addClosest() {
   OverlayContent& content = overlay->content();
   for (std::size_t k = 0; k < shown; ++k) {
     const int pair = order_[k];
-    const PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
-    const PairResult& result = now.result;
+    const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
+    const query::PairResult& result = now.result;
     if (now.paused) continue;
     if (!(result.distance < kFarLine) && pair != selection.pair()) break;
     if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
@@ -84,7 +84,7 @@ void Viewport::Impl::addContactLabels() {
   OverlayContent& content = overlay->content();
   std::size_t contacts = 0;
   for (std::size_t i = 0; i < std::min(snapshot.objects.size(), outline->objects.size()); ++i) {
-    const ObjectSnapshot& object = snapshot.objects[i];
+    const view::ObjectSnapshot& object = snapshot.objects[i];
     const bool chosen = selection.contains(static_cast<int>(i));
     if (!chosen && (!object.colliding || contacts >= kContactLabels)) continue;
     double depth = 0.0;

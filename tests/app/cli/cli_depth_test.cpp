@@ -58,9 +58,9 @@ TEST_F(Cli, RenderDepthWritesWhatAKinectsDriverRecords) {
   const std::string view = " --noise none --eye 2,0,0.5 --look 0,0,0";
   runJson("render-depth " + scene + " --out " + png + view);
   EXPECT_EQ(runJson("render-depth " + scene + " --format freenect --out " + dump + view)["frames"], 1);
-  DepthFrame a, b;
-  openDepthStream(png)->next(a);
-  const auto stream = openDepthStream(dump);
+  tracking::DepthFrame a, b;
+  tracking::openDepthStream(png)->next(a);
+  const auto stream = tracking::openDepthStream(dump);
   EXPECT_EQ(stream->facts().format, "freenect");
   EXPECT_TRUE(stream->facts().camera_known);
   ASSERT_TRUE(stream->next(b));
@@ -170,25 +170,25 @@ TEST_F(Cli, CalibratePlacesACamera) {
 }
 
 /// As an infrared camera's image.
-void save(const GreyImage& grey, const std::filesystem::path& file) {
-  ColourImage image(grey.width, grey.height);
+void save(const tracking::GreyImage& grey, const std::filesystem::path& file) {
+  tracking::ColourImage image(grey.width, grey.height);
   for (std::size_t i = 0; i < grey.pixels.size(); ++i) image.pixels[i].fill(grey.pixels[i]);
-  saveColourPng(image, file);
+  tracking::saveColourPng(image, file);
 }
 
 TEST_F(Cli, CalibrateByAChessboard) {
-  const Chessboard board{8, 5, 0.03};
+  const tracking::Chessboard board{8, 5, 0.03};
   const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
-  const DepthCamera truth = cameraBefore(board, X_WO, 0.7, 0.5, 0.3, 0.2);
+  const tracking::DepthCamera truth = cameraBefore(board, X_WO, 0.7, 0.5, 0.3, 0.2);
   const auto image = folder_.path() / "board.png", placed = folder_.path() / "placed.yaml";
   save(pictureOf(truth, board, X_WO), image);
-  const std::string camera = write("kinect.yaml", describeDepthCamera(DepthCamera{}));
+  const std::string camera = write("kinect.yaml", tracking::describeDepthCamera(tracking::DepthCamera{}));
   const std::string chessboard = "calibrate --chessboard " + image.string();
   const std::string lens = " --camera " + camera, place = " --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5";
   const json j = runJson(chessboard + " --squares 8x5" + place + lens + " --out " + placed.string());
   EXPECT_EQ(j["corners"], 28);
   EXPECT_LT(j["rms_px"].get<double>(), 0.2);
-  const DepthCamera found = loadDepthCamera(placed);
+  const tracking::DepthCamera found = tracking::loadDepthCamera(placed);
   EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.003);
   EXPECT_EQ(found.spread, j["spread"].get<double>());
   // Inner corners instead of squares.
@@ -210,12 +210,12 @@ TEST_F(Cli, CalibrateByAChessboard) {
 }
 
 TEST_F(Cli, CalibrateMeasuresTheLens) {
-  const Chessboard board{8, 5, 0.03};
+  const tracking::Chessboard board{8, 5, 0.03};
   const Transform X_WO = fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.5});
   std::string images;
-  DepthCamera first;
+  tracking::DepthCamera first;
   for (int i = 0; i < 5; ++i) {
-    const DepthCamera camera = cameraBefore(board, X_WO, 0.5, 0.6, 1.3 * i, 0.4 * i);
+    const tracking::DepthCamera camera = cameraBefore(board, X_WO, 0.5, 0.6, 1.3 * i, 0.4 * i);
     if (i == 0) first = camera;
     const auto file = folder_.path() / ("board" + std::to_string(i) + ".png");
     save(pictureOf(camera, board, X_WO), file);
@@ -226,7 +226,7 @@ TEST_F(Cli, CalibrateMeasuresTheLens) {
                          " --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75,0,0,0.5 --intrinsics --out " +
                          placed.string());
   EXPECT_NEAR(j["intrinsics"]["fx"].get<double>(), 580.0, 6.0);
-  const DepthCamera found = loadDepthCamera(placed);
+  const tracking::DepthCamera found = tracking::loadDepthCamera(placed);
   EXPECT_EQ(found.fx, j["intrinsics"]["fx"].get<double>());
   // A lens that is a hundredth off puts the camera a hundredth of its distance off.
   EXPECT_LT((found.X_WC.translation() - first.X_WC.translation()).norm(), 0.01);
@@ -236,25 +236,26 @@ TEST_F(Cli, CalibrateByTheLinksOfARobot) {
   const std::string clip = (folder_.path() / "clip").string(), scene = "data/scenes/arm6.yaml";
   runJson("render-depth " + scene + " --out " + clip +
           " --end 0 --width 320 --eye 1.6,0.6,0.9 --look 0.1,0,0.4");
-  const DepthCamera truth = loadDepthCamera(folder_.path() / "clip" / "camera.yaml");
-  DepthCamera start = truth;
+  const tracking::DepthCamera truth = tracking::loadDepthCamera(folder_.path() / "clip" / "camera.yaml");
+  tracking::DepthCamera start = truth;
   start.X_WC = truth.X_WC * fromXyzRpy({0.05, -0.06, 0.05}, {0.08, -0.1, 0.06});
-  const std::string rough = write("rough.yaml", describeDepthCamera(start));
+  const std::string rough = write("rough.yaml", tracking::describeDepthCamera(start));
   const auto placed = folder_.path() / "placed.yaml";
   const std::string calibrate = "calibrate " + scene + " --links " + clip;
   const json j = runJson(calibrate + " --robot arm6 --camera " + rough + " --out " + placed.string());
   EXPECT_EQ(j["robot"], "arm6");
   EXPECT_EQ(j["images"], 1);
   EXPECT_GT(j["explained"].get<double>(), 0.9);
-  const DepthCamera found = loadDepthCamera(placed);
+  const tracking::DepthCamera found = tracking::loadDepthCamera(placed);
   // A tenth of the way that it was off, and less than a step of the Kinect's depth.
   EXPECT_LT((found.X_WC.translation() - truth.X_WC.translation()).norm(), 0.008);
   EXPECT_EQ(found.spread, j["spread"].get<double>());
   EXPECT_NEAR(j["moved"].get<double>(), std::sqrt(0.0086), 0.008);
-  DepthCamera unplaced = truth;
+  tracking::DepthCamera unplaced = truth;
   unplaced.X_WC = Transform::Identity();
-  const std::string nowhere = write(
-      "nowhere.yaml", describeDepthCamera(unplaced).substr(0, describeDepthCamera(unplaced).find("T_WC")));
+  const std::string nowhere =
+      write("nowhere.yaml", tracking::describeDepthCamera(unplaced).substr(
+                                0, tracking::describeDepthCamera(unplaced).find("T_WC")));
   for (const std::string& bad :
        std::vector<std::string>{calibrate + " --robot nobody", calibrate + " --camera " + nowhere,
                                 "calibrate " + scene + " --robot arm6", "calibrate --links " + clip,

@@ -22,15 +22,16 @@ const char* const kJoint =
     "<limit lower='-1' upper='1' velocity='1' effort='1'/></joint>";
 
 /// What a case changes in the person's frames.
-using Change = std::function<void(std::vector<SkeletonFrame>&)>;
+using Change = std::function<void(std::vector<humanmodel::SkeletonFrame>&)>;
 
-void lose(SkeletonFrame& frame, std::initializer_list<Joint> joints) {
-  for (const Joint j : joints) frame.set(j, Vector3d::Constant(kNaN), JointState::kMissing);
+void lose(humanmodel::SkeletonFrame& frame, std::initializer_list<humanmodel::Joint> joints) {
+  for (const humanmodel::Joint j : joints)
+    frame.set(j, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
 }
 
-void loseAll(SkeletonFrame& frame) {
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    frame.set(static_cast<Joint>(j), Vector3d::Constant(kNaN), JointState::kMissing);
+void loseAll(humanmodel::SkeletonFrame& frame) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    frame.set(static_cast<humanmodel::Joint>(j), Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
 }
 
 std::string row(const char* t, const std::string& pose) { return std::string(t) + "," + pose + "\n"; }
@@ -58,12 +59,12 @@ struct Unknown {
 class Gate : public Cli {
  protected:
   void person(const Change& change) {
-    std::vector<SkeletonFrame> frames(kFrames, makeHuman({}).rest);
+    std::vector<humanmodel::SkeletonFrame> frames(kFrames, humanmodel::makeHuman({}).rest);
     for (int i = 0; i < kFrames; ++i) frames[static_cast<std::size_t>(i)].t = i * kStep;
     if (change) change(frames);
-    Recording recording;
+    tracking::Recording recording;
     recording.frames = std::move(frames);
-    writeSkeletonCsv(folder_.path() / "p.csv", recording);
+    tracking::writeSkeletonCsv(folder_.path() / "p.csv", recording);
   }
   std::string scene(const std::string& text) { return write("s.yaml", kHead + text); }
   /// The first reservation of that kind, or null.
@@ -102,7 +103,8 @@ std::vector<Unknown> unknowns() {
       {"stale", "stale_pose", with_person, "", "",
        [](auto& f) {
          for (std::size_t i = 3; i < 6; ++i)
-           lose(f[i], {Joint::kElbowLeft, Joint::kWristLeft, Joint::kHandLeft});
+           lose(f[i],
+                {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristLeft, humanmodel::Joint::kHandLeft});
        },
        0.3, 0.5},
       {"nobody for a while", "no_person", with_person, "", "",
@@ -112,7 +114,7 @@ std::vector<Unknown> unknowns() {
        0.4, 0.7},
       {"unmapped part", "unmapped_part", with_person, "", "",
        [](auto& f) {
-         for (auto& frame : f) lose(frame, {Joint::kAnkleRight, Joint::kToeRight});
+         for (auto& frame : f) lose(frame, {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight});
        },
        kNaN, kNaN},
       {"poses end early",

@@ -39,9 +39,9 @@ TEST_F(WarmStart, APassFromABlockOnGivesTheBitsOfTheWhole) {
     std::vector<double> times;
     for (const auto& row : whole)
       if (times.empty() || column(row, 0) != times.back()) times.push_back(column(row, 0));
-    ASSERT_GT(times.size(), 2 * kColdStart);
+    ASSERT_GT(times.size(), 2 * run::kColdStart);
     for (const std::size_t block : {std::size_t{1}, std::size_t{2}}) {
-      const double start = times[block * kColdStart];
+      const double start = times[block * run::kColdStart];
       const std::vector<std::string> part =
           rows("--threads 3 --start " + std::to_string(start - 0.001), option);
       ASSERT_GT(whole.size(), part.size());
@@ -72,7 +72,7 @@ TEST_F(WarmStart, DistancesAreThoseOfColdStartsWithinTheTolerance) {
     ASSERT_LE(w - w_bound, c + 1e-9) << warm[i];
     ASSERT_LE(c - c_bound, w + 1e-9) << cold[i];
     different += c != w;
-    if (c <= kFarFrom) {
+    if (c <= query::kFarFrom) {
       ASSERT_LE(w, c + kBetweenPoints) << warm[i];
       continue;
     }
@@ -87,9 +87,9 @@ TEST_F(WarmStart, DistancesAreThoseOfColdStartsWithinTheTolerance) {
 TEST_F(WarmStart, IsStatedAndCanBeSwitchedOff) {
   const std::string part = " --end 0.5";
   const json warm = runJson("run " + kScene + part)["warm_start"];
-  EXPECT_EQ(warm["block_frames"], kColdStart);
+  EXPECT_EQ(warm["block_frames"], run::kColdStart);
   EXPECT_EQ(warm["far_tolerance"], 0.002);
-  EXPECT_EQ(warm["far_from_m"], kFarFrom);
+  EXPECT_EQ(warm["far_from_m"], query::kFarFrom);
   EXPECT_EQ(runJson("run " + kScene + part + " --tolerance 0.01")["warm_start"]["far_tolerance"], 0.01);
   EXPECT_TRUE(runJson("run " + kScene + part + " --cold")["warm_start"].is_null());
   EXPECT_NE(run("run " + kScene + part).out.find("beyond 0.1 m distances are at most 0.2 % above"),

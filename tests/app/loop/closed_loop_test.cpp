@@ -11,7 +11,7 @@
 #include "tests/app/loop/slide_scene.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 using testing::SlideScene;
@@ -83,10 +83,10 @@ TEST(ClosedLoop, AStopHoldsThePlanAndLetsItGoOn) {
   EXPECT_GT(report[0].record.stopped, 1.0);
   EXPECT_NEAR(report[0].record.lost_time, report[0].record.stopped, 2e-3)
       << "its plan stood as long as it did";
-  EXPECT_EQ(report[0].state, StopState::kRunning);
+  EXPECT_EQ(report[0].state, safety::StopState::kRunning);
   ASSERT_EQ(report[0].stops.size(), 2u);
-  EXPECT_EQ(report[0].stops[0].to, StopState::kProtectiveStop);
-  EXPECT_EQ(report[0].stops[0].cause.reason, StopReason::kDistance);
+  EXPECT_EQ(report[0].stops[0].to, safety::StopState::kProtectiveStop);
+  EXPECT_EQ(report[0].stops[0].cause.reason, safety::StopReason::kDistance);
   EXPECT_NE(report[0].lines[0].find("pair ball - thing"), std::string::npos) << report[0].lines[0];
 }
 
@@ -97,7 +97,7 @@ TEST(ClosedLoop, BrakesHoldWhatIsPushed) {
   ClosedLoop loop(*s.session, 0.0);
   steps(loop, 2900);
   const ReactingRobot& robot = *loop.robots()[0];
-  EXPECT_EQ(robot.stops().state(), StopState::kWaitingForReset);
+  EXPECT_EQ(robot.stops().state(), safety::StopState::kWaitingForReset);
   EXPECT_LT(std::abs(robot.q()[0]), 2e-3);
   EXPECT_GT(s.session->scene().object(ObjectId(0)).contact.force.norm(), 100.0) << "5 cm deep, 164 N";
 }
@@ -136,15 +136,15 @@ TEST(ClosedLoop, AllocatesNothingAndSaysTheSameEveryTime) {
 
 TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
   SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
-  RunOptions options;
+  run::RunOptions options;
   options.end = 2.0;
   options.rate = 10.0;
-  RunSummary plain = runScene(*s.session, options);
+  run::RunSummary plain = run::runScene(*s.session, options);
   EXPECT_EQ(plain.cycles, 0);
   EXPECT_TRUE(plain.robots.empty());
   EXPECT_NEAR(plain.min_distance->value, -0.05, 1e-3);
   options.react = true;
-  const RunSummary reacting = runScene(*s.session, options);
+  const run::RunSummary reacting = run::runScene(*s.session, options);
   EXPECT_EQ(reacting.frames, plain.frames);
   EXPECT_EQ(reacting.cycles, 2001);
   EXPECT_GT(reacting.min_distance->value, 0.03);
@@ -155,33 +155,33 @@ TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
 
 TEST(ClosedLoop, ACheckSeesEveryCycle) {
   SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
-  RunOptions options;
+  run::RunOptions options;
   options.end = 2.0;
   options.rate = 10.0;
   int cycles = 0;
   double least = kInfinity;
-  options.on_cycle = [&](double t, const std::vector<PairResult>& results) {
+  options.on_cycle = [&](double t, const std::vector<query::PairResult>& results) {
     EXPECT_NEAR(t, 1e-3 * cycles, 1e-9);
     ++cycles;
     least = std::min(least, results[0].distance);
   };
   options.react = true;
-  const RunSummary reacting = runScene(*s.session, options);
+  const run::RunSummary reacting = run::runScene(*s.session, options);
   EXPECT_EQ(cycles, 2001);
   EXPECT_EQ(least, reacting.min_distance->value);
   cycles = 0;
   options.react = false;
-  options.on_cycle = [&](double, const std::vector<PairResult>&) { ++cycles; };
-  runScene(*s.session, options);
+  options.on_cycle = [&](double, const std::vector<query::PairResult>&) { ++cycles; };
+  run::runScene(*s.session, options);
   EXPECT_EQ(cycles, 21) << "frames alone";
 }
 
 TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
   testing::ScratchFolder folder;
-  const SceneDescription scene = testing::sceneWithoutMasses(folder);
-  SessionOptions options;
+  const scene_file::SceneDescription scene = testing::sceneWithoutMasses(folder);
+  session::SessionOptions options;
   options.cache = false;
-  Session session(scene, options);
+  session::Session session(scene, options);
   try {
     ClosedLoop loop(session, 0.0);
     FAIL() << "it was taken";
@@ -192,7 +192,7 @@ TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
 
 TEST(ClosedLoop, TheSnapshotTellsOfBrokenLimits) {
   testing::SlideScene inside("{}"), outside("{}", "", "    q: [5.5]\n");
-  SceneSnapshot snapshot;
+  view::SceneSnapshot snapshot;
   ClosedLoop within(*inside.session, 0.0);
   within.capture(snapshot);
   ASSERT_EQ(snapshot.robots.size(), 1u);
@@ -201,12 +201,12 @@ TEST(ClosedLoop, TheSnapshotTellsOfBrokenLimits) {
   for (int i = 0; i < 10; ++i) beyond.step();
   beyond.capture(snapshot);
   ASSERT_GE(snapshot.robots[0].breach_count, 1u);
-  const LimitBreach& breach = snapshot.robots[0].breaches[0];
-  EXPECT_EQ(breach.kind, LimitKind::kPosition);
+  const mechanism::LimitBreach& breach = snapshot.robots[0].breaches[0];
+  EXPECT_EQ(breach.kind, mechanism::LimitKind::kPosition);
   EXPECT_EQ(breach.limit, 5.0);
   EXPECT_NEAR(breach.value, 5.5, 0.01);
   EXPECT_GT(breach.count, 1);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::loop

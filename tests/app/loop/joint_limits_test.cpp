@@ -8,7 +8,7 @@
 #include "core/math/random.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 // Relative, and absolute in rad, rad/s, N m: what may be beyond a limit by rounding.
@@ -75,7 +75,7 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
   folder.write("poses.csv", flight(1));
   folder.write("plan.csv", plan(2, GetParam().plan_speed));
   const std::string held = std::string(GetParam().name) == "Proxy" ? ", held: true" : "";
-  SceneDescription description = parseScene(
+  scene_file::SceneDescription description = scene_file::parseScene(
       "abstand: 1\n"
       "defaults: {voxel: 0.03, point: 0.03, stiffness: 1.0e6}\n"
       "mechanisms:\n"
@@ -96,11 +96,11 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
           "  - {name: thing, shape: {sphere: {radius: 0.1}}, margin: 0.9}\n"
           "pairs: {default: between_groups}\n",
       folder.path() / "scene.yaml");
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
   options.poses = folder.path() / "poses.csv";
-  Session session(std::move(description), options);
+  session::Session session(std::move(description), options);
   ClosedLoop loop(session, 0.0);
   const ReactingRobot& robot = *loop.robots()[0];
   const auto& frames = robot.driver().mechanism().frames;
@@ -108,7 +108,7 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
   for (int i = 0; i < kCycles; ++i) {
     loop.step();
     for (std::size_t k = 0; k < 7; ++k) {
-      const JointLimits& l = frames[k].limits;
+      const mechanism::JointLimits& l = frames[k].limits;
       const auto within = [&](double x, double lower, double upper) {
         const double slack = kRounding + kShare * std::max(std::abs(lower), std::abs(upper));
         return x >= lower - slack && x <= upper + slack;
@@ -128,4 +128,4 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::loop

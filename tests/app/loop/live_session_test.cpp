@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "tests/app/loop/slide_scene.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 using testing::SlideScene;
@@ -39,7 +39,7 @@ struct Live {
 
   SlideScene slide;
   LiveSession live;
-  SceneSnapshot seen;
+  view::SceneSnapshot seen;
 };
 
 TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
@@ -47,7 +47,7 @@ TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
   EXPECT_EQ(l.live.outline().reacting, std::vector<std::string>{"slide"});
   ASSERT_TRUE(l.waitForTime(0.0));
   ASSERT_EQ(l.seen.robots.size(), 1u);
-  EXPECT_EQ(l.seen.robots[0].state, StopState::kRunning);
+  EXPECT_EQ(l.seen.robots[0].state, safety::StopState::kRunning);
   EXPECT_EQ(l.seen.loop_start, 0.0);
   for (int i = 0; i < 12; ++i) l.live.send(command::Step{100});
   ASSERT_TRUE(l.waitForTime(1.2));
@@ -57,15 +57,15 @@ TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
   for (int i = 0; i <= 1200; ++i) loop.step();
   EXPECT_EQ(l.seen.joint_positions[0], same.session->mechanisms()[0]->q()[0]);
   EXPECT_LT(l.seen.joint_positions[0], -0.01) << "it gave way";
-  const StopMachine& stops = loop.robots()[0]->stops();
-  const RobotSnapshot& robot = l.seen.robots[0];
+  const safety::StopMachine& stops = loop.robots()[0]->stops();
+  const view::RobotSnapshot& robot = l.seen.robots[0];
   EXPECT_EQ(robot.state, stops.state());
   EXPECT_FALSE(stops.moving());
   EXPECT_EQ(robot.since, stops.since());
-  EXPECT_EQ(robot.cause.reason, StopReason::kDistance);
+  EXPECT_EQ(robot.cause.reason, safety::StopReason::kDistance);
   EXPECT_EQ(robot.speed_scale, 0.0);
   ASSERT_EQ(robot.log.count(), stops.log().count());
-  EXPECT_EQ(describe(robot.log.entry(0)), describe(stops.log().entry(0)));
+  EXPECT_EQ(safety::describe(robot.log.entry(0)), safety::describe(stops.log().entry(0)));
 }
 
 TEST(LiveSession, ASeekPutsRobotsOnTheirPlans) {
@@ -117,15 +117,15 @@ TEST(LiveSession, APersonResetsAStop) {
   Live l("{repulsion: {range: 0.6, force: 1, stop_share: 0}}", "    motion: come.csv\n", 0.5);
   l.live.send(command::Step{1500});
   ASSERT_TRUE(l.waitForTime(1.5));
-  ASSERT_EQ(l.seen.robots[0].state, StopState::kWaitingForReset);
+  ASSERT_EQ(l.seen.robots[0].state, safety::StopState::kWaitingForReset);
   l.live.send(command::ResetStops{});
   l.live.send(command::Step{1});
   ASSERT_TRUE(l.waitForTime(1.501));
   // It was let go, and is stopped again when it moves on.
-  EXPECT_EQ(l.seen.robots[0].state, StopState::kRunning);
+  EXPECT_EQ(l.seen.robots[0].state, safety::StopState::kRunning);
   l.live.send(command::Step{100});
   ASSERT_TRUE(l.waitForTime(1.601));
-  EXPECT_FALSE(l.seen.robots[0].state == StopState::kRunning);
+  EXPECT_FALSE(l.seen.robots[0].state == safety::StopState::kRunning);
 }
 
 TEST(LiveSession, PlaysToTheEndAndStops) {
@@ -146,17 +146,17 @@ TEST(LiveSession, ShowsWhatActsOnTheJoints) {
   l.live.send(command::Step{1000});
   ASSERT_TRUE(l.waitForTime(1.0));
   ASSERT_EQ(l.seen.joint_torques.size(), 1u);
-  const TorqueParts& parts = l.seen.joint_torques[0];
+  const view::TorqueParts& parts = l.seen.joint_torques[0];
   EXPECT_EQ(parts.contact, l.seen.joint_efforts[0]);
   EXPECT_LT(parts.reaction, -1.0) << "the thing comes near and pushes the ball away";
   EXPECT_NEAR(parts.gravity, 0.0, 1e-9) << "the slide is level";
   // Nothing else moves it than the reaction and what holds it on its plan, so that its inertia is against
   // both.
   EXPECT_TRUE(std::isfinite(parts.motion));
-  std::vector<PlotSample> samples;
+  std::vector<view::PlotSample> samples;
   l.live.drainPlot(samples);
   double most = 0.0;
-  for (const PlotSample& sample : samples) most = std::max(most, sample.peak_torque.reaction);
+  for (const view::PlotSample& sample : samples) most = std::max(most, sample.peak_torque.reaction);
   EXPECT_GE(most, -parts.reaction);
 }
 
@@ -185,18 +185,18 @@ TEST(LiveSession, TorquesCanBeTurnedOffAndOn) {
 TEST(LiveSession, APausedGroupIsStaleAndItsRobotStops) {
   Live l("{repulsion: {range: 0.2, force: 100}}");
   EXPECT_EQ(l.live.outline().pair_groups, std::vector<std::string>{"slide - objects"});
-  l.live.send(command::SetGroup{0, PairGroupState::kPaused});
+  l.live.send(command::SetGroup{0, view::PairGroupState::kPaused});
   l.live.send(command::Step{900});
   ASSERT_TRUE(l.waitForTime(0.9));
-  EXPECT_EQ(l.seen.groups[0].state, PairGroupState::kPaused);
+  EXPECT_EQ(l.seen.groups[0].state, view::PairGroupState::kPaused);
   EXPECT_TRUE(l.seen.pairs[0].paused);
   EXPECT_EQ(l.seen.nearest_pair, -1) << "a distance that is stale is not the smallest one";
   ASSERT_EQ(l.seen.robots.size(), 1u);
-  EXPECT_NE(l.seen.robots[0].state, StopState::kRunning);
-  EXPECT_EQ(l.seen.robots[0].cause.reason, StopReason::kDistance);
+  EXPECT_NE(l.seen.robots[0].state, safety::StopState::kRunning);
+  EXPECT_EQ(l.seen.robots[0].cause.reason, safety::StopReason::kDistance);
   EXPECT_TRUE(std::isnan(l.seen.robots[0].cause.value)) << "it is not known";
   EXPECT_EQ(l.seen.joint_torques[0].reaction, 0.0) << "no direction is known";
-  l.live.send(command::SetGroup{0, PairGroupState::kRunning});
+  l.live.send(command::SetGroup{0, view::PairGroupState::kRunning});
   l.live.send(command::Step{100});
   ASSERT_TRUE(l.waitForTime(1.0));
   EXPECT_FALSE(l.seen.pairs[0].paused);
@@ -213,7 +213,7 @@ TEST(LiveSession, APairLeavesItsGroupAndComesBack) {
     l.live.send(command::AddPair{wrong, 0});
     l.live.send(command::AddPair{0, wrong});
     l.live.send(command::RemovePair{wrong});
-    l.live.send(command::SetGroup{wrong, PairGroupState::kStopped});
+    l.live.send(command::SetGroup{wrong, view::PairGroupState::kStopped});
   }
   l.live.send(command::AddPair{0, 0});
   ASSERT_TRUE(l.waitFor([&] { return l.seen.pair_group[0] == 0; }));
@@ -223,13 +223,13 @@ TEST(LiveSession, APairLeavesItsGroupAndComesBack) {
 
 TEST(LiveSession, ARobotThatCannotReactDoesNotAndItIsSaidWhy) {
   testing::ScratchFolder folder;
-  const SceneDescription scene = testing::sceneWithoutMasses(folder);
-  SessionOptions options;
+  const scene_file::SceneDescription scene = testing::sceneWithoutMasses(folder);
+  session::SessionOptions options;
   options.cache = false;
-  LiveSession live(std::make_unique<Session>(scene, options), 0.0);
+  LiveSession live(std::make_unique<session::Session>(scene, options), 0.0);
   EXPECT_NE(live.outline().cannot_react.find("needs masses"), std::string::npos)
       << live.outline().cannot_react;
-  SceneSnapshot seen;
+  view::SceneSnapshot seen;
   live.send(command::React{true});
   live.send(command::Seek{0.0});
   while (!live.takeSnapshot(seen)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -237,4 +237,4 @@ TEST(LiveSession, ARobotThatCannotReactDoesNotAndItIsSaidWhy) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::loop

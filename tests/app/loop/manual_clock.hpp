@@ -49,7 +49,7 @@ class ManualTime {
   bool waits_{false};
 };
 
-class ManualClock final : public LiveClock {
+class ManualClock final : public loop::LiveClock {
  public:
   explicit ManualClock(ManualTime& time) : time_(time) {}
   double now() override { return time_.now(); }

@@ -7,7 +7,7 @@
 #include "tests/app/loop/manual_clock.hpp"
 #include "tests/app/loop/slide_scene.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
 using testing::ManualClock;
@@ -44,7 +44,7 @@ struct Playing {
   ManualTime time;
   SlideScene slide;
   std::unique_ptr<LiveSession> live;
-  SceneSnapshot seen;
+  view::SceneSnapshot seen;
   double begun{0.0};
 };
 
@@ -145,4 +145,4 @@ TEST(PlayTimeClosed, WhilePausedNoFactorIsShown) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::loop

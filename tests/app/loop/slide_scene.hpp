@@ -37,7 +37,7 @@ end_inertia
     folder_.write("go.csv", "t,q0\n0,0\n1,-0.3\n2,-0.6\n");
     folder_.write("come.csv", "t,q0\n0,0\n2,0.3\n");
     if (!poses.empty()) folder_.write("poses.csv", poses);
-    SceneDescription scene = parseScene(
+    scene_file::SceneDescription scene = scene_file::parseScene(
         "abstand: 1\n"
         "defaults: {voxel: 0.01, point: 0.01, stiffness: 1.0e6}\n"
         "mechanisms:\n"
@@ -51,14 +51,14 @@ end_inertia
             "  - {name: thing, shape: {sphere: {radius: 0.05}}, pose: {xyz: [0.6, "
             "0, 0]}}\n",
         folder_.path() / "scene.yaml");
-    SessionOptions options;
+    session::SessionOptions options;
     options.threads = 1;
     options.cache = false;
     if (!poses.empty()) options.poses = folder_.path() / "poses.csv";
-    session = std::make_unique<Session>(std::move(scene), options);
+    session = std::make_unique<session::Session>(std::move(scene), options);
   }
 
-  std::unique_ptr<Session> session;
+  std::unique_ptr<session::Session> session;
 
  private:
   ScratchFolder folder_;
@@ -80,9 +80,9 @@ inline std::string thingComesTo(double to) {
 }
 
 /// A robot that has a reaction and no masses, in `folder`.
-inline SceneDescription sceneWithoutMasses(const ScratchFolder& folder) {
+inline scene_file::SceneDescription sceneWithoutMasses(const ScratchFolder& folder) {
   folder.write("m.mech", "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 0 0 theta\nend_chain\n");
-  return parseScene(
+  return scene_file::parseScene(
       "abstand: 1\nmechanisms:\n  - name: m\n    file: m.mech\n    reaction: {}\n"
       "    links: [{name: l, frame: 1, shape: {sphere: {radius: 0.05}}}]\n",
       folder.path() / "scene.yaml");

@@ -9,23 +9,24 @@
 #include "tests/app/loop/slide_scene.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::loop {
 namespace {
 
-std::unique_ptr<Session> sessionOf(const std::string& text, const testing::ScratchFolder& folder,
-                                   const std::filesystem::path& poses = {}) {
-  SessionOptions options;
+std::unique_ptr<session::Session> sessionOf(const std::string& text, const testing::ScratchFolder& folder,
+                                            const std::filesystem::path& poses = {}) {
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
   options.poses = poses;
-  return std::make_unique<Session>(parseScene(text, folder.path() / "scene.yaml"), options);
+  return std::make_unique<session::Session>(scene_file::parseScene(text, folder.path() / "scene.yaml"),
+                                            options);
 }
 
 void steps(ClosedLoop& loop, int count) {
   for (int i = 0; i < count; ++i) loop.step();
 }
 
-const double kG = kGravity.norm();
+const double kG = mechanism::kGravity.norm();
 
 class Fall : public ::testing::Test {
  protected:
@@ -38,10 +39,10 @@ class Fall : public ::testing::Test {
             std::to_string(height + 0.05) + "]}, " + mass + "}\n",
         folder_);
   }
-  const Object& ball() const { return *session_->scene().find("ball"); }
+  const scene::Object& ball() const { return *session_->scene().find("ball"); }
 
   testing::ScratchFolder folder_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<session::Session> session_;
 };
 
 TEST_F(Fall, FreelyUntilItTouches) {
@@ -108,7 +109,7 @@ TEST_F(Fall, ASheetCannotFall) {
 }
 
 /// A slide of 2 kg that carries a box of 4 cm, held, towards a wall at x = 0.3, as its plan does not know.
-std::unique_ptr<Session> holding(const testing::ScratchFolder& folder, const std::string& held) {
+std::unique_ptr<session::Session> holding(const testing::ScratchFolder& folder, const std::string& held) {
   folder.write("slide.mech",
                "units\nlength m\nangle degrees\nend_units\nmapping\ndof 0 1\nend_mapping\nchain\n"
                "frame 1 0 90 d 0\nend_chain\nlimits\nlimit 1 -5 5 10 500\nend_limits\n"
@@ -175,4 +176,4 @@ TEST(Held, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::loop

@@ -8,14 +8,14 @@
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand::verify {
+namespace abstand::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-CheckResult someResult() {
-  CheckResult r;
+verify::CheckResult someResult() {
+  verify::CheckResult r;
   r.name = "bound.mixed";
   r.what = "a < b & \"c\"";
   r.quantity = "part";
@@ -47,7 +47,7 @@ TEST(Report, IsOnePageWithoutScriptsOrThingsFromOutside) {
 }
 
 TEST(Report, PlotsStandValuesThatCannotBeShown) {
-  Plot plot = someResult().plots[0];
+  verify::Plot plot = someResult().plots[0];
   plot.series.push_back({"empty", {}, {}});
   plot.series.push_back({"bad", {kNaN, kInfinity, -1.0}, {1.0, 1.0, 1.0}});
   const std::string svg = svgPlot(plot);
@@ -62,4 +62,4 @@ TEST(Report, PlotsStandValuesThatCannotBeShown) {
 }
 
 }  // namespace
-}  // namespace abstand::verify
+}  // namespace abstand::report

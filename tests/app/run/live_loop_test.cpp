@@ -7,7 +7,7 @@
 #include "core/base/error.hpp"
 #include "tests/app/loop/slide_scene.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 using testing::SlideScene;
@@ -34,16 +34,16 @@ TEST(LiveLoop, RobotsReactToTheNewestResults) {
 TEST(LiveLoop, WhatIsBehindStopsARobot) {
   // The group of a robot's pairs that gives no results: here none at all does.
   SlideScene s("{stop: {input_age: 0.05}}");
-  ClosedLoop loop(*s.session, 0.0);
+  loop::ClosedLoop loop(*s.session, 0.0);
   for (int i = 0; i < 100; ++i) {
     loop.move();
     s.session->scene().step();
     loop.react(1e-3 * i);
   }
-  const auto report = reportOf(loop);
-  EXPECT_NE(report[0].state, StopState::kRunning);
+  const auto report = loop::reportOf(loop);
+  EXPECT_NE(report[0].state, safety::StopState::kRunning);
   ASSERT_FALSE(report[0].stops.empty());
-  EXPECT_EQ(report[0].stops[0].cause.reason, StopReason::kStaleInput);
+  EXPECT_EQ(report[0].stops[0].cause.reason, safety::StopReason::kStaleInput);
   EXPECT_NEAR(report[0].stops[0].t, 0.051, 1e-9);
 }
 
@@ -51,25 +51,25 @@ TEST(LiveLoop, APairOfAReactingRobotThatNoGroupHasIsRefused) {
   SlideScene s("{}");
   EXPECT_THROW(LiveLoop(*s.session, 0.0, {}), UsageError);
   LiveLoop both(*s.session, 0.0, {{PairId(0)}});
-  std::vector<PairResult> results(1);
+  std::vector<query::PairResult> results(1);
   both.cycle(results);
   EXPECT_NEAR(results[0].distance, 0.5, 1e-3);
 }
 
 TEST(LiveLoop, ASceneTakesResultsInThePlaceOfItsOwn) {
   SlideScene s("{}", thingComesTo(0.05));
-  Session& session = *s.session;
-  Scene& scene = session.scene();
+  session::Session& session = *s.session;
+  scene::Scene& scene = session.scene();
   std::vector<Wrench> contacts;
-  std::vector<PairResult> results;
+  std::vector<query::PairResult> results;
   for (const double t : {0.0, 1.2, 2.0}) {
     session.step(t);
     results = {scene.result(PairId(0))};
     contacts.clear();
-    for (const Object& o : scene.objects()) contacts.push_back(o.contact);
+    for (const scene::Object& o : scene.objects()) contacts.push_back(o.contact);
     const bool touches = !scene.touching().empty();
     EXPECT_EQ(touches, t > 1.1) << t;
-    scene.take({PairResult{}});
+    scene.take({query::PairResult{}});
     EXPECT_TRUE(scene.touching().empty());
     EXPECT_FALSE(scene.objects()[0].colliding);
     scene.take(results);
@@ -84,4 +84,4 @@ TEST(LiveLoop, ASceneTakesResultsInThePlaceOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::run

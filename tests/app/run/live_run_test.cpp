@@ -12,7 +12,7 @@
 #include "tests/app/loop/slide_scene.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
 using testing::projectFile;
@@ -57,7 +57,7 @@ struct Tables {
   RunSummary summary;
 };
 
-Tables runTables(Session& session, RunMode mode, const ScratchFolder& folder) {
+Tables runTables(session::Session& session, RunMode mode, const ScratchFolder& folder) {
   RunOptions options;
   options.mode = mode;
   options.pace = LivePace::kSettled;
@@ -81,13 +81,14 @@ class ShippedScene : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScene, LiveModeWritesWhatLockStepWrites) {
   const ScratchFolder folder;
-  SceneDescription scene = loadScene(projectFile(std::string("data/scenes/") + GetParam() + ".yaml"));
-  for (const HumanDescription& human : scene.humans)
+  scene_file::SceneDescription scene =
+      scene_file::loadScene(projectFile(std::string("data/scenes/") + GetParam() + ".yaml"));
+  for (const scene_file::HumanDescription& human : scene.humans)
     if (!human.recording.file.empty() && !std::filesystem::exists(human.recording.file))
       GTEST_SKIP() << human.recording.file << " is not there";
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
-  Session session(std::move(scene), options);
+  session::Session session(std::move(scene), options);
   const Tables step = runTables(session, RunMode::kLockstep, folder);
   const Tables live = runTables(session, RunMode::kLive, folder);
 
@@ -162,4 +163,4 @@ TEST(LiveRun, InRealTimeTheForcesOfWhatTouchesAreThereFromTheFirstFrame) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::run

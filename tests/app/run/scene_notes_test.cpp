@@ -7,22 +7,23 @@
 
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
-std::vector<SceneNote> notesOfScene(const testing::ScratchFolder& folder, const std::string& text) {
-  SessionOptions options;
+std::vector<scene::SceneNote> notesOfScene(const testing::ScratchFolder& folder, const std::string& text) {
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
-  const Session session(
-      parseScene("abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\n" + text, folder.path() / "scene.yaml"),
+  const session::Session session(
+      scene_file::parseScene("abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\n" + text,
+                             folder.path() / "scene.yaml"),
       options);
   return notesOf(session);
 }
 
-const SceneNote* noteOf(const std::vector<SceneNote>& notes, const std::string& kind) {
+const scene::SceneNote* noteOf(const std::vector<scene::SceneNote>& notes, const std::string& kind) {
   const auto it =
-      std::find_if(notes.begin(), notes.end(), [&](const SceneNote& n) { return n.kind == kind; });
+      std::find_if(notes.begin(), notes.end(), [&](const scene::SceneNote& n) { return n.kind == kind; });
   return it == notes.end() ? nullptr : &*it;
 }
 
@@ -41,20 +42,21 @@ TEST(SceneNotes, AreReservationsBrokenLimitsAndRemarksTheWorstFirst) {
                                   "frame: 1, shape: {sphere: {radius: "
                                   "0.1}}}]}\n"
                                   "objects:\n  - {name: two, mesh: two.obj, pose: {xyz: [-9, 0, 0]}}\n");
-  const SceneNote* unknown = noteOf(notes, "no_body");
+  const scene::SceneNote* unknown = noteOf(notes, "no_body");
   ASSERT_TRUE(unknown);
-  EXPECT_EQ(unknown->fails, Severity::kAlways);
+  EXPECT_EQ(unknown->fails, scene::Severity::kAlways);
   EXPECT_EQ(unknown, &notes.front());
-  const SceneNote* limit = noteOf(notes, "joint_limit");
+  const scene::SceneNote* limit = noteOf(notes, "joint_limit");
   ASSERT_TRUE(limit);
-  EXPECT_EQ(limit->fails, Severity::kStrict);
+  EXPECT_EQ(limit->fails, scene::Severity::kStrict);
   EXPECT_NE(limit->text.find("m joint 1: planned velocity 0.6 m/s, limit 0.5"), std::string::npos)
       << limit->text;
-  const SceneNote* remark = noteOf(notes, "remark");
+  const scene::SceneNote* remark = noteOf(notes, "remark");
   ASSERT_TRUE(remark) << "a mesh in pieces";
-  EXPECT_EQ(remark->fails, Severity::kNote);
-  EXPECT_TRUE(std::is_sorted(notes.begin(), notes.end(),
-                             [](const SceneNote& a, const SceneNote& b) { return a.fails > b.fails; }));
+  EXPECT_EQ(remark->fails, scene::Severity::kNote);
+  EXPECT_TRUE(
+      std::is_sorted(notes.begin(), notes.end(),
+                     [](const scene::SceneNote& a, const scene::SceneNote& b) { return a.fails > b.fails; }));
 }
 
 TEST(SceneNotes, ASceneWithoutDoubtsHasNone) {
@@ -66,4 +68,4 @@ TEST(SceneNotes, ASceneWithoutDoubtsHasNone) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::run

@@ -6,25 +6,25 @@
 #include "app/run/distance_check.hpp"
 #include "core/structure/haptic_structure.hpp"
 
-namespace abstand {
+namespace abstand::run {
 namespace {
 
-std::shared_ptr<const HapticStructure> build(const char* name, const Shape& shape) {
-  HapticOptions options;
+std::shared_ptr<const structure::HapticStructure> build(const char* name, const geometry::Shape& shape) {
+  structure::HapticOptions options;
   options.voxel_size = options.point_spacing = 0.01;
-  return buildHapticStructure(name, makeSurface(shape), options);
+  return structure::buildHapticStructure(name, geometry::makeSurface(shape), options);
 }
 
 /// A wall across x = 0, 2 cm thick, and a ball of 5 cm.
 class Fly : public ::testing::Test {
  protected:
   Fly() {
-    wall_ = scene_.addObject({"wall", "objects", build("wall", Cuboid{{0.02, 0.6, 0.6}}), 0.0});
-    ball_ = scene_.addObject({"ball", "objects", build("ball", Sphere{0.05}), 0.0});
+    wall_ = scene_.addObject({"wall", "objects", build("wall", geometry::Cuboid{{0.02, 0.6, 0.6}}), 0.0});
+    ball_ = scene_.addObject({"ball", "objects", build("ball", geometry::Sphere{0.05}), 0.0});
     scene_.addPair(wall_, ball_);
   }
   /// The pair's results with the ball at p.
-  std::vector<PairResult> at(double t, const Vector3d& p) {
+  std::vector<query::PairResult> at(double t, const Vector3d& p) {
     Transform X = Transform::Identity();
     X.translation() = p;
     scene_.setPose(ball_, X, t);
@@ -32,7 +32,7 @@ class Fly : public ::testing::Test {
     return {scene_.pairs()[0].result};
   }
 
-  Scene scene_;
+  scene::Scene scene_;
   ObjectId wall_{0}, ball_{0};
 };
 
@@ -84,4 +84,4 @@ TEST_F(Fly, AJumpBackHasNothingBetween) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::run

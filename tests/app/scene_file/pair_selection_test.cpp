@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -101,4 +101,4 @@ TEST(PairSelection, UnknownNamesAreRefusedWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 // Angles computed from a matrix and back: a few roundings.
@@ -85,7 +85,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(s.defaults.haptic.voxel_size, 0.004);
   EXPECT_EQ(s.defaults.haptic.point_spacing, 0.006);
   EXPECT_EQ(s.defaults.haptic.outer_layers, 15);
-  EXPECT_EQ(s.defaults.haptic.field, FieldKind::kLayered);
+  EXPECT_EQ(s.defaults.haptic.field, structure::FieldKind::kLayered);
   EXPECT_EQ(s.defaults.margin, 0.01);
   EXPECT_EQ(s.defaults.stiffness, 2e6);
   EXPECT_TRUE(s.defaults.thesis_law);
@@ -105,7 +105,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(arm.links[0].settings.margin, 0.02);
   EXPECT_FALSE(arm.links[0].settings.voxel);
   ASSERT_TRUE(arm.links[1].shape);
-  EXPECT_EQ(std::get<Capsule>(*arm.links[1].shape).length, 0.0);
+  EXPECT_EQ(std::get<geometry::Capsule>(*arm.links[1].shape).length, 0.0);
   EXPECT_EQ(arm.links[1].pos.line, 11);
   EXPECT_EQ(arm.links[1].settings.outer_layers, 3);
   EXPECT_EQ(arm.links[1].settings.point, 0.02);
@@ -140,11 +140,11 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   ASSERT_EQ(s.objects.size(), 5u);
   EXPECT_EQ(s.objects[0].mesh, path("table.obj"));
   EXPECT_EQ(s.objects[0].X_WB.translation(), Vector3d(0.6, 0, 0.7));
-  EXPECT_EQ(std::get<Sphere>(*s.objects[1].shape).radius, 0.05);
-  EXPECT_EQ(std::get<Ellipsoid>(*s.objects[2].shape).semi_axes, Vector3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(std::get<geometry::Sphere>(*s.objects[1].shape).radius, 0.05);
+  EXPECT_EQ(std::get<geometry::Ellipsoid>(*s.objects[2].shape).semi_axes, Vector3d(0.1, 0.2, 0.3));
   EXPECT_EQ(s.objects[3].name, "box: 1 #2");
-  EXPECT_EQ(std::get<Cuboid>(*s.objects[3].shape).size, Vector3d(1, 2, 3));
-  EXPECT_EQ(std::get<Cylinder>(*s.objects[4].shape).length, 0.2);
+  EXPECT_EQ(std::get<geometry::Cuboid>(*s.objects[3].shape).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<geometry::Cylinder>(*s.objects[4].shape).length, 0.2);
 
   EXPECT_EQ(s.pairs.standard, PairDefault::kBetweenGroups);
   EXPECT_FALSE(s.pairs.exclude_adjacent);
@@ -164,7 +164,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
 
 TEST_F(SceneFile, TheLeastSceneHasTheDefaults) {
   const auto s = parse("abstand: 1\n");
-  EXPECT_EQ(s.defaults.haptic.voxel_size, HapticOptions{}.voxel_size);
+  EXPECT_EQ(s.defaults.haptic.voxel_size, structure::HapticOptions{}.voxel_size);
   EXPECT_EQ(s.defaults.stiffness, 1e6);
   EXPECT_FALSE(s.defaults.thesis_law);
   EXPECT_TRUE(s.mechanisms.empty() && s.humans.empty() && s.objects.empty() && s.threads.empty());
@@ -185,7 +185,7 @@ TEST_F(SceneFile, AliasesAreWrittenOut) {
   const auto s = parse(
       "abstand: 1\nobjects:\n  - {name: a, shape: &ball {sphere: {radius: 0.1}}}\n  - {name: b, shape: "
       "*ball}\n");
-  EXPECT_EQ(std::get<Sphere>(*s.objects[1].shape).radius, 0.1);
+  EXPECT_EQ(std::get<geometry::Sphere>(*s.objects[1].shape).radius, 0.1);
 }
 
 TEST_F(SceneFile, LoadReadsTheFile) {
@@ -202,16 +202,16 @@ void expectSame(const BodySettings& a, const BodySettings& b) {
   EXPECT_EQ(a.outer_layers, b.outer_layers);
 }
 
-std::vector<double> numbersOf(const std::optional<Shape>& shape) {
+std::vector<double> numbersOf(const std::optional<geometry::Shape>& shape) {
   if (!shape) return {};
   const auto of = [](const Vector3d& v) { return std::vector<double>{v.x(), v.y(), v.z()}; };
   struct Numbers {
     decltype(of)& list;
-    std::vector<double> operator()(const Sphere& s) const { return {1, s.radius}; }
-    std::vector<double> operator()(const Ellipsoid& s) const { return list(s.semi_axes); }
-    std::vector<double> operator()(const Cuboid& s) const { return list(s.size); }
-    std::vector<double> operator()(const Cylinder& s) const { return {s.radius, s.length}; }
-    std::vector<double> operator()(const Capsule& s) const { return {s.radius, s.length}; }
+    std::vector<double> operator()(const geometry::Sphere& s) const { return {1, s.radius}; }
+    std::vector<double> operator()(const geometry::Ellipsoid& s) const { return list(s.semi_axes); }
+    std::vector<double> operator()(const geometry::Cuboid& s) const { return list(s.size); }
+    std::vector<double> operator()(const geometry::Cylinder& s) const { return {s.radius, s.length}; }
+    std::vector<double> operator()(const geometry::Capsule& s) const { return {s.radius, s.length}; }
   };
   auto numbers = std::visit(Numbers{of}, *shape);
   numbers.push_back(static_cast<double>(shape->index()));
@@ -245,7 +245,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(m.file, n.file);
     ASSERT_EQ(m.reaction.has_value(), n.reaction.has_value());
     if (m.reaction) {
-      EXPECT_EQ(describeReaction(*m.reaction), describeReaction(*n.reaction));
+      EXPECT_EQ(control::describeReaction(*m.reaction), control::describeReaction(*n.reaction));
     }
     EXPECT_EQ(m.q, n.q);
     EXPECT_EQ(m.motion, n.motion);
@@ -328,11 +328,11 @@ TEST_F(SceneFile, AReactionReadsBackTheSame) {
   const auto& m = scene.mechanisms;
   ASSERT_TRUE(m[0].reaction && m[1].reaction);
   EXPECT_FALSE(m[2].reaction);
-  EXPECT_EQ(m[0].reaction->torque->limit, (JointNumbers{1, 2}));
+  EXPECT_EQ(m[0].reaction->torque->limit, (config::JointNumbers{1, 2}));
   EXPECT_EQ(m[0].reaction->repulsion->range, 0.3);
   EXPECT_EQ(m[0].reaction->hold.frequency, 5.0);
   EXPECT_EQ(m[0].reaction->watch.distance, 0.1);
-  EXPECT_EQ(m[0].reaction->stop.policy.of(StopReason::kUser), StopResponse::kNone);
+  EXPECT_EQ(m[0].reaction->stop.policy.of(safety::StopReason::kUser), safety::StopResponse::kNone);
   EXPECT_FALSE(m[1].reaction->repulsion);
   expectSame(scene, parse(describeScene(scene)));
 }
@@ -354,7 +354,7 @@ TEST_F(SceneFile, AnyPoseReadsBackWithinRounding) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     ObjectDescription o;
     o.name = "o" + std::to_string(seed);
-    o.shape = Sphere{0.1};
+    o.shape = geometry::Sphere{0.1};
     o.X_WB = testing::randomPose(seed);
     // every third one close to a pitch of 90 degrees, where roll and yaw are one
     if (seed % 3 == 0)
@@ -374,16 +374,16 @@ TEST_F(SceneFile, AnyPoseReadsBackWithinRounding) {
 }
 
 TEST(YamlDocument, NodesKnowTheirPlaces) {
-  const auto root = parseYaml("# comment\na: [1, 'two']\nb:\n  - {c: ~}\n", "f");
-  ASSERT_EQ(root.kind, YamlNode::Kind::kMap);
+  const auto root = config::parseYaml("# comment\na: [1, 'two']\nb:\n  - {c: ~}\n", "f");
+  ASSERT_EQ(root.kind, config::YamlNode::Kind::kMap);
   ASSERT_EQ(root.keys.size(), 2u);
   EXPECT_EQ(root.keys[1].line, 3);
   EXPECT_EQ(root.items[0].line, 2);
   EXPECT_EQ(root.items[0].column, 4);
   EXPECT_FALSE(root.items[0].items[0].quoted);
   EXPECT_TRUE(root.items[0].items[1].quoted);
-  EXPECT_EQ(root.items[1].items[0].items[0].kind, YamlNode::Kind::kNothing);
+  EXPECT_EQ(root.items[1].items[0].items[0].kind, config::YamlNode::Kind::kNothing);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene_file

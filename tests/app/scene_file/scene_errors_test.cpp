@@ -5,7 +5,7 @@
 #include "core/config/yaml_document.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::scene_file {
 namespace {
 
 struct BadScene {
@@ -261,9 +261,9 @@ TEST(BadScenes, HugeAndNestedInput) {
   EXPECT_LE(pos.line, 8);
 
   std::string many = head + "[";
-  for (int i = 0; i < kMaxYamlNodes; ++i) many += "1,";
+  for (int i = 0; i < config::kMaxYamlNodes; ++i) many += "1,";
   EXPECT_NE(errorOf(many, pos).find("more than 200000 values"), std::string::npos);
-  EXPECT_NE(errorOf(head + std::string(kMaxYamlBytes, ' '), pos).find("bytes"), std::string::npos);
+  EXPECT_NE(errorOf(head + std::string(config::kMaxYamlBytes, ' '), pos).find("bytes"), std::string::npos);
 
   std::string crowd = "abstand: 1\nobjects:\n";
   for (int i = 0; i < 1001; ++i)
@@ -283,4 +283,4 @@ TEST(BadScenes, TheMessageIsOneLineAndAHint) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene_file

@@ -94,7 +94,7 @@ class ControlledScene : public ::testing::Test {
  protected:
   ControlledScene() {
     folder_.write("slide.mech", "chain\n    frame   1   0      0          d    0\nend_chain\n");
-    SessionOptions options;
+    session::SessionOptions options;
     options.threads = 1;
     options.cache = false;
     const char* text =
@@ -102,7 +102,8 @@ class ControlledScene : public ::testing::Test {
         "  - {name: slide, file: slide.mech, q: [1], links: [{name: ball, frame: 1, shape: {sphere: {radius: "
         "0.1}}}]}\n"
         "objects:\n  - {name: plate, shape: {cuboid: {size: [1, 1, 0.2]}}, pose: {xyz: [0, 0, -0.1]}}\n";
-    auto session = std::make_unique<Session>(parseScene(text, folder_.path() / "scene.yaml"), options);
+    auto session = std::make_unique<session::Session>(
+        scene_file::parseScene(text, folder_.path() / "scene.yaml"), options);
     scene_ = std::make_unique<ServedScene>(std::move(session), ServedOptions{usualReaction(), 4});
     packet_ = makePacket(scene_->format());
   }
@@ -112,7 +113,7 @@ class ControlledScene : public ::testing::Test {
     scene_->take(packet_, t);
     scene_->cycle(t);
   }
-  PairControl::Outcome obey(const Control& order, double t) { return scene_->obey(order, t); }
+  session::PairControl::Outcome obey(const Control& order, double t) { return scene_->obey(order, t); }
   const StateReport& report() const { return scene_->report(); }
 
   abstand::testing::ScratchFolder folder_;
@@ -122,37 +123,37 @@ class ControlledScene : public ::testing::Test {
 
 TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
   joints(0.5, 0.01);
-  ASSERT_EQ(report().robots[0].state, StopState::kRunning);
+  ASSERT_EQ(report().robots[0].state, safety::StopState::kRunning);
   ASSERT_EQ(report().nearest[0].trust, Trust::kFresh);
   for (const ControlOrder order : {ControlOrder::kPause, ControlOrder::kStop}) {
-    EXPECT_EQ(obey({order}, 0.02), PairControl::Outcome::kDone);
+    EXPECT_EQ(obey({order}, 0.02), session::PairControl::Outcome::kDone);
     joints(0.5, 0.02);
     EXPECT_EQ(report().not_checked, 1u);
     EXPECT_EQ(report().nearest[0].trust, Trust::kNone);
     EXPECT_EQ(report().nearest[0].distance, -kInfinity);
-    EXPECT_EQ(report().robots[0].state, StopState::kProtectiveStop);
+    EXPECT_EQ(report().robots[0].state, safety::StopState::kProtectiveStop);
     EXPECT_EQ(report().robots[0].speed_scale, 0.0);
   }
-  EXPECT_EQ(obey({ControlOrder::kRun, 0}, 0.03), PairControl::Outcome::kDone);
+  EXPECT_EQ(obey({ControlOrder::kRun, 0}, 0.03), session::PairControl::Outcome::kDone);
   joints(0.5, 0.03);
   EXPECT_EQ(report().not_checked, 0u);
   EXPECT_EQ(report().nearest[0].trust, Trust::kFresh);
-  EXPECT_EQ(report().robots[0].state, StopState::kProtectiveStop) << "a person lets it go on";
+  EXPECT_EQ(report().robots[0].state, safety::StopState::kProtectiveStop) << "a person lets it go on";
   for (int i = 1; i <= 20; ++i) joints(0.5, 0.03 + 0.01 * i, i == 20);
-  EXPECT_EQ(report().robots[0].state, StopState::kRunning);
+  EXPECT_EQ(report().robots[0].state, safety::StopState::kRunning);
 }
 
 TEST_F(ControlledScene, APairIsTakenOutAndPutBack) {
   joints(0.5, 0.01);
   const Control remove{ControlOrder::kRemove, kAllGroups, 1, 0}, add{ControlOrder::kAdd, 0, 0, 1};
-  EXPECT_EQ(obey(add, 0.01), PairControl::Outcome::kInGroup);
-  EXPECT_EQ(obey({ControlOrder::kRemove, 0, 0, 0}, 0.01), PairControl::Outcome::kNoPair);
-  EXPECT_EQ(obey(remove, 0.02), PairControl::Outcome::kDone);
-  EXPECT_EQ(obey(remove, 0.02), PairControl::Outcome::kNotInGroup);
+  EXPECT_EQ(obey(add, 0.01), session::PairControl::Outcome::kInGroup);
+  EXPECT_EQ(obey({ControlOrder::kRemove, 0, 0, 0}, 0.01), session::PairControl::Outcome::kNoPair);
+  EXPECT_EQ(obey(remove, 0.02), session::PairControl::Outcome::kDone);
+  EXPECT_EQ(obey(remove, 0.02), session::PairControl::Outcome::kNotInGroup);
   joints(0.4, 0.02);
   EXPECT_EQ(scene_->control().withoutGroup(), 1u);
   EXPECT_EQ(report().nearest[0].trust, Trust::kNone);
-  EXPECT_EQ(obey(add, 0.03), PairControl::Outcome::kDone);
+  EXPECT_EQ(obey(add, 0.03), session::PairControl::Outcome::kDone);
   joints(0.4, 0.03);
   EXPECT_EQ(report().nearest[0].trust, Trust::kFresh);
   EXPECT_NEAR(report().nearest[0].distance, 0.3, 0.003);

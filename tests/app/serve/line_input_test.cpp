@@ -98,22 +98,24 @@ TEST(LineInput, ForgetsNothingAtAnyCut) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-SkeletonFrame someone() {
-  SkeletonFrame frame;
+humanmodel::SkeletonFrame someone() {
+  humanmodel::SkeletonFrame frame;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
-  for (std::size_t j = 0; j < kJointCount; ++j)
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     if (j % 5 != 4)
-      frame.set(static_cast<Joint>(j), {coordinate(random), coordinate(random), coordinate(random)},
-                j % 3 == 0 ? JointState::kInferred : JointState::kTracked);
-  for (std::size_t j = 0; j < kJointCount; j += 2) frame.spread[j] = 1e-3 * (coordinate(random) + 3.5);
+      frame.set(static_cast<humanmodel::Joint>(j),
+                {coordinate(random), coordinate(random), coordinate(random)},
+                j % 3 == 0 ? humanmodel::JointState::kInferred : humanmodel::JointState::kTracked);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; j += 2)
+    frame.spread[j] = 1e-3 * (coordinate(random) + 3.5);
   return frame;
 }
 
 TEST(SkeletonLine, IsReadBackBitByBit) {
   const PacketFormat format{{}, {"operator", "visitor"}};
   Packet packet = makePacket(format);
-  const SkeletonFrame frame = someone();
+  const humanmodel::SkeletonFrame frame = someone();
   std::array<std::byte, kMaxLineBytes> room{};
   const std::size_t bytes = writeSkeletonLine(frame, "visitor", 4294967295u, 1234567, room);
   ASSERT_GT(bytes, 0u);
@@ -123,24 +125,25 @@ TEST(SkeletonLine, IsReadBackBitByBit) {
   EXPECT_EQ(packet.sequence, 4294967295u);
   EXPECT_EQ(packet.time_us, 1234567u);
   EXPECT_EQ(packet.skeleton.state, frame.state);
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    if (frame.has(static_cast<Joint>(j))) {
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (frame.has(static_cast<humanmodel::Joint>(j))) {
       EXPECT_EQ(packet.skeleton.p[j], frame.p[j]) << j;
       EXPECT_EQ(packet.skeleton.spread[j], frame.spread[j]) << j;
     }
 
   const std::size_t empty = writeSkeletonLine({}, "operator", 0, 0, room);
   EXPECT_EQ(parsePacket(std::span(room).first(empty), format, packet), PacketFault::kNone);
-  EXPECT_FALSE(packet.skeleton.has(Joint::kPelvis));
+  EXPECT_FALSE(packet.skeleton.has(humanmodel::Joint::kPelvis));
   EXPECT_EQ(writeSkeletonLine(frame, "operator", 0, 0, std::span(room).first(100)), 0u);
   for (const char* bad : {"", "a\"b", "a\\b", "a\nb"}) EXPECT_FALSE(isLineName(bad)) << bad;
   EXPECT_FALSE(isLineName(std::string(kMaxNameBytes + 1, 'n')));
 }
 
 TEST(SkeletonLine, TheLongestFits) {
-  SkeletonFrame frame;
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    frame.set(static_cast<Joint>(j), Vector3d::Constant(-1.2345678901234567e-300), JointState::kInferred);
+  humanmodel::SkeletonFrame frame;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    frame.set(static_cast<humanmodel::Joint>(j), Vector3d::Constant(-1.2345678901234567e-300),
+              humanmodel::JointState::kInferred);
   frame.spread.fill(1.2345678901234567e-300);
   std::array<std::byte, kMaxLineBytes> room{};
   EXPECT_GT(writeSkeletonLine(frame, std::string(kMaxNameBytes, 'n'), 4294967295u, ~std::uint64_t{0}, room),
@@ -151,7 +154,7 @@ TEST(SkeletonSender, NamesGoToPeopleAsTheyCome) {
   UdpSocket server(parseAddress("127.0.0.1:0", "--bind"));
   SkeletonSender sender(describe(server.address()), {"operator", "visitor"});
   const PacketFormat format{{}, {"operator", "visitor"}};
-  const SkeletonFrame frame = someone();
+  const humanmodel::SkeletonFrame frame = someone();
   const auto received = [&] {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> got;  // person, sequence number
     std::array<std::byte, kMaxLineBytes> room{};

@@ -35,10 +35,10 @@ Bytes joints(std::uint32_t index, const std::vector<double>& q) {
 
 Bytes skeleton(std::uint32_t person) {
   Bytes b = header(PacketType::kSkeleton, person, skeletonBytes());
-  for (std::size_t i = 0; i < 3 * kJointCount; ++i)
+  for (std::size_t i = 0; i < 3 * humanmodel::kJointCount; ++i)
     store(b, kHeaderBytes + 8 * i, 0.01 * static_cast<double>(i));
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    store(b, kHeaderBytes + 24 * kJointCount + j, std::uint8_t{2});
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    store(b, kHeaderBytes + 24 * humanmodel::kJointCount + j, std::uint8_t{2});
   return b;
 }
 
@@ -91,16 +91,16 @@ TEST(ServePacket, EveryByteOfTheHeaderIsWhereTheManualSays) {
 TEST(ServePacket, Skeleton) {
   Packet p = makePacket(kFormat);
   Bytes bytes = skeleton(1);
-  constexpr std::size_t kStates = kHeaderBytes + 24 * kJointCount;
+  constexpr std::size_t kStates = kHeaderBytes + 24 * humanmodel::kJointCount;
   store(bytes, kStates + 3, std::uint8_t{0});
   store(bytes, kHeaderBytes + 24 * 3, kNaN);  // of a joint that is missing: not looked at
   store(bytes, kStates + 4, std::uint8_t{1});
   ASSERT_EQ(parsePacket(bytes, kFormat, p), PacketFault::kNone);
   EXPECT_EQ(p.type, PacketType::kSkeleton);
   EXPECT_EQ(p.index, 1u);
-  EXPECT_FALSE(p.skeleton.has(Joint::kNeck));
-  EXPECT_EQ(p.skeleton.state[4], JointState::kInferred);
-  EXPECT_EQ(p.skeleton[Joint::kSpine], Vector3d(0.03, 0.04, 0.05));
+  EXPECT_FALSE(p.skeleton.has(humanmodel::Joint::kNeck));
+  EXPECT_EQ(p.skeleton.state[4], humanmodel::JointState::kInferred);
+  EXPECT_EQ(p.skeleton[humanmodel::Joint::kSpine], Vector3d(0.03, 0.04, 0.05));
 }
 
 TEST(ServePacket, WhatIsWrongIsNamed) {
@@ -121,7 +121,7 @@ TEST(ServePacket, WhatIsWrongIsNamed) {
     EXPECT_EQ(parse(b), PacketFault::kNumber);
   }
   b = skeleton(0);
-  store(b, kHeaderBytes + 24 * kJointCount, std::uint8_t{3});
+  store(b, kHeaderBytes + 24 * humanmodel::kJointCount, std::uint8_t{3});
   EXPECT_EQ(parse(b), PacketFault::kNumber);
   b = joints(0, {1, 2});
   store(b, 4, std::uint16_t{2});
@@ -150,10 +150,11 @@ TEST(ServePacket, Json) {
                   p),
             PacketFault::kNone);
   EXPECT_EQ(p.index, 1u);
-  EXPECT_EQ(p.skeleton[Joint::kPelvis], Vector3d(0, 0, 1));
-  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
-  EXPECT_FALSE(p.skeleton.has(Joint::kSpine));
-  EXPECT_FALSE(p.skeleton.has(Joint::kHead));
+  EXPECT_EQ(p.skeleton[humanmodel::Joint::kPelvis], Vector3d(0, 0, 1));
+  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+            humanmodel::JointState::kInferred);
+  EXPECT_FALSE(p.skeleton.has(humanmodel::Joint::kSpine));
+  EXPECT_FALSE(p.skeleton.has(humanmodel::Joint::kHead));
 }
 
 TEST(ServePacket, JsonTellsHowWellAJointIsKnown) {
@@ -162,16 +163,18 @@ TEST(ServePacket, JsonTellsHowWellAJointIsKnown) {
     return parse(R"({"type":"skeleton","seq":1,"time_us":1,"person":"visitor","joints":{)" + joints + "}}",
                  p);
   };
-  const auto spread = [&](Joint j) { return p.skeleton.spread[static_cast<std::size_t>(j)]; };
+  const auto spread = [&](humanmodel::Joint j) { return p.skeleton.spread[static_cast<std::size_t>(j)]; };
   ASSERT_EQ(parsed(R"("pelvis":[0,0,1,0.02],"neck":[0,0,1.5,"inferred",0.5],"head":[0,0,1.7,"tracked",0])"),
             PacketFault::kNone);
-  EXPECT_EQ(spread(Joint::kPelvis), 0.02);
-  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(Joint::kPelvis)], JointState::kTracked);
-  EXPECT_EQ(spread(Joint::kNeck), 0.5);
-  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
-  EXPECT_EQ(spread(Joint::kHead), 0.0);
+  EXPECT_EQ(spread(humanmodel::Joint::kPelvis), 0.02);
+  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(humanmodel::Joint::kPelvis)],
+            humanmodel::JointState::kTracked);
+  EXPECT_EQ(spread(humanmodel::Joint::kNeck), 0.5);
+  EXPECT_EQ(p.skeleton.state[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+            humanmodel::JointState::kInferred);
+  EXPECT_EQ(spread(humanmodel::Joint::kHead), 0.0);
   ASSERT_EQ(parsed(R"("pelvis":[0,0,1])"), PacketFault::kNone);
-  EXPECT_EQ(spread(Joint::kPelvis), 0.0) << "nothing stays of the packet before";
+  EXPECT_EQ(spread(humanmodel::Joint::kPelvis), 0.0) << "nothing stays of the packet before";
   EXPECT_EQ(parsed(R"("pelvis":[0,0,1,-0.1])"), PacketFault::kNumber);
   EXPECT_EQ(parsed(R"("pelvis":[0,0,1,1e7])"), PacketFault::kNumber);
   for (const char* bad : {R"("pelvis":[0,0,1,0.1,"inferred"])", R"("pelvis":[0,0,1,"inferred",])",

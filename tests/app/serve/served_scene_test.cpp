@@ -40,18 +40,19 @@ struct Served : ::testing::Test {
   Packet packet;
   std::string slide{kSlide};
 
-  void open(bool person, const ReactionDescription& reaction = usualReaction()) {
+  void open(bool person, const control::ReactionDescription& reaction = usualReaction()) {
     folder.write("slide.mech", slide);
     std::string text = kScene;
     if (person) {
       text.replace(text.find("defaults: {voxel: 0.01, point: 0.01}\n"), 37, "");
       text += kPerson;
     }
-    SessionOptions options;
+    session::SessionOptions options;
     options.threads = 1;
     options.cache = false;
     options.remember = true;
-    auto session = std::make_unique<Session>(parseScene(text, folder.path() / "scene.yaml"), options);
+    auto session = std::make_unique<session::Session>(
+        scene_file::parseScene(text, folder.path() / "scene.yaml"), options);
     scene = std::make_unique<ServedScene>(std::move(session), ServedOptions{reaction, 4});
     packet = makePacket(scene->format());
   }
@@ -73,7 +74,7 @@ struct Served : ::testing::Test {
 TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
   slide += "limits\n limit 1 0.2 0.8 2 none\nend_limits\n";
   open(false);
-  const JointLimitWatch& limits = scene->robots()[0]->limits();
+  const mechanism::JointLimitWatch& limits = scene->robots()[0]->limits();
   // From 0.5 m down at 1 m/s: too low in the last two packets.
   for (int i = 0; i <= 4; ++i) {
     joints(0.5 - 0.1 * i, 0.1 * i);
@@ -81,7 +82,7 @@ TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
   }
   auto breaches = limits.breaches();
   ASSERT_EQ(breaches.size(), 1u);
-  EXPECT_EQ(breaches[0].kind, LimitKind::kPosition);
+  EXPECT_EQ(breaches[0].kind, mechanism::LimitKind::kPosition);
   EXPECT_NEAR(breaches[0].value, 0.1, 1e-12);
   EXPECT_EQ(breaches[0].limit, 0.2);
   EXPECT_NEAR(breaches[0].since, 0.4, 1e-12);
@@ -90,7 +91,7 @@ TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
   joints(0.4, 0.5);
   breaches = limits.breaches();
   ASSERT_EQ(breaches.size(), 2u);
-  EXPECT_EQ(breaches[1].kind, LimitKind::kVelocity);
+  EXPECT_EQ(breaches[1].kind, mechanism::LimitKind::kVelocity);
   EXPECT_NEAR(breaches[1].value, 3.0, 1e-6);
   EXPECT_EQ(breaches[1].limit, 2.0);
   EXPECT_EQ(breaches[1].count, 1);
@@ -101,7 +102,7 @@ TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
 TEST_F(Served, OnlyTheSendersClockSaysHowFastARobotIs) {
   slide += "limits\n limit 1 none none 2 none\nend_limits\n";
   open(false);
-  const JointLimitWatch& limits = scene->robots()[0]->limits();
+  const mechanism::JointLimitWatch& limits = scene->robots()[0]->limits();
   joints(0.5, 0.01);
   // The clock was set back, stands, and is ahead by an hour.
   for (const double stamp : {0.0, 0.0, 3600.0}) {
@@ -114,7 +115,7 @@ TEST_F(Served, OnlyTheSendersClockSaysHowFastARobotIs) {
   joints(0.5, 3600.01);
   EXPECT_FALSE(limits.kept());
   open(false);
-  const JointLimitWatch& anew = scene->robots()[0]->limits();
+  const mechanism::JointLimitWatch& anew = scene->robots()[0]->limits();
   joints(0.5, 0.01);
   scene->cycle(0.01);
   scene->cycle(5.0);
@@ -134,7 +135,7 @@ TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
   EXPECT_LE(near.distance - near.bound, 0.4);
   EXPECT_EQ(scene->report().nearest[1].a, -1);
   EXPECT_EQ(scene->report().torque[0], 0.0);
-  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_EQ(robot().state, safety::StopState::kRunning);
   EXPECT_FALSE(robot().has_reason);
   EXPECT_EQ(robot().speed_scale, 1.0);
   joints(0.09, 0.02);  // 10 mm deep
@@ -149,8 +150,8 @@ TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
   open(true);
   // Nothing is known before the first packet.
   scene->cycle(0.005);
-  EXPECT_EQ(robot().state, StopState::kProtectiveStop);
-  EXPECT_EQ(robot().reason, StopReason::kStaleInput);
+  EXPECT_EQ(robot().state, safety::StopState::kProtectiveStop);
+  EXPECT_EQ(robot().reason, safety::StopReason::kStaleInput);
   EXPECT_EQ(robot().speed_scale, 0.0);
   EXPECT_EQ(scene->report().person_age[0], kInfinity);
   EXPECT_EQ(scene->report().separation[0].distance, -kInfinity);
@@ -166,11 +167,11 @@ TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
     const PairReport& s = scene->report().separation[0];
     // The last skeleton came at 0.5 s, and the usual age is 0.2 s.
     if (t < 0.7 - 1e-6) {
-      EXPECT_EQ(robot().state, StopState::kRunning) << t;
+      EXPECT_EQ(robot().state, safety::StopState::kRunning) << t;
       EXPECT_GT(s.distance - s.bound, 1.0);
     } else if (t > 0.7 + 1e-6) {
-      EXPECT_NE(robot().state, StopState::kRunning) << t;
-      EXPECT_EQ(robot().reason, StopReason::kLostPerson);
+      EXPECT_NE(robot().state, safety::StopState::kRunning) << t;
+      EXPECT_EQ(robot().reason, safety::StopReason::kLostPerson);
       EXPECT_EQ(robot().speed_scale, 0.0);
       EXPECT_EQ(s.distance, -kInfinity);
       EXPECT_EQ(s.trust, Trust::kNone);
@@ -179,19 +180,19 @@ TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
   // It stays until a person lets it go on, and then only when the skeleton is there again.
   joints(1.0, 1.01, true);
   scene->cycle(1.01);
-  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  EXPECT_EQ(robot().state, safety::StopState::kWaitingForReset);
   person(1.02);
   joints(1.0, 1.02);
   scene->cycle(1.02);
-  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  EXPECT_EQ(robot().state, safety::StopState::kWaitingForReset);
   joints(1.0, 1.03, true);
   scene->cycle(1.03);
-  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_EQ(robot().state, safety::StopState::kRunning);
   EXPECT_GT(scene->report().separation[0].distance, 1.0);
 }
 
 TEST_F(Served, AnAdmittanceTellsPositions) {
-  ReactionDescription reaction;
+  control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   reaction.repulsion->range = 0.2;
   reaction.repulsion->force = 100.0;
@@ -221,7 +222,7 @@ TEST(ServedMass, TorqueAndEnergyStopAreThoseOfTheClosedLoop) {
   const char* const reaction = "{repulsion: {range: 0.4, force: 0.35, damping: 1}}";
   const char* const plan = "    motion: come.csv\n";
   abstand::testing::SlideScene run(reaction, "", plan), sent(reaction, "", plan);
-  ClosedLoop loop(*run.session, 0.0);
+  loop::ClosedLoop loop(*run.session, 0.0);
   ServedOptions options;
   options.scene_first = true;
   ServedScene scene(std::move(sent.session), options);
@@ -243,14 +244,14 @@ TEST(ServedMass, TorqueAndEnergyStopAreThoseOfTheClosedLoop) {
     ASSERT_EQ(scene.report().robots[0].state, loop.robots()[0]->stops().state()) << t;
     ASSERT_NEAR(scene.report().torque[0], torque, 1e-9) << t;
     most = std::max(most, std::abs(torque));
-    stopped = stopped || loop.robots()[0]->stops().state() == StopState::kEmergencyStop;
+    stopped = stopped || loop.robots()[0]->stops().state() == safety::StopState::kEmergencyStop;
   }
   EXPECT_GT(most, 0.01);
   EXPECT_TRUE(stopped);
 }
 
 TEST_F(Served, ARobotWithoutInertiaIsDampedByAConstantMassAndThatIsSaid) {
-  ReactionDescription reaction;
+  control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   open(false, reaction);
   ASSERT_EQ(scene->remarks().size(), 1u);
@@ -258,7 +259,7 @@ TEST_F(Served, ARobotWithoutInertiaIsDampedByAConstantMassAndThatIsSaid) {
 }
 
 TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
-  ReactionDescription reaction;
+  control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   reaction.repulsion->range = 0.5;
   reaction.repulsion->force = 1.0;
@@ -272,32 +273,32 @@ TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
     joints(0.4 + 0.1 * std::cos(20.0 * 1e-3 * (i / 2 * 2)), t, i == 1500);
     scene->cycle(t);
     if (i == 1500) {
-      EXPECT_EQ(robot().refusal, ResetRefusal::kTooEarly);
+      EXPECT_EQ(robot().refusal, safety::ResetRefusal::kTooEarly);
       std::vector<std::byte> bytes(stateBytes(scene->report()));
       writeState(scene->report(), {}, bytes);
       EXPECT_EQ(std::to_integer<int>(bytes[24]), 4) << "the flag of the answer";
     }
     if (i > 1) {
-      ASSERT_EQ(robot().state, StopState::kEmergencyStop) << t;
+      ASSERT_EQ(robot().state, safety::StopState::kEmergencyStop) << t;
       ASSERT_EQ(scene->report().torque[0], 0.0) << t;
     }
   }
-  const StopLog& log = scene->robots()[0]->stops();
+  const safety::StopLog& log = scene->robots()[0]->stops();
   ASSERT_EQ(log.count(), 1u) << "one stop, however often it could have been left";
-  EXPECT_EQ(log.entry(0).cause.reason, StopReason::kEnergy);
+  EXPECT_EQ(log.entry(0).cause.reason, safety::StopReason::kEnergy);
 
   // It obeys: from then on 0.1 s, the reset, and it runs.
   const double q = scene->session().mechanisms()[0]->q()[0];
-  for (; robot().state == StopState::kEmergencyStop; ++i) {
+  for (; robot().state == safety::StopState::kEmergencyStop; ++i) {
     joints(q, 1e-3 * i);
     scene->cycle(1e-3 * i);
   }
-  EXPECT_EQ(robot().state, StopState::kWaitingForReset);
+  EXPECT_EQ(robot().state, safety::StopState::kWaitingForReset);
   EXPECT_NEAR(1e-3 * i, 2.1, 3e-3);
   joints(q, 1e-3 * i, true);
   scene->cycle(1e-3 * i);
-  EXPECT_EQ(robot().state, StopState::kRunning);
-  EXPECT_EQ(robot().refusal, ResetRefusal::kNone);
+  EXPECT_EQ(robot().state, safety::StopState::kRunning);
+  EXPECT_EQ(robot().refusal, safety::ResetRefusal::kNone);
 }
 
 TEST_F(Served, BoundsWidenWithTheAgeOfASkeleton) {
@@ -322,14 +323,14 @@ TEST_F(Served, BoundsWidenWithJointsThatTheSenderOnlyGuessed) {
   joints(1.0, 0.5);
   scene->cycle(0.5);
   const PairReport tracked = scene->report().separation[0];
-  packet.skeleton.state.fill(JointState::kInferred);
+  packet.skeleton.state.fill(humanmodel::JointState::kInferred);
   packet.type = PacketType::kSkeleton;
   packet.index = 0;
   scene->take(packet, 0.5);
   scene->cycle(0.5);
   const PairReport guessed = scene->report().separation[0];
   EXPECT_EQ(guessed.distance, tracked.distance);
-  EXPECT_NEAR(guessed.bound - tracked.bound, kReachQuantile * kGuessedSpread, 1e-9);
+  EXPECT_NEAR(guessed.bound - tracked.bound, humanmodel::kReachQuantile * humanmodel::kGuessedSpread, 1e-9);
 }
 
 TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
@@ -338,10 +339,10 @@ TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
   scene->cycle(0.01);
   EXPECT_NEAR(scene->nextStale(), 0.11, 1e-12);
   scene->cycle(0.109);
-  EXPECT_EQ(robot().state, StopState::kRunning);
+  EXPECT_EQ(robot().state, safety::StopState::kRunning);
   scene->cycle(0.1101);
-  EXPECT_EQ(robot().state, StopState::kProtectiveStop);
-  EXPECT_EQ(robot().reason, StopReason::kStaleInput);
+  EXPECT_EQ(robot().state, safety::StopState::kProtectiveStop);
+  EXPECT_EQ(robot().reason, safety::StopReason::kStaleInput);
   EXPECT_EQ(scene->report().nearest[0].distance, -kInfinity);
   EXPECT_EQ(scene->report().torque[0], 0.0);
   EXPECT_EQ(scene->robots()[0]->stops().count(), 1u);
@@ -374,7 +375,7 @@ TEST_F(Served, APersonWhoComesNearerSlowsTheRobot) {
   }
   scene->cycle(3.0);  // everything becomes stale
   EXPECT_EQ(guard.count(), 0);
-  EXPECT_NE(robot().state, StopState::kRunning);
+  EXPECT_NE(robot().state, safety::StopState::kRunning);
 }
 
 }  // namespace

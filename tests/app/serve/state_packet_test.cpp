@@ -23,7 +23,7 @@ StateReport example() {
   r.lost = 3;
   r.duplicates = 4;
   r.person_age = {kInfinity};
-  r.robots = {{0.25, 0.001, 1.5, StopState::kSlowing, true, StopReason::kSeparation}};
+  r.robots = {{0.25, 0.001, 1.5, safety::StopState::kSlowing, true, safety::StopReason::kSeparation}};
   r.torque = {1.0, -2.0};
   r.links = {{{1, 2, 3}, {4, 5, 6}}};
   r.separation = {{0, 1, Trust::kFresh, 0.3, 0.01, {7, 8, 9}, {10, 11, 12}}};
@@ -81,7 +81,7 @@ TEST(ServeState, OffsetsOfAnAdmittanceStandAtTheEnd) {
 
 TEST(ServeState, ARefusedResetIsAFlagAndAReason) {
   StateReport r = example();
-  r.robots[0].refusal = ResetRefusal::kCause;
+  r.robots[0].refusal = safety::ResetRefusal::kCause;
   std::vector<std::byte> bytes(4096);
   writeState(r, {9, 0, 55, true}, bytes);
   EXPECT_EQ(load<std::uint32_t>(bytes, 24), kFlagUnasked | kFlagRefused);

@@ -11,18 +11,18 @@
 #include "tests/app/loop/slide_scene.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr double kRadius = 0.05;  // of both balls of the slide scene, m
 
 /// A slide whose thing is taken for a part of a person.
 struct Watched {
-  explicit Watched(const BrakingLawOptions& options)
+  explicit Watched(const control::BrakingLawOptions& options)
       : slide("{}"),
         scene(slide.session->scene()),
         driver(*slide.session->mechanisms()[0]),
-        pairs(driver, scene, people(), ReactionDescription{}),
+        pairs(driver, scene, people(), control::ReactionDescription{}),
         watch(driver, scene, pairs.own(), options) {}
 
   std::vector<bool> people() const {
@@ -33,7 +33,7 @@ struct Watched {
     return people;
   }
   /// Ball at 0 with the velocity `v`, thing `gap` away from it with the velocity `u` towards it.
-  std::optional<StopCause> look(double gap, double v, double u = 0.0) {
+  std::optional<safety::StopCause> look(double gap, double v, double u = 0.0) {
     t += 1.0;
     const double q = 0.0;
     driver.moveTo({&q, 1}, t, scene);
@@ -49,7 +49,7 @@ struct Watched {
   }
 
   testing::SlideScene slide;
-  Scene& scene;
+  scene::Scene& scene;
   MechanismDriver& driver;
   RobotPairs pairs;
   BrakingWatch watch;
@@ -57,7 +57,7 @@ struct Watched {
 };
 
 /// m, that ball and person come nearer to each other until the ball stands.
-double closedForm(const BrakingLawOptions& o, double v, double person) {
+double closedForm(const control::BrakingLawOptions& o, double v, double person) {
   const double a = o.path.deceleration[0], tr = o.path.reaction_time;
   return v * tr + 0.5 * v * v / a + person * (tr + v / a);
 }
@@ -69,7 +69,7 @@ TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
   for (const double deceleration : {1.0, 5.0})
     for (const double v : {0.1, 0.4, 1.0})
       for (const double person : {0.0, 1.6}) {
-        BrakingLawOptions o;
+        control::BrakingLawOptions o;
         o.path.deceleration = {deceleration};
         o.path.reaction_time = 0.05;
         o.person_speed = person;
@@ -79,14 +79,14 @@ TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
         EXPECT_FALSE(w.look(needed + kSampling, v)) << v << " m/s, person " << person;
         const auto cause = w.look(needed - 1e-4, v);
         ASSERT_TRUE(cause) << v << " m/s, person " << person;
-        EXPECT_EQ(cause->reason, StopReason::kBraking);
+        EXPECT_EQ(cause->reason, safety::StopReason::kBraking);
         EXPECT_EQ(cause->limit, o.distance);
         EXPECT_LT(cause->value, o.distance);
       }
 }
 
 TEST(BrakingWatch, WhoStandsOrGoesAwayIsNotStopped) {
-  BrakingLawOptions o;
+  control::BrakingLawOptions o;
   Watched w(o);
   EXPECT_FALSE(w.look(0.001, 0.0)) << "a standing robot hits nobody";
   EXPECT_TRUE(w.look(0.001, 0.1));
@@ -97,7 +97,7 @@ TEST(BrakingWatch, WhoStandsOrGoesAwayIsNotStopped) {
 }
 
 TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
-  BrakingLawOptions o;
+  control::BrakingLawOptions o;
   o.path.deceleration = {2.0};
   o.path.reaction_time = 0.0;
   o.person_speed = 1.0;
@@ -108,7 +108,7 @@ TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
 }
 
 TEST(BrakingWatch, JointsThatAreNotKnownAreACause) {
-  Watched w(BrakingLawOptions{});
+  Watched w(control::BrakingLawOptions{});
   const auto cause = w.look(0.3, kNaN);
   ASSERT_TRUE(cause);
   EXPECT_EQ(cause->value, -kInfinity);
@@ -118,7 +118,7 @@ TEST(BrakingWatch, WithoutACauseNoAdmissiblePersonIsHit) {
   // Any person within the bounds, any phase: 200 random motions for each of 200 random beginnings.
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> one(0.0, 1.0);
-  BrakingLawOptions o;
+  control::BrakingLawOptions o;
   o.path.deceleration = {3.0};
   o.person_speed = 2.0;
   o.person_acceleration = 30.0;
@@ -145,7 +145,7 @@ TEST(BrakingWatch, WithoutACauseNoAdmissiblePersonIsHit) {
 }
 
 TEST(BrakingWatch, AllocatesNothing) {
-  Watched w(BrakingLawOptions{});
+  Watched w(control::BrakingLawOptions{});
   w.look(0.1, 0.5);
   const double q = 0.0, v = 0.5;
   testing::NoAlloc guard;
@@ -161,7 +161,7 @@ TEST(BrakingWatch, ARobotThatBrakesAsItSaysStopsInFrontOfAPerson) {
                "frame 1 0 90 d 0\nend_chain\nlimits\nlimit 1 -5 5 10 500\nend_limits\n");
   folder.write("go.csv", "t,q0\n0,0\n2,2\n");
   // The plan ends 0.8 m behind the person.
-  SceneDescription scene = parseScene(R"(abstand: 1
+  scene_file::SceneDescription scene = scene_file::parseScene(R"(abstand: 1
 defaults: {voxel: 0.05, point: 0.05, outer_layers: 1}
 mechanisms:
   - name: slide
@@ -172,28 +172,28 @@ mechanisms:
     links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.05}}}]
 humans: [{name: person, height: 1.75}]
 )",
-                                      folder.path() / "scene.yaml");
+                                                              folder.path() / "scene.yaml");
   SessionOptions options;
   options.threads = 1;
   options.cache = false;
   Session session(std::move(scene), options);
-  ClosedLoop loop(session, 0.0);
-  const ReactingRobot& robot = *loop.robots()[0];
+  loop::ClosedLoop loop(session, 0.0);
+  const loop::ReactingRobot& robot = *loop.robots()[0];
   double v = 0.0;
   for (int i = 0; i < 2000; ++i) {
     if (robot.stops().moving()) v = robot.qd()[0];
     loop.step();
   }
-  const StopLog& log = robot.stops().log();
+  const safety::StopLog& log = robot.stops().log();
   ASSERT_EQ(log.count(), 2u) << "one stop, then it waits for somebody";
-  EXPECT_EQ(log.entry(0).cause.reason, StopReason::kBraking);
+  EXPECT_EQ(log.entry(0).cause.reason, safety::StopReason::kBraking);
   EXPECT_GT(v, 0.5);
   // It stands at once, so what its brakes and the person would have needed is left; a cycle and the samples
   // take no more than 2 cm of it.
-  BrakingLawOptions o;
+  control::BrakingLawOptions o;
   o.path.deceleration = {2.0};
   EXPECT_NEAR(robot.record().nearest_person.value, 0.05 + closedForm(o, v, 0.5), 0.02);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::session

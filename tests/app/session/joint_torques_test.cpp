@@ -7,7 +7,7 @@
 
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 constexpr double kG = 9.80665;  // m/s^2
@@ -17,7 +17,7 @@ MechanismDriver slide(const testing::ScratchFolder& folder, const char* inertia,
   folder.write("slide.mech", std::string("units\nlength m\nangle degrees\nend_units\nmapping\ndof 0 1\n"
                                          "end_mapping\nchain\nframe 1 0 0 d 0\nend_chain\n") +
                                  inertia);
-  MechanismDescription d;
+  scene_file::MechanismDescription d;
   d.name = "slide";
   d.file = folder.path() / "slide.mech";
   if (*motion) {
@@ -33,7 +33,7 @@ TEST(JointTorques, AreWeightAndInertiaAgainstTheMotion) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, kTwoKilograms);
   JointTorques torques(driver);
-  std::vector<TorqueParts> parts(1);
+  std::vector<view::TorqueParts> parts(1);
   const std::vector<double> qd{0.7}, qdd{3.0};
   torques.update(qd, qdd, parts);
   EXPECT_NEAR(parts[0].gravity, -2.0 * kG, 1e-9);
@@ -44,8 +44,8 @@ TEST(JointTorques, OfARecordedMotionAreThoseOfItsSpline) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, kTwoKilograms, "t,q0\n0,0\n1,0.5\n2,0\n");
   JointTorques torques(driver);
-  const SmoothMotion spline(*driver.motion());
-  std::vector<TorqueParts> parts(1);
+  const mechanism::SmoothMotion spline(*driver.motion());
+  std::vector<view::TorqueParts> parts(1);
   double largest = 0.0;
   for (double t = 0.05; t < 2.0; t += 0.1) {
     torques.updateRecorded(t, parts);
@@ -63,7 +63,7 @@ TEST(JointTorques, WithoutMassesAreNotKnownAndNotZero) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, "");
   JointTorques torques(driver);
-  std::vector<TorqueParts> parts{{1.0, 2.0, 0.0, 0.0}};
+  std::vector<view::TorqueParts> parts{{1.0, 2.0, 0.0, 0.0}};
   torques.updateRecorded(0.0, parts);
   EXPECT_TRUE(std::isnan(parts[0].gravity));
   EXPECT_TRUE(std::isnan(parts[0].motion));
@@ -72,4 +72,4 @@ TEST(JointTorques, WithoutMassesAreNotKnownAndNotZero) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::session

@@ -5,14 +5,14 @@
 
 #include <set>
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 class PairGroups : public ::testing::Test {
  protected:
   PairGroups() {
-    const auto ball =
-        buildHapticStructure("ball", makeSurface(Sphere{0.05}), {.voxel_size = 0.02, .point_spacing = 0.02});
+    const auto ball = structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}),
+                                                      {.voxel_size = 0.02, .point_spacing = 0.02});
     const auto add = [&](const char* name, const char* group) { scene_.addObject({name, group, ball, 0.0}); };
     add("l1", "left");
     add("l2", "left");
@@ -22,7 +22,7 @@ class PairGroups : public ::testing::Test {
       for (std::uint32_t b = a + 1; b < 4; ++b) scene_.addPair(ObjectId(a), ObjectId(b));
   }
 
-  std::vector<PairGroup> make(const ThreadGroups& threads) {
+  std::vector<PairGroup> make(const scene_file::ThreadGroups& threads) {
     remarks_.clear();
     std::vector<PairGroup> groups = makePairGroups(scene_, threads, remarks_);
     std::set<std::uint32_t> seen;
@@ -35,7 +35,7 @@ class PairGroups : public ::testing::Test {
     return groups;
   }
 
-  Scene scene_;
+  scene::Scene scene_;
   std::vector<std::string> remarks_;
 };
 
@@ -78,4 +78,4 @@ TEST_F(PairGroups, WithoutThreadsAreThoseOfTheBodies) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::session

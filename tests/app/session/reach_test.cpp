@@ -17,17 +17,21 @@ constexpr double kRounding = 1e-9;
 constexpr double kStep = 1.0 / kRate;
 
 /// Stands; the left arm below the shoulder is lost after kSeen, the right calf and foot were never seen.
-std::vector<SkeletonFrame> standing(double spread) {
-  std::vector<SkeletonFrame> frames;
-  const SkeletonFrame rest = makeHuman({}).rest;
+std::vector<humanmodel::SkeletonFrame> standing(double spread) {
+  std::vector<humanmodel::SkeletonFrame> frames;
+  const humanmodel::SkeletonFrame rest = humanmodel::makeHuman({}).rest;
   for (int i = 0; i <= static_cast<int>(kEnd * kRate); ++i) {
-    SkeletonFrame f = rest;
+    humanmodel::SkeletonFrame f = rest;
     f.t = i * kStep;
-    const auto lose = [&](Joint j) { f.set(j, Vector3d::Constant(kNaN), JointState::kMissing); };
+    const auto lose = [&](humanmodel::Joint j) {
+      f.set(j, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
+    };
     if (f.t > kSeen + kRounding)
-      for (const Joint j : {Joint::kElbowLeft, Joint::kWristLeft, Joint::kHandLeft}) lose(j);
-    for (const Joint j : {Joint::kAnkleRight, Joint::kToeRight}) lose(j);
-    f.spread[static_cast<std::size_t>(Joint::kWristRight)] = spread;
+      for (const humanmodel::Joint j :
+           {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristLeft, humanmodel::Joint::kHandLeft})
+        lose(j);
+    for (const humanmodel::Joint j : {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight}) lose(j);
+    f.spread[static_cast<std::size_t>(humanmodel::Joint::kWristRight)] = spread;
     frames.push_back(f);
   }
   return frames;
@@ -36,31 +40,31 @@ std::vector<SkeletonFrame> standing(double spread) {
 constexpr double kSpread = 0.01;  // m, of the right wrist
 
 /// A ball stands 3 m in front of the person.
-std::unique_ptr<Session> open() {
+std::unique_ptr<session::Session> open() {
   const ScratchFolder folder;
-  Recording recording;
+  tracking::Recording recording;
   recording.frames = standing(kSpread);
-  writeSkeletonCsv(folder.path() / "r.csv", recording);
+  tracking::writeSkeletonCsv(folder.path() / "r.csv", recording);
   const auto scene =
       folder.write("scene.yaml",
                    "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05, outer_layers: 1}\n"
                    "humans:\n  - {name: p, height: 1.75, recording: {file: r.csv}}\n"
                    "objects:\n  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [3, "
                    "0, 1]}}\npairs: {default: between_groups}\n");
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
   options.cache = false;
-  return std::make_unique<Session>(loadScene(scene), options);
+  return std::make_unique<session::Session>(scene_file::loadScene(scene), options);
 }
 
 /// Structures are built once for all tests; a run starts at its first frame whatever was before.
-Session& session() {
-  static const std::unique_ptr<Session> opened = open();
+session::Session& session() {
+  static const std::unique_ptr<session::Session> opened = open();
   return *opened;
 }
 
 double pairUncertainty(const std::string& name) {
-  const Object* object = session().scene().find(name);
+  const scene::Object* object = session().scene().find(name);
   return object ? object->reach : kNaN;
 }
 
@@ -71,27 +75,27 @@ TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
     EXPECT_NEAR(pairUncertainty("p/forearm_left"), 2.0 * age, kRounding) << t;
     EXPECT_NEAR(pairUncertainty("p/biceps_left"), 2.0 * age, kRounding) << t;
     EXPECT_EQ(pairUncertainty("p/torso"), 0.0);
-    EXPECT_NEAR(pairUncertainty("p/forearm_right"), kReachQuantile * kSpread, kRounding);
-    EXPECT_NEAR(pairUncertainty("p/hand_right"), kReachQuantile * kSpread, kRounding);
+    EXPECT_NEAR(pairUncertainty("p/forearm_right"), humanmodel::kReachQuantile * kSpread, kRounding);
+    EXPECT_NEAR(pairUncertainty("p/hand_right"), humanmodel::kReachQuantile * kSpread, kRounding);
     EXPECT_EQ(pairUncertainty("p/calf_right"), kInfinity);
     EXPECT_EQ(pairUncertainty("ball"), 0.0);
   }
 }
 
-CheckResult check(Session& watched, double limit) {
-  CheckResult all;
-  DistanceCheck check(watched.scene(), limit, false, false, "");
-  RunOptions run;
-  run.on_cycle = [&](double t, const std::vector<PairResult>& results) { check.frame(t, results); };
-  check.finish(runScene(watched, run), all);
+run::CheckResult check(session::Session& watched, double limit) {
+  run::CheckResult all;
+  run::DistanceCheck check(watched.scene(), limit, false, false, "");
+  run::RunOptions run;
+  run.on_cycle = [&](double t, const std::vector<query::PairResult>& results) { check.frame(t, results); };
+  check.finish(run::runScene(watched, run), all);
   return all;
 }
 
 TEST(Reach, LimitsAreWidenedByIt) {
   // The ball is some 2.8 m from the lost hand, which could be there 1.3 s after it was seen.
-  const CheckResult result = check(session(), 0.2);
+  const run::CheckResult result = check(session(), 0.2);
   bool forearm = false;
-  for (const Violation& v : result.violations) {
+  for (const run::Violation& v : result.violations) {
     EXPECT_TRUE(v.a.find("left") != std::string::npos || std::isinf(v.reach)) << v.a << ", " << v.b;
     if (v.a != "p/forearm_left" && v.b != "p/forearm_left") continue;
     forearm = true;
@@ -105,7 +109,7 @@ TEST(Reach, LimitsAreWidenedByIt) {
   }
   EXPECT_TRUE(forearm);
   const auto broken = [&](const std::string& part) {
-    for (const Violation& v : result.violations)
+    for (const run::Violation& v : result.violations)
       if (v.a == "p/" + part || v.b == "p/" + part) return true;
     return false;
   };
@@ -114,9 +118,9 @@ TEST(Reach, LimitsAreWidenedByIt) {
 }
 
 TEST(Reach, TheRunSaysHowNearTheyMayHaveBeen) {
-  RunOptions run;
+  run::RunOptions run;
   run.end = kSeen;
-  const RunSummary before = runScene(session(), run);
+  const run::RunSummary before = run::runScene(session(), run);
   ASSERT_TRUE(before.min_distance && before.min_clearance);
   EXPECT_EQ(before.min_clearance->value, -kInfinity);  // of the calf
   EXPECT_EQ(before.min_clearance->a, "p/calf_right");

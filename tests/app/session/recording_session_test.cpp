@@ -17,28 +17,28 @@ constexpr double kSame = 1e-9;  // m at the far end of a part; a table keeps eve
 constexpr double kRounded = 2e-3;
 
 /// One person alone, in structures as coarse as may be: only poses are looked at.
-std::unique_ptr<Session> openPerson(const ScratchFolder& folder, const std::filesystem::path& recording,
-                                    double speed = 1.0) {
+std::unique_ptr<session::Session> openPerson(const ScratchFolder& folder,
+                                             const std::filesystem::path& recording, double speed = 1.0) {
   const auto scene = folder.write("scene.yaml",
                                   "abstand: 1\n"
                                   "defaults: {voxel: 0.05, point: 0.05, outer_layers: 1}\n"
                                   "humans:\n"
                                   "  - {name: someone, height: 1.75, recording: {file: " +
                                       recording.string() + "}}\npairs: {default: none}\n");
-  SessionOptions options;
+  session::SessionOptions options;
   options.person_speed = speed;
   options.threads = 1;
   options.cache = false;
-  return std::make_unique<Session>(loadScene(scene), options);
+  return std::make_unique<session::Session>(scene_file::loadScene(scene), options);
 }
 
 TEST(RecordingSession, APersonMovesTheSameAfterBvhTableAndCompact) {
   const ScratchFolder folder;
   const auto bvh = projectFile("data/scenes/hug_reach.bvh"), csv = folder.path() / "reach.csv",
              compact = folder.path() / "reach.rec";
-  const Recording recording = openRecording(bvh);
-  writeSkeletonCsv(csv, recording);
-  writeCompact(compact, recording);
+  const tracking::Recording recording = tracking::openRecording(bvh);
+  tracking::writeSkeletonCsv(csv, recording);
+  tracking::writeCompact(compact, recording);
   const auto expected = openPerson(folder, bvh);
   ASSERT_EQ(expected->scene().objects().size(), 14u);
   for (const auto& [file, tolerance] : {std::pair{csv, kSame}, {compact, kRounded}}) {

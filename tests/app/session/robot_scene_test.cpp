@@ -8,7 +8,7 @@
 #include "core/study/pairs_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::session {
 namespace {
 
 // a: box; b: two collision bodies; c: only a visual one; d: none. b turns, c is fixed to it.
@@ -32,9 +32,10 @@ class RobotScene : public ::testing::Test {
     std::filesystem::create_directories(folder_.path() / "r");
     folder_.write("r/b.stl", "x");
   }
-  SceneDescription parse(const std::string& mechanism, const std::string& rest = "") const {
-    return parseScene("abstand: 1\nmechanisms:\n  - {name: m, file: r.urdf" + mechanism + "}\n" + rest,
-                      folder_.path() / "scene.yaml", {{}, false});
+  scene_file::SceneDescription parse(const std::string& mechanism, const std::string& rest = "") const {
+    return scene_file::parseScene(
+        "abstand: 1\nmechanisms:\n  - {name: m, file: r.urdf" + mechanism + "}\n" + rest,
+        folder_.path() / "scene.yaml", {{}, false});
   }
   std::string refused(const std::string& mechanism, const std::string& rest = "") const {
     try {
@@ -44,7 +45,7 @@ class RobotScene : public ::testing::Test {
       return e.what();
     }
   }
-  static std::vector<std::string> names(const SceneDescription& s) {
+  static std::vector<std::string> names(const scene_file::SceneDescription& s) {
     std::vector<std::string> n;
     for (const auto& l : s.mechanisms[0].links) n.push_back(l.name);
     return n;
@@ -57,29 +58,29 @@ TEST_F(RobotScene, LinksComeFromTheRobot) {
   const auto s = parse(", margin: 0.1");
   EXPECT_EQ(names(s), (std::vector<std::string>{"m/a", "m/b", "m/b/2", "m/c"}));
   const auto& l = s.mechanisms[0].links;
-  EXPECT_EQ(std::get<Cuboid>(*l[0].shape).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<geometry::Cuboid>(*l[0].shape).size, Vector3d(1, 2, 3));
   EXPECT_EQ(l[1].mesh, folder_.path() / "r/b.stl");
   EXPECT_EQ(l[1].scale, Vector3d(1, -1, 2));
   EXPECT_EQ(l[1].X_FL.translation(), Vector3d(0, 0, 1));
   EXPECT_EQ(l[1].frame, "b");
-  EXPECT_EQ(std::get<Sphere>(*l[3].shape).radius, 0.25);
+  EXPECT_EQ(std::get<geometry::Sphere>(*l[3].shape).radius, 0.25);
   EXPECT_EQ(s.mechanisms[0].settings.margin, 0.1);
 }
 
 TEST_F(RobotScene, DescribedItReadsBackTheSame) {
   const auto s = parse(", margin: 0.1");
-  const std::string described = describeScene(s);
-  const auto again = parseScene(described, folder_.path() / "scene.yaml", {{}, false});
+  const std::string described = scene_file::describeScene(s);
+  const auto again = scene_file::parseScene(described, folder_.path() / "scene.yaml", {{}, false});
   EXPECT_EQ(names(again), names(s));
   EXPECT_EQ(again.mechanisms[0].links[1].scale, Vector3d(1, -1, 2));
-  EXPECT_EQ(describeScene(again), described);
+  EXPECT_EQ(scene_file::describeScene(again), described);
 }
 
 TEST_F(RobotScene, VisualGeometryWhereItIsThere) {
   const auto s = parse(", geometry: visual");
   EXPECT_EQ(names(s), (std::vector<std::string>{"m/a", "m/b", "m/c"}));
   EXPECT_TRUE(s.mechanisms[0].links[0].shape) << "nice.dae is missing: the collision box is taken";
-  EXPECT_EQ(std::get<Sphere>(*s.mechanisms[0].links[1].shape).radius, 0.5);
+  EXPECT_EQ(std::get<geometry::Sphere>(*s.mechanisms[0].links[1].shape).radius, 0.5);
   EXPECT_TRUE(std::any_of(s.remarks.begin(), s.remarks.end(), [](const std::string& r) {
     return r.find("not all visual meshes") != std::string::npos && r.ends_with(": a");
   }));
@@ -107,7 +108,7 @@ TEST_F(RobotScene, ALinkWhoseGeometryIsAbsentIsMissingUnlessNamed) {
       "<joint name='cf' type='fixed'><parent link='c'/><child link='frame'/></joint></robot>";
   folder_.write("r.urdf", robot);
   const auto s = parse("");
-  const MechanismDescription& m = s.mechanisms[0];
+  const scene_file::MechanismDescription& m = s.mechanisms[0];
   EXPECT_EQ(m.frames_with_geometry, 3u) << "a link without geometry is a frame";
   ASSERT_EQ(m.missing.size(), 2u);
   EXPECT_EQ(m.missing[1].frame, "b");
@@ -119,7 +120,10 @@ TEST_F(RobotScene, ALinkWhoseGeometryIsAbsentIsMissingUnlessNamed) {
   const auto one = parse(", bodiless: [a]");
   ASSERT_EQ(one.mechanisms[0].missing.size(), 1u);
   EXPECT_EQ(one.mechanisms[0].missing[0].frame, "b");
-  EXPECT_EQ(parseScene(describeScene(one), folder_.path() / "scene.yaml").mechanisms[0].missing.size(), 1u);
+  EXPECT_EQ(scene_file::parseScene(scene_file::describeScene(one), folder_.path() / "scene.yaml")
+                .mechanisms[0]
+                .missing.size(),
+            1u);
   EXPECT_TRUE(parse(", bodiless: [a, b]").mechanisms[0].missing.empty());
   const auto none = parse(", geometry: none");
   EXPECT_TRUE(none.mechanisms[0].links.empty() && none.mechanisms[0].missing.empty());
@@ -134,7 +138,7 @@ TEST_F(RobotScene, ALinkWithNothingButAnUnreadVisualIsMissing) {
                 "</visual><collision><geometry><sphere radius='1'/></geometry></collision></link>"
                 "<joint name='ab' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
   const auto s = parse("");
-  const MechanismDescription& m = s.mechanisms[0];
+  const scene_file::MechanismDescription& m = s.mechanisms[0];
   EXPECT_EQ(m.frames_with_geometry, 2u);
   ASSERT_EQ(m.missing.size(), 1u);
   EXPECT_EQ(m.missing[0].frame, "a");
@@ -148,9 +152,9 @@ TEST_F(RobotScene, TheCentreOfALinkPlacesItsBody) {
                 "link\nid 1\ncenter 1 0 0 0.5  0 1 0 0  0 0 1 0.25\nend_link\n");
   folder_.write("rod.stl", "x");
   const auto link = [&](const std::string& text) {
-    const auto s =
-        parseScene("abstand: 1\nmechanisms:\n  - {name: m, file: c.mech, links: [{name: l, " + text + "}]}\n",
-                   folder_.path() / "scene.yaml", {{}, false});
+    const auto s = scene_file::parseScene(
+        "abstand: 1\nmechanisms:\n  - {name: m, file: c.mech, links: [{name: l, " + text + "}]}\n",
+        folder_.path() / "scene.yaml", {{}, false});
     return s.mechanisms[0].links[0];
   };
   const std::string rod = "shape: {cuboid: {size: [1, 0.1, 0.1]}}";
@@ -173,8 +177,8 @@ TEST_F(RobotScene, MissingCollisionMeshesAreListedAtOnce) {
                 "<collision><geometry><mesh filename='m/b.stl'/></geometry></collision>"
                 "<collision><geometry><mesh filename='m/b.stl'/></geometry></collision></link></robot>");
   try {
-    parseScene("abstand: 1\nmechanisms: [{name: m, file: bad.urdf}]\n", folder_.path() / "s.yaml",
-               {{}, false});
+    scene_file::parseScene("abstand: 1\nmechanisms: [{name: m, file: bad.urdf}]\n", folder_.path() / "s.yaml",
+                           {{}, false});
     FAIL() << "was accepted";
   } catch (const ParseError& e) {
     EXPECT_EQ(e.pos().line, 2);
@@ -191,11 +195,13 @@ TEST_F(RobotScene, SrdfTakesPairsOutAndKeepsTheReason) {
   const auto s = parse(", srdf: r.srdf");
   ASSERT_EQ(s.pairs.dropped.size(), 2u) << "both bodies of b";
   EXPECT_EQ(s.pairs.dropped[0].reason, "Never");
-  std::vector<SelectableBody> bodies;
+  std::vector<scene_file::SelectableBody> bodies;
   for (const auto& name : names(s)) bodies.push_back({name, "m"});
-  EXPECT_EQ(selectPairs(bodies, s.pairs, {}),
+  EXPECT_EQ(scene_file::selectPairs(bodies, s.pairs, {}),
             (std::vector<std::pair<int, int>>{{0, 3}, {1, 2}, {1, 3}, {2, 3}}));
-  EXPECT_EQ(parseScene(describeScene(s), folder_.path() / "scene.yaml").pairs.dropped.size(), 2u);
+  EXPECT_EQ(scene_file::parseScene(scene_file::describeScene(s), folder_.path() / "scene.yaml")
+                .pairs.dropped.size(),
+            2u);
 }
 
 TEST_F(RobotScene, AFileOfPairsTakesPairsOut) {
@@ -207,9 +213,9 @@ TEST_F(RobotScene, AFileOfPairsTakesPairsOut) {
   ASSERT_EQ(s.pairs.dropped.size(), 2u);
   EXPECT_EQ(s.pairs.dropped[0].reason, "never: 0.5");
   EXPECT_EQ(s.pairs.dropped[1].reason, "user");
-  std::vector<SelectableBody> bodies;
+  std::vector<scene_file::SelectableBody> bodies;
   for (const auto& name : names(s)) bodies.push_back({name, "m"});
-  EXPECT_EQ(selectPairs(bodies, s.pairs, {}),
+  EXPECT_EQ(scene_file::selectPairs(bodies, s.pairs, {}),
             (std::vector<std::pair<int, int>>{{0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
   folder_.write("r.pairs", "verdict,a,b\nnever,x,y\n");
   EXPECT_NE(refused("", "pairs: {file: r.pairs}\n").find("no pair of bodies of this scene"),
@@ -231,7 +237,7 @@ TEST(PairsFile, MistakesHaveTheirPlace) {
   for (const auto& c : cases) {
     SCOPED_TRACE(c.text);
     try {
-      parsePairs(c.text, "t.pairs");
+      study::parsePairs(c.text, "t.pairs");
       FAIL() << "was read";
     } catch (const ParseError& e) {
       EXPECT_EQ(e.pos().line, c.line);
@@ -241,4 +247,4 @@ TEST(PairsFile, MistakesHaveTheirPlace) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::session

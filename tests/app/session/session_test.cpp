@@ -14,29 +14,30 @@
 namespace abstand::testing {
 namespace {
 
-std::unique_ptr<Session> openReach(int threads = 1) {
-  SessionOptions options;
+std::unique_ptr<session::Session> openReach(int threads = 1) {
+  session::SessionOptions options;
   options.threads = threads;
-  return std::make_unique<Session>(loadScene(projectFile("data/scenes/hug_reach.yaml")), options);
+  return std::make_unique<session::Session>(scene_file::loadScene(projectFile("data/scenes/hug_reach.yaml")),
+                                            options);
 }
 
 void add(StateHash& hash, const Vector3d& v) {
   for (int i = 0; i < 3; ++i) hash.add(v[i]);
 }
 
-std::uint64_t runHash(Session& session) {
+std::uint64_t runHash(session::Session& session) {
   session.scene().startCold();
   StateHash hash;
   for (int i = 0; i < 40; ++i) {
     session.step(0.05 * i);
-    for (const Pair& p : session.scene().pairs()) {
+    for (const scene::Pair& p : session.scene().pairs()) {
       hash.add(p.result.distance);
       hash.add(p.result.bound);
       add(hash, p.result.force_a);
       add(hash, p.result.torque_b);
       add(hash, p.result.witness_a);
     }
-    for (const Object& o : session.scene().objects()) add(hash, o.contact.torque);
+    for (const scene::Object& o : session.scene().objects()) add(hash, o.contact.torque);
     for (double e : session.jointEfforts()) hash.add(e);
   }
   return hash.value();
@@ -61,7 +62,7 @@ TEST(Session, TheCycleAllocatesNothing) {
 }
 
 TEST(Session, SaysHowManyStructuresThereWillBeAndNamesEach) {
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
   std::size_t planned = 0;
   std::vector<std::string> order;
@@ -75,7 +76,7 @@ TEST(Session, SaysHowManyStructuresThereWillBeAndNamesEach) {
     before = fraction;
     if (std::find(order.begin(), order.end(), name) == order.end()) order.emplace_back(name);
   };
-  const Session session(loadScene(projectFile("data/scenes/rods.yaml")), options);
+  const session::Session session(scene_file::loadScene(projectFile("data/scenes/rods.yaml")), options);
   EXPECT_EQ(planned, 1u);  // two rods of the same shape
   EXPECT_EQ(session.structures(), planned);
   EXPECT_EQ(order.size(), planned);
@@ -92,7 +93,7 @@ TEST(Session, ForcesOfAllObjectsCancel) {
     session->step(0.1 * i);
     Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
     double force_scale = 1e-30, moment_scale = 1e-30;
-    for (const Object& o : session->scene().objects()) {
+    for (const scene::Object& o : session->scene().objects()) {
       force += o.contact.force;
       moment += o.contact.torque + o.p_WCom().cross(o.contact.force);
       force_scale += o.contact.force.norm();
@@ -117,13 +118,13 @@ TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
   auto exact = openReach();
   std::uint64_t expected = 0;
   for (const int threads : {1, 3}) {
-    SessionOptions options;
+    session::SessionOptions options;
     options.threads = threads;
     options.rest = 0.05;
     options.horizon = 1.0;
-    Session session(loadScene(projectFile("data/scenes/hug_reach.yaml")), options);
+    session::Session session(scene_file::loadScene(projectFile("data/scenes/hug_reach.yaml")), options);
     StateHash hash;
-    StepCounts sum;
+    scene::StepCounts sum;
     for (int i = 0; i < 400; ++i) {
       session.step(0.005 * i);
       exact->step(0.005 * i);
@@ -131,8 +132,8 @@ TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
       sum.rested += session.scene().counts().rested;
       sum.beyond += session.scene().counts().beyond;
       for (std::size_t p = 0; p < session.scene().pairs().size(); ++p) {
-        const PairResult& r = session.scene().pairs()[p].result;
-        const PairResult& e = exact->scene().pairs()[p].result;
+        const query::PairResult& r = session.scene().pairs()[p].result;
+        const query::PairResult& e = exact->scene().pairs()[p].result;
         ASSERT_EQ(r.contacts, e.contacts) << i << " " << p;
         ASSERT_EQ(r.force_a, e.force_a);
         ASSERT_LE(r.distance - r.bound, e.distance + kOnSurface) << i << " " << p;
@@ -150,27 +151,27 @@ TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
 }
 
 TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
-  SessionOptions options;
+  session::SessionOptions options;
   options.threads = 1;
-  const auto scene = loadScene(projectFile("data/scenes/hug_reach.yaml"));
-  Session plain(scene, options);
-  for (const Object& o : plain.scene().objects()) EXPECT_EQ(o.max_speed, kInfinity) << o.spec.name;
+  const auto scene = scene_file::loadScene(projectFile("data/scenes/hug_reach.yaml"));
+  session::Session plain(scene, options);
+  for (const scene::Object& o : plain.scene().objects()) EXPECT_EQ(o.max_speed, kInfinity) << o.spec.name;
   options.rest = 0.5;
-  SceneDescription said = scene;
+  scene_file::SceneDescription said = scene;
   said.humans.at(0).parts["hand_left"].numbers["max_speed"] = 3.5;
   said.mechanisms.at(0).settings.max_speed = 1.25;
-  Session resting(said, options);
+  session::Session resting(said, options);
   const std::string person = said.humans[0].name;
   EXPECT_EQ(resting.scene().find(person + "/hand_left")->max_speed, 3.5);
   EXPECT_EQ(resting.scene().find(person + "/hand_right")->max_speed,
-            said.humans[0].recording.file.empty() ? 0.0 : kHandSpeed);
+            said.humans[0].recording.file.empty() ? 0.0 : session::kHandSpeed);
   for (const auto& link : said.mechanisms[0].links)
     EXPECT_EQ(resting.scene().find(link.name)->max_speed, 1.25) << link.name;
 }
 
 TEST(LiveSession, PlaysSeeksAndTakesMargins) {
-  LiveSession live(openReach(), 0.0);
-  SceneSnapshot snapshot;
+  loop::LiveSession live(openReach(), 0.0);
+  view::SceneSnapshot snapshot;
   const auto waitFor = [&](auto condition) {
     // Generous: a sanitizer build on a loaded machine is slow, and nothing here is about time.
     for (int i = 0; i < 3000; ++i) {
@@ -181,21 +182,21 @@ TEST(LiveSession, PlaysSeeksAndTakesMargins) {
     return false;
   };
   EXPECT_TRUE(waitFor([&] { return snapshot.t == 0.0; }));
-  live.send(command::Seek{1.0});
+  live.send(loop::command::Seek{1.0});
   EXPECT_TRUE(waitFor([&] { return snapshot.t == 1.0; }));
-  live.send(command::Margin{0, 0.123});
+  live.send(loop::command::Margin{0, 0.123});
   EXPECT_TRUE(waitFor([&] { return snapshot.objects[0].margin == 0.123; }));
-  live.send(command::Step{1});
+  live.send(loop::command::Step{1});
   EXPECT_TRUE(waitFor([&] { return snapshot.t > 1.0; }));
   EXPECT_NEAR(snapshot.t, 1.0 + live.outline().frame_period, 1e-12);
-  live.send(command::Play{true});
+  live.send(loop::command::Play{true});
   EXPECT_TRUE(waitFor([&] { return snapshot.playing && snapshot.t > 1.05; }));
-  live.send(command::Seek{kNaN});
-  live.send(command::Margin{-1, 1.0});
-  live.send(command::Play{false});
+  live.send(loop::command::Seek{kNaN});
+  live.send(loop::command::Margin{-1, 1.0});
+  live.send(loop::command::Play{false});
   EXPECT_TRUE(waitFor([&] { return !snapshot.playing; }));
   EXPECT_TRUE(std::isfinite(snapshot.t));
-  std::vector<PlotSample> samples;
+  std::vector<view::PlotSample> samples;
   live.drainPlot(samples);
   EXPECT_GT(samples.size(), 5u);
 }

@@ -19,30 +19,32 @@ class TwoPeople : public ::testing::Test {
     if (!exists(debianBvh("Boxing_Toes.bvh"))) GTEST_SKIP() << debianBvh("Boxing_Toes.bvh");
   }
 
-  static SceneDescription shipped() { return loadScene(projectFile("data/scenes/two_people.yaml")); }
-  static std::unique_ptr<Session> open(SceneDescription description, int threads) {
-    SessionOptions options;
+  static scene_file::SceneDescription shipped() {
+    return scene_file::loadScene(projectFile("data/scenes/two_people.yaml"));
+  }
+  static std::unique_ptr<session::Session> open(scene_file::SceneDescription description, int threads) {
+    session::SessionOptions options;
     options.threads = threads;
-    return std::make_unique<Session>(std::move(description), options);
+    return std::make_unique<session::Session>(std::move(description), options);
   }
   /// Boxes in place of all bodies, which are built at once: for what does not depend on their shape.
-  static std::unique_ptr<Session> openBoxes() {
-    SceneDescription scene = shipped();
+  static std::unique_ptr<session::Session> openBoxes() {
+    scene_file::SceneDescription scene = shipped();
     scene.defaults.haptic.voxel_size = scene.defaults.haptic.point_spacing = 0.04;
     const auto box = [](auto& body) {
       body.mesh.clear();
-      body.shape = Cuboid{{0.1, 0.1, 0.1}};
+      body.shape = geometry::Cuboid{{0.1, 0.1, 0.1}};
     };
     for (auto& mechanism : scene.mechanisms)
       for (auto& link : mechanism.links) box(link);
     for (auto& object : scene.objects) box(object);
     for (auto& human : scene.humans)
-      for (std::size_t i = 0; i < kBodyPartCount; ++i)
-        human.parts[std::string(partName(static_cast<BodyPart>(i)))].shape = "cuboid";
+      for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+        human.parts[std::string(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)))].shape = "cuboid";
     return open(std::move(scene), 1);
   }
 
-  static const std::string& groupOf(const Session& session, ObjectId id) {
+  static const std::string& groupOf(const session::Session& session, ObjectId id) {
     return session.scene().object(id).spec.group;
   }
 };
@@ -51,7 +53,7 @@ TEST_F(TwoPeople, EveryBodyHasANameOfItsOwnAndTheGroupThatItBelongsTo) {
   const auto session = openBoxes();
   std::set<std::string> names;
   std::map<std::string, int> groups;
-  for (const Object& o : session->scene().objects()) {
+  for (const scene::Object& o : session->scene().objects()) {
     EXPECT_TRUE(names.insert(o.spec.name).second) << o.spec.name;
     ++groups[o.spec.group];
     if (o.spec.group != "objects") {
@@ -62,7 +64,7 @@ TEST_F(TwoPeople, EveryBodyHasANameOfItsOwnAndTheGroupThatItBelongsTo) {
       {"lwr", 8}, {"scara", 5}, {"operator", 14}, {"colleague", 14}, {"objects", 1}};
   EXPECT_EQ(groups, expected);
 
-  const SceneOutline outline = session->outline();
+  const view::SceneOutline outline = session->outline();
   for (const auto& o : outline.objects)
     EXPECT_EQ(o.human, o.group == "operator" || o.group == "colleague") << o.name;
   std::map<std::string, int> joints;
@@ -73,7 +75,7 @@ TEST_F(TwoPeople, EveryBodyHasANameOfItsOwnAndTheGroupThatItBelongsTo) {
 TEST_F(TwoPeople, EachMeetsEveryOtherGroupAndNobodyItself) {
   const auto session = openBoxes();
   std::map<std::pair<std::string, std::string>, int> pairs;
-  for (const Pair& p : session->scene().pairs()) {
+  for (const scene::Pair& p : session->scene().pairs()) {
     auto [a, b] = std::minmax(groupOf(*session, p.a), groupOf(*session, p.b));
     ++pairs[{a, b}];
   }
@@ -112,7 +114,7 @@ TEST_F(TwoPeople, EachPersonAndEachRobotFollowsItsOwnMotion) {
 }
 
 /// Efforts of the joints `from` to `to`.
-double largestEffort(const Session& session, std::size_t from, std::size_t to) {
+double largestEffort(const session::Session& session, std::size_t from, std::size_t to) {
   double most = 0.0;
   for (std::size_t j = from; j < to; ++j) most = std::max(most, std::abs(session.jointEfforts()[j]));
   return most;
@@ -134,7 +136,7 @@ TEST_F(TwoPeople, SameBitsForOneAndFourThreadsAndEffortsWhereContactIs) {
     for (int i = 0; i < 90; ++i) {
       session->step(0.05 * i);
       std::set<std::string> touched;
-      for (const Pair& p : session->scene().pairs()) {
+      for (const scene::Pair& p : session->scene().pairs()) {
         hash.add(p.result.distance);
         hash.add(p.result.bound);
         add(hash, p.result.force_a);
@@ -144,7 +146,7 @@ TEST_F(TwoPeople, SameBitsForOneAndFourThreadsAndEffortsWhereContactIs) {
         touched.insert(groupOf(*session, p.a));
         touched.insert(groupOf(*session, p.b));
       }
-      for (const Object& o : session->scene().objects()) add(hash, o.contact.force);
+      for (const scene::Object& o : session->scene().objects()) add(hash, o.contact.force);
       for (const double e : session->jointEfforts()) hash.add(e);
       const double lwr = largestEffort(*session, 0, 7), scara = largestEffort(*session, 7, 11);
       EXPECT_TRUE(touched.contains("lwr") || lwr == 0.0) << i;

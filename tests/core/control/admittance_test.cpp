@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kDt = 1e-3;
@@ -78,9 +78,9 @@ TEST(Admittance, KeepsItsLimits) {
 
 TEST(Admittance, IsStableForEveryStep) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    verify::Random random(6, seed);
+    Random random(6, seed);
     const double inf = 1e3;
-    const JointNumbers inertia{std::pow(10.0, random.between(-4, 2))},
+    const config::JointNumbers inertia{std::pow(10.0, random.between(-4, 2))},
         damping{random.chance(0.2) ? 0.0 : std::pow(10.0, random.between(-3, 3))},
         stiffness{std::pow(10.0, random.between(-2, 5))};
     Admittance a({inertia, damping, stiffness, {inf}, {inf}}, 1);
@@ -119,4 +119,4 @@ TEST(Admittance, AllocatesNothingAndChecksItsOptions) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

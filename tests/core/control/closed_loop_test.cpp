@@ -10,7 +10,7 @@
 #include "core/robot_file/mech_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kDt = 1e-3;
@@ -18,19 +18,21 @@ constexpr int kSteps = 4000;
 
 /// The arm's outer links and a ball for a fist; built once.
 struct Bodies {
-  Mechanism arm = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  mechanism::Mechanism arm = robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   std::vector<int> frames{3, 4, 5, 6};  ///< indices: links 4 to 7
-  std::vector<std::shared_ptr<const HapticStructure>> links;
-  std::shared_ptr<const HapticStructure> fist;
+  std::vector<std::shared_ptr<const structure::HapticStructure>> links;
+  std::shared_ptr<const structure::HapticStructure> fist;
   Bodies() {
-    const HapticOptions coarse{.voxel_size = 0.01, .point_spacing = 0.01, .outer_layers = 10};
+    const structure::HapticOptions coarse{.voxel_size = 0.01, .point_spacing = 0.01, .outer_layers = 10};
     for (const int f : frames) {
       const std::string name = "link" + std::to_string(f + 1);
-      links.push_back(buildHapticStructure(
-          name, makeSurface(loadMesh(testing::projectFile("data/robots/lwr/" + name + ".stl")).mesh), coarse,
-          2));
+      links.push_back(structure::buildHapticStructure(
+          name,
+          geometry::makeSurface(
+              mesh_file::loadMesh(testing::projectFile("data/robots/lwr/" + name + ".stl")).mesh),
+          coarse, 2));
     }
-    fist = buildHapticStructure("fist", makeSurface(Sphere{0.06}), coarse, 2);
+    fist = structure::buildHapticStructure("fist", geometry::makeSurface(geometry::Sphere{0.06}), coarse, 2);
   }
 };
 const Bodies& bodies() {
@@ -42,7 +44,7 @@ struct Outcome {
   double nearest{kInfinity};   ///< m, over the run
   double farthest_joint{0.0};  ///< rad, from where it was
   double rest{0.0};            ///< rad, the same at the end
-  StopState state{StopState::kRunning};
+  safety::StopState state{safety::StopState::kRunning};
 };
 
 /// Joints are double integrators of the constant inertias below, held softly at q_0 by springs and dampers.
@@ -56,14 +58,14 @@ Outcome punch(const ReactionDescription& description, double speed) {
 
   Reaction reaction(description, 7, b.frames.size());
   std::vector<double> q = q_0, qd(7, 0.0), planned(7, 0.0);
-  MechanismState state;
+  mechanism::MechanismState state;
   std::vector<std::vector<double>> rows(b.frames.size(), std::vector<double>(7));
-  std::vector<PairMemory> memories(b.frames.size());
+  std::vector<query::PairMemory> memories(b.frames.size());
   std::vector<ReactionPair> pairs(b.frames.size());
-  auto scratch = std::make_unique<PairScratch>();
-  PairResult result;
+  auto scratch = std::make_unique<kernels::PairScratch>();
+  query::PairResult result;
 
-  forward(b.arm, q, state);
+  mechanism::forward(b.arm, q, state);
   const Vector3d goal = state.X_BF[4] * Vector3d(0, 0, -0.1);
   const Vector3d from = goal + Vector3d(0.5, 0.6, 0.1);
   const double duration = (goal - from).norm() / speed;
@@ -77,11 +79,11 @@ Outcome punch(const ReactionDescription& description, double speed) {
                                                                       : Vector3d((from - goal) / duration);
     const Transform X_WFist(Eigen::Translation3d(from + s * (goal - from)));
 
-    forward(b.arm, q, state);
+    mechanism::forward(b.arm, q, state);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const int frame = b.frames[i];
-      queryPair(*b.links[i], state.X_BF[static_cast<std::size_t>(frame)], *b.fist, X_WFist, {}, memories[i],
-                *scratch, result);
+      query::queryPair(*b.links[i], state.X_BF[static_cast<std::size_t>(frame)], *b.fist, X_WFist, {},
+                       memories[i], *scratch, result);
       outcome.nearest = std::min(outcome.nearest, result.distance);
       const Vector3d n = partingDirection(result);
       std::fill(rows[i].begin(), rows[i].end(), 0.0);
@@ -126,7 +128,7 @@ TEST(ClosedLoop, WithAvoidanceTheArmYieldsAndComesBack) {
   EXPECT_GT(o.nearest, 0.01);
   EXPECT_GT(o.farthest_joint, 0.1);
   EXPECT_LT(o.rest, 0.1 * o.farthest_joint) << "it is back when the fist is gone";
-  EXPECT_EQ(o.state, StopState::kRunning);
+  EXPECT_EQ(o.state, safety::StopState::kRunning);
 }
 
 TEST(ClosedLoop, SaysTheSameEveryTime) {
@@ -144,4 +146,4 @@ TEST(ClosedLoop, ADoubledSpeedLeavesLessAndALimitTooLowIsHit) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
@@ -26,7 +26,7 @@ TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
 
 TEST(EffectiveMass, IsTheInverseQuadraticForm) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    verify::Random random(4, seed);
+    Random random(4, seed);
     const int dof = 1 + static_cast<int>(random.below(47));
     Eigen::MatrixXd A(dof, dof);
     Eigen::VectorXd row(dof);
@@ -56,4 +56,4 @@ TEST(EffectiveMass, OfWhatIsNoMassMatrixIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

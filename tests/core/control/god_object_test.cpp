@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
-using verify::Random;
-
-const EnclosingSphere kBall{Vector3d::Zero(), 0.05};
+const geometry::EnclosingSphere kBall{Vector3d::Zero(), 0.05};
 constexpr double kExact = 1e-9;
 // m; the two nearest points are walked to within this of the smallest distance, near contact.
 constexpr double kWitness = 1e-4;
@@ -99,7 +97,7 @@ TEST(GodObject, IsTheNearestAllowedPose) {
 
 TEST(GodObject, TurnsAboutAContactOffItsCentre) {
   // A rod along x held level, pressed down at one end only: it yields by turning as well as by rising.
-  const EnclosingSphere rod{Vector3d::Zero(), 0.2};
+  const geometry::EnclosingSphere rod{Vector3d::Zero(), 0.2};
   GodObject object({.gap = 0.0}, rod);
   object.reset(Transform::Identity());
   for (int i = 0; i < 300; ++i) {
@@ -115,27 +113,29 @@ TEST(GodObject, TurnsAboutAContactOffItsCentre) {
 }
 
 TEST(GodObject, SlidesOverABoxWithoutSinkingIn) {
-  const HapticOptions options{.voxel_size = 0.01, .point_spacing = 0.01};
-  const auto ball = buildHapticStructure("ball", makeSurface(Sphere{0.05}), options, 2);
-  const auto box = buildHapticStructure("box", makeSurface(Cuboid{{0.4, 0.4, 0.2}}), options, 2);
+  const structure::HapticOptions options{.voxel_size = 0.01, .point_spacing = 0.01};
+  const auto ball =
+      structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}), options, 2);
+  const auto box = structure::buildHapticStructure(
+      "box", geometry::makeSurface(geometry::Cuboid{{0.4, 0.4, 0.2}}), options, 2);
   GodObject object({.gap = 5e-4, .step = 0.005}, ball->bounding_sphere);
   object.reset(at({-0.3, 0.02, 0.17}));
   // With a memory the nearest points of the last cycle are walked on: near contact that gives the sharper
   // normal.
-  PairMemory memory;
-  PairScratch scratch;
-  PairResult result;
+  query::PairMemory memory;
+  kernels::PairScratch scratch;
+  query::PairResult result;
   double deepest = 0.0, most = 0.0;
   int pressed = 0;
   for (int i = 0; i <= 1000; ++i) {
     // The hand goes straight through the upper part of the box, 3 cm below where the ball can be, and on.
     const Transform hand = at({-0.3 + 0.6e-3 * i, 0.02, 0.12});
     for (int k = 0; k < 4; ++k) {
-      queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, memory, scratch, result);
+      query::queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, memory, scratch, result);
       const auto constraint = constraintOf(result, true);
       object.update(hand, constraint ? std::span(&*constraint, 1) : std::span<const ContactConstraint>());
     }
-    queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, scratch, result);
+    query::queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, scratch, result);
     deepest = std::max(deepest, -result.distance);
     if (std::abs(hand.translation().x()) < 0.15) {
       ++pressed;
@@ -153,7 +153,7 @@ TEST(GodObject, SlidesOverABoxWithoutSinkingIn) {
 }
 
 TEST(GodObject, ConstraintsComeFromEitherSide) {
-  PairResult r;
+  query::PairResult r;
   EXPECT_FALSE(constraintOf(r, true)) << "never filled";
   r.distance = 0.02;
   r.bound = 0.001;
@@ -202,4 +202,4 @@ TEST(GodObject, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

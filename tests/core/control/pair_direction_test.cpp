@@ -3,17 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "core/math/random.hpp"
 #include "core/robot_file/mech_file.hpp"
-#include "core/verify/random.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
-using verify::Random;
-
 TEST(PartingDirection, KeepsItsSenseInside) {
-  PairResult r;
+  query::PairResult r;
   EXPECT_EQ(partingDirection(r, Vector3d::UnitX()), Vector3d::UnitX());
   r.distance = 0.1;
   r.witness_a = {0, 0, 0.1};
@@ -32,8 +30,9 @@ TEST(PartingDirection, KeepsItsSenseInside) {
 
 TEST(DistanceRow, IsTheRateOfTheDistance) {
   // A ball on the last frame of an arm and a ball in the room.
-  const Mechanism arm = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
-  MechanismState state;
+  const mechanism::Mechanism arm =
+      robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  mechanism::MechanismState state;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(13, seed);
@@ -46,7 +45,7 @@ TEST(DistanceRow, IsTheRateOfTheDistance) {
     const auto distance = [&](double t) {
       std::vector<double> at(7);
       for (int i = 0; i < 7; ++i) at[i] = q[i] + t * qd[i];
-      forward(arm, at, state);
+      mechanism::forward(arm, at, state);
       return (state.X_BF[frame] * p_F - other).norm();
     };
     constexpr double kStep = 1e-6;
@@ -70,7 +69,7 @@ TEST(FastestAlong, HoldsForEveryPointOfTheBody) {
     Random random(14, seed);
     const Twist twist{random.inCube(1.0), random.inCube(2.0)};
     const Vector3d p = random.inCube(0.3), n = random.direction();
-    const EnclosingSphere sphere{random.inCube(0.3), random.between(0.01, 0.4)};
+    const geometry::EnclosingSphere sphere{random.inCube(0.3), random.between(0.01, 0.4)};
     const double most = fastestAlong(n, twist, p, sphere);
     for (int k = 0; k < 50; ++k) {
       const Vector3d u = sphere.centre + sphere.radius * random.direction();
@@ -83,4 +82,4 @@ TEST(FastestAlong, HoldsForEveryPointOfTheBody) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

@@ -4,14 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 ReactionDescription read(const std::string& text) {
-  const YamlNode node = parseYaml(text, "r.yaml");
+  const config::YamlNode node = config::parseYaml(text, "r.yaml");
   return readReaction(node, "r.yaml");
 }
 
@@ -43,32 +43,32 @@ TEST(ReactionReader, ReadsEveryKey) {
   const ReactionDescription r = read(kWhole);
   ASSERT_TRUE(r.torque && r.repulsion && r.proxy && r.admittance && r.speed);
   EXPECT_EQ(r.torque->gain, 0.5);
-  EXPECT_EQ(r.torque->limit, (JointNumbers{10, 20, 30}));
+  EXPECT_EQ(r.torque->limit, (config::JointNumbers{10, 20, 30}));
   EXPECT_EQ(r.torque->cut, TorqueCut::kEach);
   EXPECT_EQ(r.repulsion->range, 0.2);
   EXPECT_EQ(r.repulsion->stop_share, 0.5);
   EXPECT_EQ(r.proxy->rotation_stiffness, 4.0);
-  EXPECT_EQ(r.admittance->damping, (JointNumbers{1, 2, 3}));
-  EXPECT_EQ(r.admittance->stiffness, (JointNumbers{0}));
+  EXPECT_EQ(r.admittance->damping, (config::JointNumbers{1, 2, 3}));
+  EXPECT_EQ(r.admittance->stiffness, (config::JointNumbers{0}));
   EXPECT_EQ(r.speed->separation.person_acceleration, 6.0);
   EXPECT_EQ(r.speed->release, 1.0);
   ASSERT_TRUE(r.braking);
-  EXPECT_EQ(r.braking->path.deceleration, (JointNumbers{3, 4, 5}));
+  EXPECT_EQ(r.braking->path.deceleration, (config::JointNumbers{3, 4, 5}));
   EXPECT_EQ(r.braking->path.reaction_time, 0.02);
-  EXPECT_EQ(r.braking->path.kind, BrakingKind::kTogether);
+  EXPECT_EQ(r.braking->path.kind, safety::BrakingKind::kTogether);
   EXPECT_EQ(r.braking->distance, 0.03);
   EXPECT_EQ(r.braking->person_speed, 1.6);
   EXPECT_EQ(r.braking->person_acceleration, 40.0);
   EXPECT_EQ(r.hold.frequency, 4.0);
   EXPECT_EQ(r.hold.damping, 0.8);
   EXPECT_EQ(r.watch.distance, 0.03);
-  EXPECT_EQ(r.watch.joint_speed, (JointNumbers{2.5}));
+  EXPECT_EQ(r.watch.joint_speed, (config::JointNumbers{2.5}));
   EXPECT_EQ(r.stop.resume_after, 1.5);
   EXPECT_EQ(r.stop.slow_to, 0.3);
-  EXPECT_EQ(r.stop.policy.of(StopReason::kLostPerson), StopResponse::kSlow);
-  EXPECT_EQ(r.stop.policy.of(StopReason::kDistance), StopResponse::kEmergency);
-  EXPECT_EQ(r.stop.policy.of(StopReason::kTorque), StopResponse::kProtective);
-  EXPECT_EQ(r.stop.policy.of(StopReason::kUser), StopResponse::kEmergency) << "as it was";
+  EXPECT_EQ(r.stop.policy.of(safety::StopReason::kLostPerson), safety::StopResponse::kSlow);
+  EXPECT_EQ(r.stop.policy.of(safety::StopReason::kDistance), safety::StopResponse::kEmergency);
+  EXPECT_EQ(r.stop.policy.of(safety::StopReason::kTorque), safety::StopResponse::kProtective);
+  EXPECT_EQ(r.stop.policy.of(safety::StopReason::kUser), safety::StopResponse::kEmergency) << "as it was";
 }
 
 TEST(ReactionReader, WhatIsNotNamedDoesNotAct) {
@@ -127,4 +127,4 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

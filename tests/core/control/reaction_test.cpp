@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -18,7 +18,7 @@ const Eigen::MatrixXd kNoMass;
 struct Cycle {
   std::vector<double> qd{0.1, 0.2}, planned{0.5, 0.0}, efforts{0.0, 0.0}, row{1.0, 0.5};
   std::vector<ReactionPair> pairs;
-  std::vector<StopCause> causes;
+  std::vector<safety::StopCause> causes;
   ReactionInput in;
   Cycle() { in.dt = 1e-3; }
   const ReactionInput& at(double t) {
@@ -45,7 +45,7 @@ TEST(Reaction, WithoutLawsDoesNothing) {
   EXPECT_EQ(out.torque[0], 0.0);
   EXPECT_TRUE(out.velocity.empty());
   EXPECT_EQ(out.speed_scale, 1.0);
-  EXPECT_EQ(out.state, StopState::kRunning);
+  EXPECT_EQ(out.state, safety::StopState::kRunning);
   EXPECT_FALSE(out.brakes);
 }
 
@@ -64,7 +64,8 @@ TEST(Reaction, AddsContactAndRepulsionAndCutsTheSum) {
   c.efforts = {100.0, 0.0};
   EXPECT_EQ(reaction.update(c.at(0.001), kNoMass).torque[0], 30.0);
   EXPECT_EQ(reaction.withoutMass(), 2);
-  EXPECT_EQ(reaction.update(c.at(0.002), kNoMass).state, StopState::kRunning) << "a limit alone is no stop";
+  EXPECT_EQ(reaction.update(c.at(0.002), kNoMass).state, safety::StopState::kRunning)
+      << "a limit alone is no stop";
 }
 
 TEST(Reaction, DampsWithTheMassMatrix) {
@@ -97,22 +98,22 @@ TEST(Reaction, TooMuchEnergyIsAnEmergency) {
   c.qd = {-5.0, 0.0};
   c.add(0.09);
   ReactionOutput out = reaction.update(c.at(0.0), kNoMass);
-  EXPECT_EQ(out.state, StopState::kEmergencyStop);
+  EXPECT_EQ(out.state, safety::StopState::kEmergencyStop);
   EXPECT_TRUE(out.brakes);
   EXPECT_EQ(out.torque[0], 0.0);
   EXPECT_EQ(out.velocity[0], 0.0);
   EXPECT_EQ(out.speed_scale, 0.0);
-  EXPECT_EQ(reaction.stops().cause().reason, StopReason::kEnergy);
+  EXPECT_EQ(reaction.stops().cause().reason, safety::StopReason::kEnergy);
   EXPECT_EQ(reaction.stops().cause().pair, 7);
   EXPECT_NEAR(reaction.stops().cause().value, 0.5 * 5.0 * 25.0, kExact);
   // The brakes stay on until somebody lets it go on.
   c.qd = {0.0, 0.0};
   out = reaction.update(c.at(0.5), kNoMass);
-  EXPECT_EQ(out.state, StopState::kWaitingForReset);
+  EXPECT_EQ(out.state, safety::StopState::kWaitingForReset);
   EXPECT_TRUE(out.brakes);
   c.in.reset = true;
   out = reaction.update(c.at(1.0), kNoMass);
-  EXPECT_EQ(out.state, StopState::kRunning);
+  EXPECT_EQ(out.state, safety::StopState::kRunning);
   EXPECT_FALSE(out.brakes);
 }
 
@@ -128,8 +129,8 @@ TEST(Reaction, ScalesTheSpeedByPeopleOnly) {
   c.add(0.765, true, kNaN);
   ReactionOutput out = reaction.update(c.at(0.001), kNoMass);
   EXPECT_NEAR(out.speed_scale, 0.5, 1e-9);
-  EXPECT_EQ(out.state, StopState::kSlowing);
-  EXPECT_EQ(reaction.stops().cause().reason, StopReason::kSeparation);
+  EXPECT_EQ(out.state, safety::StopState::kSlowing);
+  EXPECT_EQ(reaction.stops().cause().reason, safety::StopReason::kSeparation);
   // Another point of the link comes twice as fast.
   c.pairs[1].spread = 1.0;
   EXPECT_NEAR(reaction.update(c.at(0.002), kNoMass).speed_scale, 0.25, 1e-9);
@@ -137,9 +138,9 @@ TEST(Reaction, ScalesTheSpeedByPeopleOnly) {
   c.pairs[1].distance = 0.5;
   out = reaction.update(c.at(0.003), kNoMass);
   EXPECT_EQ(out.speed_scale, 0.0);
-  EXPECT_EQ(out.state, StopState::kProtectiveStop);
+  EXPECT_EQ(out.state, safety::StopState::kProtectiveStop);
   EXPECT_FALSE(out.brakes);
-  EXPECT_EQ(reaction.stops().cause().reason, StopReason::kDistance);
+  EXPECT_EQ(reaction.stops().cause().reason, safety::StopReason::kDistance);
   EXPECT_NEAR(reaction.stops().cause().limit, 0.64 + 0.25 * 2.0 * 0.02, 1e-9);
 }
 
@@ -152,12 +153,12 @@ TEST(Reaction, GoesOnSlowlyAfterAStop) {
   c.planned = {-1.0, 0.0};
   c.qd = {0.0, 0.0};
   c.add(0.3, true, kNaN);
-  EXPECT_EQ(reaction.update(c.at(0.0), kNoMass).state, StopState::kProtectiveStop);
+  EXPECT_EQ(reaction.update(c.at(0.0), kNoMass).state, safety::StopState::kProtectiveStop);
   c.pairs.clear();
   EXPECT_EQ(reaction.update(c.at(0.1), kNoMass).speed_scale, 0.0);
   reaction.update(c.at(0.25), kNoMass);
   const ReactionOutput out = reaction.update(c.at(0.251), kNoMass);
-  EXPECT_EQ(out.state, StopState::kRunning);
+  EXPECT_EQ(out.state, safety::StopState::kRunning);
   EXPECT_GT(out.speed_scale, 0.0);
   EXPECT_LT(out.speed_scale, 0.1) << "not at full speed at once";
 }
@@ -165,25 +166,27 @@ TEST(Reaction, GoesOnSlowlyAfterAStop) {
 TEST(Reaction, WatchesAgesDistancesAndSpeeds) {
   struct Case {
     const char* name;
-    StopReason reason;
+    safety::StopReason reason;
     void (*change)(Cycle&);
   };
   for (const Case& k : {
-           Case{"stale", StopReason::kStaleInput, [](Cycle& c) { c.in.input_age = 0.11; }},
-           Case{"no age", StopReason::kStaleInput, [](Cycle& c) { c.in.input_age = kNaN; }},
-           Case{"lost", StopReason::kLostPerson, [](Cycle& c) { c.in.person_age = kInfinity; }},
-           Case{"near", StopReason::kDistance, [](Cycle& c) { c.add(0.019); }},
-           Case{"unknown distance", StopReason::kDistance, [](Cycle& c) { c.add(kNaN); }},
-           Case{"fast", StopReason::kJointSpeed,
+           Case{"stale", safety::StopReason::kStaleInput, [](Cycle& c) { c.in.input_age = 0.11; }},
+           Case{"no age", safety::StopReason::kStaleInput, [](Cycle& c) { c.in.input_age = kNaN; }},
+           Case{"lost", safety::StopReason::kLostPerson, [](Cycle& c) { c.in.person_age = kInfinity; }},
+           Case{"near", safety::StopReason::kDistance, [](Cycle& c) { c.add(0.019); }},
+           Case{"unknown distance", safety::StopReason::kDistance, [](Cycle& c) { c.add(kNaN); }},
+           Case{"fast", safety::StopReason::kJointSpeed,
                 [](Cycle& c) {
                   c.qd = {0.1, -2.1};
                 }},
-           Case{"unknown speed", StopReason::kJointSpeed,
+           Case{"unknown speed", safety::StopReason::kJointSpeed,
                 [](Cycle& c) {
                   c.qd = {kNaN, 0.0};
                 }},
-           Case{"link", StopReason::kLostLink, [](Cycle& c) { c.causes = {{StopReason::kLostLink}}; }},
-           Case{"bound", StopReason::kSpeedBound, [](Cycle& c) { c.causes = {{StopReason::kSpeedBound}}; }},
+           Case{"link", safety::StopReason::kLostLink,
+                [](Cycle& c) { c.causes = {{safety::StopReason::kLostLink}}; }},
+           Case{"bound", safety::StopReason::kSpeedBound,
+                [](Cycle& c) { c.causes = {{safety::StopReason::kSpeedBound}}; }},
        }) {
     ReactionDescription d;
     d.watch.distance = 0.02;
@@ -191,10 +194,10 @@ TEST(Reaction, WatchesAgesDistancesAndSpeeds) {
     Reaction reaction(d, 2, 4);
     Cycle c;
     c.add(0.021);
-    EXPECT_EQ(reaction.update(c.at(0.0), kNoMass).state, StopState::kRunning);
+    EXPECT_EQ(reaction.update(c.at(0.0), kNoMass).state, safety::StopState::kRunning);
     k.change(c);
     const ReactionOutput out = reaction.update(c.at(0.001), kNoMass);
-    EXPECT_EQ(out.state, StopState::kProtectiveStop) << k.name;
+    EXPECT_EQ(out.state, safety::StopState::kProtectiveStop) << k.name;
     EXPECT_EQ(reaction.stops().cause().reason, k.reason) << k.name;
     EXPECT_EQ(out.speed_scale, 0.0);
   }
@@ -202,13 +205,14 @@ TEST(Reaction, WatchesAgesDistancesAndSpeeds) {
 
 TEST(Reaction, SlowsForWhatNamesNoSpeed) {
   ReactionDescription d;
-  d.stop.policy.response[static_cast<std::size_t>(StopReason::kLostPerson)] = StopResponse::kSlow;
+  d.stop.policy.response[static_cast<std::size_t>(safety::StopReason::kLostPerson)] =
+      safety::StopResponse::kSlow;
   d.stop.slow_to = 0.3;
   Reaction reaction(d, 2, 4);
   Cycle c;
   c.in.person_age = 1.0;
   const ReactionOutput out = reaction.update(c.at(0.0), kNoMass);
-  EXPECT_EQ(out.state, StopState::kSlowing);
+  EXPECT_EQ(out.state, safety::StopState::kSlowing);
   EXPECT_EQ(out.speed_scale, 0.3);
 }
 
@@ -254,7 +258,7 @@ TEST(Reaction, AllocatesNothing) {
   reaction.hold({Vector3d::Zero(), 0.05}, Transform::Identity());
   Cycle c;
   for (int i = 0; i < 300; ++i) c.add(0.01 * i, i % 2);
-  c.causes.assign(Reaction::kMaxCauses, {StopReason::kSpeedBound});
+  c.causes.assign(Reaction::kMaxCauses, {safety::StopReason::kSpeedBound});
   c.qd = {-5.0, 9.0};
   c.in.input_age = c.in.person_age = 9.0;
   const HeldObject held;
@@ -282,4 +286,4 @@ TEST(Reaction, OptionsAreCheckedForItsJoints) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -77,7 +77,7 @@ TEST(Repulsion, EnergyNeverGrows) {
   int bounced = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
-    verify::Random random(2, seed);
+    Random random(2, seed);
     const Repulsion law({.range = random.between(0.02, 0.3),
                          .force = random.between(5.0, 200.0),
                          .damping = random.between(0.2, 1.5)});
@@ -153,4 +153,4 @@ TEST(Repulsion, WhoStandsIsNotToBeStopped) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

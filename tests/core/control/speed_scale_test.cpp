@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kExact = 1e-9;
@@ -44,7 +44,7 @@ TEST(SpeedScale, DoesNotSlowWhatGoesAway) {
   // As near, coming nearer ever so slowly, it stops.
   EXPECT_EQ(scaleOf({{0.01, 1e-6, kNaN}}), 0.0);
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    verify::Random random(8, seed);
+    Random random(8, seed);
     std::vector<Approach> pairs;
     for (int i = 0; i < 20; ++i)
       pairs.push_back({random.between(-0.1, 2.0), -random.unit(), random.between(-2.0, 2.0)});
@@ -66,7 +66,7 @@ TEST(SpeedScale, EveryPairKeepsItsDistanceAtTheScale) {
   SpeedScaleOptions o = example();
   o.separation.person_acceleration = 5.0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    verify::Random random(9, seed);
+    Random random(9, seed);
     o.separation.deceleration = seed % 2 ? 3.0 : 0.0;
     std::vector<Approach> pairs;
     for (int i = 0; i < 8; ++i)
@@ -75,7 +75,7 @@ TEST(SpeedScale, EveryPairKeepsItsDistanceAtTheScale) {
     const double s = scaleOf(pairs, o);
     for (const Approach& p : pairs) {
       if (p.robot > 0.0 && s > 0.0) {
-        ASSERT_LE(protectiveDistance(o.separation, s * p.robot, p.person, p.distance).sum(),
+        ASSERT_LE(safety::protectiveDistance(o.separation, s * p.robot, p.person, p.distance).sum(),
                   p.distance + kExact)
             << seed;
       }
@@ -119,7 +119,7 @@ TEST(SpeedScale, AllocatesNothingAndChecksItsOptions) {
 TEST(SpeedScale, TheRobotStandsBeforeThePersonArrives) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    verify::Random random(10, seed);
+    Random random(10, seed);
     SpeedScaleOptions o;
     o.separation.person_speed_near = o.separation.person_speed;
     const int delay = 100;  // T_r in steps: the robot hears of a scale so much later
@@ -148,4 +148,4 @@ TEST(SpeedScale, TheRobotStandsBeforeThePersonArrives) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::control {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -21,7 +21,7 @@ TEST(TorqueLimit, GainsAndCutsEachJoint) {
 
 TEST(TorqueLimit, TogetherKeepsTheDirection) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    verify::Random random(1, seed);
+    Random random(1, seed);
     std::vector<double> limits(7), efforts(7), torque(7);
     for (int i = 0; i < 7; ++i) {
       limits[i] = random.between(1.0, 50.0);
@@ -75,4 +75,4 @@ TEST(TorqueLimit, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::control

@@ -23,8 +23,8 @@ double residentBytes(const char* which) {
 }
 void resetPeak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-TriangleMesh torus(double radius, double tube, int around, int across) {
-  TriangleMesh mesh;
+geometry::TriangleMesh torus(double radius, double tube, int around, int across) {
+  geometry::TriangleMesh mesh;
   for (int i = 0; i < around; ++i) {
     for (int j = 0; j < across; ++j) {
       const double a = 2.0 * kPi * i / around, b = 2.0 * kPi * j / across, r = radius + tube * std::cos(b);
@@ -43,9 +43,9 @@ TriangleMesh torus(double radius, double tube, int around, int across) {
 
 /// Layers against the exact distance: steps leave so many whole voxels between, and lead along diagonals at
 /// most; on either way half a diagonal is lost at each end.
-void expectLayers(const HapticStructure& s) {
-  const Voxelmap& map = *s.voxelmap;
-  const Bounds box = s.surface->bounds();
+void expectLayers(const structure::HapticStructure& s) {
+  const field::Voxelmap& map = *s.voxelmap;
+  const geometry::Bounds box = s.surface->bounds();
   const double h = map.grid.voxel_size;
   int exact = 0, far_inside = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -65,17 +65,17 @@ void expectLayers(const HapticStructure& s) {
 
 /// Builds a body with so many cells along its longest axis, outer layers included, and looks at its memory
 /// and at its distances.
-void expectSmall(const std::shared_ptr<const Surface>& surface, int cells,
-                 FieldKind field = FieldKind::kMixed) {
-  const Bounds box = surface->bounds();
+void expectSmall(const std::shared_ptr<const geometry::Surface>& surface, int cells,
+                 structure::FieldKind field = structure::FieldKind::kMixed) {
+  const geometry::Bounds box = surface->bounds();
   const double size = box.extent().maxCoeff();
-  HapticOptions options;
+  structure::HapticOptions options;
   options.field = field;
   options.voxel_size = size / (cells - 1 - 2 * options.outer_layers + 0.5);
   options.point_spacing = size / 100.0;
   resetPeak();
   const double before = residentBytes("VmRSS");
-  const auto s = buildHapticStructure("body", surface, options, 2);
+  const auto s = structure::buildHapticStructure("body", surface, options, 2);
   const double peak = residentBytes("VmHWM") - before;
   EXPECT_EQ(s->grid.size.maxCoeff(), cells);
   EXPECT_LT(s->memoryBytes(), kMaxBytes);
@@ -85,7 +85,7 @@ void expectSmall(const std::shared_ptr<const Surface>& surface, int cells,
   std::printf("%zu MB, %.0f MB more while building, %.1f s\n", s->memoryBytes() / 1'000'000, 1e-6 * peak,
               1e-3 * s->build_ms);
   EXPECT_GT(s->solid_voxels, s->surface_voxels);
-  if (field == FieldKind::kLayered) return expectLayers(*s);
+  if (field == structure::FieldKind::kLayered) return expectLayers(*s);
   int deep = 0, near = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vector3f p = (box.centre() + randomPoint(i, 0.5).cwiseProduct(box.extent())).cast<float>();
@@ -105,18 +105,20 @@ void expectSmall(const std::shared_ptr<const Surface>& surface, int cells,
   EXPECT_GT(near, 10);
 }
 
-TEST(FineMap, OfABall) { expectSmall(makeSurface(Sphere{0.5}), 1025); }
-TEST(FineMap, OfABallInLayers) { expectSmall(makeSurface(Sphere{0.5}), 1025, FieldKind::kLayered); }
-TEST(FineMap, OfACuboid) { expectSmall(makeSurface(Cuboid{{1.0, 0.6, 0.4}}), 1024); }
+TEST(FineMap, OfABall) { expectSmall(geometry::makeSurface(geometry::Sphere{0.5}), 1025); }
+TEST(FineMap, OfABallInLayers) {
+  expectSmall(geometry::makeSurface(geometry::Sphere{0.5}), 1025, structure::FieldKind::kLayered);
+}
+TEST(FineMap, OfACuboid) { expectSmall(geometry::makeSurface(geometry::Cuboid{{1.0, 0.6, 0.4}}), 1024); }
 TEST(FineMap, OfALink) {
-  const TriangleMesh link = loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
-  expectSmall(makeSurface(link), 1024);
+  const geometry::TriangleMesh link = mesh_file::loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
+  expectSmall(geometry::makeSurface(link), 1024);
 }
 TEST(FineMap, OfALinkInLayers) {
-  const TriangleMesh link = loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
-  expectSmall(makeSurface(link), 1024, FieldKind::kLayered);
+  const geometry::TriangleMesh link = mesh_file::loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
+  expectSmall(geometry::makeSurface(link), 1024, structure::FieldKind::kLayered);
 }
-TEST(FineMap, OfATorus) { expectSmall(makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
+TEST(FineMap, OfATorus) { expectSmall(geometry::makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
 
 }  // namespace
 }  // namespace abstand::testing

@@ -11,7 +11,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 using testing::randomPoint;
@@ -20,19 +20,19 @@ constexpr float kFloatNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 // Shapes, a mesh of one, and one far from its frame's origin.
-std::vector<std::shared_ptr<const Surface>> bodies() {
-  std::vector<std::shared_ptr<const Surface>> all;
-  for (const Shape& shape : testing::someShapes()) all.push_back(makeSurface(shape));
-  all.push_back(makeSurface(tessellate(Cuboid{{0.2, 0.3, 0.5}}, 0.01)));
-  TriangleMesh far = tessellate(Capsule{0.06, 0.3}, 1e-4);
+std::vector<std::shared_ptr<const geometry::Surface>> bodies() {
+  std::vector<std::shared_ptr<const geometry::Surface>> all;
+  for (const geometry::Shape& shape : testing::someShapes()) all.push_back(geometry::makeSurface(shape));
+  all.push_back(geometry::makeSurface(geometry::tessellate(geometry::Cuboid{{0.2, 0.3, 0.5}}, 0.01)));
+  geometry::TriangleMesh far = geometry::tessellate(geometry::Capsule{0.06, 0.3}, 1e-4);
   for (Vector3d& v : far.vertices) v += Vector3d(20.0, -30.0, 10.0);
-  all.push_back(makeSurface(far));
+  all.push_back(geometry::makeSurface(far));
   return all;
 }
 
 // Float positions, so that rounding them is not mistaken for an error of the field.
-Vector3f probe(const Surface& surface, std::uint64_t seed, double reach) {
-  const Bounds b = surface.bounds();
+Vector3f probe(const geometry::Surface& surface, std::uint64_t seed, double reach) {
+  const geometry::Bounds b = surface.bounds();
   return (b.centre() + randomPoint(seed, 1.0).cwiseProduct((0.5 * b.extent().array() + reach).matrix()))
       .cast<float>();
 }
@@ -105,14 +105,14 @@ TEST(NearField, DeepBlocksCarryNoSamplesAndKeepTheirBound) {
 TEST(NearField, IsMuchBetterWhereTheSurfaceIsSmooth) {
   // Within two voxels of a sphere of ten voxels' radius: the second derivative is 1 / r, so the error is
   // about 2 h^2 / (8 r) = h / 40; a quarter of a voxel is far more.
-  const Shape sphere = Sphere{0.05};
+  const geometry::Shape sphere = geometry::Sphere{0.05};
   constexpr double kVoxel = 0.005;
-  const auto surface = makeSurface(sphere);
-  const NearField field(*surface, makeGrid(bounds(sphere), kVoxel, 20), 4.0 * kVoxel, 1);
+  const auto surface = geometry::makeSurface(sphere);
+  const NearField field(*surface, makeGrid(geometry::bounds(sphere), kVoxel, 20), 4.0 * kVoxel, 1);
   double worst = 0.0;
   for (int i = 0; i < 20'000; ++i) {
     const Vector3f p = probe(*surface, i, 2.0 * kVoxel);
-    const double exact = distanceTo(sphere, p.cast<double>()).distance;
+    const double exact = geometry::distanceTo(sphere, p.cast<double>()).distance;
     float sample = 0.0f;
     if (std::abs(exact) > 2.0 * kVoxel) continue;
     ASSERT_TRUE(field.sample(p.x(), p.y(), p.z(), sample));
@@ -124,7 +124,7 @@ TEST(NearField, IsMuchBetterWhereTheSurfaceIsSmooth) {
 }
 
 TEST(NearField, IsExactAtItsVertices) {
-  const auto surface = makeSurface(tessellate(Cylinder{0.05, 0.2}, 1e-3));
+  const auto surface = geometry::makeSurface(geometry::tessellate(geometry::Cylinder{0.05, 0.2}, 1e-3));
   const VoxelGrid grid = makeGrid(surface->bounds(), 0.01, 8);
   const NearField field(*surface, grid, kInfinity, 1);
   for (int i = 0; i < 500; ++i) {
@@ -139,7 +139,7 @@ TEST(NearField, IsExactAtItsVertices) {
 }
 
 TEST(NearField, TheGradientIsTheSlopeOfTheSamples) {
-  const auto surface = makeSurface(Ellipsoid{{0.1, 0.06, 0.08}});
+  const auto surface = geometry::makeSurface(geometry::Ellipsoid{{0.1, 0.06, 0.08}});
   const NearField field(*surface, makeGrid(surface->bounds(), 0.01, 4), kInfinity, 1);
   constexpr float kStep = 1e-4f;
   for (int i = 0; i < 500; ++i) {
@@ -163,7 +163,7 @@ TEST(NearField, TheGradientIsTheSlopeOfTheSamples) {
 }
 
 TEST(NearField, RejectsWhatIsNoPoint) {
-  const auto surface = makeSurface(Sphere{0.05});
+  const auto surface = geometry::makeSurface(geometry::Sphere{0.05});
   const NearField field(*surface, makeGrid(surface->bounds(), 0.005, 4), 0.01, 1);
   const testing::NoAlloc guard;
   for (const float bad :
@@ -183,7 +183,7 @@ TEST(NearField, RejectsWhatIsNoPoint) {
 
 TEST(NearField, DoesNotReadBeyondItsLastBlock) {
   // All around the rim, one float apart.
-  const auto surface = makeSurface(Cuboid{{0.1, 0.1, 0.1}});
+  const auto surface = geometry::makeSurface(geometry::Cuboid{{0.1, 0.1, 0.1}});
   const VoxelGrid grid = makeGrid(surface->bounds(), 0.00625, 7);
   const NearField field(*surface, grid, kInfinity, 1);
   const int cells = (grid.size.x() + 7) / 8 * 8;
@@ -198,9 +198,9 @@ TEST(NearField, DoesNotReadBeyondItsLastBlock) {
 }
 
 TEST(NearField, OpenMeshesNeverPromiseMoreThanTheDistance) {
-  TriangleMesh open = tessellate(Sphere{0.05}, 1e-3);
+  geometry::TriangleMesh open = geometry::tessellate(geometry::Sphere{0.05}, 1e-3);
   open.triangles.resize(open.triangles.size() * 3 / 4);
-  const auto surface = makeSurface(open);
+  const auto surface = geometry::makeSurface(open);
   const NearField field(*surface, makeGrid(surface->bounds(), 0.005, 5), 0.02, 1);
   for (int i = 0; i < 5000; ++i) {
     const Vector3f p = probe(*surface, i, 0.02);
@@ -211,7 +211,7 @@ TEST(NearField, OpenMeshesNeverPromiseMoreThanTheDistance) {
 }
 
 TEST(NearField, TooLargeAFieldIsRefused) {
-  const auto surface = makeSurface(Cuboid{{5.0, 5.0, 5.0}});
+  const auto surface = geometry::makeSurface(geometry::Cuboid{{5.0, 5.0, 5.0}});
   EXPECT_THROW(NearField(*surface, makeGrid(surface->bounds(), 0.0045, 0), kInfinity, 1), UsageError);
 }
 
@@ -242,7 +242,7 @@ TEST(FarField, IsALowerBoundEverywhere) {
 TEST(FarField, IsALowerBoundAboutTheBunny) {
   const auto file = testing::sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
-  const auto surface = makeSurface(loadMesh(file).mesh);
+  const auto surface = geometry::makeSurface(mesh_file::loadMesh(file).mesh);
   const FarField field(*surface, 0.01, 2.0, 2);
   for (int i = 0; i < 20'000; ++i) {
     const Vector3f p = probe(*surface, i, i % 2 == 0 ? 0.1 : 1.0);
@@ -251,7 +251,7 @@ TEST(FarField, IsALowerBoundAboutTheBunny) {
 }
 
 TEST(FarField, SurvivesAnyInput) {
-  const FarField field(*makeSurface(Sphere{0.05}), 0.01, 0.5, 1);
+  const FarField field(*geometry::makeSurface(geometry::Sphere{0.05}), 0.01, 0.5, 1);
   const testing::NoAlloc guard;
   for (const float bad : {kFloatNaN, kFloatInfinity, -kFloatInfinity, 3e38f, -3e38f, 1e9f}) {
     for (int k = 0; k < 3; ++k) {
@@ -268,4 +268,4 @@ TEST(FarField, SurvivesAnyInput) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::field

@@ -9,7 +9,7 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::field {
 namespace {
 
 using testing::randomPoint;
@@ -40,9 +40,9 @@ bool overlapsSlowly(const Vector3d& a, const Vector3d& b, const Vector3d& c, dou
   return true;
 }
 
-TriangleMesh hollowBall() {
-  TriangleMesh hollow = tessellate(Sphere{0.1}, 1e-3);
-  const TriangleMesh hole = tessellate(Sphere{0.05}, 1e-3);
+geometry::TriangleMesh hollowBall() {
+  geometry::TriangleMesh hollow = geometry::tessellate(geometry::Sphere{0.1}, 1e-3);
+  const geometry::TriangleMesh hole = geometry::tessellate(geometry::Sphere{0.05}, 1e-3);
   const auto offset = static_cast<std::uint32_t>(hollow.vertices.size());
   hollow.vertices.insert(hollow.vertices.end(), hole.vertices.begin(), hole.vertices.end());
   for (const auto& t : hole.triangles)
@@ -51,21 +51,23 @@ TriangleMesh hollowBall() {
 }
 
 TEST(VoxelGrid, IsTheThesissGrid) {
-  const VoxelGrid grid = makeGrid(bounds(Shape(Sphere{0.05})), 0.005, 20);
+  const VoxelGrid grid = makeGrid(geometry::bounds(geometry::Shape(geometry::Sphere{0.05})), 0.005, 20);
   EXPECT_EQ(grid.size, Vector3i(61, 61, 61));
   EXPECT_LT(grid.centre(30, 30, 30).norm(), 1e-15);
   // An extent of 0.7 is not quite 7 times 0.1.
-  EXPECT_EQ(makeGrid(bounds(Shape(Cuboid{{0.7, 0.75, 0.1}})), 0.1, 0).size, Vector3i(8, 8, 2));
-  EXPECT_THROW(makeGrid(bounds(Shape(Sphere{1000.0})), 1e-5, 0), UsageError);
-  EXPECT_THROW(makeGrid(bounds(Shape(Sphere{0.05})), 0.005, 10'000), UsageError);
+  EXPECT_EQ(makeGrid(geometry::bounds(geometry::Shape(geometry::Cuboid{{0.7, 0.75, 0.1}})), 0.1, 0).size,
+            Vector3i(8, 8, 2));
+  EXPECT_THROW(makeGrid(geometry::bounds(geometry::Shape(geometry::Sphere{1000.0})), 1e-5, 0), UsageError);
+  EXPECT_THROW(makeGrid(geometry::bounds(geometry::Shape(geometry::Sphere{0.05})), 0.005, 10'000),
+               UsageError);
 }
 
 TEST(SurfaceVoxels, OfTrianglesAreThoseOfThePlainAxisTest) {
   // Triangles of any shape, slivers and triangles in the planes between voxels among them.
   constexpr double kSize = 0.1;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    TriangleMesh mesh{{randomPoint(seed, 0.5), randomPoint(seed + 1000, 0.5), randomPoint(seed + 2000, 0.5)},
-                      {{0, 1, 2}}};
+    geometry::TriangleMesh mesh{
+        {randomPoint(seed, 0.5), randomPoint(seed + 1000, 0.5), randomPoint(seed + 2000, 0.5)}, {{0, 1, 2}}};
     auto& v = mesh.vertices;
     if (seed % 3 == 1) v[2] = 0.3 * v[0] + 0.7 * v[1] + 1e-7 * v[2];
     if (seed % 3 == 2) v[0].z() = v[1].z() = v[2].z() = -0.05 + 0.1 * double(seed % 5);
@@ -94,7 +96,7 @@ Vector3d nearestOfVoxel(const Vector3d& c, double half, const Vector3d& p) {
 
 TEST(SurfaceVoxels, OfASphereAreExact) {
   constexpr double kRadius = 0.0503, kVoxel = 0.005;
-  const VoxelSides sides = findVoxelSides(*makeSurface(Sphere{kRadius}), kVoxel, 1);
+  const VoxelSides sides = findVoxelSides(*geometry::makeSurface(geometry::Sphere{kRadius}), kVoxel, 1);
   forVoxels(sides.grid, [&](const Vector3i& p, std::size_t at) {
     const Vector3d c = sides.grid.centre(p.x(), p.y(), p.z());
     const double nearest = nearestOfVoxel(c, 0.5 * kVoxel, Vector3d::Zero()).norm();
@@ -107,29 +109,30 @@ TEST(SurfaceVoxels, OfASphereAreExact) {
 }
 
 TEST(SurfaceVoxels, OfShapesAgreeWithThoseOfTheirTriangles) {
-  for (const Shape& shape : testing::someShapes()) {
+  for (const geometry::Shape& shape : testing::someShapes()) {
     // No whole number of voxels: a mesh is a little smaller than its shape and might get one less.
-    const double voxel = bounds(shape).extent().maxCoeff() / 30.3;
+    const double voxel = geometry::bounds(shape).extent().maxCoeff() / 30.3;
     const double sagitta = 1e-3 * voxel;
-    const VoxelSides exact = findVoxelSides(*makeSurface(shape), voxel, 2);
-    const VoxelSides meshed = findVoxelSides(*makeSurface(tessellate(shape, sagitta)), voxel, 2);
+    const VoxelSides exact = findVoxelSides(*geometry::makeSurface(shape), voxel, 2);
+    const VoxelSides meshed =
+        findVoxelSides(*geometry::makeSurface(geometry::tessellate(shape, sagitta)), voxel, 2);
     ASSERT_EQ(exact.grid.size, meshed.grid.size);
     // Only voxels that the surface just grazes may differ.
     std::size_t different = 0;
     for (std::size_t i = 0; i < exact.side.size(); ++i) different += exact.side[i] != meshed.side[i];
-    EXPECT_LE(different, exact.surface_voxels / 50 + 2) << shapeName(shape);
+    EXPECT_LE(different, exact.surface_voxels / 50 + 2) << geometry::shapeName(shape);
     // A voxel at the surface counts for half.
     const double volume =
         (0.5 * double(exact.surface_voxels) + double(exact.solid_voxels - exact.surface_voxels)) * voxel *
         voxel * voxel;
-    EXPECT_LT(std::abs(volume - massProperties(shape).volume),
+    EXPECT_LT(std::abs(volume - geometry::massProperties(shape).volume),
               0.5 * double(exact.surface_voxels) * voxel * voxel * voxel)
-        << shapeName(shape);
+        << geometry::shapeName(shape);
   }
 }
 
 TEST(Voxelmap, LayersCountStepsToTheSurface) {
-  const Voxelmap map(*makeSurface(Ellipsoid{{0.04, 0.02, 0.03}}), 0.004, 5, 1);
+  const Voxelmap map(*geometry::makeSurface(geometry::Ellipsoid{{0.04, 0.02, 0.03}}), 0.004, 5, 1);
   std::vector<Vector3i> surface;
   forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
     if (map.at(p) == 0) surface.push_back(p);
@@ -148,9 +151,10 @@ TEST(Voxelmap, LayersCountStepsToTheSurface) {
 TEST(Voxelmap, LayersAreDistancesWithinAVoxel) {
   // In front of and behind the faces of a cuboid the steps run straight along the normal.
   constexpr double kVoxel = 0.01;
-  const Shape cuboid = Cuboid{{0.2, 0.3, 0.4}};
+  const geometry::Shape cuboid = geometry::Cuboid{{0.2, 0.3, 0.4}};
   for (const bool meshed : {false, true}) {
-    const auto surface = meshed ? makeSurface(tessellate(cuboid, 0.01)) : makeSurface(cuboid);
+    const auto surface =
+        meshed ? geometry::makeSurface(geometry::tessellate(cuboid, 0.01)) : geometry::makeSurface(cuboid);
     const Voxelmap map(*surface, kVoxel, 12, 2);
     EXPECT_FALSE(map.inside_doubtful);
     const Vector3i middle = (map.grid.size.array() - 1) / 2;
@@ -158,7 +162,7 @@ TEST(Voxelmap, LayersAreDistancesWithinAVoxel) {
       for (int i = 0; i < map.grid.size[axis]; ++i) {
         Vector3i p = middle;
         p[axis] = i;
-        const double d = distanceTo(cuboid, map.grid.centre(p.x(), p.y(), p.z())).distance;
+        const double d = geometry::distanceTo(cuboid, map.grid.centre(p.x(), p.y(), p.z())).distance;
         EXPECT_NEAR(-kVoxel * map.at(p), d, kVoxel * 1.001);
       }
     }
@@ -169,11 +173,11 @@ TEST(Voxelmap, LayersBoundDistances) {
   // Layer -k leaves k - 1 whole voxels to the surface voxels; the way there is at most k voxel diagonals, and
   // half a diagonal on at each end.
   constexpr double kVoxel = 0.005;
-  const Shape sphere = Sphere{0.05};
-  const Voxelmap map(*makeSurface(sphere), kVoxel, 20, 2);
+  const geometry::Shape sphere = geometry::Sphere{0.05};
+  const Voxelmap map(*geometry::makeSurface(sphere), kVoxel, 20, 2);
   EXPECT_EQ(map.grid.size, Vector3i(61, 61, 61));
   forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
-    const double d = distanceTo(sphere, map.grid.centre(p.x(), p.y(), p.z())).distance;
+    const double d = geometry::distanceTo(sphere, map.grid.centre(p.x(), p.y(), p.z())).distance;
     const int steps = std::abs(map.at(p));
     ASSERT_TRUE(steps == 0 || (map.at(p) > 0) == (d < 0.0));
     ASSERT_GE(std::abs(d), (steps - 0.5) * kVoxel - 1e-12);
@@ -182,7 +186,7 @@ TEST(Voxelmap, LayersBoundDistances) {
 }
 
 TEST(Voxelmap, DoesNotDependOnThreads) {
-  const auto surface = makeSurface(tessellate(Capsule{0.05, 0.1}, 1e-4));
+  const auto surface = geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.05, 0.1}, 1e-4));
   for (const std::size_t most_exact : {Voxelmap::kMaxExactVoxels, std::size_t{0}}) {
     const Voxelmap one(*surface, 0.004, 6, 1, most_exact);
     for (const int threads : {2, 3, 0}) {
@@ -194,10 +198,12 @@ TEST(Voxelmap, DoesNotDependOnThreads) {
 
 /// Grids that end anywhere in a tile: exact near the surface, and elsewhere as near as the slack says.
 TEST(Voxelmap, InTilesIsAsAllAtOnce) {
-  const TriangleMesh link = loadMesh(testing::projectFile("data/robots/lwr/link2.stl")).mesh;
-  const std::shared_ptr<const Surface> surfaces[] = {makeSurface(Sphere{0.05}),
-                                                     makeSurface(Cuboid{{0.1, 0.06, 0.02}}),
-                                                     makeSurface(link), makeSurface(hollowBall())};
+  const geometry::TriangleMesh link =
+      mesh_file::loadMesh(testing::projectFile("data/robots/lwr/link2.stl")).mesh;
+  const std::shared_ptr<const geometry::Surface> surfaces[] = {
+      geometry::makeSurface(geometry::Sphere{0.05}),
+      geometry::makeSurface(geometry::Cuboid{{0.1, 0.06, 0.02}}), geometry::makeSurface(link),
+      geometry::makeSurface(hollowBall())};
   std::size_t far_inside = 0, far_outside = 0;
   for (const auto& surface : surfaces) {
     const double h = surface->bounds().extent().maxCoeff() / 150.0;
@@ -220,9 +226,10 @@ TEST(Voxelmap, InTilesIsAsAllAtOnce) {
 
 /// In cubes as all at once: shapes, a mesh, a mesh with a cavity, and grids that end anywhere in a cube.
 TEST(VoxelCounts, AreThoseOfAllVoxels) {
-  std::vector<std::shared_ptr<const Surface>> surfaces{makeSurface(hollowBall()),
-                                                       makeSurface(tessellate(Capsule{0.06, 0.1}, 1e-4))};
-  for (const Shape& shape : testing::someShapes()) surfaces.push_back(makeSurface(shape));
+  std::vector<std::shared_ptr<const geometry::Surface>> surfaces{
+      geometry::makeSurface(hollowBall()),
+      geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.06, 0.1}, 1e-4))};
+  for (const geometry::Shape& shape : testing::someShapes()) surfaces.push_back(geometry::makeSurface(shape));
   int with_inside = 0;
   for (const auto& surface : surfaces) {
     const double h = surface->bounds().extent().maxCoeff() / 110.0;
@@ -235,7 +242,7 @@ TEST(VoxelCounts, AreThoseOfAllVoxels) {
 }
 
 TEST(Voxelmap, ACavityIsOutside) {
-  const Voxelmap map(*makeSurface(hollowBall()), 0.01, 2, 1);
+  const Voxelmap map(*geometry::makeSurface(hollowBall()), 0.01, 2, 1);
   const auto layerAt = [&](const Vector3d& p) { return map.at(map.grid.voxelOf(p)); };
   EXPECT_LT(layerAt({0.0, 0.0, 0.0}), 0);
   EXPECT_GT(layerAt({0.075, 0.0, 0.0}), 0);
@@ -252,7 +259,7 @@ class RealVoxelmap : public ::testing::TestWithParam<RealMesh> {};
 TEST_P(RealVoxelmap, HasASensibleInside) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam().file);
   if (!exists(file)) GTEST_SKIP() << file;
-  const auto surface = makeSurface(loadMesh(file).mesh);
+  const auto surface = geometry::makeSurface(mesh_file::loadMesh(file).mesh);
   const double h = surface->bounds().extent().maxCoeff() / 70.0;
   const Voxelmap map(*surface, h, 2, 2);
   EXPECT_EQ(map.inside_doubtful, GetParam().doubtful);
@@ -274,4 +281,4 @@ INSTANTIATE_TEST_SUITE_P(Real, RealVoxelmap,
                          [](const auto& p) { return std::string(p.param.file).substr(0, 5); });
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::field

@@ -5,7 +5,7 @@
 
 #include "core/geometry/shape.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 TEST(MeshPieces, OnePointOfEach) {
@@ -24,4 +24,4 @@ TEST(MeshPieces, OnePointOfEach) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::geometry

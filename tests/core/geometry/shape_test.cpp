@@ -9,7 +9,7 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 using testing::implicitValue;
@@ -239,4 +239,4 @@ TEST(ShapeText, WhatTheMessageSays) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::geometry

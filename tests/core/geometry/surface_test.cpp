@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 using testing::NoAlloc;
@@ -95,13 +95,13 @@ class MeshFiles : public ::testing::TestWithParam<const char*> {};
 TEST_P(MeshFiles, ClosestPointsAgreeWithBruteForce) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam());
   if (!exists(file)) GTEST_SKIP() << file;
-  expectClosestPointsExact(MeshSurface(loadMesh(file).mesh), 150);
+  expectClosestPointsExact(MeshSurface(mesh_file::loadMesh(file).mesh), 150);
 }
 
 TEST_P(MeshFiles, SidesAgreeWithExactWindingNumbers) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam());
   if (!exists(file)) GTEST_SKIP() << file;
-  const MeshSurface surface(loadMesh(file).mesh);
+  const MeshSurface surface(mesh_file::loadMesh(file).mesh);
   const double near = 1e-6 * surface.bounds().extent().norm();
   int checked = 0;
   for (const Vector3d& p : probes(surface, 150)) {
@@ -264,4 +264,4 @@ TEST(MeshSurface, QueriesAllocateNothingAndSurviveAnyInput) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::geometry

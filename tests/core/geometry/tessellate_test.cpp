@@ -8,7 +8,7 @@
 #include "core/geometry/shape.hpp"
 #include "tests/support/brute_force.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 using testing::pairUncertainty;
@@ -135,4 +135,4 @@ TEST(Tessellate, RefusesWhatIsTooFine) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::geometry

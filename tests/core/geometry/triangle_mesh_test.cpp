@@ -6,7 +6,7 @@
 #include "core/geometry/shape.hpp"
 #include "tests/support/brute_force.hpp"
 
-namespace abstand {
+namespace abstand::geometry {
 namespace {
 
 using testing::randomPose;
@@ -97,4 +97,4 @@ TEST(MeshMass, OfWhatIsNoSolidIsTheCentreOfTheArea) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::geometry

@@ -14,18 +14,19 @@ namespace {
 
 /// m; rounding of a sample in float.
 constexpr float kRounding = 1e-5f;
-constexpr FieldKind kKinds[] = {FieldKind::kMixed, FieldKind::kFloat, FieldKind::kLayered};
+constexpr structure::FieldKind kKinds[] = {structure::FieldKind::kMixed, structure::FieldKind::kFloat,
+                                           structure::FieldKind::kLayered};
 
 std::uint32_t bitsOf(float x) { return std::isnan(x) ? 0xffffffffu : std::bit_cast<std::uint32_t>(x); }
 std::uint64_t bitsOf(double x) { return std::isnan(x) ? ~0ull : std::bit_cast<std::uint64_t>(x); }
 
-void expectSame(const NearestPoint& a, const NearestPoint& b) {
+void expectSame(const kernels::NearestPoint& a, const kernels::NearestPoint& b) {
   ASSERT_EQ(bitsOf(a.lower_bound), bitsOf(b.lower_bound)) << a.lower_bound - b.lower_bound;
   ASSERT_EQ(bitsOf(a.estimate), bitsOf(b.estimate)) << a.estimate - b.estimate;
   ASSERT_EQ(a.point, b.point);
 }
 
-void expectSame(const ContactSum& a, const ContactSum& b) {
+void expectSame(const kernels::ContactSum& a, const kernels::ContactSum& b) {
   for (int k = 0; k < 3; ++k) {
     ASSERT_EQ(bitsOf(a.force[k]), bitsOf(b.force[k])) << a.force[k] - b.force[k];
     ASSERT_EQ(bitsOf(a.moment[k]), bitsOf(b.moment[k])) << a.moment[k] - b.moment[k];
@@ -36,8 +37,8 @@ void expectSame(const ContactSum& a, const ContactSum& b) {
 }
 
 /// A field whose inside carries no samples, as those of fine maps.
-HapticStructure withDeepBlocks(const HapticStructure& whole) {
-  HapticStructure s = whole;
+structure::HapticStructure withDeepBlocks(const structure::HapticStructure& whole) {
+  structure::HapticStructure s = whole;
   s.near_field.emplace(*s.surface, s.grid, 4.0 * s.options.voxel_size, 1, 0);
   EXPECT_GT(s.near_field->deepErrorBound(), s.near_field->errorBound());
   return s;
@@ -46,14 +47,15 @@ HapticStructure withDeepBlocks(const HapticStructure& whole) {
 /// Bodies that are turned and moved at random, apart and inside of each other, a few of them without a sane
 /// pose.
 TEST(SearchKernels, GiveTheSameBitsOnEveryMachine) {
-  const SearchKernels &fast = searchKernels(), &plain = kPortableKernels;
+  const kernels::SearchKernels &fast = kernels::searchKernels(), &plain = kernels::kPortableKernels;
   if (&fast == &plain) GTEST_SKIP() << "this machine runs the portable ones";
-  const HapticStructure deep = withDeepBlocks(structureOf(Cuboid{{0.1, 0.12, 0.3}}, FieldKind::kMixed));
+  const structure::HapticStructure deep =
+      withDeepBlocks(structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed));
   for (int kind = 0; kind < 4; ++kind) {
-    const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, FieldKind::kMixed);
-    const auto& F = kind == 3 ? deep : structureOf(Cuboid{{0.1, 0.12, 0.3}}, kKinds[kind]);
-    const FieldView field = F.fieldView();
-    PairScratch scratch;
+    const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, structure::FieldKind::kMixed);
+    const auto& F = kind == 3 ? deep : structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, kKinds[kind]);
+    const kernels::FieldView field = F.fieldView();
+    kernels::PairScratch scratch;
     int touching = 0, apart = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
       SCOPED_TRACE(seed);
@@ -63,23 +65,24 @@ TEST(SearchKernels, GiveTheSameBitsOnEveryMachine) {
       if (seed == 20) X_FP.translation().x() = kNaN;
       if (seed == 21) X_FP.translation().y() = kInfinity;
       if (seed == 22) X_FP.linear() *= 0.0;
-      const TreeView tree = P.treeView(X_FP);
-      for (const NearestLimits& limits : {NearestLimits{std::numeric_limits<float>::infinity(), 0.1f, 0.0f},
-                                          NearestLimits{0.2f, 0.1f, 0.01f}})
+      const kernels::TreeView tree = P.treeView(X_FP);
+      for (const kernels::NearestLimits& limits :
+           {kernels::NearestLimits{std::numeric_limits<float>::infinity(), 0.1f, 0.0f},
+            kernels::NearestLimits{0.2f, 0.1f, 0.01f}})
         expectSame(fast.nearest(tree, field, limits, scratch), plain.nearest(tree, field, limits, scratch));
-      for (const ContactLimits& limits :
-           {ContactLimits{0.02f, 0.02f, true}, ContactLimits{0.0f, 0.03f, false}}) {
-        const ContactSum sum = fast.contacts(tree, field, limits, scratch);
+      for (const kernels::ContactLimits& limits :
+           {kernels::ContactLimits{0.02f, 0.02f, true}, kernels::ContactLimits{0.0f, 0.03f, false}}) {
+        const kernels::ContactSum sum = fast.contacts(tree, field, limits, scratch);
         expectSame(sum, plain.contacts(tree, field, limits, scratch));
-        const ContactSearch a = fast.contactSearch(tree, field, limits, scratch),
-                            b = plain.contactSearch(tree, field, limits, scratch);
+        const kernels::ContactSearch a = fast.contactSearch(tree, field, limits, scratch),
+                                     b = plain.contactSearch(tree, field, limits, scratch);
         expectSame(a.sum, b.sum);
         expectSame(a.nearest, b.nearest);
         touching += sum.contacts > 0;
         apart += sum.contacts == 0;
       }
       const Vector3f c = (X_FP * P.tree.at(static_cast<std::uint32_t>(seed) % P.tree.x.size())).cast<float>();
-      const Ball ball{{c.x(), c.y(), c.z()}, 0.03f};
+      const kernels::Ball ball{{c.x(), c.y(), c.z()}, 0.03f};
       ASSERT_EQ(bitsOf(fast.nearestOutside(tree, field, ball, 1.0f, scratch)),
                 bitsOf(plain.nearestOutside(tree, field, ball, 1.0f, scratch)));
       ASSERT_EQ(fast.meeting(tree.X_FP, P.parts.spheres(), F.parts.spheres(), F.parts.size(), 0.02f),
@@ -93,7 +96,7 @@ TEST(SearchKernels, GiveTheSameBitsOnEveryMachine) {
 
 /// Any floats: of all sizes, zeros of both signs, infinities and NaN.
 TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
-  const SearchKernels &fast = searchKernels(), &plain = kPortableKernels;
+  const kernels::SearchKernels &fast = kernels::searchKernels(), &plain = kernels::kPortableKernels;
   if (&fast == &plain) GTEST_SKIP() << "this machine runs the portable ones";
   Random random(7, 0);
   const auto any = [&](bool special) {
@@ -116,12 +119,12 @@ TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
     ASSERT_EQ(fast.extreme(x.data(), y.data(), z.data(), count, g[0], g[1], g[2]),
               plain.extreme(x.data(), y.data(), z.data(), count, g[0], g[1], g[2]))
         << round;
-    SphereGroup P, F;
+    kernels::SphereGroup P, F;
     float X_FP[12];
     for (float& value : X_FP) value = any(special);
     for (auto* spheres : {&P, &F})
       for (auto* v : {spheres->x, spheres->y, spheres->z, spheres->radius})
-        for (std::size_t i = 0; i < SurfaceParts::kMax; ++i) v[i] = any(special);
+        for (std::size_t i = 0; i < structure::SurfaceParts::kMax; ++i) v[i] = any(special);
     const float by = any(special);
     ASSERT_EQ(fast.meeting(X_FP, P, F, 8, by), plain.meeting(X_FP, P, F, 8, by)) << round;
   }
@@ -130,18 +133,18 @@ TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
 /// What they say is right: the point without contacts that is the nearest by its sample, and what is outside
 /// of a ball.
 TEST(SearchKernels, TellTheNearestPoint) {
-  for (const FieldKind kind : {FieldKind::kMixed, FieldKind::kFloat}) {
-    const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, kind);
-    const auto& F = structureOf(Cuboid{{0.1, 0.12, 0.3}}, kind);
-    const FieldView field = F.fieldView();
-    const SearchKernels& kernels = searchKernels();
-    PairScratch scratch;
+  for (const structure::FieldKind kind : {structure::FieldKind::kMixed, structure::FieldKind::kFloat}) {
+    const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, kind);
+    const auto& F = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, kind);
+    const kernels::FieldView field = F.fieldView();
+    const kernels::SearchKernels& kernels = kernels::searchKernels();
+    kernels::PairScratch scratch;
     int watched = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
       const Transform X_FP = randomPose(seed, seed % 3 == 0 ? 0.1 : 0.6);
-      const TreeView tree = P.treeView(X_FP);
+      const kernels::TreeView tree = P.treeView(X_FP);
       constexpr float kWatch = 0.03f;
-      const ContactSum w = kernels.contacts(tree, field, {0.0f, kWatch, true}, scratch);
+      const kernels::ContactSum w = kernels.contacts(tree, field, {0.0f, kWatch, true}, scratch);
       const auto sampleAt = [&](std::uint32_t point) {
         const Vector3f p = (X_FP * P.tree.at(point)).cast<float>();
         float sample;
@@ -151,17 +154,17 @@ TEST(SearchKernels, TellTheNearestPoint) {
       float least = std::numeric_limits<float>::infinity();
       for (std::uint32_t k = 0; k < P.tree.x.size(); ++k) least = std::min(least, sampleAt(k));
       if (least < -kRounding || least > kWatch + kRounding) {
-        EXPECT_EQ(w.nearest, kNoPoint) << seed;
+        EXPECT_EQ(w.nearest, kernels::kNoPoint) << seed;
       } else if (least > kRounding && least < kWatch - kRounding) {
-        ASSERT_NE(w.nearest, kNoPoint) << seed;
+        ASSERT_NE(w.nearest, kernels::kNoPoint) << seed;
         EXPECT_NEAR(sampleAt(w.nearest), least, kRounding) << seed;
         ++watched;
       }
       // Points about the nearest one left out.
-      const NearestPoint a =
+      const kernels::NearestPoint a =
           kernels.nearest(tree, field, {std::numeric_limits<float>::infinity(), 0.1f, 0.0f}, scratch);
       const Vector3d home = X_FP * P.tree.at(a.point);
-      const Ball ball{{float(home.x()), float(home.y()), float(home.z())}, 0.03f};
+      const kernels::Ball ball{{float(home.x()), float(home.y()), float(home.z())}, 0.03f};
       ASSERT_GE(kernels.nearestOutside(tree, field, ball, 1.0f, scratch), a.lower_bound - kRounding);
     }
     EXPECT_GT(watched, 5);
@@ -171,17 +174,18 @@ TEST(SearchKernels, TellTheNearestPoint) {
 /// Where the inside carries no samples, spheres are left out by bounds of their own: no point within the
 /// margin is lost, and what is said to be proven is.
 TEST(SearchKernels, LoseNothingInDeepBlocks) {
-  const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, FieldKind::kMixed);
-  const HapticStructure F = withDeepBlocks(structureOf(Cuboid{{0.1, 0.12, 0.3}}, FieldKind::kMixed));
-  const FieldView field = F.fieldView();
-  PairScratch scratch;
+  const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, structure::FieldKind::kMixed);
+  const structure::HapticStructure F =
+      withDeepBlocks(structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed));
+  const kernels::FieldView field = F.fieldView();
+  kernels::PairScratch scratch;
   int deepest = 0;
-  for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
+  for (const kernels::SearchKernels* kernels : {&kernels::searchKernels(), &kernels::kPortableKernels}) {
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
       const Transform X_FP = randomPose(seed, seed % 2 == 0 ? 0.05 : 0.2);
-      const TreeView tree = P.treeView(X_FP);
+      const kernels::TreeView tree = P.treeView(X_FP);
       for (const float margin : {-0.03f, 0.0f, 0.01f}) {
-        const ContactSum sum = kernels->contacts(tree, field, {margin, margin, true}, scratch);
+        const kernels::ContactSum sum = kernels->contacts(tree, field, {margin, margin, true}, scratch);
         int least = 0, most = 0;
         double nearest = kInfinity;
         for (std::uint32_t i = 0; i < P.tree.x.size(); ++i) {
@@ -196,10 +200,10 @@ TEST(SearchKernels, LoseNothingInDeepBlocks) {
         }
         ASSERT_GE(sum.contacts, least) << seed << ", margin " << margin;
         ASSERT_LE(sum.contacts, most) << seed << ", margin " << margin;
-        const NearestPoint found =
+        const kernels::NearestPoint found =
             kernels->nearest(tree, field, {std::numeric_limits<float>::infinity(), 0.1f, 0.0f}, scratch);
         ASSERT_LE(found.lower_bound, nearest + kRounding) << seed;
-        const ContactSearch both =
+        const kernels::ContactSearch both =
             kernels->contactSearch(tree, field, {margin, margin + 0.01f, true}, scratch);
         ASSERT_EQ(both.sum.contacts, sum.contacts) << seed;
         ASSERT_LE(both.nearest.lower_bound, nearest + kRounding) << seed;
@@ -213,18 +217,19 @@ TEST(SearchKernels, LoseNothingInDeepBlocks) {
 /// surface.
 TEST(SearchKernels, SearchWhileTheySum) {
   constexpr float kMargin = 0.01f, kWatch = 0.02f;
-  for (const FieldKind kind : kKinds) {
-    const auto& P = structureOf(Ellipsoid{{0.04, 0.05, 0.12}}, kind);
-    const auto& F = structureOf(Cuboid{{0.1, 0.12, 0.3}}, kind);
-    const FieldView field = F.fieldView();
-    PairScratch scratch;
-    for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
+  for (const structure::FieldKind kind : kKinds) {
+    const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, kind);
+    const auto& F = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, kind);
+    const kernels::FieldView field = F.fieldView();
+    kernels::PairScratch scratch;
+    for (const kernels::SearchKernels* kernels : {&kernels::searchKernels(), &kernels::kPortableKernels}) {
       int touching = 0, near = 0;
       for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const Transform X_FP = randomPose(seed, seed % 3 == 0 ? 0.1 : 0.3);
-        const TreeView tree = P.treeView(X_FP);
-        const ContactSum sum = kernels->contacts(tree, field, {kMargin, kMargin, true}, scratch);
-        const ContactSearch both = kernels->contactSearch(tree, field, {kMargin, kWatch, true}, scratch);
+        const kernels::TreeView tree = P.treeView(X_FP);
+        const kernels::ContactSum sum = kernels->contacts(tree, field, {kMargin, kMargin, true}, scratch);
+        const kernels::ContactSearch both =
+            kernels->contactSearch(tree, field, {kMargin, kWatch, true}, scratch);
         ASSERT_EQ(both.sum.contacts, sum.contacts) << seed;
         ASSERT_EQ(both.sum.depth, sum.depth) << seed;
         for (int k = 0; k < 3; ++k) {
@@ -235,13 +240,13 @@ TEST(SearchKernels, SearchWhileTheySum) {
         for (std::uint32_t i = 0; i < P.tree.x.size(); ++i)
           least = std::min(least, F.surface->signedDistance(X_FP * P.tree.at(i)));
         ASSERT_LE(both.nearest.lower_bound, least + kRounding) << seed;
-        if (both.nearest.point != kNoPoint) {
+        if (both.nearest.point != kernels::kNoPoint) {
           ASSERT_LE(both.nearest.estimate, kWatch);
           ++near;
         } else {
           ASSERT_EQ(sum.contacts, 0) << seed;
         }
-        if (sum.contacts > 0 && kind != FieldKind::kLayered) {
+        if (sum.contacts > 0 && kind != structure::FieldKind::kLayered) {
           ASSERT_NEAR(both.nearest.estimate, kMargin - sum.depth, kRounding) << seed;
         }
         touching += sum.contacts > 0;
@@ -258,7 +263,7 @@ TEST(SearchKernels, SupportIsTheLargestProduct) {
     const Vector3f p = randomPose(i).translation().cast<float>();
     x.push_back(p.x()), y.push_back(p.y()), z.push_back(p.z());
   }
-  for (const SearchKernels* kernels : {&searchKernels(), &kPortableKernels}) {
+  for (const kernels::SearchKernels* kernels : {&kernels::searchKernels(), &kernels::kPortableKernels}) {
     float most = -1e30f;
     for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, 0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i]);
     EXPECT_NEAR(kernels->support(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f), most, 1e-6f);

@@ -5,7 +5,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using testing::randomUnit;
@@ -26,7 +26,8 @@ struct Bent {
   Mechanism mechanism;
   std::vector<double> q;
   MechanismState state;
-  explicit Bent(const char* file, std::uint64_t seed) : mechanism(loadMechanism(testing::projectFile(file))) {
+  explicit Bent(const char* file, std::uint64_t seed)
+      : mechanism(robot_file::loadMechanism(testing::projectFile(file))) {
     for (int i = 0; i < mechanism.dof; ++i)
       q.push_back(4 * randomUnit(seed, 50 + static_cast<std::uint64_t>(i)) - 2);
     forward(mechanism, q, state);
@@ -35,7 +36,7 @@ struct Bent {
 
 TEST(JointEfforts, OfAForceAcrossALeverAreForceTimesLever) {
   // Three links of 1.1 m stretched out along x, pushed along y at the third joint.
-  const Mechanism m = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
+  const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   MechanismState state;
   forward(m, std::vector(3, 0.0), state);
   std::vector<double> efforts(3, 0.0);
@@ -50,7 +51,7 @@ TEST(JointEfforts, OfAForceAcrossALeverAreForceTimesLever) {
 }
 
 TEST(JointEfforts, OfAPrismaticJointAreForceAlongIt) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/scenes/example.mech"));
+  const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/example.mech"));
   MechanismState state;
   forward(m, std::vector(3, 0.0), state);
   std::vector<double> efforts(3, 0.0);
@@ -106,4 +107,4 @@ TEST(JointEfforts, DoAsMuchWorkAsTheForce) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -4,7 +4,7 @@
 #include "core/mechanism/forward_dynamics.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using namespace testing;
@@ -92,4 +92,4 @@ TEST(ForwardDynamics, KeepsEnergyToTheOrderOfTheStep) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

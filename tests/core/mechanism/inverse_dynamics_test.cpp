@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using namespace testing;
@@ -196,4 +196,4 @@ TEST(RigidTree, HasTheFramesWhereForwardKinematicsHasThem) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

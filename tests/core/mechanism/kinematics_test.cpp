@@ -6,7 +6,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using testing::randomUnit;
@@ -76,7 +76,7 @@ TEST(ForwardKinematics, IsTheProductOfTheElementaryTransforms) {
 }
 
 TEST(ForwardKinematics, OfListing31IsItsClosedForm) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/scenes/example.mech"));
+  const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/example.mech"));
   const double q0 = 0.3, q1 = 0.12, q2 = -0.8;
   MechanismState state;
   forward(m, std::vector{q0, q1, q2}, state);
@@ -116,7 +116,7 @@ TEST(Jacobian, AgreesWithDifferences) {
 }
 
 TEST(Kinematics, AllocatesNothingInSteadyState) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   std::vector<double> q(7, 0.1), efforts(7, 0.0);
   MechanismState state;
   Jacobian J;
@@ -140,4 +140,4 @@ TEST(KinematicsDeathTest, StopsWhenTheMechanismWasNotPrepared) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

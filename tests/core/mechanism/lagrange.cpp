@@ -4,14 +4,14 @@
 
 namespace abstand::testing {
 
-Eigen::MatrixXd lagrangeMass(const Mechanism& mechanism, std::span<const double> q) {
-  MechanismState state;
-  forward(mechanism, q, state);
+Eigen::MatrixXd lagrangeMass(const mechanism::Mechanism& mechanism, std::span<const double> q) {
+  mechanism::MechanismState state;
+  mechanism::forward(mechanism, q, state);
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(mechanism.dof, mechanism.dof);
   Eigen::Matrix<double, 6, Eigen::Dynamic> J;
   for (std::size_t i = 0; i < mechanism.frames.size(); ++i) {
-    const LinkInertia& body = mechanism.frames[i].inertia;
-    jacobian(mechanism, state, static_cast<int>(i), J);
+    const mechanism::LinkInertia& body = mechanism.frames[i].inertia;
+    mechanism::jacobian(mechanism, state, static_cast<int>(i), J);
     const Matrix3d R_BF = state.X_BF[i].linear();
     const Vector3d c_B = R_BF * body.com_F;
     const Eigen::MatrixXd angular = J.bottomRows<3>();
@@ -23,18 +23,19 @@ Eigen::MatrixXd lagrangeMass(const Mechanism& mechanism, std::span<const double>
   return M;
 }
 
-double lagrangePotential(const Mechanism& mechanism, std::span<const double> q, const Vector3d& gravity_B) {
-  MechanismState state;
-  forward(mechanism, q, state);
+double lagrangePotential(const mechanism::Mechanism& mechanism, std::span<const double> q,
+                         const Vector3d& gravity_B) {
+  mechanism::MechanismState state;
+  mechanism::forward(mechanism, q, state);
   double potential = 0.0;
   for (std::size_t i = 0; i < mechanism.frames.size(); ++i) {
-    const LinkInertia& body = mechanism.frames[i].inertia;
+    const mechanism::LinkInertia& body = mechanism.frames[i].inertia;
     potential -= body.mass * gravity_B.dot(state.X_BF[i] * body.com_F);
   }
   return potential;
 }
 
-Eigen::VectorXd lagrangeEfforts(const Mechanism& mechanism, std::span<const double> q,
+Eigen::VectorXd lagrangeEfforts(const mechanism::Mechanism& mechanism, std::span<const double> q,
                                 std::span<const double> qd, std::span<const double> qdd,
                                 const Vector3d& gravity_B) {
   const Eigen::Index n = mechanism.dof;

@@ -8,13 +8,14 @@
 namespace abstand::testing {
 
 /// M(q) as the sum of J^T diag(m, I) J over all frames, fixed ones too.
-Eigen::MatrixXd lagrangeMass(const Mechanism& mechanism, std::span<const double> q);
+Eigen::MatrixXd lagrangeMass(const mechanism::Mechanism& mechanism, std::span<const double> q);
 
 /// -sum of m g^T c over all frames that move. J.
-double lagrangePotential(const Mechanism& mechanism, std::span<const double> q, const Vector3d& gravity_B);
+double lagrangePotential(const mechanism::Mechanism& mechanism, std::span<const double> q,
+                         const Vector3d& gravity_B);
 
 /// M qdd + dM/dt qd - grad (qd^T M qd / 2 - U), gradients by central differences of step kLagrangeStep.
-Eigen::VectorXd lagrangeEfforts(const Mechanism& mechanism, std::span<const double> q,
+Eigen::VectorXd lagrangeEfforts(const mechanism::Mechanism& mechanism, std::span<const double> q,
                                 std::span<const double> qd, std::span<const double> qdd,
                                 const Vector3d& gravity_B);
 

@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using namespace testing;
@@ -37,7 +37,8 @@ TEST(LinkInertia, SeenFromElsewhereAndBackIsTheSame) {
 }
 
 TEST(LinkInertia, OfASolidIsItsDensityTimesItsVolume) {
-  const MassProperties solid = massProperties(tessellate(Cuboid{{0.5, 0.2, 0.3}}, 0.01));
+  const geometry::MassProperties solid =
+      geometry::massProperties(geometry::tessellate(geometry::Cuboid{{0.5, 0.2, 0.3}}, 0.01));
   Transform X_FS = Transform::Identity();
   X_FS.translation() = Vector3d(0.1, 0.2, 0.3);
   EXPECT_LT(difference(inertiaOfSolid(solid, 2700.0, X_FS),
@@ -74,4 +75,4 @@ TEST(LinkInertia, IsJudged) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -9,7 +9,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using namespace testing;
@@ -133,4 +133,4 @@ TEST(EffectiveMass, IsForceOverTheAccelerationThatItCauses) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 TEST(MotionFile, IsLinearBetweenRowsAndClampedOutside) {
@@ -129,4 +129,4 @@ TEST(MotionFile, NamesTheFile) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -5,14 +5,14 @@
 
 #include "core/robot_file/mech_file.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 const Vector3d kGravityZ(0, 0, -10);
 
 /// A slide along z that carries 2 kg: within 1 m, 0.5 m/s, 0.8 m/s^2 and 21 N.
 Mechanism slide(const std::string& more = "inertia\n body 1 2 0 0 0 0 0 0 0 0 0\nend_inertia\n") {
-  return parseMech(
+  return robot_file::parseMech(
              "chain\n frame 1 0 0 d 0\nend_chain\nlimits\n limit 1 -1 1 0.5 21 0.8\nend_limits\n" + more,
              "slide.mech")
       .mechanism;
@@ -88,4 +88,4 @@ TEST(MotionLimits, LimitsAreThoseOfTheDofNotOfTheJoint) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

@@ -5,7 +5,7 @@
 
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::mechanism {
 namespace {
 
 using testing::randomValues;
@@ -79,4 +79,4 @@ TEST(SmoothMotion, OfACubicFromRestToRestIsThatCubic) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mechanism

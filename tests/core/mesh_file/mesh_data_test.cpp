@@ -9,7 +9,7 @@
 #include "core/mesh_file/mesh_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 namespace {
 
 using testing::sharedData;
@@ -90,7 +90,7 @@ TEST(RealMeshes, OfRobotsAreRead) {
     SCOPED_TRACE(entry.path());
     const auto loaded = loadMesh(entry.path());
     EXPECT_GT(loaded.report.triangles, 3u);
-    EXPECT_GT(surfaceArea(loaded.mesh), 0.0);
+    EXPECT_GT(geometry::surfaceArea(loaded.mesh), 0.0);
     // metres, or NAO's decimetres
     EXPECT_LT(loaded.report.extent.maxCoeff(), 10.0);
     EXPECT_GT(loaded.report.extent.maxCoeff(), 0.01);
@@ -105,10 +105,11 @@ TEST(RealMeshes, ALinkIsTheSameInStlAndCollada) {
   if (!exists(dae) || !exists(stl)) GTEST_SKIP() << dae;
   const auto a = loadMesh(dae), b = loadMesh(stl);
   EXPECT_EQ(a.mesh.triangles.size(), b.mesh.triangles.size());
-  EXPECT_LE((bounds(a.mesh).lower - bounds(b.mesh).lower).norm(), 1e-6);  // written with six digits
-  EXPECT_LE((bounds(a.mesh).upper - bounds(b.mesh).upper).norm(), 1e-6);
-  EXPECT_NEAR(surfaceArea(a.mesh), surfaceArea(b.mesh), 1e-6);
+  EXPECT_LE((geometry::bounds(a.mesh).lower - geometry::bounds(b.mesh).lower).norm(),
+            1e-6);  // written with six digits
+  EXPECT_LE((geometry::bounds(a.mesh).upper - geometry::bounds(b.mesh).upper).norm(), 1e-6);
+  EXPECT_NEAR(geometry::surfaceArea(a.mesh), geometry::surfaceArea(b.mesh), 1e-6);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mesh_file

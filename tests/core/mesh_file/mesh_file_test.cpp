@@ -16,7 +16,7 @@
 #include "core/geometry/shape.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::mesh_file {
 namespace {
 
 using ::testing::AllOf;
@@ -211,7 +211,7 @@ TEST(MeshFileDae, AppliesTheUnitAndLeavesTheAxes) {
   const auto scaled = parseMesh(dae(R"(<unit meter="0.5"/>)", kTriangles, kInstance), "dae", "f", 0.1);
   expectTetrahedron(scaled, 0.05);
   // corner y of the file stays y
-  EXPECT_NEAR(bounds(inches.mesh).upper.y(), 0.0254, 1e-15);
+  EXPECT_NEAR(geometry::bounds(inches.mesh).upper.y(), 0.0254, 1e-15);
 }
 
 TEST(MeshFileDae, AppliesTheTransformsOfNodes) {
@@ -221,7 +221,7 @@ TEST(MeshFileDae, AppliesTheTransformsOfNodes) {
 <node><matrix>1 0 0 3 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_node url="#n"/></node></node>)"),
                 "dae", "f");
   // x of the file, moved by 3 and doubled, points along y; y along -x.
-  const Bounds b = bounds(m.mesh);
+  const geometry::Bounds b = geometry::bounds(m.mesh);
   EXPECT_LE((b.lower - Vector3d(9, 6, 0)).norm(), 1e-14);
   EXPECT_LE((b.upper - Vector3d(10, 8, 1)).norm(), 1e-14);
   EXPECT_NEAR(m.report.volume, 1.0 / 3, 1e-14);
@@ -268,7 +268,7 @@ TEST(MeshFile, CutsConcavePolygonsWithinTheirOutline) {
       "obj", "f");
   EXPECT_TRUE(m.report.watertight);
   EXPECT_NEAR(m.report.volume, 3.0, 1e-14);
-  EXPECT_NEAR(surfaceArea(m.mesh), 2 * 3.0 + 8.0, 1e-13);
+  EXPECT_NEAR(geometry::surfaceArea(m.mesh), 2 * 3.0 + 8.0, 1e-13);
   EXPECT_EQ(m.report.degenerate_triangles, 0u);
 }
 
@@ -398,7 +398,7 @@ TEST(MeshFile, ReadsOtherFormatsThroughAssimp) {
       "p 3\n0 1 0\n0 0 0\n0 0 1\n",
       "nff", "f");
   EXPECT_EQ(m.mesh.triangles.size(), 4u);
-  EXPECT_NEAR(surfaceArea(m.mesh), 1.5 + std::sqrt(3.0) / 2, 1e-6);
+  EXPECT_NEAR(geometry::surfaceArea(m.mesh), 1.5 + std::sqrt(3.0) / 2, 1e-6);
 }
 
 TEST(MeshFile, RefusesBadPlacesAndScales) {
@@ -412,13 +412,13 @@ TEST(MeshFile, RefusesBadPlacesAndScales) {
 
 TEST(MeshFile, IsReadAsItWasSaved) {
   const ScratchFolder d;
-  const auto mesh = tessellate(Capsule{0.1, 0.3}, 1e-3);
+  const auto mesh = geometry::tessellate(geometry::Capsule{0.1, 0.3}, 1e-3);
   saveMesh(mesh, d.path() / "a.obj");
   saveMesh(mesh, d.path() / "a.STL");
   const auto obj = loadMesh(d.path() / "a.obj");
   const auto stl = loadMesh(d.path() / "a.STL");
   // Vertices are numbered anew, in the order in which triangles use them.
-  const auto expected = weld(mesh, 0.0);
+  const auto expected = geometry::weld(mesh, 0.0);
   EXPECT_EQ(obj.mesh.vertices, expected.vertices);
   EXPECT_EQ(obj.mesh.triangles, expected.triangles);
   EXPECT_EQ(stl.mesh.triangles, expected.triangles);
@@ -430,7 +430,7 @@ TEST(MeshFile, IsReadAsItWasSaved) {
 }
 
 TEST(MeshReport, CountsEdgesAndPieces) {
-  TriangleMesh two;  // two triangles that share a side and run the same way along it
+  geometry::TriangleMesh two;  // two triangles that share a side and run the same way along it
   two.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}};
   two.triangles = {{0, 1, 2}, {0, 1, 3}, {4, 5, 6}};
   const auto r = inspect(two);
@@ -440,12 +440,12 @@ TEST(MeshReport, CountsEdgesAndPieces) {
   EXPECT_FALSE(r.watertight);
   two.triangles.push_back({1, 0, 2});
   EXPECT_EQ(inspect(two).non_manifold_edges, 1u);
-  EXPECT_EQ(inspect(TriangleMesh{}).remarks.size(), 1u);
-  const auto ball = inspect(tessellate(Sphere{1.0}, 0.01));
+  EXPECT_EQ(inspect(geometry::TriangleMesh{}).remarks.size(), 1u);
+  const auto ball = inspect(geometry::tessellate(geometry::Sphere{1.0}, 0.01));
   EXPECT_TRUE(ball.watertight);
   EXPECT_EQ(ball.components, 1u);
   EXPECT_TRUE(ball.remarks.empty());
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::mesh_file

@@ -6,7 +6,7 @@
 
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using testing::randomValues;
@@ -102,4 +102,4 @@ TEST(BoxLcp, RowsThatSayTheSameShareTheAnswer) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

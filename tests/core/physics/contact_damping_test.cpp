@@ -5,7 +5,7 @@
 
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using testing::randomValues;
@@ -75,4 +75,4 @@ TEST(ContactPoint, IsOnTheLineOfTheForceNearTheBodies) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -10,7 +10,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using namespace testing;
@@ -22,20 +22,22 @@ Transform at(double x, double y, double z) { return Transform(Eigen::Translation
 TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMass) {
   // v = g t exactly, and half a step's velocity more than g t^2 / 2 in position.
   PhysicsWorld world;
-  const LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0.5, 0, 0});
+  const mechanism::LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0.5, 0, 0});
   const Transform X_WF = randomPose(1);
   world.addFreeBody(body, X_WF, {Vector3d(1, 2, 3), Vector3d::Zero()});
   for (int i = 0; i < 1000; ++i) world.step(kStep);
   const Vector3d com_W = world.pose({-1, 0}) * body.com_F;
-  EXPECT_TRUE((com_W - X_WF * body.com_F).isApprox(Vector3d(1, 2, 3) + 0.5 * kGravity * 1.001, 1e-10));
-  EXPECT_TRUE(world.velocityAt({-1, 0}, com_W).linear.isApprox(Vector3d(1, 2, 3) + kGravity, 1e-10));
+  EXPECT_TRUE(
+      (com_W - X_WF * body.com_F).isApprox(Vector3d(1, 2, 3) + 0.5 * mechanism::kGravity * 1.001, 1e-10));
+  EXPECT_TRUE(
+      world.velocityAt({-1, 0}, com_W).linear.isApprox(Vector3d(1, 2, 3) + mechanism::kGravity, 1e-10));
   EXPECT_TRUE(world.pose({-1, 0}).linear().isApprox(X_WF.linear(), 1e-12));
   EXPECT_NEAR(world.time(), 1.0, 1e-12);
 }
 
 TEST(FreeBody, IsPushedByWrenchesAboutAnyPoint) {
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
-  const LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0, 0, 0});
+  const mechanism::LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0, 0, 0});
   world.addFreeBody(body, at(1, 2, 3));
   world.applyWrench({-1, 0}, {Vector3d(4, 0, 0), Vector3d(0, 0, 0.1)}, Vector3d(1, 2.5, 3));
   world.step(kStep);
@@ -62,25 +64,27 @@ TEST(FreeBody, TumblesWithoutGainingEnergy) {
 
 /// A box and a table with haptic structures.
 struct Dropped {
-  std::shared_ptr<const HapticStructure> box, table;
-  PairScratch scratch;
-  PairResult pair;
+  std::shared_ptr<const structure::HapticStructure> box, table;
+  kernels::PairScratch scratch;
+  query::PairResult pair;
 
   Dropped() {
-    static const auto small = buildHapticStructure("box", makeSurface(Cuboid{{0.12, 0.1, 0.08}}), kCoarse);
-    static const auto large = buildHapticStructure("table", makeSurface(Cuboid{{0.6, 0.6, 0.1}}), kCoarse);
+    static const auto small = structure::buildHapticStructure(
+        "box", geometry::makeSurface(geometry::Cuboid{{0.12, 0.1, 0.08}}), kCoarse);
+    static const auto large = structure::buildHapticStructure(
+        "table", geometry::makeSurface(geometry::Cuboid{{0.6, 0.6, 0.1}}), kCoarse);
     box = small;
     table = large;
   }
   Contact contact(const Transform& X_WBox, const Transform& X_WTable, double stiffness) {
-    queryPair(*box, X_WBox, *table, X_WTable, {.margin = 0.0, .stiffness = stiffness}, scratch, pair);
+    query::queryPair(*box, X_WBox, *table, X_WTable, {.margin = 0.0, .stiffness = stiffness}, scratch, pair);
     return {pair.force_a, pair.torque_a, X_WBox * box->mass_properties.com,
             0.5 * (pair.witness_a + pair.witness_b)};
   }
 
  private:
-  static inline const HapticOptions kCoarse = [] {
-    HapticOptions options;
+  static inline const structure::HapticOptions kCoarse = [] {
+    structure::HapticOptions options;
     options.voxel_size = options.point_spacing = 0.01;
     return options;
   }();
@@ -109,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Onto, Drop,
 TEST_P(Drop, ComesToRestOnATableByOurForces) {
   Dropped bodies;
   PhysicsWorld world;
-  const LinkInertia mass = boxMass(1.0, {0.12, 0.1, 0.08}, {0, 0, 0});
+  const mechanism::LinkInertia mass = boxMass(1.0, {0.12, 0.1, 0.08}, {0, 0, 0});
   const Transform X_WTable = at(0, 0, -0.05);
   world.addFreeBody(mass, fromXyzRpy({0, 0, GetParam().height}, GetParam().rpy));
   const PhysicsObject box{-1, 0};
@@ -221,4 +225,4 @@ TEST(PhysicsWorld, GivesTheSameBitsOnAnyThread) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -11,7 +11,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using namespace testing;
@@ -25,12 +25,12 @@ INSTANTIATE_TEST_SUITE_P(Solvers, JointLimitsIn,
                            return solver.param == MechanismSolver::kJointed ? "Jointed" : "Reduced";
                          });
 
-Mechanism lwr() { return loadMechanism(projectFile("data/robots/lwr/lwr4.mech")); }
+mechanism::Mechanism lwr() { return robot_file::loadMechanism(projectFile("data/robots/lwr/lwr4.mech")); }
 
-std::string list(const std::vector<LimitBreach>& breaches) {
+std::string list(const std::vector<mechanism::LimitBreach>& breaches) {
   std::string text;
-  for (const LimitBreach& b : breaches)
-    text += "dof " + std::to_string(b.dof) + " " + std::string(limitName(b.kind)) + " " +
+  for (const mechanism::LimitBreach& b : breaches)
+    text += "dof " + std::to_string(b.dof) + " " + std::string(mechanism::limitName(b.kind)) + " " +
             std::to_string(b.value) + " limit " + std::to_string(b.limit) + " at " + std::to_string(b.t) +
             " s, " + std::to_string(b.count) + " times\n";
   return text;
@@ -39,11 +39,11 @@ std::string list(const std::vector<LimitBreach>& breaches) {
 TEST_P(JointLimitsIn, HoldWhateverTheMotorsAreToldToDo) {
   // Efforts up to five times the limits, changed every 50 ms, drive the arm about its whole range.
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Mechanism m = lwr();
+    const mechanism::Mechanism m = lwr();
     PhysicsWorld world;
     world.addMechanism(m, Transform::Identity(), {.solver = GetParam()});
     world.mechanism(0).setState(randomValues(7, seed, 0, 1.5), std::vector(7, 0.0));
-    JointLimitWatch watch(dofLimits(m));
+    mechanism::JointLimitWatch watch(mechanism::dofLimits(m));
     std::vector<double> efforts(7), least(7, kInfinity), most(7, 0.0);
     for (int i = 0; i < 2000; ++i) {
       if (i % 50 == 0) efforts = randomValues(7, seed, 1000 + static_cast<std::uint64_t>(i), 5.0);
@@ -62,11 +62,11 @@ TEST_P(JointLimitsIn, HoldWhateverTheMotorsAreToldToDo) {
 TEST_P(JointLimitsIn, HoldWhileTheHandIsPushed) {
   // 20 N on the hand, that the motors can hold against; they are told to do nothing but to carry gravity.
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Mechanism m = lwr();
+    const mechanism::Mechanism m = lwr();
     PhysicsWorld world;
     world.addMechanism(m, Transform::Identity(), {.solver = GetParam(), .gravity_compensation = true});
     world.mechanism(0).setState(randomValues(7, seed, 0, 1.0), std::vector(7, 0.0));
-    JointLimitWatch watch(dofLimits(m));
+    mechanism::JointLimitWatch watch(mechanism::dofLimits(m));
     Vector3d push = Vector3d::Zero();
     for (int i = 0; i < 2000; ++i) {
       if (i % 100 == 0) push = 20.0 * randomPose(seed + 10 * static_cast<std::uint64_t>(i)).linear().col(0);
@@ -80,23 +80,24 @@ TEST_P(JointLimitsIn, HoldWhileTheHandIsPushed) {
 
 TEST_P(JointLimitsIn, YieldToWhatIsStrongerThanTheMotors) {
   // 3 kN on the hand: no motor can hold the velocity, so it is broken, and efforts are not.
-  const Mechanism m = lwr();
+  const mechanism::Mechanism m = lwr();
   PhysicsWorld world;
   world.addMechanism(m, Transform::Identity(), {.solver = GetParam()});
   world.mechanism(0).setState(std::vector{0.0, 0.5, 0.0, -1.2, 0.0, 0.8, 0.0}, std::vector(7, 0.0));
-  JointLimitWatch watch(dofLimits(m));
+  mechanism::JointLimitWatch watch(mechanism::dofLimits(m));
   for (int i = 0; i < 20; ++i) {
     world.applyWrench({0, 6}, {Vector3d(0, 3000, 0), Vector3d::Zero()}, world.pose({0, 6}).translation());
     world.step(kStep);
     watch.look(kStep * (i + 1), {}, world.qd(0), {}, world.mechanism(0).appliedEfforts());
   }
   ASSERT_FALSE(watch.kept());
-  for (const LimitBreach& b : watch.breaches()) EXPECT_EQ(b.kind, LimitKind::kVelocity) << list({b});
+  for (const mechanism::LimitBreach& b : watch.breaches())
+    EXPECT_EQ(b.kind, mechanism::LimitKind::kVelocity) << list({b});
 }
 
 TEST_P(JointLimitsIn, LeaveAloneWhatKeepsThem) {
   // Far from its limits an arm moves with and without them alike.
-  const Mechanism m = lwr();
+  const mechanism::Mechanism m = lwr();
   PhysicsWorld with, without;
   with.addMechanism(m, Transform::Identity(), {.solver = GetParam(), .gravity_compensation = true});
   MechanismOptions options{.solver = GetParam(), .gravity_compensation = true};
@@ -117,11 +118,11 @@ TEST_P(JointLimitsIn, LeaveAloneWhatKeepsThem) {
 }
 
 TEST_P(JointLimitsIn, AccelerationsToo) {
-  Mechanism m = lwr();
+  mechanism::Mechanism m = lwr();
   for (auto& f : m.frames) f.limits.acceleration = 3.0;
   PhysicsWorld world;
   world.addMechanism(m, Transform::Identity(), {.solver = GetParam(), .gravity_compensation = true});
-  JointLimitWatch watch(dofLimits(m));
+  mechanism::JointLimitWatch watch(mechanism::dofLimits(m));
   std::vector<double> before(7, 0.0), qdd(7);
   for (int i = 0; i < 2000; ++i) {
     for (int k = 0; k < 7; ++k) world.setJointEffort(0, k, (i / 400) % 2 == 0 ? 5.0 : -5.0);
@@ -136,7 +137,7 @@ TEST_P(JointLimitsIn, AccelerationsToo) {
 }
 
 TEST(JointLimiter, DoesNotAllocate) {
-  const Mechanism m = lwr();
+  const mechanism::Mechanism m = lwr();
   PhysicsWorld world;
   world.addMechanism(m, Transform::Identity(), {.solver = MechanismSolver::kReduced});
   const auto push = [&] {
@@ -153,10 +154,10 @@ TEST(VelocityBounds, StopInFrontOfThePositionLimit) {
   // A joint that always goes as fast as it may comes to rest at its limit, never beyond, and never slows down
   // harder than it can.
   for (const double braking : {0.5, 5.0, 500.0}) {
-    DofLimits limits{-1.0, 1.0, 2.0, kInfinity, kInfinity};
+    mechanism::DofLimits limits{-1.0, 1.0, 2.0, kInfinity, kInfinity};
     double q = 0.3, qd = 0.0;
     for (int i = 0; i < 200000 && q < 1.0 - 1e-6; ++i) {
-      const double next = velocityBounds(limits, q, qd, braking, kStep).upper;
+      const double next = mechanism::velocityBounds(limits, q, qd, braking, kStep).upper;
       EXPECT_LE(next, 2.0);
       EXPECT_GE(next, qd - kStep * braking * (1.0 + 1e-9));
       qd = next;
@@ -169,14 +170,14 @@ TEST(VelocityBounds, StopInFrontOfThePositionLimit) {
 }
 
 TEST(VelocityBounds, OnlyLeadBackFromBeyondALimit) {
-  const DofLimits limits{-1.0, 1.0, 2.0, kInfinity, kInfinity};
-  const VelocityBounds above = velocityBounds(limits, 1.2, 0.5, 10.0, kStep);
+  const mechanism::DofLimits limits{-1.0, 1.0, 2.0, kInfinity, kInfinity};
+  const mechanism::VelocityBounds above = mechanism::velocityBounds(limits, 1.2, 0.5, 10.0, kStep);
   EXPECT_EQ(above.upper, 0.0);
   EXPECT_EQ(above.lower, -2.0);
-  const VelocityBounds below = velocityBounds(limits, -1.0, 0.0, kInfinity, kStep);
+  const mechanism::VelocityBounds below = mechanism::velocityBounds(limits, -1.0, 0.0, kInfinity, kStep);
   EXPECT_EQ(below.lower, 0.0);
   EXPECT_EQ(below.upper, 2.0);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

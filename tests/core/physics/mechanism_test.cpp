@@ -8,7 +8,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using namespace testing;
@@ -25,11 +25,11 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Mechanisms,
                          });
 
 /// A box on a joint of one degree of freedom about y or along x, its stops at +-0.5.
-Mechanism single(JointType type) {
-  Mechanism m;
+mechanism::Mechanism single(mechanism::JointType type) {
+  mechanism::Mechanism m;
   m.name = "single";
   m.dof = 1;
-  const bool slides = type == JointType::kPrismatic;
+  const bool slides = type == mechanism::JointType::kPrismatic;
   m.frames.push_back(
       jointFrame(1, -1, type, slides ? Vector3d::UnitX() : Vector3d::UnitY(), Vector3d::Zero(), 0));
   m.frames[0].inertia = boxMass(2.0, {0.2, 0.2, 0.4}, slides ? Vector3d::Zero() : Vector3d(0, 0, -0.2));
@@ -41,13 +41,15 @@ Mechanism single(JointType type) {
 constexpr double kInertia = 2.0 / 12.0 * (0.04 + 0.16) + 2.0 * 0.04;
 constexpr double kMass = 2.0;
 
-double inertia(JointType type) { return type == JointType::kPrismatic ? kMass : kInertia; }
+double inertia(mechanism::JointType type) {
+  return type == mechanism::JointType::kPrismatic ? kMass : kInertia;
+}
 
 TEST_P(Mechanisms, MoveByForwardDynamics) {
   // One step from any state, under efforts and wrenches: qd' = qd + h qdd(q, (qd + qd') / 2), q' = q + h qd'.
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    const Mechanism m = seed == 0 ? humanoid() : randomRobot(seed, 10, seed % 2 == 0);
+    const mechanism::Mechanism m = seed == 0 ? humanoid() : randomRobot(seed, 10, seed % 2 == 0);
     const Transform X_WB = randomPose(seed);
     PhysicsWorld world;
     const int robot = world.addMechanism(m, X_WB, {.solver = GetParam(), .limits = false});
@@ -61,16 +63,18 @@ TEST_P(Mechanisms, MoveByForwardDynamics) {
     world.applyWrench({robot, frame}, push, p_W);
     world.step(kStep);
 
-    const RigidTree tree = makeRigidTree(m);
-    ForwardState state;
+    const mechanism::RigidTree tree = mechanism::makeRigidTree(m);
+    mechanism::ForwardState state;
     std::vector<Wrench> external(tree.bodies.size());
     const Matrix3d R_BW = X_WB.linear().transpose();
     const int body = tree.frames[static_cast<std::size_t>(frame)].body;
     external[static_cast<std::size_t>(body)] =
-        aboutOrigin({R_BW * push.force, R_BW * push.torque}, X_WB.inverse() * p_W);
+        mechanism::aboutOrigin({R_BW * push.force, R_BW * push.torque}, X_WB.inverse() * p_W);
     auto middle = qd;
     for (std::size_t k = 0; k < qd.size(); ++k) middle[k] = 0.5 * (qd[k] + world.qd(robot)[k]);
-    ASSERT_EQ(forwardDynamics(tree, q, middle, tau, R_BW * kGravity, external, state, qdd), -1);
+    ASSERT_EQ(
+        mechanism::forwardDynamics(tree, q, middle, tau, R_BW * mechanism::kGravity, external, state, qdd),
+        -1);
     double size = 1.0;
     for (const double a : qdd) size = std::max(size, std::abs(a));
     for (std::size_t k = 0; k < q.size(); ++k) {
@@ -82,7 +86,7 @@ TEST_P(Mechanisms, MoveByForwardDynamics) {
 
 TEST_P(Mechanisms, StayWhereForwardKinematicsHasThem) {
   // Ten seconds of a whirling double pendulum: its joints never come apart, and angles do not wrap.
-  Mechanism m = doublePendulum(1.0, 0.5, 0.8, 0.4);
+  mechanism::Mechanism m = doublePendulum(1.0, 0.5, 0.8, 0.4);
   for (auto& f : m.frames) f.inertia.inertia_F = Vector3d::Constant(1e-3).asDiagonal();
   PhysicsWorld world;
   const int robot = world.addMechanism(m, Transform::Identity(), {.solver = GetParam()});
@@ -93,8 +97,8 @@ TEST_P(Mechanisms, StayWhereForwardKinematicsHasThem) {
     ASSERT_LT(std::abs(world.q(robot)[0] - last), 0.1);
     last = world.q(robot)[0];
   }
-  MechanismState expected;
-  forward(m, world.q(robot), expected);
+  mechanism::MechanismState expected;
+  mechanism::forward(m, world.q(robot), expected);
   for (int i = 0; i < 2; ++i)
     EXPECT_TRUE(world.pose({robot, i}).isApprox(expected.X_BF[static_cast<std::size_t>(i)], 1e-12));
 }
@@ -119,7 +123,7 @@ Drift drift(PhysicsWorld& world) {
 TEST_P(Mechanisms, GainNoEnergyOnTheirOwn) {
   // Velocities stand half a step before positions, so energy swings by the power of gravity (up to 250 W
   // here) times half a step; it must not pile up.
-  Mechanism two = doublePendulum(1.0, 0.5, 0.8, 0.4);
+  mechanism::Mechanism two = doublePendulum(1.0, 0.5, 0.8, 0.4);
   for (auto& f : two.frames) f.inertia.inertia_F = Vector3d::Constant(1e-3).asDiagonal();
   PhysicsWorld world;
   world.addMechanism(two, Transform::Identity(), {.solver = GetParam()});
@@ -139,7 +143,7 @@ TEST_P(Mechanisms, GainNoEnergyOnTheirOwn) {
 
 TEST_P(Mechanisms, StandStillWithGravityCompensation) {
   PhysicsWorld world;
-  const Mechanism m = humanoid();
+  const mechanism::Mechanism m = humanoid();
   MechanismOptions options{.solver = GetParam(), .gravity_compensation = true};
   options.limits = false;
   const int robot = world.addMechanism(m, Transform::Identity(), options);
@@ -151,7 +155,7 @@ TEST_P(Mechanisms, StandStillWithGravityCompensation) {
 }
 
 TEST_P(Mechanisms, StopAtTheirLimits) {
-  for (const auto type : {JointType::kRevolute, JointType::kPrismatic})
+  for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic})
     for (const double way : {1.0, -1.0}) {
       SCOPED_TRACE(::testing::Message() << static_cast<int>(type) << " " << way);
       PhysicsWorld world({.gravity_W = Vector3d::Zero()});
@@ -173,7 +177,7 @@ TEST_P(Mechanisms, StopAtTheirLimits) {
 }
 
 TEST_P(Mechanisms, HaveStopsBeyondHalfATurn) {
-  Mechanism m = single(JointType::kRevolute);
+  mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
   m.frames[0].limits.lower = -1.0;
   m.frames[0].limits.upper = 10.0;
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
@@ -194,7 +198,7 @@ TEST_P(Mechanisms, HaveStopsBeyondHalfATurn) {
 
 TEST_P(Mechanisms, AreDampedInClosedForm) {
   // qd decays by 1 / (1 + h d / I) each step, however large the damping is.
-  for (const auto type : {JointType::kRevolute, JointType::kPrismatic})
+  for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic})
     for (const double damping : {0.5, 1e4}) {
       SCOPED_TRACE(damping);
       PhysicsWorld world({.gravity_W = Vector3d::Zero()});
@@ -212,7 +216,7 @@ TEST_P(Mechanisms, AreDampedInClosedForm) {
 }
 
 TEST_P(Mechanisms, HaveMotorsThatKeepASpeedAsWellAsTheyCan) {
-  for (const auto type : {JointType::kRevolute, JointType::kPrismatic}) {
+  for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic}) {
     PhysicsWorld world({.gravity_W = Vector3d::Zero()});
     world.addMechanism(single(type), Transform::Identity(), {.solver = GetParam()});
     world.setMotor(0, 0, 0.3, 5.0);
@@ -239,7 +243,7 @@ TEST_P(Mechanisms, HaveMotorsThatKeepASpeedAsWellAsTheyCan) {
 
 TEST_P(Mechanisms, GiveNoMoreThanTheLimitOfEffort) {
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
-  world.addMechanism(single(JointType::kRevolute), Transform::Identity(), {.solver = GetParam()});
+  world.addMechanism(single(mechanism::JointType::kRevolute), Transform::Identity(), {.solver = GetParam()});
   world.setJointEffort(0, 0, 1000.0);
   world.step(kStep);
   EXPECT_NEAR(world.qd(0)[0], kStep * 40.0 / kInertia, 1e-12);
@@ -249,7 +253,7 @@ TEST(MechanismSolvers, TakeTheSameStepsWithStopsMotorsAndDamping) {
   // From the same state, step by step: left alone, rounding grows at every stop that is reached.
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE(seed);
-    Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 8, false);
+    mechanism::Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 8, false);
     for (auto& f : m.frames)
       f.limits = {f.offset - 0.4, f.offset + 0.5, kInfinity, seed % 2 == 0 ? 20.0 : kInfinity};
     PhysicsWorld world;
@@ -281,7 +285,7 @@ TEST(MechanismSolvers, TakeTheSameStepsWithStopsMotorsAndDamping) {
 TEST(ReducedMechanisms, BrakeJointsThatMimicEachOther) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);
-    const Mechanism m = randomRobot(seed, 10, true);
+    const mechanism::Mechanism m = randomRobot(seed, 10, true);
     PhysicsWorld world;
     const int robot = world.addMechanism(m, Transform::Identity(), {.solver = MechanismSolver::kReduced});
     const auto q = randomValues(m.dof, seed, 0, 2.0), qd = randomValues(m.dof, seed, 100, 2.0);
@@ -293,8 +297,9 @@ TEST(ReducedMechanisms, BrakeJointsThatMimicEachOther) {
 }
 
 TEST(ReducedMechanisms, ComeBackWhenJointsThatMimicEachOtherAreAtTheirStopsAtOnce) {
-  Mechanism m = single(JointType::kRevolute);
-  m.frames.push_back(jointFrame(2, 0, JointType::kRevolute, Vector3d::UnitY(), Vector3d(0, 0, -0.4), 0));
+  mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
+  m.frames.push_back(
+      jointFrame(2, 0, mechanism::JointType::kRevolute, Vector3d::UnitY(), Vector3d(0, 0, -0.4), 0));
   m.frames[1].inertia = m.frames[0].inertia;
   m.frames[1].limits = m.frames[0].limits;
   m.frames[1].mimic = true;
@@ -309,7 +314,7 @@ TEST(ReducedMechanisms, ComeBackWhenJointsThatMimicEachOtherAreAtTheirStopsAtOnc
 
 TEST_P(Mechanisms, AllocateNothingInSteadyState) {
   PhysicsWorld world;
-  Mechanism m = randomRobot(2, 12, true);
+  mechanism::Mechanism m = randomRobot(2, 12, true);
   for (auto& f : m.frames) f.limits = {-0.4, 0.5, kInfinity, kInfinity};
   MechanismOptions options{.solver = GetParam()};
   options.gravity_compensation = true;
@@ -329,7 +334,7 @@ TEST_P(Mechanisms, AllocateNothingInSteadyState) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-std::string refusal(const Mechanism& m, MechanismOptions options) {
+std::string refusal(const mechanism::Mechanism& m, MechanismOptions options) {
   PhysicsWorld world;
   try {
     world.addMechanism(m, Transform::Identity(), options);
@@ -344,7 +349,7 @@ std::string refusal(const Mechanism& m, MechanismOptions options) {
 TEST(MechanismErrors, NameTheLinkAndSayHowItGetsAMass) {
   using ::testing::HasSubstr;
   constexpr auto kReduced = MechanismSolver::kReduced;
-  Mechanism m = single(JointType::kRevolute);
+  mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
   m.frames[0].name = "upper_arm";
   EXPECT_EQ(refusal(m, {}), "taken");
   m.frames[0].inertia = {};
@@ -357,7 +362,7 @@ TEST(MechanismErrors, NameTheLinkAndSayHowItGetsAMass) {
   EXPECT_EQ(refusal(m, {.solver = kReduced}), "taken");
   m.frames[0].inertia.mass = kNaN;
   EXPECT_THAT(refusal(m, {}), HasSubstr("frame 'upper_arm': found mass nan"));
-  m = single(JointType::kRevolute);
+  m = single(mechanism::JointType::kRevolute);
   MechanismOptions bad;
   bad.damping = {1.0, 2.0};
   EXPECT_THAT(refusal(m, bad), HasSubstr("damping: found 2 values, expected 1"));
@@ -367,15 +372,17 @@ TEST(MechanismErrors, NameTheLinkAndSayHowItGetsAMass) {
 
 TEST(MechanismBodies, FixedFramesWithoutMassAreTheirParentsBody) {
   // The same arm with its tool as a frame of its own: the same motion.
-  Mechanism whole = single(JointType::kRevolute), parts = whole;
-  MechanismFrame tool = jointFrame(2, 0, JointType::kFixed, Vector3d::UnitZ(), {0.1, 0, -0.4}, -1);
+  mechanism::Mechanism whole = single(mechanism::JointType::kRevolute), parts = whole;
+  mechanism::MechanismFrame tool =
+      jointFrame(2, 0, mechanism::JointType::kFixed, Vector3d::UnitZ(), {0.1, 0, -0.4}, -1);
   tool.inertia = boxMass(0.5, {0.1, 0.1, 0.1}, {0, 0, 0});
   parts.frames.push_back(tool);
-  parts.frames.push_back(jointFrame(3, 1, JointType::kFixed, Vector3d::UnitZ(), {0, 0, 0.1}, -1));
+  parts.frames.push_back(jointFrame(3, 1, mechanism::JointType::kFixed, Vector3d::UnitZ(), {0, 0, 0.1}, -1));
   parts.prepare();
-  const LinkInertia &a = whole.frames[0].inertia, b = boxMass(0.5, {0.1, 0.1, 0.1}, {0.1, 0, -0.4});
+  const mechanism::LinkInertia &a = whole.frames[0].inertia,
+                               b = boxMass(0.5, {0.1, 0.1, 0.1}, {0.1, 0, -0.4});
   const double mass = a.mass + b.mass;
-  LinkInertia sum{mass, (a.mass * a.com_F + b.mass * b.com_F) / mass, a.inertia_F + b.inertia_F};
+  mechanism::LinkInertia sum{mass, (a.mass * a.com_F + b.mass * b.com_F) / mass, a.inertia_F + b.inertia_F};
   for (const auto* part : {&a, &b}) {
     const Vector3d r = part->com_F - sum.com_F;
     sum.inertia_F += part->mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
@@ -393,4 +400,4 @@ TEST(MechanismBodies, FixedFramesWithoutMassAreTheirParentsBody) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

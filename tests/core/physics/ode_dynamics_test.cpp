@@ -5,7 +5,7 @@
 #include "core/mechanism/forward_dynamics.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::physics {
 namespace {
 
 using namespace testing;
@@ -17,15 +17,16 @@ constexpr double kAgreement = 1e-9;
 /// the share of the joints' error that a step takes back.
 class OdeChain {
  public:
-  OdeChain(const RigidTree& tree, std::span<const double> q, std::span<const double> qd, double erp)
+  OdeChain(const mechanism::RigidTree& tree, std::span<const double> q, std::span<const double> qd,
+           double erp)
       : tree_(tree) {
     dInitODE2(0);
     world_ = dWorldCreate();
-    dWorldSetGravity(world_, kGravity.x(), kGravity.y(), kGravity.z());
+    dWorldSetGravity(world_, mechanism::kGravity.x(), mechanism::kGravity.y(), mechanism::kGravity.z());
     dWorldSetCFM(world_, 0.0);
     dWorldSetERP(world_, erp);
-    placeBodies(tree, q, state_);
-    moveBodies(tree, qd, state_);
+    mechanism::placeBodies(tree, q, state_);
+    mechanism::moveBodies(tree, qd, state_);
     for (std::size_t i = 0; i < tree.bodies.size(); ++i) addBody(i);
   }
   ~OdeChain() { dWorldDestroy(world_); }
@@ -61,8 +62,8 @@ class OdeChain {
 
  private:
   void addBody(std::size_t i) {
-    const TreeBody& b = tree_.bodies[i];
-    const TreeBodyState& s = state_.bodies[i];
+    const mechanism::TreeBody& b = tree_.bodies[i];
+    const mechanism::TreeBodyState& s = state_.bodies[i];
     const dBodyID body = dBodyCreate(world_);
     dMass mass;
     const Matrix3d& I = b.inertia;
@@ -91,8 +92,8 @@ class OdeChain {
     }
   }
 
-  const RigidTree& tree_;
-  TreeState state_;
+  const mechanism::RigidTree& tree_;
+  mechanism::TreeState state_;
   dWorldID world_;
   std::vector<dBodyID> bodies_;
   std::vector<dJointID> joints_;
@@ -109,23 +110,23 @@ TEST(ForwardDynamicsOfOde, HasOurAccelerationsAtRest) {
   constexpr double kStep = 1e-6;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    const Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 10, false);
-    const RigidTree tree = makeRigidTree(m);
+    const mechanism::Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 10, false);
+    const mechanism::RigidTree tree = mechanism::makeRigidTree(m);
     const auto q = randomValues(m.dof, seed, 0, 2.0), tau = randomValues(m.dof, seed, 100, 20.0);
     const std::vector<double> rest(q.size(), 0.0);
     OdeChain ode(tree, q, rest, 0.0);  // else rounding over the step's square is put right
-    ForwardState state;
-    placeBodies(tree, q, state.tree);
+    mechanism::ForwardState state;
+    mechanism::placeBodies(tree, q, state.tree);
     std::vector<Wrench> external(tree.bodies.size());
     for (std::size_t i = 0; i < external.size(); ++i) {
       const auto v = randomValues(9, seed, 300 + 10 * i, 10.0);
       const Vector3d p_W = state.tree.bodies[i].p_B + 0.02 * Vector3d(v[0], v[1], v[2]);
       const Wrench w{Vector3d(v[3], v[4], v[5]), Vector3d(v[6], v[7], v[8])};
       ode.push(i, w, p_W);
-      external[i] = aboutOrigin(w, p_W);
+      external[i] = mechanism::aboutOrigin(w, p_W);
     }
     std::vector<double> qdd(q.size());
-    ASSERT_EQ(forwardDynamics(tree, q, rest, tau, kGravity, external, state, qdd), -1);
+    ASSERT_EQ(mechanism::forwardDynamics(tree, q, rest, tau, mechanism::kGravity, external, state, qdd), -1);
     ode.step(kStep, tau);
     for (std::size_t i = 0; i < q.size(); ++i)
       EXPECT_NEAR(ode.rate(i) / kStep, qdd[i], kAgreement * largest(qdd)) << i;
@@ -136,8 +137,8 @@ constexpr double kTime = 0.05;  // s
 constexpr int kLevels = 5;      // 100 to 1,600 steps
 
 /// q and qd after kTime under constant efforts, by ODE, Richardson's extrapolation of steps towards zero.
-std::vector<double> extrapolated(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                                 std::span<const double> tau) {
+std::vector<double> extrapolated(const mechanism::RigidTree& tree, std::span<const double> q,
+                                 std::span<const double> qd, std::span<const double> tau) {
   const std::size_t n = q.size();
   std::vector<std::vector<double>> levels;
   for (int level = 0; level < kLevels; ++level) {
@@ -161,19 +162,19 @@ std::vector<double> extrapolated(const RigidTree& tree, std::span<const double> 
 }
 
 /// The same by our forward dynamics and Runge and Kutta's method of fourth order.
-std::vector<double> integrated(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                               std::span<const double> tau) {
+std::vector<double> integrated(const mechanism::RigidTree& tree, std::span<const double> q,
+                               std::span<const double> qd, std::span<const double> tau) {
   const std::size_t n = q.size();
-  ForwardState state;
+  mechanism::ForwardState state;
   std::vector<double> x(q.begin(), q.end());
   x.insert(x.end(), qd.begin(), qd.end());
   const auto slope = [&](const std::vector<double>& at) {
     std::vector<double> out(at.begin() + static_cast<std::ptrdiff_t>(n), at.end());
     out.resize(2 * n);
     const std::span<const double> all(at);
-    EXPECT_EQ(
-        forwardDynamics(tree, all.first(n), all.last(n), tau, kGravity, {}, state, std::span(out).last(n)),
-        -1);
+    EXPECT_EQ(mechanism::forwardDynamics(tree, all.first(n), all.last(n), tau, mechanism::kGravity, {}, state,
+                                         std::span(out).last(n)),
+              -1);
     return out;
   };
   const auto along = [&](const std::vector<double>& s, double h) {
@@ -193,9 +194,9 @@ std::vector<double> integrated(const RigidTree& tree, std::span<const double> q,
 TEST(ForwardDynamicsOfOde, MovesAsOursDoesWhenStepsGoToZero) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
-    const Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 6, false);
-    RigidTree tree = makeRigidTree(m);
-    for (TreeBody& b : tree.bodies) b.offset = 0.0;
+    const mechanism::Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 6, false);
+    mechanism::RigidTree tree = mechanism::makeRigidTree(m);
+    for (mechanism::TreeBody& b : tree.bodies) b.offset = 0.0;
     const auto q = randomValues(m.dof, seed, 0, 1.0), qd = randomValues(m.dof, seed, 100, 1.5),
                tau = randomValues(m.dof, seed, 200, 5.0);
     const auto ode = extrapolated(tree, q, qd, tau), ours = integrated(tree, q, qd, tau);
@@ -205,4 +206,4 @@ TEST(ForwardDynamicsOfOde, MovesAsOursDoesWhenStepsGoToZero) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::physics

@@ -14,13 +14,16 @@ namespace {
 
 constexpr double kVoxel = 0.005;
 // The contract: one voxel with layers, a quarter of one with the float fields.
-double tolerance(FieldKind field) { return field == FieldKind::kLayered ? kVoxel : 0.25 * kVoxel; }
+double tolerance(structure::FieldKind field) {
+  return field == structure::FieldKind::kLayered ? kVoxel : 0.25 * kVoxel;
+}
 
-PairResult query(const HapticStructure& a, const Transform& X_WA, const HapticStructure& b,
-                 const Transform& X_WB, const PairOptions& options = {}) {
-  PairScratch scratch;
-  PairResult result;
-  queryPair(a, X_WA, b, X_WB, options, scratch, result);
+query::PairResult query(const structure::HapticStructure& a, const Transform& X_WA,
+                        const structure::HapticStructure& b, const Transform& X_WB,
+                        const query::PairOptions& options = {}) {
+  kernels::PairScratch scratch;
+  query::PairResult result;
+  query::queryPair(a, X_WA, b, X_WB, options, scratch, result);
   return result;
 }
 
@@ -30,21 +33,21 @@ Transform at(double x, double y, double z, double roll = 0, double pitch = 0, do
 
 struct Case {
   const char* name;
-  Shape a;
+  geometry::Shape a;
   Transform X_WA;
-  Shape b;
+  geometry::Shape b;
   Transform X_WB;
   double distance;
 };
 
 const double kHalf = std::sqrt(0.5), kDiagonal = std::sqrt(3.0);
-const Shape kSphere = Sphere{0.05};
-const Shape kSmallSphere = Sphere{0.03};
-const Shape kBox = Cuboid{{0.1, 0.12, 0.14}};
-const Shape kCube = Cuboid{{0.1, 0.1, 0.1}};
-const Shape kWall = Cuboid{{0.1, 0.5, 0.5}};
-const Shape kEgg = Ellipsoid{{0.04, 0.05, 0.09}};
-const Shape kCapsule = Capsule{0.03, 0.15};
+const geometry::Shape kSphere = geometry::Sphere{0.05};
+const geometry::Shape kSmallSphere = geometry::Sphere{0.03};
+const geometry::Shape kBox = geometry::Cuboid{{0.1, 0.12, 0.14}};
+const geometry::Shape kCube = geometry::Cuboid{{0.1, 0.1, 0.1}};
+const geometry::Shape kWall = geometry::Cuboid{{0.1, 0.5, 0.5}};
+const geometry::Shape kEgg = geometry::Ellipsoid{{0.04, 0.05, 0.09}};
+const geometry::Shape kCapsule = geometry::Capsule{0.03, 0.15};
 // Height of the tilted egg's lowest point below its centre: support function of an ellipsoid.
 double eggSupport(double roll) { return std::hypot(0.05 * std::sin(roll), 0.09 * std::cos(roll)); }
 
@@ -83,7 +86,7 @@ const std::vector<Case> kCases{
      std::hypot(0.02, 0.1) - 0.06},
 };
 
-class ClosedForm : public ::testing::TestWithParam<FieldKind> {};
+class ClosedForm : public ::testing::TestWithParam<structure::FieldKind> {};
 
 TEST_P(ClosedForm, DistanceErrsLessThanToleranceAndNeverMoreThanItsBound) {
   for (const Case& c : kCases) {
@@ -91,7 +94,7 @@ TEST_P(ClosedForm, DistanceErrsLessThanToleranceAndNeverMoreThanItsBound) {
     const auto& a = structureOf(c.a, GetParam());
     const auto& b = structureOf(c.b, GetParam());
     for (const bool swapped : {false, true}) {
-      const PairResult r = swapped ? query(b, c.X_WB, a, c.X_WA) : query(a, c.X_WA, b, c.X_WB);
+      const query::PairResult r = swapped ? query(b, c.X_WB, a, c.X_WA) : query(a, c.X_WA, b, c.X_WB);
       EXPECT_NEAR(r.distance, c.distance, tolerance(GetParam()));
       EXPECT_LE(std::abs(r.distance - c.distance), r.bound);
       EXPECT_GE(c.distance, r.distance - r.bound);
@@ -105,7 +108,7 @@ TEST_P(ClosedForm, WitnessesLieOnTheirSurfaces) {
     SCOPED_TRACE(c.name);
     const auto& a = structureOf(c.a, GetParam());
     const auto& b = structureOf(c.b, GetParam());
-    const PairResult r = query(a, c.X_WA, b, c.X_WB);
+    const query::PairResult r = query(a, c.X_WA, b, c.X_WB);
     constexpr double kOnSurface = 1e-7;  // shell points are kept in float
     EXPECT_NEAR(a.surface->closest(c.X_WA.inverse() * r.witness_a).distance, 0.0, kOnSurface);
     EXPECT_NEAR(b.surface->closest(c.X_WB.inverse() * r.witness_b).distance, 0.0, kOnSurface);
@@ -117,14 +120,15 @@ TEST_P(ClosedForm, TheBoundHoldsForRandomPosesOfASphere) {
   const auto& sphere = structureOf(kSmallSphere, GetParam());
   int breaches = 0;
   double worst = 0.0;
-  for (const Shape& shape : {kBox, kEgg, kCapsule, kWall, Shape{Cylinder{0.05, 0.2}}}) {
+  for (const geometry::Shape& shape :
+       {kBox, kEgg, kCapsule, kWall, geometry::Shape{geometry::Cylinder{0.05, 0.2}}}) {
     const auto& body = structureOf(shape, GetParam());
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
       const double reach = seed % 4 == 0 ? 1.5 : 0.25;
       const Transform X_WS = randomPose(seed, reach), X_WB = randomPose(seed + 1000, 0.05);
-      const double truth = distanceTo(shape, X_WB.inverse() * X_WS.translation()).distance - 0.03;
+      const double truth = geometry::distanceTo(shape, X_WB.inverse() * X_WS.translation()).distance - 0.03;
       if (truth < -0.02) continue;
-      const PairResult r = query(sphere, X_WS, body, X_WB);
+      const query::PairResult r = query(sphere, X_WS, body, X_WB);
       if (truth >= 0.0) {
         if (truth < r.distance - r.bound) ++breaches;
         worst = std::max(worst, std::abs(r.distance - truth));
@@ -141,17 +145,18 @@ TEST_P(ClosedForm, TheBoundHoldsForRandomPosesOfASphere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, ClosedForm,
-                         ::testing::Values(FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed),
-                         [](const auto& test) { return std::string(fieldName(test.param)); });
+                         ::testing::Values(structure::FieldKind::kLayered, structure::FieldKind::kFloat,
+                                           structure::FieldKind::kMixed),
+                         [](const auto& test) { return std::string(structure::fieldName(test.param)); });
 
 TEST(PairQuery, ForcesAndTorquesCancel) {
-  const auto& a = structureOf(kBox, FieldKind::kMixed);
-  const auto& b = structureOf(kEgg, FieldKind::kMixed);
+  const auto& a = structureOf(kBox, structure::FieldKind::kMixed);
+  const auto& b = structureOf(kEgg, structure::FieldKind::kMixed);
   int touching = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     const Transform X_WA = randomPose(seed, 0.08), X_WB = randomPose(seed + 500, 0.08);
-    const PairResult r = query(a, X_WA, b, X_WB, {.margin = 0.02});
+    const query::PairResult r = query(a, X_WA, b, X_WB, {.margin = 0.02});
     if (r.contacts == 0) continue;
     ++touching;
     // Sum of the moments about the world's origin; the force on B is the opposite of the force on A.
@@ -164,14 +169,14 @@ TEST(PairQuery, ForcesAndTorquesCancel) {
 }
 
 TEST(PairQuery, MovingBothBodiesTogetherTurnsEverythingWithThem) {
-  const auto& a = structureOf(kBox, FieldKind::kMixed);
-  const auto& b = structureOf(kSphere, FieldKind::kMixed);
+  const auto& a = structureOf(kBox, structure::FieldKind::kMixed);
+  const auto& b = structureOf(kSphere, structure::FieldKind::kMixed);
   const Transform X_WA = at(0, 0, 0, 0.2, 0.1, 0.4), X_WB = at(0.09, 0.02, 0.03);
-  const PairResult r = query(a, X_WA, b, X_WB, {.margin = 0.01});
+  const query::PairResult r = query(a, X_WA, b, X_WB, {.margin = 0.01});
   ASSERT_GT(r.contacts, 0);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Transform X = randomPose(seed, 2.0);
-    const PairResult moved = query(a, X * X_WA, b, X * X_WB, {.margin = 0.01});
+    const query::PairResult moved = query(a, X * X_WA, b, X * X_WB, {.margin = 0.01});
     // Float rounding of points metres away from the origin.
     EXPECT_NEAR(moved.distance, r.distance, 1e-6);
     EXPECT_LE((moved.force_a - X.linear() * r.force_a).norm(), 1e-3 * r.force_a.norm());
@@ -179,13 +184,13 @@ TEST(PairQuery, MovingBothBodiesTogetherTurnsEverythingWithThem) {
 }
 
 TEST(PairQuery, MarginsReachOutAndDoNotChangeTheDistance) {
-  const auto& a = structureOf(kSphere, FieldKind::kMixed);
-  const auto& b = structureOf(kBox, FieldKind::kMixed);
+  const auto& a = structureOf(kSphere, structure::FieldKind::kMixed);
+  const auto& b = structureOf(kBox, structure::FieldKind::kMixed);
   const Transform X_WA = at(0.05 + 0.05 + 0.03, 0, 0), X_WB = Transform::Identity();
-  const PairResult apart = query(a, X_WA, b, X_WB, {.margin = 0.02});
+  const query::PairResult apart = query(a, X_WA, b, X_WB, {.margin = 0.02});
   EXPECT_EQ(apart.contacts, 0);
   EXPECT_EQ(apart.force_a.norm(), 0.0);
-  const PairResult within = query(a, X_WA, b, X_WB, {.margin = 0.05});
+  const query::PairResult within = query(a, X_WA, b, X_WB, {.margin = 0.05});
   EXPECT_GT(within.contacts, 0);
   EXPECT_NEAR(within.depth, 0.02, 0.25 * kVoxel);
   EXPECT_EQ(within.distance, apart.distance);
@@ -193,13 +198,14 @@ TEST(PairQuery, MarginsReachOutAndDoNotChangeTheDistance) {
 }
 
 TEST(PairQuery, AllocatesNothing) {
-  const auto& a = structureOf(kBox, FieldKind::kMixed);
-  const auto& b = structureOf(kEgg, FieldKind::kMixed);
-  PairScratch scratch;
-  PairResult result;
+  const auto& a = structureOf(kBox, structure::FieldKind::kMixed);
+  const auto& b = structureOf(kEgg, structure::FieldKind::kMixed);
+  kernels::PairScratch scratch;
+  query::PairResult result;
   const NoAlloc guard;
   for (std::uint64_t seed = 0; seed < 50; ++seed)
-    queryPair(a, randomPose(seed, 0.1), b, randomPose(seed + 100, 0.1), {.margin = 0.05}, scratch, result);
+    query::queryPair(a, randomPose(seed, 0.1), b, randomPose(seed + 100, 0.1), {.margin = 0.05}, scratch,
+                     result);
   EXPECT_EQ(guard.count(), 0);
 }
 

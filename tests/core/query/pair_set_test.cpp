@@ -27,10 +27,11 @@ constexpr int kFrames = 400;
 class Crowd {
  public:
   explicit Crowd(bool jumps = false) : jumps_(jumps) {
-    for (const Shape& shape :
-         {Shape(Sphere{0.05}), Shape(Cuboid{{0.1, 0.12, 0.3}}), Shape(Ellipsoid{{0.04, 0.05, 0.12}}),
-          Shape(Capsule{0.04, 0.15}), Shape(Cylinder{0.05, 0.2})})
-      bodies.push_back(&structureOf(shape, FieldKind::kMixed));
+    for (const geometry::Shape& shape :
+         {geometry::Shape(geometry::Sphere{0.05}), geometry::Shape(geometry::Cuboid{{0.1, 0.12, 0.3}}),
+          geometry::Shape(geometry::Ellipsoid{{0.04, 0.05, 0.12}}),
+          geometry::Shape(geometry::Capsule{0.04, 0.15}), geometry::Shape(geometry::Cylinder{0.05, 0.2})})
+      bodies.push_back(&structureOf(shape, structure::FieldKind::kMixed));
     for (std::uint32_t a = 0; a < bodies.size(); ++a)
       for (std::uint32_t b = a + 1; b < bodies.size(); ++b) pairs.push_back({a, b});
     X_WB.resize(bodies.size());
@@ -48,8 +49,8 @@ class Crowd {
                   Eigen::AngleAxisd(std::numbers::pi, Vector3d::UnitX());
     }
   }
-  std::vector<const HapticStructure*> bodies;
-  std::vector<PairSet::Bodies> pairs;
+  std::vector<const structure::HapticStructure*> bodies;
+  std::vector<query::PairSet::Bodies> pairs;
   std::vector<Transform> X_WB;
 
  private:
@@ -57,26 +58,27 @@ class Crowd {
   std::mt19937 random_{5};
 };
 
-PairResult alone(const Crowd& crowd, std::size_t pair, const PairOptions& options) {
-  PairScratch scratch;
-  PairResult result;
+query::PairResult alone(const Crowd& crowd, std::size_t pair, const query::PairOptions& options) {
+  kernels::PairScratch scratch;
+  query::PairResult result;
   const auto [a, b] = crowd.pairs[pair];
-  queryPair(*crowd.bodies[a], crowd.X_WB[a], *crowd.bodies[b], crowd.X_WB[b], options, scratch, result);
+  query::queryPair(*crowd.bodies[a], crowd.X_WB[a], *crowd.bodies[b], crowd.X_WB[b], options, scratch,
+                   result);
   return result;
 }
 
 TEST(PairSet, FindsTheNearestPairOfAll) {
   for (const bool jumps : {false, true}) {
     Crowd crowd(jumps);
-    PairSet set(crowd.bodies, crowd.pairs);
+    query::PairSet set(crowd.bodies, crowd.pairs);
     int apart = 0, inside = 0;
     for (int frame = 0; frame < kFrames; ++frame) {
       crowd.move(frame);
       double least = kInfinity;
       for (std::size_t i = 0; i < set.size(); ++i) least = std::min(least, alone(crowd, i, {}).distance);
-      const PairSet::Nearest& nearest = set.nearest(crowd.X_WB, {});
+      const query::PairSet::Nearest& nearest = set.nearest(crowd.X_WB, {});
       // A walk from elsewhere may end nearer, within the bound of the one that did not.
-      const PairResult same = alone(crowd, nearest.pair, {});
+      const query::PairResult same = alone(crowd, nearest.pair, {});
       ASSERT_LE(nearest.result.distance, least + (least > 0.0 ? kSameDistance : kSameDepth)) << frame;
       ASSERT_GE(nearest.result.distance, same.distance - same.bound - kSameDistance) << frame;
       ASSERT_LE(same.distance - same.bound, least + kSameDistance) << frame;
@@ -90,15 +92,15 @@ TEST(PairSet, FindsTheNearestPairOfAll) {
 TEST(PairSet, MissesNoContactAndInventsNone) {
   for (const auto& [margin, jumps] : {std::pair(0.0, false), {0.03, false}, {0.0, true}, {0.03, true}}) {
     Crowd crowd(jumps);
-    PairSet set(crowd.bodies, crowd.pairs);
-    const PairOptions options{.margin = margin};
+    query::PairSet set(crowd.bodies, crowd.pairs);
+    const query::PairOptions options{.margin = margin};
     int touching = 0;
     for (int frame = 0; frame < kFrames; ++frame) {
       crowd.move(frame);
       const auto touches = set.contacts(crowd.X_WB, options);
       auto touch = touches.begin();
       for (std::size_t i = 0; i < set.size(); ++i) {
-        const PairResult each = alone(crowd, i, options);
+        const query::PairResult each = alone(crowd, i, options);
         const bool found = touch != touches.end() && touch->pair == i;
         if (found) {
           ASSERT_LT(each.distance, margin + kShallow) << frame;
@@ -121,8 +123,8 @@ TEST(PairSet, MissesNoContactAndInventsNone) {
 
 TEST(PairSet, AllocatesNothing) {
   Crowd crowd;
-  PairSet set(crowd.bodies, crowd.pairs);
-  std::vector<PairResult> results(set.size());
+  query::PairSet set(crowd.bodies, crowd.pairs);
+  std::vector<query::PairResult> results(set.size());
   crowd.move(0);
   const NoAlloc guard;
   for (int frame = 0; frame < 50; ++frame) {

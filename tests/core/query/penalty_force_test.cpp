@@ -14,19 +14,23 @@ constexpr double kStiffness = 1e6;   // N/m^3
 constexpr double kTolerance = 0.02;  // of the force: what the sampling at 5 mm may cost
 
 /// A wall whose upper face is the plane z = 0.
-const HapticStructure& wall() { return structureOf(Cuboid{{0.6, 0.6, 0.1}}, FieldKind::kMixed); }
+const structure::HapticStructure& wall() {
+  return structureOf(geometry::Cuboid{{0.6, 0.6, 0.1}}, structure::FieldKind::kMixed);
+}
 const Transform kWallPose = fromXyzRpy({0, 0, -0.05}, {0, 0, 0});
 
-PairResult press(const HapticStructure& body, const Transform& X_WB, ForceLaw law = ForceLaw::kVolume) {
-  PairScratch scratch;
-  PairResult r;
-  queryPair(body, X_WB, wall(), kWallPose, {.margin = 0.0, .stiffness = kStiffness, .law = law}, scratch, r);
+query::PairResult press(const structure::HapticStructure& body, const Transform& X_WB,
+                        query::ForceLaw law = query::ForceLaw::kVolume) {
+  kernels::PairScratch scratch;
+  query::PairResult r;
+  query::queryPair(body, X_WB, wall(), kWallPose, {.margin = 0.0, .stiffness = kStiffness, .law = law},
+                   scratch, r);
   return r;
 }
 
 /// Volume of the part of a closed mesh that lies below z = 0, by the divergence theorem over the clipped
 /// triangles: V = - integral over the submerged surface of z n_z dA.
-double volumeBelow(const TriangleMesh& mesh, const Transform& X_WB) {
+double volumeBelow(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
   double volume = 0.0;
   for (const auto& t : mesh.triangles) {
     std::vector<Vector3d> polygon, below;
@@ -46,14 +50,14 @@ double volumeBelow(const TriangleMesh& mesh, const Transform& X_WB) {
 
 TEST(VolumeLaw, SphereInAWall) {
   constexpr double r = 0.05;
-  const auto& sphere = structureOf(Sphere{r}, FieldKind::kMixed);
+  const auto& sphere = structureOf(geometry::Sphere{r}, structure::FieldKind::kMixed);
   for (const double depth : {0.005, 0.01, 0.02}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       SCOPED_TRACE(depth);
       Transform X = randomPose(seed, 0.1);
       X.translation().z() = r - depth;
       const double volume = kPi * depth * depth * (3 * r - depth) / 3;  // spherical cap
-      const PairResult result = press(sphere, X);
+      const query::PairResult result = press(sphere, X);
       EXPECT_NEAR(result.force_a.z(), kStiffness * volume, kTolerance * kStiffness * volume);
       EXPECT_LT(result.force_a.head<2>().norm(), kTolerance * kStiffness * volume);
     }
@@ -61,8 +65,8 @@ TEST(VolumeLaw, SphereInAWall) {
 }
 
 TEST(VolumeLaw, BoxInAWall) {
-  const auto& box = structureOf(Cuboid{{0.1, 0.12, 0.14}}, FieldKind::kMixed);
-  const TriangleMesh mesh = tessellate(Cuboid{{0.1, 0.12, 0.14}}, 1e-3);
+  const auto& box = structureOf(geometry::Cuboid{{0.1, 0.12, 0.14}}, structure::FieldKind::kMixed);
+  const geometry::TriangleMesh mesh = geometry::tessellate(geometry::Cuboid{{0.1, 0.12, 0.14}}, 1e-3);
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     Transform X = seed == 0 ? Transform::Identity() : randomPose(seed, 0.1);
@@ -80,9 +84,10 @@ TEST(VolumeLaw, BoxInAWall) {
 TEST(VolumeLaw, BunnyInAWall) {
   const auto file = sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
-  LoadedMesh bunny = loadMesh(file, 0.2 / 0.1558);
-  const TriangleMesh mesh = bunny.mesh;
-  const auto body = buildHapticStructure("bunny", makeSurface(std::move(bunny.mesh)), {});
+  mesh_file::LoadedMesh bunny = mesh_file::loadMesh(file, 0.2 / 0.1558);
+  const geometry::TriangleMesh mesh = bunny.mesh;
+  const auto body =
+      structure::buildHapticStructure("bunny", geometry::makeSurface(std::move(bunny.mesh)), {});
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     Transform X = randomPose(seed, 0.05);
@@ -99,19 +104,19 @@ TEST(VolumeLaw, BunnyInAWall) {
 
 TEST(VolumeLaw, DoesNotDependOnTheSamplingAndTheThesisLawDoes) {
   const Transform X = fromXyzRpy({0.01, 0.02, 0.04}, {0.1, 0.2, 0.3});
-  const auto& coarse = structureOf(Sphere{0.05}, FieldKind::kMixed, 0.005);
-  const auto& fine = structureOf(Sphere{0.05}, FieldKind::kMixed, 0.0025);
+  const auto& coarse = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed, 0.005);
+  const auto& fine = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed, 0.0025);
   const double by_volume = press(fine, X).force_a.z() / press(coarse, X).force_a.z();
-  const double by_count =
-      press(fine, X, ForceLaw::kThesis).force_a.z() / press(coarse, X, ForceLaw::kThesis).force_a.z();
+  const double by_count = press(fine, X, query::ForceLaw::kThesis).force_a.z() /
+                          press(coarse, X, query::ForceLaw::kThesis).force_a.z();
   EXPECT_NEAR(by_volume, 1.0, kTolerance);
   EXPECT_NEAR(by_count, 4.0, 0.4);  // half the pitch, four times the points
 }
 
 TEST(VolumeLaw, TorqueIsThatOfThePressureAboutTheCentre) {
   // A box pressed flat into the edge region of the wall: the submerged part lies off its centre.
-  const auto& box = structureOf(Cuboid{{0.1, 0.1, 0.1}}, FieldKind::kMixed);
-  const PairResult r = press(box, fromXyzRpy({0.3, 0, 0.04}, {0, 0, 0}));
+  const auto& box = structureOf(geometry::Cuboid{{0.1, 0.1, 0.1}}, structure::FieldKind::kMixed);
+  const query::PairResult r = press(box, fromXyzRpy({0.3, 0, 0.04}, {0, 0, 0}));
   // Half of the base, 0.1 x 0.05, is over the wall. A point u from the wall's edge is min(u, 0.01) deep: its
   // nearest face is the wall's side for u < 0.01. So F = k 0.1 (0.01^2 / 2 + 0.01 * 0.04), and u is its
   // lever.

@@ -20,16 +20,17 @@ constexpr double kFloatPart = 1e-6;
 // m; of the brute force in double, of bodies of a metre.
 constexpr double kRounding = 1e-12;
 
-std::shared_ptr<const HapticStructure> structureFrom(const TriangleMesh& mesh, const HapticOptions& options) {
-  const std::shared_ptr<const Surface> surface = makeSurface(mesh);
-  return buildHapticStructure("body", surface, options);
+std::shared_ptr<const structure::HapticStructure> structureFrom(const geometry::TriangleMesh& mesh,
+                                                                const structure::HapticOptions& options) {
+  const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(mesh);
+  return structure::buildHapticStructure("body", surface, options);
 }
 
 /// A body beside its exact triangles.
 struct Exact {
-  std::shared_ptr<const HapticStructure> structure;
+  std::shared_ptr<const structure::HapticStructure> structure;
   verify::TriangleSoup soup;
-  Exact(const TriangleMesh& mesh, const HapticOptions& options)
+  Exact(const geometry::TriangleMesh& mesh, const structure::HapticOptions& options)
       : structure(structureFrom(mesh, options)), soup(mesh) {}
 };
 
@@ -40,15 +41,15 @@ struct Seen {
 /// A is moved to each pose, B stays; `distance` of a pose is the true one, 0 where they overlap. Apart: it
 /// lies between distance - bound and distance, but for rounding. Overlapping: distance - bound says so.
 template <class Distance>
-Seen expectCertified(const HapticStructure& a, const HapticStructure& b, const std::vector<Transform>& poses,
-                     Distance distance) {
+Seen expectCertified(const structure::HapticStructure& a, const structure::HapticStructure& b,
+                     const std::vector<Transform>& poses, Distance distance) {
   Seen seen;
-  PairScratch scratch;
-  PairResult r;
+  kernels::PairScratch scratch;
+  query::PairResult r;
   const double size = a.bounding_sphere.radius + b.bounding_sphere.radius;
   for (const Transform& X_BA : poses) {
     const double exact = distance(X_BA);
-    queryPair(a, X_BA, b, Transform::Identity(), {}, scratch, r);
+    query::queryPair(a, X_BA, b, Transform::Identity(), {}, scratch, r);
     SCOPED_TRACE(::testing::Message() << "pose\n" << X_BA.matrix() << "\nexact " << exact);
     EXPECT_LE(r.distance - r.bound, exact + kRounding);
     if (exact > 0.0) {
@@ -78,23 +79,24 @@ std::vector<Transform> randomPoses(int count, double reach) {
 }
 
 TEST(Scale, AMeshOf300000Triangles) {
-  constexpr HapticOptions kCoarse{.voxel_size = 0.015, .point_spacing = 0.015, .outer_layers = 6};
-  const TriangleMesh mesh = bumpyTorus(0.3, 0.1, 500, 300);
+  constexpr structure::HapticOptions kCoarse{.voxel_size = 0.015, .point_spacing = 0.015, .outer_layers = 6};
+  const geometry::TriangleMesh mesh = bumpyTorus(0.3, 0.1, 500, 300);
   const Exact ring(mesh, kCoarse);
   ASSERT_EQ(ring.structure->triangles, 300000u);
   EXPECT_TRUE(ring.structure->surface->watertight());
 
   // The ring as the field.
   const Exact star(verify::starMesh(0.02, 0.06), {.voxel_size = 0.01, .point_spacing = 0.01});
-  ASSERT_TRUE(pointsFromA(*star.structure, *ring.structure));
+  ASSERT_TRUE(query::pointsFromA(*star.structure, *ring.structure));
   const Seen with_star = expectCertified(star, ring, randomPoses(16, 0.35));
   EXPECT_GE(with_star.apart, 3);
   EXPECT_GE(with_star.overlapping, 2);
 
   // The ring as the points, over a plate that reaches beyond it: its lowest corner is the nearest.
-  const auto plate = buildHapticStructure("plate", makeSurface(Cuboid{{2.0, 2.0, 0.2}}),
-                                          {.voxel_size = 0.05, .point_spacing = 0.05});
-  ASSERT_TRUE(pointsFromA(*ring.structure, *plate));
+  const auto plate =
+      structure::buildHapticStructure("plate", geometry::makeSurface(geometry::Cuboid{{2.0, 2.0, 0.2}}),
+                                      {.voxel_size = 0.05, .point_spacing = 0.05});
+  ASSERT_TRUE(query::pointsFromA(*ring.structure, *plate));
   std::vector<Transform> above = randomPoses(40, 0.2);
   for (Transform& X : above) X.translation().z() += 0.5;
   const Seen with_plate = expectCertified(*ring.structure, *plate, above, [&](const Transform& X) {
@@ -107,8 +109,8 @@ TEST(Scale, AMeshOf300000Triangles) {
 }
 
 /// A regular shell of a cube: 6 n^2 points in the middles of equal squares.
-Pointshell regularShell(double edge, int n) {
-  Pointshell shell;
+shell::Pointshell regularShell(double edge, int n) {
+  shell::Pointshell shell;
   const double step = edge / n;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
@@ -138,14 +140,14 @@ TEST(Scale, AShellOfAMillionPoints) {
   // other.
   constexpr double kEdge = 0.5;
   constexpr int kAlong = 409;
-  const TriangleMesh mesh = verify::boxMesh({kEdge, kEdge, kEdge});
+  const geometry::TriangleMesh mesh = verify::boxMesh({kEdge, kEdge, kEdge});
   const Exact coarse(mesh, {.voxel_size = 0.02, .point_spacing = 0.02});
-  HapticStructure fine = *coarse.structure;
+  structure::HapticStructure fine = *coarse.structure;
   fine.shell = regularShell(kEdge, kAlong);
-  fine.tree = makeTree(fine.shell);
+  fine.tree = shell::makeTree(fine.shell);
   ASSERT_GE(fine.shell.size(), 1'000'000u);
   const ScratchFolder folder;
-  StructureCache cache(folder.path());
+  store::StructureCache cache(folder.path());
   cache.keep({}, fine);
   Exact cube = coarse;
   cube.structure = cache.findStructure({}, "cube", coarse.structure->surface);
@@ -154,7 +156,7 @@ TEST(Scale, AShellOfAMillionPoints) {
 
   // A ring round the cube, so that the cube gives the points. It floats about, and through, its tube.
   const Exact ring(verify::torusMesh(0.8, 0.1, 24, 12), {.voxel_size = 0.04, .point_spacing = 0.04});
-  ASSERT_TRUE(pointsFromA(*cube.structure, *ring.structure));
+  ASSERT_TRUE(query::pointsFromA(*cube.structure, *ring.structure));
   const Seen seen = expectCertified(cube, ring, randomPoses(200, 0.8));
   EXPECT_GE(seen.apart, 20);
   EXPECT_GE(seen.overlapping, 20);
@@ -162,14 +164,15 @@ TEST(Scale, AShellOfAMillionPoints) {
   // A corner 20 mm deep in a wall: the force is that of the submerged pyramid, once the points are that
   // dense. Its height d along the diagonal gives the volume d^3 sqrt(3)/2.
   constexpr double kDeep = 0.02, kStiffness = 1e6;
-  const auto wall = buildHapticStructure("wall", makeSurface(Cuboid{{2.0, 2.0, 1.0}}),
-                                         {.voxel_size = 0.05, .point_spacing = 0.05});
+  const auto wall =
+      structure::buildHapticStructure("wall", geometry::makeSurface(geometry::Cuboid{{2.0, 2.0, 1.0}}),
+                                      {.voxel_size = 0.05, .point_spacing = 0.05});
   Transform X = Transform::Identity();
   X.linear() = turnBetween(Vector3d::Ones(), -Vector3d::UnitZ()).toRotationMatrix();
   X.translation() = Vector3d(0.0, 0.0, 0.5 + std::sqrt(0.75) * kEdge - kDeep);
-  PairScratch scratch;
-  PairResult r;
-  queryPair(*cube.structure, X, *wall, Transform::Identity(), {.stiffness = kStiffness}, scratch, r);
+  kernels::PairScratch scratch;
+  query::PairResult r;
+  query::queryPair(*cube.structure, X, *wall, Transform::Identity(), {.stiffness = kStiffness}, scratch, r);
   // Of some 1,200 wet squares those on the waterline count as a whole or not at all, and are hardly deep.
   const double volume = std::sqrt(0.75) * kDeep * kDeep * kDeep;
   EXPECT_NEAR(r.force_a.z(), kStiffness * volume, 0.01 * kStiffness * volume);
@@ -178,7 +181,7 @@ TEST(Scale, AShellOfAMillionPoints) {
 
 TEST(Scale, AGridOf1024CellsAlongAnAxisInUnder200Megabytes) {
   // A thin ring of 1 m: 1,024 x 1,024 x 30 voxels of 1 mm about it, of which only those near it are kept.
-  constexpr HapticOptions kFine{.voxel_size = 0.001, .point_spacing = 0.006, .outer_layers = 7};
+  constexpr structure::HapticOptions kFine{.voxel_size = 0.001, .point_spacing = 0.006, .outer_layers = 7};
   const Exact ring(verify::torusMesh(0.4975, 0.0075, 120, 12), kFine);
   EXPECT_GE(ring.structure->grid.size.x(), 1024);
   EXPECT_GE(ring.structure->grid.size.y(), 1024);

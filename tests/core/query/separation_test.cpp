@@ -16,19 +16,19 @@ constexpr double kFloat = 1e-6;
 
 Vector3d direction(std::uint64_t seed) { return randomPose(seed + 77).linear().col(0); }
 
-double farthest(const TriangleMesh& mesh, const Vector3d& g) {
+double farthest(const geometry::TriangleMesh& mesh, const Vector3d& g) {
   double reach = -kInfinity;
   for (const Vector3d& p : mesh.vertices) reach = std::max(reach, g.dot(p));
   return reach;
 }
 
-class Support : public ::testing::TestWithParam<Shape> {};
+class Support : public ::testing::TestWithParam<geometry::Shape> {};
 
 TEST_P(Support, OfAMeshIsNeverTooSmall) {
-  TriangleMesh mesh = tessellate(GetParam(), kSagitta);
+  geometry::TriangleMesh mesh = geometry::tessellate(GetParam(), kSagitta);
   for (Vector3d& p : mesh.vertices) p += Vector3d(0.3, -0.2, 0.1);
-  const auto surface = makeSurface(TriangleMesh(mesh));
-  const SupportMap map(*surface, mesh, surface->bounds().centre(), 2);
+  const auto surface = geometry::makeSurface(geometry::TriangleMesh(mesh));
+  const structure::SupportMap map(*surface, mesh, surface->bounds().centre(), 2);
   double radius = 0.0;
   for (const Vector3d& p : mesh.vertices) radius = std::max(radius, (p - surface->bounds().centre()).norm());
   for (std::uint64_t i = 0; i < 2000; ++i) {
@@ -45,9 +45,9 @@ TEST_P(Support, OfAMeshIsNeverTooSmall) {
 }
 
 TEST_P(Support, OfAShapeIsThatOfItsPoints) {
-  const auto surface = makeSurface(GetParam());
-  const TriangleMesh mesh = tessellate(GetParam(), kSagitta);
-  const SupportMap map(*surface, mesh, Vector3d::Zero());
+  const auto surface = geometry::makeSurface(GetParam());
+  const geometry::TriangleMesh mesh = geometry::tessellate(GetParam(), kSagitta);
+  const structure::SupportMap map(*surface, mesh, Vector3d::Zero());
   for (std::uint64_t i = 0; i < 500; ++i) {
     const Vector3d g = direction(i);
     ASSERT_NEAR(map.upper(g), farthest(mesh, g), kSagitta);
@@ -58,25 +58,28 @@ TEST_P(Support, OfAShapeIsThatOfItsPoints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Support,
-                         ::testing::Values(Shape(Sphere{0.05}), Shape(Ellipsoid{{0.04, 0.05, 0.12}}),
-                                           Shape(Cuboid{{0.1, 0.12, 0.3}}), Shape(Cylinder{0.05, 0.2}),
-                                           Shape(Capsule{0.04, 0.15})));
+                         ::testing::Values(geometry::Shape(geometry::Sphere{0.05}),
+                                           geometry::Shape(geometry::Ellipsoid{{0.04, 0.05, 0.12}}),
+                                           geometry::Shape(geometry::Cuboid{{0.1, 0.12, 0.3}}),
+                                           geometry::Shape(geometry::Cylinder{0.05, 0.2}),
+                                           geometry::Shape(geometry::Capsule{0.04, 0.15})));
 
 TEST(Separation, OfBallsAlongTheirCentresIsTheirDistance) {
-  const auto& ball = structureOf(Sphere{0.05}, FieldKind::kMixed);
+  const auto& ball = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Transform X_WA = randomPose(i), X_WB = randomPose(i + 1000);
     const Vector3d way = X_WA.translation() - X_WB.translation();
-    EXPECT_NEAR(separationAlong(way.normalized(), ball, X_WA, ball, X_WB, false), way.norm() - 0.1, 1e-12);
-    EXPECT_LE(separationAlong(direction(i), ball, X_WA, ball, X_WB, false), way.norm() - 0.1 + 1e-12);
+    EXPECT_NEAR(query::separationAlong(way.normalized(), ball, X_WA, ball, X_WB, false), way.norm() - 0.1,
+                1e-12);
+    EXPECT_LE(query::separationAlong(direction(i), ball, X_WA, ball, X_WB, false), way.norm() - 0.1 + 1e-12);
   }
 }
 
 TEST(Separation, NoPointMovesFartherThanMostMotion) {
-  const EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
+  const geometry::EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
   for (std::uint64_t i = 0; i < 500; ++i) {
     const Transform X_0 = randomPose(i), X_1 = randomPose(i + 5000);
-    const double most = mostMotion(sphere, X_0, X_1);
+    const double most = query::mostMotion(sphere, X_0, X_1);
     for (std::uint64_t k = 0; k < 20; ++k) {
       const Vector3d p = sphere.centre + sphere.radius * direction(i + 31 * k);
       ASSERT_LE((X_1 * p - X_0 * p).norm(), most + 1e-12);

@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 
 struct BadCase {
   const char* name;
@@ -33,4 +33,4 @@ void expectRefused(const BadCase& c, const std::string& file, Parse parse, const
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::robot_file

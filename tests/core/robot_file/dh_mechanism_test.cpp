@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/robots.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 // What `abstand convert` calls exact, m and rad.
@@ -77,7 +77,7 @@ TEST(DhRows, NearlyParallelAxesStayExact) {
   }
 }
 
-Robot robotOf(Mechanism mechanism) {
+Robot robotOf(mechanism::Mechanism mechanism) {
   Robot robot;
   robot.mechanism = std::move(mechanism);
   robot.mechanism.prepare();
@@ -167,7 +167,7 @@ TEST(DhMechanism, LimitsMassAndGeometryComeAlong) {
     EXPECT_EQ(r->geometry[0].scale, Vector3d(0.001, 0.001, 0.002));
     EXPECT_EQ(r->geometry[0].frame, at);
     EXPECT_TRUE(r->geometry[0].X_FG.isApprox(Transform(Eigen::Translation3d(0, 0, 0.5)), kRounding));
-    EXPECT_EQ(std::get<Cylinder>(*r->geometry[1].shape).length, 2.0);
+    EXPECT_EQ(std::get<geometry::Cylinder>(*r->geometry[1].shape).length, 2.0);
     EXPECT_EQ(r->geometry[1].use, GeometryUse::kVisual);
     for (const auto& f : r->mechanism.frames) {
       if (f.dof < 0) continue;
@@ -181,4 +181,4 @@ TEST(DhMechanism, LimitsMassAndGeometryComeAlong) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

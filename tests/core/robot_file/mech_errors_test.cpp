@@ -2,7 +2,7 @@
 #include "core/robot_file/mech_file.hpp"
 #include "tests/core/robot_file/bad_case.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 class BadMechFile : public ::testing::TestWithParam<BadCase> {};
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(
 #undef LINK
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

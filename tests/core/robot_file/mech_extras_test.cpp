@@ -7,7 +7,7 @@
 #include "core/robot_file/mech_file.hpp"
 #include "core/robot_file/robot_writer.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 const char* const kChain = "chain\nframe 1 0 0 0 theta\nframe 2 0 90 d 0\nframe 3 100 0 0 0\nend_chain\n";
@@ -45,8 +45,8 @@ TEST(MechExtras, AreReadInTheFilesUnits) {
   EXPECT_DOUBLE_EQ(r.geometry[0].X_FG.translation().x(), 0.1);
   EXPECT_EQ(r.geometry[1].frame, -1);
   EXPECT_EQ(r.geometry[1].use, GeometryUse::kVisual);
-  EXPECT_DOUBLE_EQ(std::get<Sphere>(*r.geometry[1].shape).radius, 0.05);
-  EXPECT_EQ(std::get<Capsule>(*r.geometry[2].shape).length, 0.0);
+  EXPECT_DOUBLE_EQ(std::get<geometry::Sphere>(*r.geometry[1].shape).radius, 0.05);
+  EXPECT_EQ(std::get<geometry::Capsule>(*r.geometry[2].shape).length, 0.0);
 }
 
 TEST(MechExtras, ASixthNumberIsAnAcceleration) {
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"command", "names\nnames 1 a\nend_names\n", 2, 1, "did you mean name?"}));
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -6,21 +6,21 @@
 #include "core/robot_file/mech_file.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 // Rounding of a few products.
 constexpr double kExact = 1e-14;
 
 TEST(MechFile, ReadsTheThesissExample) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/scenes/example.mech"));
+  const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/scenes/example.mech"));
   EXPECT_EQ(m.name, "example");
   ASSERT_EQ(m.frames.size(), 4u);
   EXPECT_EQ(m.dof, 3);
-  EXPECT_EQ(m.frames[0].type, JointType::kRevolute);
-  EXPECT_EQ(m.frames[1].type, JointType::kPrismatic);
-  EXPECT_EQ(m.frames[2].type, JointType::kRevolute);
-  EXPECT_EQ(m.frames[3].type, JointType::kFixed);
+  EXPECT_EQ(m.frames[0].type, mechanism::JointType::kRevolute);
+  EXPECT_EQ(m.frames[1].type, mechanism::JointType::kPrismatic);
+  EXPECT_EQ(m.frames[2].type, mechanism::JointType::kRevolute);
+  EXPECT_EQ(m.frames[3].type, mechanism::JointType::kFixed);
   EXPECT_EQ(m.frames[3].dof, -1);
   EXPECT_NEAR(m.frames[1].a, 0.24, kExact);
   EXPECT_NEAR(m.frames[2].alpha, kPi / 2, kExact);
@@ -29,7 +29,7 @@ TEST(MechFile, ReadsTheThesissExample) {
 }
 
 TEST(MechFile, ReadsTheThesissChainWithItsLinks) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
+  const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   ASSERT_EQ(m.frames.size(), 3u);
   EXPECT_EQ(m.dof, 3);
   for (const auto& f : m.frames) {
@@ -51,7 +51,7 @@ TEST_P(MechUnits, ConvertEveryLengthAndAngle) {
                            "chain\nframe 1 2 3 4 theta\nframe 2 2 3 d 5\nframe 3 2 3 4 5\nend_chain\n"
                            "mapping\ndof 0 1 6 1\ndof 1 2 6 -2\nend_mapping\n"
                            "link\nid 3\ncenter 1 0 0 7  0 1 0 8  0 0 1 9\nend_link\n";
-  const Mechanism m = parseMechanism(text, "units.mech");
+  const mechanism::Mechanism m = parseMechanism(text, "units.mech");
   EXPECT_NEAR(m.frames[0].a, 2 * c.length, kExact);
   EXPECT_NEAR(m.frames[0].alpha, 3 * c.angle, kExact);
   EXPECT_NEAR(m.frames[0].d, 4 * c.length, kExact);
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       UnitCase{"units\nangle degrees\nlength inches\nend_units\n", 0.0254, kPi / 180}));
 
 TEST(MechFile, TakesCommentsTabsCarriageReturnsAndAnyOrderOfEnvironments) {
-  const Mechanism m = parseMechanism(
+  const mechanism::Mechanism m = parseMechanism(
       "# first\r\n\r\nmapping # of all\r\n\t#dof 0 9\r\n\tdof\t0   2#tight\r\n dof 1 1\r\nend_mapping\r\n"
       "chain\r\nreference 0\r\nframe 1 0 0 0 theta\r\nend_chain\r\nchain\r\nreference 1\r\nframe 2 0 0 d "
       "0\r\n"
@@ -84,7 +84,7 @@ TEST(MechFile, TakesCommentsTabsCarriageReturnsAndAnyOrderOfEnvironments) {
 }
 
 TEST(MechFile, BranchesAtReferences) {
-  const Mechanism m = parseMechanism(
+  const mechanism::Mechanism m = parseMechanism(
       "chain\nframe 7 1 0 0 theta\nframe 3 1 0 0 theta\nend_chain\n"
       "chain\nreference 7\nframe 5 0 0 1 0\nend_chain\nchain\nframe 9 0 0 0 0\nend_chain\n",
       "tree.mech");
@@ -95,7 +95,7 @@ TEST(MechFile, BranchesAtReferences) {
 }
 
 TEST(MechFile, WithoutAMappingNumbersTheVariablesInFileOrder) {
-  const Mechanism m = parseMechanism(
+  const mechanism::Mechanism m = parseMechanism(
       "chain\nframe 5 0 0 0 theta\nframe 4 0 0 0 0\nframe 2 0 0 d 0\nend_chain\n", "plain.mech");
   EXPECT_EQ(m.dof, 2);
   EXPECT_EQ(m.frames[0].dof, 0);
@@ -104,7 +104,7 @@ TEST(MechFile, WithoutAMappingNumbersTheVariablesInFileOrder) {
 }
 
 TEST(MechFile, MakesARoundedRotationOrthonormal) {
-  const Mechanism m = parseMechanism(
+  const mechanism::Mechanism m = parseMechanism(
       "chain\nframe 1 0 0 0 theta\nend_chain\nlink\nid 1\ncenter 0.7071 -0.7071 0 1 0.7071 0.7071 0 2 0 0 1 "
       "3\n"
       "end_link\n",
@@ -114,11 +114,11 @@ TEST(MechFile, MakesARoundedRotationOrthonormal) {
 }
 
 TEST(MechFile, TheArmOfTheLwrReachesStraightUp) {
-  const Mechanism m = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   EXPECT_EQ(m.dof, 7);
-  MechanismState state;
+  mechanism::MechanismState state;
   const std::vector<double> zero(7, 0.0);
-  forward(m, zero, state);
+  mechanism::forward(m, zero, state);
   // Sum of the offsets d1, d3, d5 and d7 of the maker's table.
   EXPECT_TRUE(state.X_BF.back().translation().isApprox(Vector3d(0, 0, 0.3105 + 0.4 + 0.39 + 0.078), kExact));
   EXPECT_TRUE(state.X_BF.back().linear().isIdentity(kExact));
@@ -132,9 +132,9 @@ TEST(MechFile, FilesOfTheFuzzerAreReadOrRefused) {
     SCOPED_TRACE(entry.path());
     ++files;
     try {
-      const Mechanism m = loadMechanism(entry.path());
-      MechanismState state;
-      forward(m, std::vector<double>(static_cast<std::size_t>(m.dof), 0.5), state);
+      const mechanism::Mechanism m = loadMechanism(entry.path());
+      mechanism::MechanismState state;
+      mechanism::forward(m, std::vector<double>(static_cast<std::size_t>(m.dof), 0.5), state);
       for (const auto& X_BF : state.X_BF) EXPECT_TRUE(isPose(X_BF));
     } catch (const ParseError& e) {
       EXPECT_EQ(e.pos().file, entry.path().string());
@@ -144,4 +144,4 @@ TEST(MechFile, FilesOfTheFuzzerAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -7,7 +7,7 @@
 
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST_F(MeshReference, WalkingUpDropsLeadingFoldersAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

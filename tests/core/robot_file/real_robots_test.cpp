@@ -8,7 +8,7 @@
 #include "core/robot_file/robot_writer.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 struct RealRobot {
@@ -37,16 +37,16 @@ TEST_P(RealRobots, LoadMoveAndConvert) {
   EXPECT_EQ(collisions, GetParam().collisions);
 
   // It moves: every dof moves some frame, and everything stays within reach.
-  const auto ranges = jointRanges(robot.mechanism);
+  const auto ranges = mechanism::jointRanges(robot.mechanism);
   std::vector<double> q(ranges.size());
-  MechanismState home, moved;
+  mechanism::MechanismState home, moved;
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = 0.5 * (ranges[i].lower + ranges[i].upper);
-  forward(robot.mechanism, q, home);
+  mechanism::forward(robot.mechanism, q, home);
   for (std::size_t i = 0; i < q.size(); ++i) {
     auto p = q;
     // Not to the end of the range: two turns of a joint end where they began.
     p[i] += 0.1 * (ranges[i].upper - ranges[i].lower);
-    forward(robot.mechanism, p, moved);
+    mechanism::forward(robot.mechanism, p, moved);
     bool any = false;
     for (std::size_t f = 0; f < moved.X_BF.size(); ++f) {
       any = any || !moved.X_BF[f].isApprox(home.X_BF[f], 1e-6);
@@ -75,11 +75,11 @@ INSTANTIATE_TEST_SUITE_P(All, RealRobots,
 /// model's joints; `X`: its flange in the shipped one's.
 double flangeDifference(const std::string& file, const std::string& flange,
                         const std::vector<double>& signs) {
-  const Mechanism lwr = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  const mechanism::Mechanism lwr = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   const Robot other = loadRobot(testing::sharedData("robots/" + file));
   const int at = other.mechanism.indexOf(flange);
   if (at < 0) return kInfinity;
-  MechanismState a, b;
+  mechanism::MechanismState a, b;
   double most = 0.0;
   for (std::uint64_t k = 0; k < 1000; ++k) {
     Random random(11, k);
@@ -88,8 +88,8 @@ double flangeDifference(const std::string& file, const std::string& flange,
       q[i] = random.between(-2.9, 2.9);
       p[i] = signs[i] * q[i];
     }
-    forward(lwr, q, a);
-    forward(other.mechanism, p, b);
+    mechanism::forward(lwr, q, a);
+    mechanism::forward(other.mechanism, p, b);
     const Vector3d difference = b.X_BF[static_cast<std::size_t>(at)].translation() - a.X_BF[6].translation();
     most = std::max(most, difference.norm());
   }
@@ -109,4 +109,4 @@ TEST(ShippedLwr, AgreesWithTheUrdfsOfTheArm) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

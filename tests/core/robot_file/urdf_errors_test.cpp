@@ -3,7 +3,7 @@
 #include "core/robot_file/urdf_file.hpp"
 #include "tests/core/robot_file/bad_case.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 class BadUrdf : public ::testing::TestWithParam<BadCase> {};
@@ -139,4 +139,4 @@ TEST(Srdf, ReadsBackWithItsReasons) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

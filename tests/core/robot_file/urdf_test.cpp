@@ -8,7 +8,7 @@
 
 #include "core/mechanism/joint_range.hpp"
 
-namespace abstand {
+namespace abstand::robot_file {
 namespace {
 
 // A few roundings over some frames of 1 m.
@@ -20,8 +20,8 @@ Transform about(const Vector3d& axis, double angle) {
 Transform along(const Vector3d& way) { return Transform(Eigen::Translation3d(way)); }
 
 Transform poseOf(const Robot& robot, const std::vector<double>& q, const std::string& link) {
-  MechanismState state;
-  forward(robot.mechanism, q, state);
+  mechanism::MechanismState state;
+  mechanism::forward(robot.mechanism, q, state);
   return state.X_BF[static_cast<std::size_t>(robot.mechanism.indexOf(link))];
 }
 
@@ -73,7 +73,7 @@ TEST(Urdf, DegreesOfFreedomCountInFileOrderAndFramesStandParentsFirst) {
                                       jointText("lift", "prismatic", "b", "c", axis + kLimit) +
                                       jointText("first", "continuous", "a", "b", axis)),
                 "test.urdf");
-  const Mechanism& m = robot.mechanism;
+  const mechanism::Mechanism& m = robot.mechanism;
   EXPECT_EQ(m.name, "test");
   ASSERT_EQ(m.frames.size(), 4u);
   EXPECT_EQ(m.frames[0].name, "a");
@@ -107,7 +107,8 @@ TEST(Urdf, MimicJointsShareADof) {
   EXPECT_TRUE(poseOf(robot, {q}, "c").isApprox(X, kRounding));
   EXPECT_FALSE(robot.mechanism.frames[1].mimic);
   EXPECT_TRUE(robot.mechanism.frames[2].mimic);
-  const auto ranges = jointRanges(robot.mechanism);  // of the joint that leads, not of the followers
+  const auto ranges =
+      mechanism::jointRanges(robot.mechanism);  // of the joint that leads, not of the followers
   EXPECT_EQ(ranges[0].lower, -1.0);
   EXPECT_EQ(ranges[0].upper, 2.0);
 }
@@ -128,7 +129,7 @@ TEST(Urdf, InertiaIsTurnedIntoTheLinksAxes) {
       "value='4'/>"
       "<inertia ixx='1' iyy='2' izz='2.5' ixy='0.1' ixz='0.2' iyz='0.3'/></inertial></link></robot>",
       "test.urdf");
-  const LinkInertia& i = robot.mechanism.frames[0].inertia;
+  const mechanism::LinkInertia& i = robot.mechanism.frames[0].inertia;
   EXPECT_EQ(i.mass, 4.0);
   EXPECT_EQ(i.com_F, Vector3d(1, 2, 3));
   Matrix3d expected;  // a quarter turn about z takes x to y and y to -x
@@ -158,10 +159,10 @@ TEST(Urdf, GeometryKeepsOrderUseScaleAndPlace) {
   EXPECT_EQ(g[0].X_FG.translation(), Vector3d(1, 0, 0));
   EXPECT_EQ(g[0].pos.line, 3);
   EXPECT_EQ(g[0].pos.column, 1);
-  EXPECT_EQ(std::get<Cuboid>(*g[1].shape).size, Vector3d(1, 2, 3));
-  EXPECT_EQ(std::get<Cylinder>(*g[2].shape).length, 0.4);
+  EXPECT_EQ(std::get<geometry::Cuboid>(*g[1].shape).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<geometry::Cylinder>(*g[2].shape).length, 0.4);
   EXPECT_TRUE(g[2].X_FG.isApprox(about({0, 0, 1}, 0.5), kRounding));
-  EXPECT_EQ(std::get<Sphere>(*g[3].shape).radius, 0.2);
+  EXPECT_EQ(std::get<geometry::Sphere>(*g[3].shape).radius, 0.2);
   for (const auto& body : g) EXPECT_EQ(body.frame, 0);
 }
 
@@ -207,7 +208,7 @@ TEST(Urdf, AJointWithoutLimitsIsSampledOverATurnOrAMetre) {
                                      jointText("s", "prismatic", "b", "c",
                                                "<limit lower='1' upper='0' effort='1' velocity='1'/>")),
                 "test.urdf");
-  const auto ranges = jointRanges(robot.mechanism);
+  const auto ranges = mechanism::jointRanges(robot.mechanism);
   ASSERT_EQ(ranges.size(), 2u);
   EXPECT_TRUE(ranges[0].unlimited && ranges[1].unlimited);
   EXPECT_EQ(ranges[0].lower, -kPi);
@@ -228,4 +229,4 @@ TEST(Urdf, NothingIsPrinted) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::robot_file

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -46,7 +46,7 @@ TEST(BrakingPath, TogetherStaysOnALineInJointSpace) {
 TEST(BrakingPath, VelocityIsTheSlopeAndNeverGrows) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    verify::Random random(5, seed);
+    Random random(5, seed);
     std::vector<double> q(7), qd(7), a(7);
     for (int i = 0; i < 7; ++i) {
       q[i] = random.between(-3, 3);
@@ -101,4 +101,4 @@ TEST(BrakingPath, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

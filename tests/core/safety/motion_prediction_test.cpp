@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 constexpr double kExact = 1e-12;
@@ -50,7 +50,7 @@ TEST(MotionPrediction, WeighsStepsByTheirAge) {
 TEST(MotionPrediction, AveragingKeepsNoiseOut) {
   double spread_last = 0.0, spread_mean = 0.0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    verify::Random random(3, seed);
+    Random random(3, seed);
     MotionPrediction last({.fade = 0.0}), mean({.fade = 0.8});
     for (int i = 0; i < 10; ++i) {
       const double t = i / 30.0;
@@ -99,4 +99,4 @@ TEST(MotionPrediction, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

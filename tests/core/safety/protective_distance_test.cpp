@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 using testing::randomUnit;
@@ -115,4 +115,4 @@ TEST(SeparationOptions, AreChecked) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

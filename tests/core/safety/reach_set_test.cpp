@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
-
-using verify::Random;
 
 // Rounding of positions of some metres, summed over some hundred steps.
 constexpr double kRounding = 1e-12;
@@ -65,12 +63,12 @@ TEST(ReachSet, HoldsEveryAdmissibleMotion) {
     if (!motion.admissible()) continue;
     ++tried;
     const double horizon = random.between(0.01, 0.6);
-    const EnclosingSphere all = reachWithin(p0, v0, bounds, horizon);
+    const geometry::EnclosingSphere all = reachWithin(p0, v0, bounds, horizon);
     const int steps = 40;
     for (int i = 1; i <= steps; ++i) {
       motion.step(horizon / steps);
       const double t = horizon * i / steps;
-      const EnclosingSphere at = reachAt(p0, v0, bounds, t);
+      const geometry::EnclosingSphere at = reachAt(p0, v0, bounds, t);
       ASSERT_LE((motion.p() - at.centre).norm(), at.radius + kRounding) << t;
       ASSERT_LE((motion.p() - all.centre).norm(), all.radius + kRounding) << t;
       fullest = std::max(fullest, (motion.p() - at.centre).norm() / at.radius);
@@ -83,7 +81,7 @@ TEST(ReachSet, HoldsEveryAdmissibleMotion) {
 TEST(ReachSet, OfARestingPointIsTheClosedForm) {
   const Vector3d p(1, 2, 3);
   // Slow to gather speed: a t^2 / 2 = 0.125 m below 0.5 m; then bounded by the speed.
-  const EnclosingSphere early = reachAt(p, Vector3d::Zero(), {1.0, 1.0}, 0.5);
+  const geometry::EnclosingSphere early = reachAt(p, Vector3d::Zero(), {1.0, 1.0}, 0.5);
   EXPECT_NEAR(early.radius, 0.125, kExact);
   EXPECT_EQ(early.centre, p);
   EXPECT_NEAR(reachAt(p, Vector3d::Zero(), {1.0, 1.0}, 4.0).radius, 4.0, kExact);
@@ -95,12 +93,12 @@ TEST(ReachSet, OfARestingPointIsTheClosedForm) {
 TEST(ReachSet, SharesWhatBothBoundsLeave) {
   // At the highest speed along x: the ball about x = 1 with radius 0.5 and the one about 0 with radius 1 cut
   // in the plane x = (1 + 1 - 0.25) / 2 = 0.875, in a circle of radius sqrt(1 - 0.875^2) = 0.4841.
-  const EnclosingSphere s = reachAt(Vector3d::Zero(), Vector3d::UnitX(), {1.0, 1.0}, 1.0);
+  const geometry::EnclosingSphere s = reachAt(Vector3d::Zero(), Vector3d::UnitX(), {1.0, 1.0}, 1.0);
   EXPECT_NEAR(s.centre.x(), 0.875, kExact);
   // Widened by the square root of a double's rounding.
   EXPECT_NEAR(s.radius, std::sqrt(1.0 - 0.875 * 0.875), 1e-6);
   // A measured speed that breaks the bound: both balls, and what lies between.
-  const EnclosingSphere both = reachAt(Vector3d::Zero(), 10.0 * Vector3d::UnitX(), {1.0, 1.0}, 1.0);
+  const geometry::EnclosingSphere both = reachAt(Vector3d::Zero(), 10.0 * Vector3d::UnitX(), {1.0, 1.0}, 1.0);
   EXPECT_NEAR(both.centre.x() - both.radius, -1.0, kExact);
   EXPECT_NEAR(both.centre.x() + both.radius, 10.5, kExact);
 }
@@ -120,4 +118,4 @@ TEST(TravelWithin, IsTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -9,7 +9,7 @@
 #include "core/base/error.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 using S = StopState;
@@ -254,4 +254,4 @@ TEST(StopReason, NamesAreDistinct) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

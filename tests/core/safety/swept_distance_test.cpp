@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/verify/random.hpp"
+#include "core/math/random.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 // Ways are rounded up by a part of 10^12.
@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-11;
 /// A sum of sines with its exact bound on the slope, and errors of the samples.
 struct Wave {
   double offset, size[3], rate[3], phase[3];
-  explicit Wave(verify::Random& random) : offset(random.between(-0.5, 1.0)) {
+  explicit Wave(Random& random) : offset(random.between(-0.5, 1.0)) {
     for (int i = 0; i < 3; ++i) {
       size[i] = random.between(0.0, 0.5);
       rate[i] = random.between(0.5, 20.0);
@@ -37,7 +37,7 @@ TEST(SweptDistance, IsNeverAboveTheLeastAndConverges) {
   constexpr double kTolerance = 1e-3;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
-    verify::Random random(11, seed);
+    Random random(11, seed);
     const Wave wave(random);
     const double duration = random.between(0.05, 1.0), error = random.chance(0.5) ? 2e-4 : 0.0;
     double least = kInfinity;
@@ -125,7 +125,7 @@ TEST(LeastBetween, IsTheClosedForm) {
 }
 
 TEST(SweptDistance, AllocatesNothing) {
-  verify::Random random(1, 1);
+  Random random(1, 1);
   const Wave wave(random);
   const testing::NoAlloc guard;
   const SweptResult r = sweptDistance(
@@ -148,4 +148,4 @@ TEST(SweptOptions, AreChecked) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -5,19 +5,18 @@
 
 #include <map>
 
+#include "core/math/random.hpp"
 #include "core/robot_file/mech_file.hpp"
 #include "core/safety/link_motion.hpp"
-#include "core/verify/random.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::safety {
 namespace {
 
 using testing::projectFile;
 using testing::randomPose;
-using verify::Random;
 
 // The nearest points lie on the exact surfaces of shapes within this.
 constexpr double kOnSurface = 1e-6;
@@ -26,23 +25,25 @@ constexpr double kRounding = 1e-9;
 // points of 1 cm are from what lies between them.
 constexpr double kSearch = 0.02;
 
-const HapticStructure& structure(const char* name, const Shape& shape) {
-  static std::map<std::string, std::shared_ptr<const HapticStructure>> built;
+const structure::HapticStructure& structure(const char* name, const geometry::Shape& shape) {
+  static std::map<std::string, std::shared_ptr<const structure::HapticStructure>> built;
   auto& s = built[name];
-  if (!s) s = buildHapticStructure(name, makeSurface(shape), {.voxel_size = 0.01, .point_spacing = 0.01}, 2);
+  if (!s)
+    s = structure::buildHapticStructure(name, geometry::makeSurface(shape),
+                                        {.voxel_size = 0.01, .point_spacing = 0.01}, 2);
   return *s;
 }
-const HapticStructure& ball() { return structure("ball", Sphere{0.05}); }
-const HapticStructure& rod() { return structure("rod", Capsule{0.03, 0.3}); }
-const HapticStructure& plate() { return structure("plate", Cuboid{{0.4, 0.4, 0.02}}); }
+const structure::HapticStructure& ball() { return structure("ball", geometry::Sphere{0.05}); }
+const structure::HapticStructure& rod() { return structure("rod", geometry::Capsule{0.03, 0.3}); }
+const structure::HapticStructure& plate() { return structure("plate", geometry::Cuboid{{0.4, 0.4, 0.02}}); }
 
 Transform at(const Vector3d& p) { return Transform(Eigen::Translation3d(p)); }
 
-double distanceAt(const HapticStructure& a, BodyMotion& x, const HapticStructure& b, BodyMotion& y, double t,
-                  PairMemory& memory) {
-  static PairScratch scratch;
-  PairResult result;
-  queryPair(a, x.pose(t), b, y.pose(t), {}, memory, scratch, result);
+double distanceAt(const structure::HapticStructure& a, BodyMotion& x, const structure::HapticStructure& b,
+                  BodyMotion& y, double t, query::PairMemory& memory) {
+  static kernels::PairScratch scratch;
+  query::PairResult result;
+  query::queryPair(a, x.pose(t), b, y.pose(t), {}, memory, scratch, result);
   return result.distance;
 }
 
@@ -103,7 +104,7 @@ TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
     const SweptResult r = sweptPair(rod(), x, plate(), y, duration,
                                     {.tolerance = 2e-3, .hit = 0.0, .most_samples = 400}, scratch);
     samples += r.samples;
-    PairMemory memory;
+    query::PairMemory memory;
     double least = kInfinity;
     for (int i = 0; i <= 500; ++i)
       least = std::min(least, distanceAt(rod(), x, plate(), y, duration * i / 500, memory));
@@ -118,7 +119,7 @@ TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
 }
 
 TEST(PoseSegment, NoPointIsFasterThanItsSpeed) {
-  const EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
+  const geometry::EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Random random(31, seed);
@@ -135,7 +136,7 @@ TEST(PoseSegment, NoPointIsFasterThanItsSpeed) {
 
 /// An arm that brakes from a random motion.
 struct Braking {
-  Mechanism mechanism = loadMechanism(projectFile("data/robots/lwr/lwr4.mech"));
+  mechanism::Mechanism mechanism = robot_file::loadMechanism(projectFile("data/robots/lwr/lwr4.mech"));
   BrakingPath path;
   explicit Braking(Random& random)
       : path({.deceleration = {12.0, 12.0, 15.0, 15.0, 20.0, 20.0, 20.0}, .reaction_time = 0.02}, 7) {
@@ -147,7 +148,7 @@ struct Braking {
 };
 
 TEST(LinkMotion, NoPointIsFasterThanItsSpeed) {
-  const EnclosingSphere sphere{{0.0, 0.02, 0.05}, 0.1};
+  const geometry::EnclosingSphere sphere{{0.0, 0.02, 0.05}, 0.1};
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
@@ -169,14 +170,14 @@ TEST(LinkMotion, NoPointIsFasterThanItsSpeed) {
 }
 
 TEST(LinkMotion, OfAPrismaticJointIsItsVelocity) {
-  const Mechanism rail = loadMechanism(projectFile("data/scenes/rail.mech"));
+  const mechanism::Mechanism rail = robot_file::loadMechanism(projectFile("data/scenes/rail.mech"));
   BrakingPath path({.deceleration = {2.0}, .reaction_time = 0.0}, rail.dof);
   const std::vector<double> q(static_cast<std::size_t>(rail.dof), 0.1),
       qd(static_cast<std::size_t>(rail.dof), 0.5);
   ASSERT_TRUE(path.start(q, qd));
   int prismatic = 0;
   for (std::size_t i = 0; i < rail.frames.size(); ++i) {
-    if (rail.frames[i].type != JointType::kPrismatic || rail.frames[i].parent >= 0) continue;
+    if (rail.frames[i].type != mechanism::JointType::kPrismatic || rail.frames[i].parent >= 0) continue;
     ++prismatic;
     LinkMotion motion(rail, path, static_cast<int>(i), Transform::Identity(), Transform::Identity(),
                       {Vector3d::Zero(), 1.0});
@@ -209,7 +210,7 @@ TEST(SweptPair, OfABrakingArmAndAPersonHoldsForEveryAdmissibleMotion) {
       // As hard as it may, towards the link, within the bounds.
       Vector3d p = p0 + bounds.position_error * random.direction();
       Vector3d v = v0 + bounds.velocity_error * random.direction();
-      PairMemory memory;
+      query::PairMemory memory;
       const int steps = 40;
       const double dt = duration / steps;
       for (int i = 0; i <= steps; ++i) {
@@ -237,7 +238,7 @@ TEST(SweptPair, AllocatesNothing) {
                   rod().bounding_sphere);
   UnknownMotion hand(at({1.0, 0.0, 0.5}), Vector3d::UnitX(), {2.0, 20.0}, 0.5);
   SweptScratch scratch;
-  const HapticStructure &of_arm = rod(), &of_hand = ball();  // built when they are asked for first
+  const structure::HapticStructure &of_arm = rod(), &of_hand = ball();  // built when they are asked for first
   const testing::NoAlloc guard;
   const SweptResult r = sweptPair(of_arm, link, of_hand, hand, 0.5, {}, scratch);
   EXPECT_EQ(guard.count(), 0);
@@ -245,4 +246,4 @@ TEST(SweptPair, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::safety

@@ -16,13 +16,13 @@ bool same(const Vector3d& x, const Vector3d& y) {
 
 }  // namespace
 
-std::shared_ptr<const HapticStructure> ball(int cm, const Vector3d& com) {
-  static std::map<int, std::shared_ptr<const HapticStructure>> built;
+std::shared_ptr<const structure::HapticStructure> ball(int cm, const Vector3d& com) {
+  static std::map<int, std::shared_ptr<const structure::HapticStructure>> built;
   auto& one = built[cm];
   if (!one)
-    one = buildHapticStructure("ball", makeSurface(Sphere{unit::cm(cm)}),
-                               {.voxel_size = 0.04, .point_spacing = 0.04});
-  auto moved = std::make_shared<HapticStructure>(*one);
+    one = structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{unit::cm(cm)}),
+                                          {.voxel_size = 0.04, .point_spacing = 0.04});
+  auto moved = std::make_shared<structure::HapticStructure>(*one);
   moved->com = com;
   return moved;
 }
@@ -33,8 +33,8 @@ Transform at(double x, double y, double z) {
   return X;
 }
 
-Scene crowd(int n) {
-  Scene scene;
+scene::Scene crowd(int n) {
+  scene::Scene scene;
   for (int i = 0; i < n; ++i)
     scene.addObject({"ball" + std::to_string(i), "objects", ball(20 + i, Vector3d(0.01 * i, 0, 0)), 0.01});
   for (std::uint32_t a = 0; a < static_cast<std::uint32_t>(n); ++a)
@@ -43,21 +43,21 @@ Scene crowd(int n) {
   return scene;
 }
 
-void scatter(Scene& scene, int frame, double reach) {
+void scatter(scene::Scene& scene, int frame, double reach) {
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
     scene.setPose(ObjectId(i), randomPose(1000u * static_cast<unsigned>(frame) + i, reach), 0.01 * frame);
 }
 
-PairResult queried(const Scene& scene, const Pair& pair) {
-  const Object& a = scene.object(pair.a);
-  const Object& b = scene.object(pair.b);
-  PairScratch scratch;
-  PairResult result;
-  queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, result);
+query::PairResult queried(const scene::Scene& scene, const scene::Pair& pair) {
+  const scene::Object& a = scene.object(pair.a);
+  const scene::Object& b = scene.object(pair.b);
+  kernels::PairScratch scratch;
+  query::PairResult result;
+  query::queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, result);
   return result;
 }
 
-bool sameBits(const PairResult& x, const PairResult& y) {
+bool sameBits(const query::PairResult& x, const query::PairResult& y) {
   return same(x.distance, y.distance) && same(x.bound, y.bound) && same(x.witness_a, y.witness_a) &&
          same(x.witness_b, y.witness_b) && same(x.force_a, y.force_a) && same(x.torque_a, y.torque_a) &&
          same(x.torque_b, y.torque_b) && x.contacts == y.contacts && same(x.depth, y.depth);

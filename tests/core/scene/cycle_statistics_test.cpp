@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 // Half a bin of 1 %, with room for rounding of the bin's edge.
@@ -76,4 +76,4 @@ TEST(CycleStatistics, PeriodMustBePositive) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -6,12 +6,14 @@
 
 namespace abstand::testing {
 
-Scene longBodies() {
-  static const auto rod = buildHapticStructure("rod", makeSurface(Capsule{0.03, 0.6}),
-                                               {.voxel_size = 0.02, .point_spacing = 0.02});
-  static const auto box = buildHapticStructure("box", makeSurface(Cuboid{{0.1, 0.2, 0.5}}),
-                                               {.voxel_size = 0.02, .point_spacing = 0.02});
-  Scene scene;
+scene::Scene longBodies() {
+  static const auto rod =
+      structure::buildHapticStructure("rod", geometry::makeSurface(geometry::Capsule{0.03, 0.6}),
+                                      {.voxel_size = 0.02, .point_spacing = 0.02});
+  static const auto box =
+      structure::buildHapticStructure("box", geometry::makeSurface(geometry::Cuboid{{0.1, 0.2, 0.5}}),
+                                      {.voxel_size = 0.02, .point_spacing = 0.02});
+  scene::Scene scene;
   for (std::uint32_t i = 0; i < 9; ++i)
     scene.addObject({"body" + std::to_string(i), "objects", i % 2 ? rod : box, 0.01 * (i % 3)});
   for (std::uint32_t a = 0; a < 9; ++a)
@@ -19,7 +21,7 @@ Scene longBodies() {
   return scene;
 }
 
-Drift::Drift(Scene& scene) : scene_(scene) {
+Drift::Drift(scene::Scene& scene) : scene_(scene) {
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i) X_.push_back(randomPose(i + 77, 1.5));
 }
 

@@ -8,17 +8,17 @@
 namespace abstand::testing {
 
 /// Nine rods and boxes, some with margins, all pairs.
-Scene longBodies();
+scene::Scene longBodies();
 
 /// All objects of a scene drift about in a room of some metres, up to 3 mm and 0.02 rad a frame, and turn; a
 /// third of them stands still at times, and now and then one jumps.
 class Drift {
  public:
-  explicit Drift(Scene& scene);
+  explicit Drift(scene::Scene& scene);
   void frame(int number);
 
  private:
-  Scene& scene_;
+  scene::Scene& scene_;
   std::vector<Transform> X_;
 };
 

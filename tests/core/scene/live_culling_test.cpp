@@ -11,7 +11,7 @@
 #include "tests/core/scene/crowd.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 using testing::at;
@@ -60,7 +60,7 @@ class LiveCullingOfPairs : public ::testing::Test {
   Scene scene_;
   std::unique_ptr<PairThreads> threads_;
   PairThreads::GroupIndex group_{0};
-  std::vector<PairResult> results_{1};
+  std::vector<query::PairResult> results_{1};
 };
 
 TEST_F(LiveCullingOfPairs, WithinTheTimeThatTheSpeedsLeave) {
@@ -78,7 +78,7 @@ TEST_F(LiveCullingOfPairs, WithinTheTimeThatTheSpeedsLeave) {
       longest = std::max(longest, t - last);
       last = t;
       // A live pair remembers its last query, so far away it may be off by a hundredth.
-      const PairResult cold = queried(scene_, scene_.pairs()[0]);
+      const query::PairResult cold = queried(scene_, scene_.pairs()[0]);
       EXPECT_NEAR(results_[0].distance, cold.distance, 0.01 * cold.distance + kOnSurface);
       EXPECT_LE(results_[0].distance - results_[0].bound, cold.distance + kOnSurface);
       EXPECT_EQ(results_[0].force_a, cold.force_a);
@@ -179,7 +179,7 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
   long rested = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     LiveCulling rest;
-    PairResult result;
+    query::PairResult result;
     for (int i = 0; i < 100; ++i) {
       LiveObject now[2];
       Vector3d p[2];
@@ -219,4 +219,4 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -7,7 +7,7 @@
 
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 TEST(MinimumTree, AgreesWithALookAtAllValues) {
@@ -40,4 +40,4 @@ TEST(MinimumTree, NothingHasNoSmallest) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -6,16 +6,16 @@
 
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 // Sines and norms near 1.
 constexpr double kRounding = 1e-12;
 
-const EnclosingSphere kSphere{{0.3, -0.2, 0.5}, 0.7};
+const geometry::EnclosingSphere kSphere{{0.3, -0.2, 0.5}, 0.7};
 
 /// A point of the sphere, on its surface for even k.
-Vector3d pointOf(const EnclosingSphere& sphere, std::uint64_t k) {
+Vector3d pointOf(const geometry::EnclosingSphere& sphere, std::uint64_t k) {
   const Vector3d direction = testing::randomPose(k, 0.0).linear().col(0);
   const double share = k % 2 == 0 ? 1.0 : testing::randomUnit(k, 7);
   return sphere.centre + share * sphere.radius * direction;
@@ -100,4 +100,4 @@ TEST(MotionBound, GapIsNeverAboveADistanceOfPoints) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -12,7 +12,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 /// Bounds a wait, so that a mistake fails instead of hanging; far more than any machine needs.
@@ -31,8 +31,8 @@ class LiveScene : public ::testing::Test {
   static constexpr std::uint32_t kObjects = 5, kPairs = 10;
 
   LiveScene() {
-    static const auto structure =
-        buildHapticStructure("ball", makeSurface(Sphere{0.05}), {.voxel_size = 0.01, .point_spacing = 0.01});
+    static const auto structure = structure::buildHapticStructure(
+        "ball", geometry::makeSurface(geometry::Sphere{0.05}), {.voxel_size = 0.01, .point_spacing = 0.01});
     for (std::uint32_t i = 0; i < kObjects; ++i)
       scene_.addObject({"ball " + std::to_string(i), "objects", structure, 0.0});
     for (std::uint32_t a = 0; a < kObjects; ++a) {
@@ -57,7 +57,7 @@ class LiveScene : public ::testing::Test {
 
   /// What a pair remembers differs, as a live group need not see every pose; so the nearest points may be
   /// others, within what queryPair() allows.
-  static void expectSame(const PairResult& live, const PairResult& step) {
+  static void expectSame(const query::PairResult& live, const query::PairResult& step) {
     const double allowed = std::max(0.01 * std::abs(step.distance), 1e-3);
     EXPECT_NEAR(live.distance, step.distance, allowed);
     EXPECT_LE(live.distance - live.bound, step.distance + 1e-9);
@@ -79,7 +79,7 @@ class LiveScene : public ::testing::Test {
   }
 
   Scene scene_;
-  std::vector<PairResult> results_{kPairs};
+  std::vector<query::PairResult> results_{kPairs};
   long cycles_{0};
   std::uint64_t moves_{0};
 };
@@ -122,7 +122,7 @@ TEST_F(LiveScene, AgreesBitForBitWithLockStepThatHasSeenTheSamePoses) {
     ASSERT_TRUE(collectUntil(threads, pairIds(0, kPairs), 0.1 * k));
     scene_.step();
     for (std::uint32_t i = 0; i < kPairs; ++i) {
-      const PairResult &live = results_[i], &step = scene_.result(PairId(i));
+      const query::PairResult &live = results_[i], &step = scene_.result(PairId(i));
       ASSERT_EQ(live.distance, step.distance);
       ASSERT_EQ(live.bound, step.bound);
       ASSERT_EQ(live.witness_a, step.witness_a);
@@ -311,4 +311,4 @@ TEST_F(LiveScene, EverythingAtOnceStaysFinite) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

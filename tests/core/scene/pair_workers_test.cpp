@@ -4,7 +4,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 TEST(PairWorkers, EveryIndexIsDoneOnceACycle) {
@@ -34,4 +34,4 @@ TEST(PairWorkers, ComeAndGoWithoutWork) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -9,7 +9,7 @@
 #include "tests/core/scene/drift.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 using testing::at;
@@ -54,7 +54,7 @@ TEST(SceneBudget, EveryBoundHoldsWhateverIsPutOff) {
         ASSERT_LE(counts.checked, kBatch * (static_cast<long>(budget) + 1)) << frame;
       }
       for (const Pair& p : scene.pairs()) {
-        const PairResult exact = queried(scene, p);
+        const query::PairResult exact = queried(scene, p);
         // Inside, the distance is a depth, which changes by no more than the bodies move, too.
         ASSERT_LE(p.result.distance - p.result.bound, exact.distance + kOnSurface) << frame;
         if (p.outcome == PairOutcome::kChecked && p.waited == 0) {
@@ -142,4 +142,4 @@ TEST(SceneBudget, WhatIsNoTimeIsRefused) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -6,15 +6,15 @@
 #include "core/view/snapshot.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 /// Three balls of 5 cm in a row along x: a and b overlap by 2 cm, c stands 10 cm beyond b.
 class PausedPairs : public ::testing::Test {
  protected:
   PausedPairs() {
-    const auto ball =
-        buildHapticStructure("ball", makeSurface(Sphere{0.05}), {.voxel_size = 0.01, .point_spacing = 0.01});
+    const auto ball = structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}),
+                                                      {.voxel_size = 0.01, .point_spacing = 0.01});
     for (const char* name : {"a", "b", "c"}) scene_.addObject({name, "objects", ball, 0.0});
     ab_ = scene_.addPair(ObjectId(0), ObjectId(1));
     bc_ = scene_.addPair(ObjectId(1), ObjectId(2));
@@ -35,7 +35,7 @@ class PausedPairs : public ::testing::Test {
 };
 
 TEST_F(PausedPairs, AreStaleAndHaveNoPartInTotals) {
-  const PairResult before = scene_.result(ab_);
+  const query::PairResult before = scene_.result(ab_);
   ASSERT_GT(before.contacts, 0);
   ASSERT_EQ(scene_.nearest(), ab_);
   scene_.setPaused(ab_, true, 1.0);
@@ -89,24 +89,24 @@ TEST_F(PausedPairs, WithoutAResultAreInfinitelyOld) {
 }
 
 TEST_F(PausedPairs, AreSeenInTheSnapshot) {
-  SceneSnapshot snapshot;
-  capture(scene_, snapshot);
+  view::SceneSnapshot snapshot;
+  view::capture(scene_, snapshot);
   EXPECT_FALSE(snapshot.pairs[0].paused);
   scene_.setPaused(ab_, true, 1.0);
   scene_.step();
-  capture(scene_, snapshot);
+  view::capture(scene_, snapshot);
   EXPECT_TRUE(snapshot.pairs[0].paused);
   EXPECT_EQ(snapshot.nearest_pair, 1);
   scene_.setPaused(ab_, false, 1.0);
   scene_.step();
-  capture(scene_, snapshot);
+  view::capture(scene_, snapshot);
   EXPECT_FALSE(snapshot.pairs[0].paused);
 }
 
 TEST_F(PausedPairs, StayPausedWhenResultsAreTaken) {
   const double before = scene_.result(ab_).distance;
   scene_.setPaused(ab_, true, 1.0);
-  PairResult other;
+  query::PairResult other;
   other.distance = 7.0;
   const std::vector<double> times{2.0, 2.5};
   scene_.take({other, other}, times);
@@ -134,4 +134,4 @@ TEST_F(PausedPairs, ComeAndGoWithoutAllocation) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

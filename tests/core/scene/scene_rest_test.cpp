@@ -7,7 +7,7 @@
 #include "tests/core/scene/drift.hpp"
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 using testing::at;
@@ -69,14 +69,14 @@ TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
   const QueryCulling& culling = GetParam().culling;
   scene.setCulling(culling);
   Drift drift(scene);
-  std::vector<PairResult> checked(scene.pairs().size());  // last of each pair
+  std::vector<query::PairResult> checked(scene.pairs().size());  // last of each pair
   for (int frame = 0; frame < 2000; ++frame) {
     drift.frame(frame);
     scene.step();
     for (const Pair& p : scene.pairs()) {
-      const PairResult exact = queried(scene, p);
+      const query::PairResult exact = queried(scene, p);
       ASSERT_EQ(p.result.contacts, exact.contacts) << frame;
-      PairResult& last = checked[static_cast<std::size_t>(&p - scene.pairs().data())];
+      query::PairResult& last = checked[static_cast<std::size_t>(&p - scene.pairs().data())];
       if (p.outcome == PairOutcome::kChecked) {
         ASSERT_TRUE(sameBits(p.result, exact)) << frame;
         last = p.result;
@@ -206,4 +206,4 @@ TEST_F(Approach, SwitchedOffMeansExactAgain) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 using testing::at;
@@ -23,7 +23,7 @@ void expectAllQueried(const Scene& scene) {
   std::vector<PairId> touching;
   std::optional<PairId> nearest;
   for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) {
-    const PairResult expected = queried(scene, scene.pairs()[i]);
+    const query::PairResult expected = queried(scene, scene.pairs()[i]);
     ASSERT_TRUE(sameBits(scene.pairs()[i].result, expected)) << "pair " << i;
     if (expected.contacts > 0) touching.emplace_back(i);
     if (!nearest || expected.distance < scene.result(*nearest).distance) nearest = PairId(i);
@@ -82,7 +82,7 @@ TEST(SceneReuse, MarginsForceLawAndNewPairsAreTakenUp) {
   scene.step();
   EXPECT_EQ(scene.renewed().size(), 5u);
   expectAllQueried(scene);
-  scene.setForceLaw(ForceLaw::kThesis, 100.0);
+  scene.setForceLaw(query::ForceLaw::kThesis, 100.0);
   scene.step();
   expectAllQueried(scene);
   const ObjectId late = scene.addObject({"late", "objects", testing::ball(20)});
@@ -105,15 +105,15 @@ TEST(SceneReuse, ARefusedPoseMovesNothing) {
 
 TEST(SceneReuse, ASnapshotTakesWhatWasRenewedSince) {
   Scene scene = crowd(10);
-  SceneSnapshot often, rare;
+  view::SceneSnapshot often, rare;
   for (std::uint32_t frame = 0; frame < 60; ++frame) {
     scene.setPose(ObjectId(frame % 10), testing::randomPose(frame), 0.01 * frame);
     if (frame % 7 == 3) scene.setMargin(ObjectId((frame + 4) % 10), 0.001 * frame);
     scene.step();
-    capture(scene, often);
+    view::capture(scene, often);
     if (frame % 13 != 0) continue;
-    capture(scene, rare);
-    for (const SceneSnapshot* s : {&often, &rare})
+    view::capture(scene, rare);
+    for (const view::SceneSnapshot* s : {&often, &rare})
       for (std::size_t i = 0; i < scene.pairs().size(); ++i) {
         ASSERT_TRUE(sameBits(s->pairs[i].result, scene.pairs()[i].result)) << frame << " " << i;
         ASSERT_EQ(s->pairs[i].margin, scene.pairs()[i].options.margin);
@@ -151,9 +151,9 @@ TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
     one.step();
     three.step();
     for (std::uint32_t i = 0; i < one.pairs().size(); ++i) {
-      const PairResult& remembered = one.pairs()[i].result;
+      const query::PairResult& remembered = one.pairs()[i].result;
       ASSERT_TRUE(sameBits(remembered, three.pairs()[i].result)) << frame;
-      const PairResult fresh = queried(one, one.pairs()[i]);
+      const query::PairResult fresh = queried(one, one.pairs()[i]);
       ASSERT_LE(remembered.distance - remembered.bound, fresh.distance + 1e-9) << frame;
       ASSERT_LE(fresh.distance - fresh.bound, remembered.distance + 1e-9) << frame;
       ASSERT_EQ(remembered.force_a, fresh.force_a) << frame;
@@ -182,4 +182,4 @@ TEST(SceneRemember, WhatWasRememberedIsForgottenWhenItIsTurnedOff) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

@@ -12,7 +12,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::scene {
 namespace {
 
 // A few roundings of numbers near 1.
@@ -78,15 +78,15 @@ TEST(Scene, CycleAllocatesNothing) {
   for (const int threads : {1, 3}) {
     Scene scene = crowd(10);
     scene.setThreads(threads);
-    SceneSnapshot snapshot;
+    view::SceneSnapshot snapshot;
     scatter(scene, 0);
     scene.step();
-    capture(scene, snapshot);
+    view::capture(scene, snapshot);
     const testing::NoAlloc guard;
     for (int frame = 1; frame < 20; ++frame) {
       scatter(scene, frame);
       scene.step();
-      capture(scene, snapshot);
+      view::capture(scene, snapshot);
     }
     EXPECT_EQ(guard.count(), 0) << threads;
   }
@@ -173,12 +173,12 @@ TEST(Scene, MarginsAndForceLawReachThePairs) {
   EXPECT_THROW(scene.setMargin(ObjectId(1), kInfinity), UsageError);
   EXPECT_DOUBLE_EQ(scene.object(ObjectId(1)).spec.margin, 0.5);
 
-  scene.setForceLaw(ForceLaw::kThesis, 7.0);
-  EXPECT_THROW(scene.setForceLaw(ForceLaw::kVolume, kNaN), UsageError);
+  scene.setForceLaw(query::ForceLaw::kThesis, 7.0);
+  EXPECT_THROW(scene.setForceLaw(query::ForceLaw::kVolume, kNaN), UsageError);
   const ObjectId late = scene.addObject({"late", "objects", ball(20)});
   scene.addPair(ObjectId(0), late);
   for (const Pair& p : scene.pairs()) {
-    EXPECT_EQ(p.options.law, ForceLaw::kThesis);
+    EXPECT_EQ(p.options.law, query::ForceLaw::kThesis);
     EXPECT_EQ(p.options.stiffness, 7.0);
   }
 }
@@ -294,14 +294,14 @@ TEST(ObjectMotion, RotationBetweenUndoesTheTurn) {
 
 TEST(Snapshot, HoldsWhatTheSceneHolds) {
   Scene scene = crowd(4);
-  SceneSnapshot s;
+  view::SceneSnapshot s;
   s.step = 17;
-  capture(scene, s);
+  view::capture(scene, s);
   EXPECT_EQ(s.nearest_pair, -1) << "nothing was queried yet";
   scatter(scene, 1);
   scene.setPose(ObjectId(2), at(5.0), 0.5, PoseState::kStale);
   scene.step();
-  capture(scene, s);
+  view::capture(scene, s);
   EXPECT_EQ(s.step, 17) << "capture leaves the rest alone";
   ASSERT_EQ(s.objects.size(), 4u);
   ASSERT_EQ(s.pairs.size(), 6u);
@@ -324,4 +324,4 @@ TEST(Snapshot, HoldsWhatTheSceneHolds) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::scene

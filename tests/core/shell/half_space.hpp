@@ -13,7 +13,7 @@ namespace abstand::testing {
 
 /// Volume of a closed mesh where direction . x < level: the pyramid sums of the clipped triangles, by the
 /// divergence theorem with the vector field (level - direction . x) direction, which is zero on the cut.
-inline double volumeBelow(const TriangleMesh& mesh, const Vector3d& direction, double level) {
+inline double volumeBelow(const geometry::TriangleMesh& mesh, const Vector3d& direction, double level) {
   double volume = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::vector<std::pair<Vector3d, double>> clipped;
@@ -35,7 +35,7 @@ inline double volumeBelow(const TriangleMesh& mesh, const Vector3d& direction, d
 
 /// What the force law gives for stiffness 1 against the half-space direction . x < level: sum a_i depth_i
 /// n_i.
-inline Vector3d shellForce(const Pointshell& shell, const Vector3d& direction, double level) {
+inline Vector3d shellForce(const shell::Pointshell& shell, const Vector3d& direction, double level) {
   Vector3d force = Vector3d::Zero();
   for (std::size_t i = 0; i < shell.size(); ++i) {
     const double depth = level - direction.dot(shell.point(i));
@@ -45,24 +45,24 @@ inline Vector3d shellForce(const Pointshell& shell, const Vector3d& direction, d
 }
 
 /// Level at which a half-space reaches `depth` deep into the mesh.
-inline double levelAt(const TriangleMesh& mesh, const Vector3d& direction, double depth) {
+inline double levelAt(const geometry::TriangleMesh& mesh, const Vector3d& direction, double depth) {
   double lowest = kInfinity;
   for (const Vector3d& v : mesh.vertices) lowest = std::min(lowest, direction.dot(v));
   return lowest + depth;
 }
 
 /// A plain OFF file of triangles, moved to its middle and scaled so that its longest side is `size` (m).
-inline TriangleMesh readOff(const std::filesystem::path& file, double size) {
+inline geometry::TriangleMesh readOff(const std::filesystem::path& file, double size) {
   std::ifstream in(file);
   std::string word;
   std::size_t vertices = 0, triangles = 0, edges = 0;
   in >> word >> vertices >> triangles >> edges;
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   mesh.vertices.resize(vertices);
   for (Vector3d& v : mesh.vertices) in >> v.x() >> v.y() >> v.z();
   mesh.triangles.resize(triangles);
   for (auto& t : mesh.triangles) in >> edges >> t[0] >> t[1] >> t[2];
-  const Bounds box = bounds(mesh);
+  const geometry::Bounds box = geometry::bounds(mesh);
   for (Vector3d& v : mesh.vertices) v = (v - box.centre()) * (size / box.extent().maxCoeff());
   return mesh;
 }

@@ -5,17 +5,17 @@
 
 #include <random>
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 TEST(HalfSpaceOverlap, AnEllipsoidsCapIsThatOfItsTriangles) {
   // Triangles within a sagitta s of the surface take away a shell of s at most: of a cap of the height h,
   // about s / h of its volume, 2 s / h with the rim.
   constexpr double kSagitta = 1e-5;
-  const Shape shape = Ellipsoid{{0.05, 0.12, 0.3}};
-  const auto surface = makeSurface(shape);
+  const geometry::Shape shape = geometry::Ellipsoid{{0.05, 0.12, 0.3}};
+  const auto surface = geometry::makeSurface(shape);
   const auto exact = halfSpaceOverlap(*surface, kSagitta);
-  const MeshOverlap mesh(tessellate(shape, kSagitta));
+  const MeshOverlap mesh(geometry::tessellate(shape, kSagitta));
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   for (int k = 0; k < 200; ++k) {
@@ -28,22 +28,23 @@ TEST(HalfSpaceOverlap, AnEllipsoidsCapIsThatOfItsTriangles) {
     exact->forces(u, levels, a);
     mesh.forces(u, levels, b);
     for (int i = 0; i < 5; ++i) {
-      const double most = i < 3 ? 2.0 * kSagitta / depths[i] * a[i].norm() : kSagitta * surfaceArea(shape);
+      const double most =
+          i < 3 ? 2.0 * kSagitta / depths[i] * a[i].norm() : kSagitta * geometry::surfaceArea(shape);
       EXPECT_LT((a[i] - b[i]).norm(), most) << depths[i];
     }
-    EXPECT_NEAR(a[4].norm(), massProperties(shape).volume, 1e-12) << "the whole body";
+    EXPECT_NEAR(a[4].norm(), geometry::massProperties(shape).volume, 1e-12) << "the whole body";
   }
 }
 
 TEST(HalfSpaceOverlap, ABoxesIsItsSlabAndASheetsIsNone) {
-  const auto box = makeSurface(Cuboid{{0.2, 0.4, 0.6}});
+  const auto box = geometry::makeSurface(geometry::Cuboid{{0.2, 0.4, 0.6}});
   const auto overlap = halfSpaceOverlap(*box, 1e-3);
   const double level = -0.3 + 0.05;
   Vector3d force;
   overlap->forces(Vector3d::UnitZ(), {&level, 1}, {&force, 1});
   EXPECT_LT((force - 0.2 * 0.4 * 0.05 * Vector3d::UnitZ()).norm(), 1e-15);
 
-  TriangleMesh sheet;
+  geometry::TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
   const double above = 0.1;
@@ -52,4 +53,4 @@ TEST(HalfSpaceOverlap, ABoxesIsItsSlabAndASheetsIsNone) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::shell

@@ -7,7 +7,7 @@
 #include "tests/core/shell/half_space.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 Vector3d randomPoint(std::uint64_t seed, std::uint64_t i) {
@@ -35,7 +35,7 @@ double radiusBySearch(const std::vector<Vector3d>& points, Vector3d centre, int 
   return radiusBySearch(points, centre, axis + 1);
 }
 
-void expectContains(const EnclosingSphere& sphere, const std::vector<Vector3d>& points) {
+void expectContains(const geometry::EnclosingSphere& sphere, const std::vector<Vector3d>& points) {
   for (const Vector3d& p : points) ASSERT_LE((p - sphere.centre).norm(), sphere.radius);
 }
 
@@ -68,19 +68,19 @@ TEST(MinimalSphere, ClosedForms) {
        std::sqrt(0.75)}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
-    const EnclosingSphere sphere = minimalSphere(c.points);
+    const geometry::EnclosingSphere sphere = geometry::minimalSphere(c.points);
     EXPECT_NEAR(sphere.radius, c.radius, 1e-12);
     EXPECT_LE((sphere.centre - c.centre).norm(), 1e-7);
     expectContains(sphere, c.points);
   }
-  EXPECT_EQ(minimalSphere({}).radius, 0.0);
+  EXPECT_EQ(geometry::minimalSphere({}).radius, 0.0);
 }
 
 TEST(MinimalSphere, IsMinimalForSmallRandomSets) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     std::vector<Vector3d> points;
     for (std::uint64_t i = 0; i < 2 + seed; ++i) points.push_back(randomPoint(seed, i));
-    const EnclosingSphere sphere = minimalSphere(points);
+    const geometry::EnclosingSphere sphere = geometry::minimalSphere(points);
     expectContains(sphere, points);
     // The search stops at about 3 (2/3)^40 = 3e-7 in each coordinate.
     EXPECT_NEAR(sphere.radius, radiusBySearch(points, Vector3d::Zero()), 1e-6);
@@ -95,10 +95,10 @@ TEST(MinimalSphere, HoldsForCosphericalAndFlatSets) {
       sphere_points.push_back(Vector3d(10.0, 20.0, 30.0) + 0.05 * p.normalized());
       plane_points.push_back(Vector3d(p.x(), p.y(), 0.3 * p.x() - 0.2 * p.y()));
     }
-    const EnclosingSphere ball = minimalSphere(sphere_points);
+    const geometry::EnclosingSphere ball = geometry::minimalSphere(sphere_points);
     expectContains(ball, sphere_points);
     EXPECT_LE(ball.radius, 0.05 * (1.0 + 1e-9));
-    const EnclosingSphere disc = minimalSphere(plane_points);
+    const geometry::EnclosingSphere disc = geometry::minimalSphere(plane_points);
     expectContains(disc, plane_points);
     // The centre of a flat set's sphere lies in its plane.
     EXPECT_NEAR(disc.centre.z(), 0.3 * disc.centre.x() - 0.2 * disc.centre.y(), 1e-9);
@@ -108,7 +108,8 @@ TEST(MinimalSphere, HoldsForCosphericalAndFlatSets) {
 class Tree : public ::testing::TestWithParam<double> {};
 
 TEST_P(Tree, HoldsEveryPointOnceInsideItsSpheres) {
-  const Pointshell shell = makePointshell(*makeSurface(Cuboid{{0.2, 0.1, 0.05}}), GetParam());
+  const Pointshell shell =
+      makePointshell(*geometry::makeSurface(geometry::Cuboid{{0.2, 0.1, 0.05}}), GetParam());
   const PointSphereTree tree = makeTree(shell);
   ASSERT_FALSE(tree.nodes.empty());
   ASSERT_EQ(tree.x.size() % PointSphereTree::kLane, 0u);
@@ -171,7 +172,7 @@ TEST_P(Tree, HoldsEveryPointOnceInsideItsSpheres) {
     const Vector3d centre(node.cx, node.cy, node.cz);
     for (const Vector3d& p : below[n]) ASSERT_LE((p - centre).norm(), node.radius);
     // The centre is rounded to float.
-    ASSERT_LE(node.radius, minimalSphere(below[n]).radius + 1e-7);
+    ASSERT_LE(node.radius, geometry::minimalSphere(below[n]).radius + 1e-7);
   }
   // Full leaves: one subtree may end in a leaf that is not.
   EXPECT_LE(tree.x.size(), shell.size() + PointSphereTree::kLane);
@@ -195,7 +196,7 @@ TEST(PointSphereTree, SmallShells) {
 }
 
 TEST(PointSphereTree, LeavesAreCompact) {
-  const Pointshell shell = makePointshell(*makeSurface(Sphere{0.1}), 0.005);
+  const Pointshell shell = makePointshell(*geometry::makeSurface(geometry::Sphere{0.1}), 0.005);
   const PointSphereTree tree = makeTree(shell);
   double sum = 0.0;
   int leaves = 0;
@@ -207,4 +208,4 @@ TEST(PointSphereTree, LeavesAreCompact) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::shell

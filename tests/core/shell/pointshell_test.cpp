@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::shell {
 namespace {
 
 constexpr double kSpacing = 0.005;
@@ -26,19 +26,19 @@ constexpr double kMeanTolerance = 0.007;
 
 struct Body {
   std::string name;
-  Shape shape;
+  geometry::Shape shape;
   bool smooth;
 };
 
 std::vector<Body> bodies() {
-  return {{"sphere 50", Sphere{0.05}, true},
-          {"sphere 100", Sphere{0.1}, true},
-          {"ellipsoid", Ellipsoid{{0.06, 0.09, 0.12}}, true},
-          {"capsule", Capsule{0.04, 0.2}, true},
-          {"cuboid 100", Cuboid{{0.1, 0.1, 0.1}}, false},
-          {"cuboid 200", Cuboid{{0.2, 0.15, 0.1}}, false},
-          {"cylinder", Cylinder{0.05, 0.12}, false},
-          {"plate", Cuboid{{0.2, 0.1, 0.002}}, false}};
+  return {{"sphere 50", geometry::Sphere{0.05}, true},
+          {"sphere 100", geometry::Sphere{0.1}, true},
+          {"ellipsoid", geometry::Ellipsoid{{0.06, 0.09, 0.12}}, true},
+          {"capsule", geometry::Capsule{0.04, 0.2}, true},
+          {"cuboid 100", geometry::Cuboid{{0.1, 0.1, 0.1}}, false},
+          {"cuboid 200", geometry::Cuboid{{0.2, 0.15, 0.1}}, false},
+          {"cylinder", geometry::Cylinder{0.05, 0.12}, false},
+          {"plate", geometry::Cuboid{{0.2, 0.1, 0.002}}, false}};
 }
 
 double totalArea(const Pointshell& shell) {
@@ -48,7 +48,7 @@ double totalArea(const Pointshell& shell) {
 }
 
 TEST(Pointshell, ThesisSphereHasAboutAsManyPoints) {
-  const Pointshell shell = makePointshell(*makeSurface(Sphere{0.05}), kSpacing);
+  const Pointshell shell = makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), kSpacing);
   EXPECT_GE(shell.size(), 1000u);
   EXPECT_LE(shell.size(), 1200u);
 }
@@ -56,7 +56,7 @@ TEST(Pointshell, ThesisSphereHasAboutAsManyPoints) {
 TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
-    const auto surface = makeSurface(body.shape);
+    const auto surface = geometry::makeSurface(body.shape);
     const Pointshell shell = makePointshell(*surface, kSpacing);
     EXPECT_NEAR(totalArea(shell) / surface->area(), 1.0, kAreaTolerance);
     Vector3d sum = Vector3d::Zero();
@@ -64,8 +64,8 @@ TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
       const Vector3d p = shell.point(i), n = shell.normal(i);
       ASSERT_GT(shell.area[i], 0.0f);
       ASSERT_NEAR(n.norm(), 1.0, 1e-6);
-      ASSERT_NEAR(distanceTo(body.shape, p).distance, 0.0, 1e-7);
-      ASSERT_LT(distanceTo(body.shape, p + 1e-6 * n).distance, -0.9e-6);
+      ASSERT_NEAR(geometry::distanceTo(body.shape, p).distance, 0.0, 1e-7);
+      ASSERT_LT(geometry::distanceTo(body.shape, p + 1e-6 * n).distance, -0.9e-6);
       sum += shell.area[i] * n;
     }
     EXPECT_LE(sum.norm(), 1e-3 * surface->area());
@@ -78,7 +78,7 @@ TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
 
 TEST(Pointshell, EachFaceOfACuboidKeepsItsArea) {
   const Vector3d size(0.2, 0.15, 0.1);
-  const Pointshell shell = makePointshell(*makeSurface(Cuboid{size}), kSpacing);
+  const Pointshell shell = makePointshell(*geometry::makeSurface(geometry::Cuboid{size}), kSpacing);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       double area = 0.0;
@@ -93,7 +93,7 @@ TEST(Pointshell, EachFaceOfACuboidKeepsItsArea) {
 TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
-    const auto surface = makeSurface(body.shape);
+    const auto surface = geometry::makeSurface(body.shape);
     const Pointshell shell = makePointshell(*surface, kSpacing);
     EXPECT_LE(shell.covering_radius, 0.95 * kSpacing);
     std::vector<Vector3f> points;
@@ -101,10 +101,10 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
     const NearestOfPoints nearest(points);
     std::uint32_t index = 0;
     double farthest = 0.0;
-    const TriangleMesh mesh = tessellate(body.shape, 1e-5);
+    const geometry::TriangleMesh mesh = geometry::tessellate(body.shape, 1e-5);
     const SubTriangles pool(mesh, 0.2 * kSpacing, kInfinity, PitchField(mesh, kSpacing));
     pool.walk([&](std::uint32_t, const SubTriangles::View& piece) {
-      const Vector3d p = distanceTo(body.shape, piece.centroid()).nearest;
+      const Vector3d p = geometry::distanceTo(body.shape, piece.centroid()).nearest;
       farthest = std::max(farthest, nearest.distance(p, index));
     });
     EXPECT_LE(farthest, shell.covering_radius);
@@ -114,7 +114,7 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
 }
 
 TEST(Pointshell, EveryPrefixIsACoarserShell) {
-  const auto surface = makeSurface(Ellipsoid{{0.06, 0.09, 0.12}});
+  const auto surface = geometry::makeSurface(geometry::Ellipsoid{{0.06, 0.09, 0.12}});
   const Pointshell shell = makePointshell(*surface, kSpacing);
   for (std::size_t m = 32; m <= shell.size(); m *= 2) {
     std::vector<Vector3f> points;
@@ -131,7 +131,7 @@ TEST(Pointshell, EveryPrefixIsACoarserShell) {
 }
 
 TEST(Pointshell, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
-  const auto surface = makeSurface(Cylinder{0.05, 0.12});
+  const auto surface = geometry::makeSurface(geometry::Cylinder{0.05, 0.12});
   const Pointshell one = makePointshell(*surface, kSpacing, 1);
   for (const int threads : {1, 2, 3, 7}) {
     const Pointshell other = makePointshell(*surface, kSpacing, threads);
@@ -143,28 +143,30 @@ TEST(Pointshell, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
 }
 
 TEST(Pointshell, RefusesWhatItCannotSample) {
-  EXPECT_THROW(makePointshell(*makeSurface(Sphere{0.05}), 0.0), UsageError);
-  EXPECT_THROW(makePointshell(*makeSurface(Sphere{0.05}), kNaN), UsageError);
-  const TriangleMesh flat{{Vector3d::Zero(), Vector3d::UnitX(), 2.0 * Vector3d::UnitX()}, {{0, 1, 2}}};
-  EXPECT_THROW(makePointshell(*makeSurface(flat), kSpacing), UsageError);
-  const TriangleMesh huge{{Vector3d::Zero(), 1e9 * Vector3d::UnitX(), 1e9 * Vector3d::UnitY()}, {{0, 1, 2}}};
-  EXPECT_THROW(makePointshell(*makeSurface(huge), kSpacing), UsageError);
+  EXPECT_THROW(makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), 0.0), UsageError);
+  EXPECT_THROW(makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), kNaN), UsageError);
+  const geometry::TriangleMesh flat{{Vector3d::Zero(), Vector3d::UnitX(), 2.0 * Vector3d::UnitX()},
+                                    {{0, 1, 2}}};
+  EXPECT_THROW(makePointshell(*geometry::makeSurface(flat), kSpacing), UsageError);
+  const geometry::TriangleMesh huge{{Vector3d::Zero(), 1e9 * Vector3d::UnitX(), 1e9 * Vector3d::UnitY()},
+                                    {{0, 1, 2}}};
+  EXPECT_THROW(makePointshell(*geometry::makeSurface(huge), kSpacing), UsageError);
 }
 
 TEST(Pointshell, OpenSliversAndSmallBodiesGetPoints) {
-  const TriangleMesh sliver{{Vector3d::Zero(), Vector3d(1.0, 0.0, 0.0), Vector3d(0.5, 1e-6, 0.0)},
-                            {{0, 1, 2}}};
-  const Pointshell thin = makePointshell(*makeSurface(sliver), kSpacing);
+  const geometry::TriangleMesh sliver{{Vector3d::Zero(), Vector3d(1.0, 0.0, 0.0), Vector3d(0.5, 1e-6, 0.0)},
+                                      {{0, 1, 2}}};
+  const Pointshell thin = makePointshell(*geometry::makeSurface(sliver), kSpacing);
   EXPECT_GE(thin.size(), 100u);
   EXPECT_LE(thin.covering_radius, kSpacing);
-  const auto grain = makeSurface(Sphere{1e-4});
+  const auto grain = geometry::makeSurface(geometry::Sphere{1e-4});
   const Pointshell small = makePointshell(*grain, kSpacing);
   EXPECT_GE(small.size(), 4u);
   EXPECT_NEAR(totalArea(small) / grain->area(), 1.0, kAreaTolerance);
 }
 
 /// Presses a body into a wall, in many orientations and depths, and compares with the exact overlap.
-void pressIntoWall(const TriangleMesh& exact, const Pointshell& shell) {
+void pressIntoWall(const geometry::TriangleMesh& exact, const Pointshell& shell) {
   std::vector<Vector3d> directions;
   for (int i = 0; i < 27; ++i) {
     if (i != 13) directions.push_back(Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).normalized());
@@ -199,19 +201,20 @@ TEST(Pointshell, PressingAnyShapeIntoAWallGivesTheOverlap) {
   for (const Body& body : bodies()) {
     if (body.name == "plate") continue;
     SCOPED_TRACE(body.name);
-    pressIntoWall(tessellate(body.shape, 2e-5), makePointshell(*makeSurface(body.shape), kSpacing));
+    pressIntoWall(geometry::tessellate(body.shape, 2e-5),
+                  makePointshell(*geometry::makeSurface(body.shape), kSpacing));
   }
 }
 
 TEST(Pointshell, PressingTheBunnyIntoAWallGivesTheOverlap) {
   const auto file = testing::sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
-  const TriangleMesh mesh = testing::readOff(file, 0.2);
-  const Pointshell shell = makePointshell(*makeSurface(mesh), kSpacing);
-  EXPECT_NEAR(totalArea(shell) / surfaceArea(mesh), 1.0, kMeshAreaTolerance);
-  EXPECT_LE(totalArea(shell), surfaceArea(mesh));
+  const geometry::TriangleMesh mesh = testing::readOff(file, 0.2);
+  const Pointshell shell = makePointshell(*geometry::makeSurface(mesh), kSpacing);
+  EXPECT_NEAR(totalArea(shell) / geometry::surfaceArea(mesh), 1.0, kMeshAreaTolerance);
+  EXPECT_LE(totalArea(shell), geometry::surfaceArea(mesh));
   pressIntoWall(mesh, shell);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::shell

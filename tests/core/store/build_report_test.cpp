@@ -6,21 +6,22 @@
 #include "core/geometry/convex_hull.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
-constexpr HapticOptions kOptions{.voxel_size = 0.005, .point_spacing = 0.005, .outer_layers = 2};
+constexpr structure::HapticOptions kOptions{.voxel_size = 0.005, .point_spacing = 0.005, .outer_layers = 2};
 // m; shell points are floats.
 constexpr double kRounding = 1e-6;
 
-BuildReport reportOf(std::shared_ptr<const Surface> surface, const HapticOptions& options = kOptions) {
-  return reportOn(*buildHapticStructure("body", std::move(surface), options, 1));
+BuildReport reportOf(std::shared_ptr<const geometry::Surface> surface,
+                     const structure::HapticOptions& options = kOptions) {
+  return reportOn(*structure::buildHapticStructure("body", std::move(surface), options, 1));
 }
 
 /// Extrudes a polygon (x, y), counter-clockwise and in ears (triples of its corners), to z from 0 to height.
-TriangleMesh prism(const std::vector<Eigen::Vector2d>& polygon,
-                   const std::vector<std::array<std::uint32_t, 3>>& ears, double height) {
-  TriangleMesh mesh;
+geometry::TriangleMesh prism(const std::vector<Eigen::Vector2d>& polygon,
+                             const std::vector<std::array<std::uint32_t, 3>>& ears, double height) {
+  geometry::TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(polygon.size());
   for (const double z : {0.0, height})
     for (const auto& p : polygon) mesh.vertices.emplace_back(p.x(), p.y(), z);
@@ -37,19 +38,19 @@ TriangleMesh prism(const std::vector<Eigen::Vector2d>& polygon,
 }
 
 /// A square of 0.1 m with a slot of 0.02 m, 0.06 m deep, from the middle of its upper side; 0.1 m high.
-TriangleMesh fork() {
+geometry::TriangleMesh fork() {
   return prism({{0, 0}, {.1, 0}, {.1, .1}, {.06, .1}, {.06, .04}, {.04, .04}, {.04, .1}, {0, .1}},
                {{0, 5, 6}, {0, 6, 7}, {0, 1, 5}, {1, 4, 5}, {1, 2, 4}, {2, 3, 4}}, 0.1);
 }
 
 /// A square of 0.1 m with a fin of 3 mm and 0.05 m length on top of it; 0.1 m high.
-TriangleMesh fin() {
+geometry::TriangleMesh fin() {
   return prism({{0, 0}, {.1, 0}, {.1, .1}, {.053, .1}, {.053, .15}, {.05, .15}, {.05, .1}, {0, .1}},
                {{0, 6, 7}, {0, 1, 6}, {1, 3, 6}, {1, 2, 3}, {3, 4, 5}, {3, 5, 6}}, 0.1);
 }
 
 TEST(BuildReport, OfASlotThatAHullCloses) {
-  const std::shared_ptr<const Surface> surface = makeSurface(fork());
+  const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(fork());
   ASSERT_TRUE(surface->watertight());
   const BuildReport r = reportOf(surface);
   EXPECT_EQ(r.open_edges + r.non_manifold_edges + r.flipped_edges, 0u);
@@ -65,7 +66,7 @@ TEST(BuildReport, OfASlotThatAHullCloses) {
 }
 
 TEST(BuildReport, OfAFinThatVoxelsHardlySee) {
-  const std::shared_ptr<const Surface> surface = makeSurface(fin());
+  const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(fin());
   ASSERT_TRUE(surface->watertight());
   const BuildReport r = reportOf(surface);
   EXPECT_EQ(r.thin_walls.below, 0.01);
@@ -81,25 +82,25 @@ TEST(BuildReport, OfAFinThatVoxelsHardlySee) {
 }
 
 TEST(BuildReport, OfShapes) {
-  const BuildReport ball = reportOf(makeSurface(Sphere{0.05}));
+  const BuildReport ball = reportOf(geometry::makeSurface(geometry::Sphere{0.05}));
   EXPECT_EQ(ball.thin_walls.share, 0.0);
   ASSERT_TRUE(ball.hull);
   EXPECT_EQ(ball.hull->volume_ratio, 1.0);
   EXPECT_EQ(ball.hull->worst, 0.0);
-  const BuildReport sheet = reportOf(makeSurface(Cuboid{{0.2, 0.1, 0.004}}));
+  const BuildReport sheet = reportOf(geometry::makeSurface(geometry::Cuboid{{0.2, 0.1, 0.004}}));
   EXPECT_NEAR(sheet.thin_walls.thinnest, 0.004, kRounding);
   const double faces = 0.2 * 0.1, rim = 0.004 * 0.3;
   EXPECT_NEAR(sheet.thin_walls.share, faces / (faces + rim), 0.02);
 }
 
 TEST(BuildReport, OfAnOpenMesh) {
-  TriangleMesh mesh = fork();
+  geometry::TriangleMesh mesh = fork();
   mesh.triangles.pop_back();
-  const BuildReport r = reportOf(makeSurface(mesh));
+  const BuildReport r = reportOf(geometry::makeSurface(mesh));
   EXPECT_EQ(r.open_edges, 3u);
   EXPECT_TRUE(r.inside_doubtful);
   // Two boxes that cut each other are closed, but what is inside is not certain.
-  TriangleMesh two = tessellate(Cuboid{{0.1, 0.1, 0.1}}, 0.01);
+  geometry::TriangleMesh two = geometry::tessellate(geometry::Cuboid{{0.1, 0.1, 0.1}}, 0.01);
   const auto n = static_cast<std::uint32_t>(two.vertices.size());
   const std::size_t triangles = two.triangles.size();
   for (std::uint32_t i = 0; i < n; ++i) two.vertices.push_back(two.vertices[i] + Vector3d(0.05, 0.03, 0.02));
@@ -107,16 +108,16 @@ TEST(BuildReport, OfAnOpenMesh) {
     const auto& a = two.triangles[t];
     two.triangles.push_back({a[0] + n, a[1] + n, a[2] + n});
   }
-  const BuildReport cut = reportOf(makeSurface(two));
+  const BuildReport cut = reportOf(geometry::makeSurface(two));
   EXPECT_EQ(cut.open_edges, 0u);
   EXPECT_TRUE(cut.inside_doubtful);
 }
 
 TEST(BuildReport, OfAFlatMesh) {
-  TriangleMesh sheet;
+  geometry::TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const BuildReport r = reportOf(makeSurface(sheet));
+  const BuildReport r = reportOf(geometry::makeSurface(sheet));
   EXPECT_EQ(r.open_edges, 4u);
   EXPECT_TRUE(r.inside_doubtful);
   EXPECT_FALSE(r.hull);
@@ -127,7 +128,7 @@ TEST(ConvexHull, OfABox) {
   for (int i = 0; i < 8; ++i) points.emplace_back(i & 1 ? 3 : 1, i & 2 ? 2 : 0, i & 4 ? 5 : 0);
   for (int i = 0; i < 100; ++i)
     points.push_back(Vector3d(2.0, 1.0, 2.5) + testing::randomPose(i, 0.99).translation());
-  const auto hull = convexHull(points);
+  const auto hull = geometry::convexHull(points);
   ASSERT_TRUE(hull);
   EXPECT_NEAR(hull->volume, 2.0 * 2.0 * 5.0, 1e-12);
   EXPECT_NEAR(hull->depth({2.0, 1.0, 2.5}), 1.0, 1e-12);
@@ -139,7 +140,7 @@ TEST(ConvexHull, OfABox) {
 TEST(ConvexHull, OfRandomPoints) {
   std::vector<Vector3d> points;
   for (int i = 0; i < 500; ++i) points.push_back(testing::randomPose(i, 1.0).translation());
-  const auto hull = convexHull(points);
+  const auto hull = geometry::convexHull(points);
   ASSERT_TRUE(hull);
   constexpr double kExact = 1e-12;
   for (const Vector3d& p : points) EXPECT_GE(hull->depth(p), -kExact);
@@ -152,11 +153,11 @@ TEST(ConvexHull, OfRandomPoints) {
 }
 
 TEST(ConvexHull, OfNoVolume) {
-  EXPECT_FALSE(convexHull({}));
-  EXPECT_FALSE(convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-  EXPECT_FALSE(convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}}));
-  EXPECT_FALSE(convexHull(std::vector<Vector3d>(10, Vector3d(1, 2, 3))));
+  EXPECT_FALSE(geometry::convexHull({}));
+  EXPECT_FALSE(geometry::convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(geometry::convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}}));
+  EXPECT_FALSE(geometry::convexHull(std::vector<Vector3d>(10, Vector3d(1, 2, 3))));
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::store

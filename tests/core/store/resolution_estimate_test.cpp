@@ -6,7 +6,7 @@
 #include "core/store/resolution_estimate.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
 // As ResolutionProbe promises.
@@ -16,28 +16,30 @@ constexpr double kBoundFactor = 1.35;
 
 struct Case {
   const char* what;
-  std::shared_ptr<const Surface> surface;
-  HapticOptions options;
+  std::shared_ptr<const geometry::Surface> surface;
+  structure::HapticOptions options;
 };
 
 TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
-  const auto mesh = [](const char* file) -> std::shared_ptr<const Surface> {
-    return makeSurface(loadMesh(testing::projectFile(file)).mesh);
+  const auto mesh = [](const char* file) -> std::shared_ptr<const geometry::Surface> {
+    return geometry::makeSurface(mesh_file::loadMesh(testing::projectFile(file)).mesh);
   };
-  const auto shape = [](const Shape& s) -> std::shared_ptr<const Surface> { return makeSurface(s); };
-  const auto both = [](double pitch, FieldKind field = FieldKind::kMixed) {
-    return HapticOptions{.voxel_size = pitch, .point_spacing = pitch, .field = field};
+  const auto shape = [](const geometry::Shape& s) -> std::shared_ptr<const geometry::Surface> {
+    return geometry::makeSurface(s);
   };
-  const auto ball = shape(Sphere{0.05});
-  const auto plate = shape(Cuboid{{0.4, 0.3, 0.02}});
+  const auto both = [](double pitch, structure::FieldKind field = structure::FieldKind::kMixed) {
+    return structure::HapticOptions{.voxel_size = pitch, .point_spacing = pitch, .field = field};
+  };
+  const auto ball = shape(geometry::Sphere{0.05});
+  const auto plate = shape(geometry::Cuboid{{0.4, 0.3, 0.02}});
   const auto link = mesh("data/robots/lwr/link1.stl"), base = mesh("data/robots/lwr/base.stl");
   const Case cases[] = {
       {"ball, 2.5 mm", ball, both(0.0025)},
-      {"ball, 2 mm, layered", ball, both(0.002, FieldKind::kLayered)},
+      {"ball, 2 mm, layered", ball, both(0.002, structure::FieldKind::kLayered)},
       {"large ball, in tiles, layered",
-       shape(Sphere{0.5}),
-       {.voxel_size = 0.0027, .point_spacing = 0.03, .field = FieldKind::kLayered}},
-      {"ball, 2 mm, float", ball, both(0.002, FieldKind::kFloat)},
+       shape(geometry::Sphere{0.5}),
+       {.voxel_size = 0.0027, .point_spacing = 0.03, .field = structure::FieldKind::kLayered}},
+      {"ball, 2 mm, float", ball, both(0.002, structure::FieldKind::kFloat)},
       {"ball, coarser than the probe", ball, both(0.01)},
       {"ball, few outer layers", ball, {.voxel_size = 0.002, .point_spacing = 0.004, .outer_layers = 2}},
       {"plate, 5 mm", plate, both(0.005)},
@@ -50,7 +52,7 @@ TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
   for (const Case& c : cases) {
     ResolutionProbe probe(c.surface);
     const ResolutionEstimate e = probe.estimate(c.options);
-    const auto built = buildHapticStructure(c.what, c.surface, c.options);
+    const auto built = structure::buildHapticStructure(c.what, c.surface, c.options);
     EXPECT_EQ(e.refused, "");
     EXPECT_LT(e.points, kFactor * double(built->shell.size())) << c.what;
     EXPECT_GT(e.points, double(built->shell.size()) / kFactor) << c.what;
@@ -65,7 +67,7 @@ TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
 }
 
 TEST(ResolutionProbe, FinerCostsMoreAndErrsLess) {
-  ResolutionProbe probe(makeSurface(Capsule{0.05, 0.3}));
+  ResolutionProbe probe(geometry::makeSurface(geometry::Capsule{0.05, 0.3}));
   ResolutionEstimate last;
   for (const double pitch : {0.005, 0.004, 0.002, 0.001}) {
     const ResolutionEstimate e = probe.estimate({.voxel_size = pitch, .point_spacing = pitch});
@@ -81,22 +83,24 @@ TEST(ResolutionProbe, FinerCostsMoreAndErrsLess) {
 }
 
 TEST(ResolutionProbe, SaysWhatWouldBeRefused) {
-  const std::shared_ptr<const Surface> hall = makeSurface(Cuboid{{10.0, 10.0, 4.0}});
+  const std::shared_ptr<const geometry::Surface> hall =
+      geometry::makeSurface(geometry::Cuboid{{10.0, 10.0, 4.0}});
   ResolutionProbe probe(hall);
-  const HapticOptions tiny{.voxel_size = 0.001, .point_spacing = 0.5};
+  const structure::HapticOptions tiny{.voxel_size = 0.001, .point_spacing = 0.5};
   EXPECT_NE(probe.estimate(tiny).refused.find("voxels"), std::string::npos);
-  EXPECT_THROW(buildHapticStructure("hall", hall, tiny), UsageError);
-  const HapticOptions dense{.voxel_size = 0.008, .point_spacing = 0.5, .field = FieldKind::kFloat};
+  EXPECT_THROW(structure::buildHapticStructure("hall", hall, tiny), UsageError);
+  const structure::HapticOptions dense{
+      .voxel_size = 0.008, .point_spacing = 0.5, .field = structure::FieldKind::kFloat};
   EXPECT_NE(probe.estimate(dense).refused.find("2 GB"), std::string::npos);
   EXPECT_THROW(probe.estimate({.voxel_size = -1.0}), UsageError);
 }
 
 TEST(ResolutionProbe, CanBeInterrupted) {
-  ResolutionProbe probe(makeSurface(Sphere{0.05}));
-  BuildMonitor monitor;
+  ResolutionProbe probe(geometry::makeSurface(geometry::Sphere{0.05}));
+  structure::BuildMonitor monitor;
   monitor.cancelled = [] { return true; };
-  EXPECT_THROW(probe.estimate({}, monitor), BuildCancelled);
+  EXPECT_THROW(probe.estimate({}, monitor), structure::BuildCancelled);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::store

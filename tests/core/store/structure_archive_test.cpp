@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
 struct Part {
@@ -154,4 +154,4 @@ TEST(Archive, RefusesCountsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::store

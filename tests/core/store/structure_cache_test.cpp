@@ -17,23 +17,23 @@
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::store {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::ScratchFolder;
 
-constexpr HapticOptions kCoarse{.voxel_size = 0.02, .point_spacing = 0.02, .outer_layers = 2};
-const Shape kBall = Sphere{0.05};
+constexpr structure::HapticOptions kCoarse{.voxel_size = 0.02, .point_spacing = 0.02, .outer_layers = 2};
+const geometry::Shape kBall = geometry::Sphere{0.05};
 
-std::shared_ptr<const Surface> ball() { return makeSurface(kBall); }
-TriangleMesh bodyMesh() { return tessellate(Capsule{0.04, 0.08}, 2e-4); }
+std::shared_ptr<const geometry::Surface> ball() { return geometry::makeSurface(kBall); }
+geometry::TriangleMesh bodyMesh() { return geometry::tessellate(geometry::Capsule{0.04, 0.08}, 2e-4); }
 
 /// All that is kept of a structure.
-std::string bytesOf(const HapticStructure& s) {
+std::string bytesOf(const structure::HapticStructure& s) {
   std::ostringstream out;
   ArchiveWriter writer(&out);
-  writer(const_cast<HapticStructure&>(s));
+  writer(const_cast<structure::HapticStructure&>(s));
   return out.str();
 }
 
@@ -50,24 +50,28 @@ struct Kept {
   ScratchFolder folder;
   StructureCache cache{folder.path()};
   ContentKey key = structureKey(*ball(), kCoarse);
-  std::shared_ptr<const HapticStructure> made =
+  std::shared_ptr<const structure::HapticStructure> made =
       makeHapticStructure(cache, "ball", ball(), kCoarse, 1).structure;
   fs::path file = cache.structureFile(key);
 
-  std::shared_ptr<const HapticStructure> find() { return cache.findStructure(key, "ball", ball()); }
+  std::shared_ptr<const structure::HapticStructure> find() {
+    return cache.findStructure(key, "ball", ball());
+  }
 };
 
 TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
   ScratchFolder folder;
   StructureCache cache(folder.path());
-  const std::shared_ptr<const Surface> body = makeSurface(bodyMesh());
-  for (const FieldKind kind : {FieldKind::kLayered, FieldKind::kFloat, FieldKind::kMixed}) {
-    const HapticOptions options{.voxel_size = 0.01, .point_spacing = 0.01, .outer_layers = 4, .field = kind};
+  const std::shared_ptr<const geometry::Surface> body = geometry::makeSurface(bodyMesh());
+  for (const structure::FieldKind kind :
+       {structure::FieldKind::kLayered, structure::FieldKind::kFloat, structure::FieldKind::kMixed}) {
+    const structure::HapticOptions options{
+        .voxel_size = 0.01, .point_spacing = 0.01, .outer_layers = 4, .field = kind};
     const MadeStructure first = makeHapticStructure(cache, "a", body, options, 2);
     const MadeStructure second = makeHapticStructure(cache, "b", body, options, 2);
     EXPECT_FALSE(first.cached);
     ASSERT_TRUE(second.cached);
-    const HapticStructure &built = *first.structure, &found = *second.structure;
+    const structure::HapticStructure &built = *first.structure, &found = *second.structure;
     EXPECT_EQ(bytesOf(found), bytesOf(built));
     EXPECT_EQ(found.name, "b");
     EXPECT_EQ(found.surface, body);
@@ -75,12 +79,12 @@ TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
     EXPECT_EQ(found.errorBound(), built.errorBound());
     EXPECT_EQ(found.build_ms, built.build_ms);
     // Both are asked against a third, from near and far and inside.
-    PairScratch scratch;
+    kernels::PairScratch scratch;
     for (int i = 0; i < 200; ++i) {
       const Transform X(testing::randomPose(i, 0.1));
-      PairResult r[2];
-      queryPair(built, Transform::Identity(), built, X, {.margin = 0.01}, scratch, r[0]);
-      queryPair(found, Transform::Identity(), found, X, {.margin = 0.01}, scratch, r[1]);
+      query::PairResult r[2];
+      query::queryPair(built, Transform::Identity(), built, X, {.margin = 0.01}, scratch, r[0]);
+      query::queryPair(found, Transform::Identity(), found, X, {.margin = 0.01}, scratch, r[1]);
       EXPECT_EQ(r[0].distance, r[1].distance);
       EXPECT_EQ(r[0].bound, r[1].bound);
       EXPECT_EQ(r[0].force_a, r[1].force_a);
@@ -93,7 +97,7 @@ TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
 TEST(StructureCache, GivesTheSameSurface) {
   ScratchFolder folder;
   StructureCache cache(folder.path());
-  const TriangleMesh mesh = bodyMesh();
+  const geometry::TriangleMesh mesh = bodyMesh();
   ASSERT_GT(mesh.triangles.size(), 1000u);
   const auto made = makeSurface(cache, mesh);
   EXPECT_EQ(filesIn(folder.path()), 1u);
@@ -105,7 +109,7 @@ TEST(StructureCache, GivesTheSameSurface) {
   EXPECT_EQ(structureKey(*found, kCoarse), structureKey(*made, kCoarse));
   for (int i = 0; i < 2000; ++i) {
     const Vector3d p = testing::randomPose(i, 0.2).translation();
-    const SurfacePoint a = made->closest(p), b = found->closest(p);
+    const geometry::SurfacePoint a = made->closest(p), b = found->closest(p);
     EXPECT_EQ(a.point, b.point);
     EXPECT_EQ(made->inside(p), found->inside(p));
     EXPECT_EQ(made->inside(p, a), found->inside(p, b));
@@ -142,7 +146,7 @@ TEST(StructureCache, NoticesFilesThatAreShortOrLongOrOthers) {
   std::vector<std::string> bad{good + "x", "something else", std::string(1000, '\0')};
   for (std::size_t size = 0; size < good.size(); size += 1 + good.size() / 300)
     bad.push_back(good.substr(0, size));
-  const HapticOptions other{.voxel_size = 0.03, .point_spacing = 0.02, .outer_layers = 2};
+  const structure::HapticOptions other{.voxel_size = 0.03, .point_spacing = 0.02, .outer_layers = 2};
   makeHapticStructure(k.cache, "other", ball(), other, 1);
   bad.push_back(readFile(k.cache.structureFile(structureKey(*ball(), other))));
   for (const std::string& bytes : bad) {
@@ -167,18 +171,18 @@ TEST(StructureCache, AFileOfAnotherVersionSaysSo) {
 }
 
 TEST(StructureCache, KeysTellEverythingApart) {
-  TriangleMesh mesh = bodyMesh();
+  geometry::TriangleMesh mesh = bodyMesh();
   std::vector<ContentKey> keys;
-  const auto add = [&](const Shape& shape, const HapticOptions& o) {
-    keys.push_back(structureKey(*makeSurface(shape), o));
+  const auto add = [&](const geometry::Shape& shape, const structure::HapticOptions& o) {
+    keys.push_back(structureKey(*geometry::makeSurface(shape), o));
   };
   add(kBall, kCoarse);
-  add(Sphere{std::nextafter(0.05, 1.0)}, kCoarse);
-  add(Cylinder{0.05, 0.1}, kCoarse);
-  add(Capsule{0.05, 0.1}, kCoarse);
-  add(Cuboid{{0.1, 0.2, 0.3}}, kCoarse);
-  add(Ellipsoid{{0.1, 0.2, 0.3}}, kCoarse);
-  HapticOptions o = kCoarse;
+  add(geometry::Sphere{std::nextafter(0.05, 1.0)}, kCoarse);
+  add(geometry::Cylinder{0.05, 0.1}, kCoarse);
+  add(geometry::Capsule{0.05, 0.1}, kCoarse);
+  add(geometry::Cuboid{{0.1, 0.2, 0.3}}, kCoarse);
+  add(geometry::Ellipsoid{{0.1, 0.2, 0.3}}, kCoarse);
+  structure::HapticOptions o = kCoarse;
   o.voxel_size = 0.021;
   add(kBall, o);
   o = kCoarse;
@@ -188,11 +192,11 @@ TEST(StructureCache, KeysTellEverythingApart) {
   o.outer_layers = 3;
   add(kBall, o);
   o = kCoarse;
-  o.field = FieldKind::kFloat;
+  o.field = structure::FieldKind::kFloat;
   add(kBall, o);
-  const auto addMesh = [&] { keys.push_back(structureKey(*makeSurface(mesh), kCoarse)); };
+  const auto addMesh = [&] { keys.push_back(structureKey(*geometry::makeSurface(mesh), kCoarse)); };
   addMesh();
-  EXPECT_EQ(keys.back(), structureKey(*makeSurface(mesh), kCoarse));
+  EXPECT_EQ(keys.back(), structureKey(*geometry::makeSurface(mesh), kCoarse));
   keys.push_back(surfaceKey(mesh));
   mesh.vertices[3].x() = std::nextafter(mesh.vertices[3].x(), 1.0);
   addMesh();
@@ -302,12 +306,13 @@ TEST(BuildMonitor, HearsOfAllTheWorkOnce) {
   for (const int threads : {1, 3}) {
     std::vector<double> heard;
     std::vector<std::string> phases;
-    BuildMonitor monitor;
+    structure::BuildMonitor monitor;
     monitor.progress = [&](double fraction, std::string_view phase) {
       heard.push_back(fraction);
       if (phases.empty() || phases.back() != phase) phases.emplace_back(phase);
     };
-    buildHapticStructure("ball", ball(), {.voxel_size = 0.005, .point_spacing = 0.01}, threads, monitor);
+    structure::buildHapticStructure("ball", ball(), {.voxel_size = 0.005, .point_spacing = 0.01}, threads,
+                                    monitor);
     EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
     EXPECT_EQ(heard.front(), 0.0);
     EXPECT_EQ(heard.back(), 1.0);
@@ -317,14 +322,14 @@ TEST(BuildMonitor, HearsOfAllTheWorkOnce) {
 }
 
 TEST(BuildMonitor, EndsABuildAnywhereAndNothingIsLeft) {
-  std::shared_ptr<const Surface> body{makeSurface(bodyMesh())};
+  std::shared_ptr<const geometry::Surface> body{geometry::makeSurface(bodyMesh())};
   std::atomic<int> asked{0};
-  BuildMonitor monitor;
+  structure::BuildMonitor monitor;
   monitor.cancelled = [&] {
     ++asked;
     return false;
   };
-  buildHapticStructure("body", body, kCoarse, 2, monitor);
+  structure::buildHapticStructure("body", body, kCoarse, 2, monitor);
   const int all = asked;
   ASSERT_GT(all, 20);
   ScratchFolder folder;
@@ -332,7 +337,8 @@ TEST(BuildMonitor, EndsABuildAnywhereAndNothingIsLeft) {
   for (int until = 0; until < all; until += 1 + all / 30) {
     asked = 0;
     monitor.cancelled = [&] { return ++asked > until; };
-    EXPECT_THROW(makeHapticStructure(cache, "body", body, kCoarse, 2, monitor), BuildCancelled) << until;
+    EXPECT_THROW(makeHapticStructure(cache, "body", body, kCoarse, 2, monitor), structure::BuildCancelled)
+        << until;
     // Each thread asks once more at most, and the first one to hear stops the others.
     EXPECT_LE(asked, until + 2);
     EXPECT_EQ(loop_watch, nullptr);
@@ -341,4 +347,4 @@ TEST(BuildMonitor, EndsABuildAnywhereAndNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::store

@@ -8,7 +8,7 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::structure {
 namespace {
 
 using testing::randomPoint;
@@ -24,7 +24,7 @@ std::uint64_t hash(const HapticStructure& s) {
       for (int j = 0; j < n.y(); ++j)
         for (int i = 0; i < n.x(); ++i) h.add(double(s.voxelmap->at({i, j, k})));
   }
-  const Bounds box = s.surface->bounds();
+  const geometry::Bounds box = s.surface->bounds();
   for (int i = 0; i < 20'000; ++i) {
     const Vector3f p = (box.centre() + randomPoint(i, 0.8).cwiseProduct(box.extent())).cast<float>();
     float d = -1.0f;
@@ -41,7 +41,9 @@ std::uint64_t hash(const HapticStructure& s) {
   return h.value();
 }
 
-std::shared_ptr<const Surface> body() { return makeSurface(tessellate(Capsule{0.04, 0.08}, 2e-4)); }
+std::shared_ptr<const geometry::Surface> body() {
+  return geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.04, 0.08}, 2e-4));
+}
 
 TEST(HapticStructure, IsTheSameForAnyNumberOfThreads) {
   for (const FieldKind kind : kKinds) {
@@ -54,7 +56,7 @@ TEST(HapticStructure, IsTheSameForAnyNumberOfThreads) {
 
 TEST(HapticStructure, KeepsWhatItsKindNeedsAndCountsTheSameVoxels) {
   const HapticOptions options{.voxel_size = 0.008, .point_spacing = 0.01, .outer_layers = 6};
-  const Voxelmap map(*body(), options.voxel_size, options.outer_layers, 1);
+  const field::Voxelmap map(*body(), options.voxel_size, options.outer_layers, 1);
   std::size_t bytes[3];
   for (const FieldKind kind : kKinds) {
     HapticOptions o = options;
@@ -76,8 +78,8 @@ TEST(HapticStructure, KeepsWhatItsKindNeedsAndCountsTheSameVoxels) {
 }
 
 TEST(HapticStructure, TheSphereHoldsTheWholeSurface) {
-  std::vector<std::shared_ptr<const Surface>> surfaces{body()};
-  for (const Shape& shape : testing::someShapes()) surfaces.push_back(makeSurface(shape));
+  std::vector<std::shared_ptr<const geometry::Surface>> surfaces{body()};
+  for (const geometry::Shape& shape : testing::someShapes()) surfaces.push_back(geometry::makeSurface(shape));
   for (const auto& surface : surfaces) {
     const double size = surface->bounds().extent().maxCoeff();
     const auto s = buildHapticStructure(
@@ -93,7 +95,8 @@ TEST(HapticStructure, TheSphereHoldsTheWholeSurface) {
 }
 
 TEST(HapticStructure, TheThesissSphere) {
-  const auto s = buildHapticStructure("ball", makeSurface(Sphere{0.05}), {.field = FieldKind::kLayered}, 2);
+  const auto s = buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}),
+                                      {.field = FieldKind::kLayered}, 2);
   EXPECT_EQ(s->grid.cells(), 226'981u);
   // Along the diagonal the surface is 10 / sqrt(3) voxels from the middle: in the sixth.
   EXPECT_EQ(s->voxelmap->at({30, 30, 30}), 6);
@@ -122,13 +125,14 @@ TEST(HapticStructure, OfRealMeshesThatAreNotSound) {
        {"not_convex.obj", "halftunnel.off", "featuretype.STL", "multibody.stl", "2triangles.off"}) {
     const auto file = testing::sharedData(std::string("meshes/") + name);
     if (!exists(file)) GTEST_SKIP() << file;
-    const std::shared_ptr<const Surface> surface = makeSurface(loadMesh(file).mesh);
+    const std::shared_ptr<const geometry::Surface> surface =
+        geometry::makeSurface(mesh_file::loadMesh(file).mesh);
     const double h = surface->bounds().extent().maxCoeff() / 40.0;
     const auto s = buildHapticStructure(name, surface,
                                         {.voxel_size = h, .point_spacing = 2.0 * h, .outer_layers = 4}, 2);
     EXPECT_GT(s->surface_voxels, 0u) << name;
     EXPECT_TRUE(s->com.allFinite()) << name;
-    const Bounds box = surface->bounds();
+    const geometry::Bounds box = surface->bounds();
     for (int i = 0; i < 2000; ++i) {
       const Vector3f p = (box.centre() + randomPoint(i, 0.7).cwiseProduct(box.extent())).cast<float>();
       const double exact = surface->closest(p.cast<double>()).distance;
@@ -142,4 +146,4 @@ TEST(HapticStructure, OfRealMeshesThatAreNotSound) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::structure

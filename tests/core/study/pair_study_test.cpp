@@ -8,21 +8,21 @@
 #include "core/base/error.hpp"
 #include "tests/support/structures.hpp"
 
-namespace abstand {
+namespace abstand::study {
 namespace {
 
 constexpr double kRadius = 0.05;
 // m; a query walks to the nearest points until they are hardly getting nearer.
 constexpr double kWalk = 1e-6;
 
-std::shared_ptr<const HapticStructure> ball(double radius = kRadius) {
-  return {&testing::structureOf(Sphere{radius}, FieldKind::kMixed, 0.02), [](auto*) {}};
+std::shared_ptr<const structure::HapticStructure> ball(double radius = kRadius) {
+  return {&testing::structureOf(geometry::Sphere{radius}, structure::FieldKind::kMixed, 0.02), [](auto*) {}};
 }
 
-MechanismFrame joint(int parent, const Vector3d& xyz, const Vector3d& axis, double reach) {
-  MechanismFrame f;
+mechanism::MechanismFrame joint(int parent, const Vector3d& xyz, const Vector3d& axis, double reach) {
+  mechanism::MechanismFrame f;
   f.parent = parent;
-  f.type = JointType::kRevolute;
+  f.type = mechanism::JointType::kRevolute;
   f.has_dh = false;
   f.axis = axis;
   f.X_PJ.translation() = xyz;
@@ -32,14 +32,14 @@ MechanismFrame joint(int parent, const Vector3d& xyz, const Vector3d& axis, doub
 }
 
 /// Revolute joints in a row, 0.4 m apart along x; the frame behind the last one is its tip.
-Mechanism arm(const std::vector<Vector3d>& axes, double reach) {
-  Mechanism m;
+mechanism::Mechanism arm(const std::vector<Vector3d>& axes, double reach) {
+  mechanism::Mechanism m;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     m.frames.push_back(joint(static_cast<int>(i) - 1, {i == 0 ? 0.0 : 0.4, 0, 0}, axes[i], reach));
     m.frames.back().dof = m.dof++;
   }
-  MechanismFrame tip = joint(static_cast<int>(axes.size()) - 1, {0.4, 0, 0}, Vector3d::UnitZ(), 0);
-  tip.type = JointType::kFixed;
+  mechanism::MechanismFrame tip = joint(static_cast<int>(axes.size()) - 1, {0.4, 0, 0}, Vector3d::UnitZ(), 0);
+  tip.type = mechanism::JointType::kFixed;
   m.frames.push_back(tip);
   m.prepare();
   return m;
@@ -59,7 +59,7 @@ StudyOptions options(long samples, int searches) {
 /// apart.
 struct Elbow {
   explicit Elbow(double reach) : mechanism{arm({kZ, kZ}, reach)} {}
-  Mechanism mechanism;
+  mechanism::Mechanism mechanism;
   std::vector<StudyMechanism> mechanisms{{&mechanism, Transform::Identity()}};
   std::vector<StudyBody> bodies{{ball(), 0, -1, Transform::Identity()},
                                 {ball(), 0, 2, Transform::Identity()}};
@@ -96,7 +96,7 @@ TEST(PairStudy, SometimesIsFoundBySamplesAndSamplingEnds) {
 }
 
 TEST(PairStudy, AlwaysIsAnOverlapInEveryPosture) {
-  const Mechanism m = arm({kZ}, 1.0);
+  const mechanism::Mechanism m = arm({kZ}, 1.0);
   const std::vector<StudyMechanism> mechanisms{{&m, Transform::Identity()}};
   const std::vector<StudyBody> bodies{{ball(), 0, -1, Transform::Identity()},
                                       {ball(0.03), 0, 0, Transform::Identity()}};
@@ -106,7 +106,7 @@ TEST(PairStudy, AlwaysIsAnOverlapInEveryPosture) {
 }
 
 TEST(PairStudy, WhatNothingMovesTakesOneLook) {
-  const Mechanism m = arm({kZ}, 1.0);
+  const mechanism::Mechanism m = arm({kZ}, 1.0);
   const std::vector<StudyMechanism> mechanisms{{&m, Transform::Identity()}};
   const std::vector<StudyBody> bodies{{ball(), 0, 0, Transform::Identity()},
                                       {ball(), 0, 1, Transform::Identity()}};
@@ -119,7 +119,7 @@ TEST(PairStudy, WhatNothingMovesTakesOneLook) {
 
 /// Six joints and a thing in the room that their tip touches in few postures.
 struct Needle {
-  Mechanism mechanism{arm({kZ, kY, kY, kZ, kY, kZ}, 2.0)};
+  mechanism::Mechanism mechanism{arm({kZ, kY, kY, kZ, kY, kZ}, 2.0)};
   std::vector<StudyMechanism> mechanisms{{&mechanism, Transform::Identity()}};
   std::vector<StudyBody> bodies{{ball(0.03), 0, 6, Transform::Identity()},
                                 {ball(0.03), -1, -1, Transform(Eigen::Translation3d(1.7, 0.4, -1.0))}};
@@ -205,4 +205,4 @@ TEST(PairStudy, AnInterruptLeavesUndecidedWhatIsNotKnownYet) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::study

@@ -47,16 +47,17 @@ TEST(InterruptedChecks, DoNotPass) {
 
 TEST(NastyPoses, TheCycleAllocatesNothing) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(0);
-  PairScratch scratch;
-  PairResult result;
+  kernels::PairScratch scratch;
+  query::PairResult result;
   long allocations = 0;
   int touching = 0;
   for (std::uint64_t i = 0; i < 2'000; ++i) {
     const AdversarialPose pose = adversarialPose(bodies, 3, i);
     const std::size_t field = i % kFields.size();
-    const HapticStructure &a = *bodies[pose.a].structures[field], &b = *bodies[pose.b].structures[field];
+    const structure::HapticStructure &a = *bodies[pose.a].structures[field],
+                                     &b = *bodies[pose.b].structures[field];
     const testing::NoAlloc guard;
-    queryPair(a, pose.X_WA, b, pose.X_WB, {.margin = 0.01}, scratch, result);
+    query::queryPair(a, pose.X_WA, b, pose.X_WB, {.margin = 0.01}, scratch, result);
     allocations += guard.count();
     touching += result.contacts > 0;
   }

@@ -34,7 +34,7 @@ TEST(ClosedContact, AGreatBallIsAWall) {
 }
 
 TEST(ClosedContact, SubmergedVolumeAndCentroid) {
-  const TriangleMesh box = boxMesh({2, 1, 1});
+  const geometry::TriangleMesh box = boxMesh({2, 1, 1});
   const Submerged half = submerged(box, Transform::Identity());
   EXPECT_NEAR(half.volume, 1.0, 1e-12);
   EXPECT_NEAR((half.centroid - Vector3d(0, 0, -0.25)).norm(), 0.0, 1e-12);
@@ -44,7 +44,7 @@ TEST(ClosedContact, SubmergedVolumeAndCentroid) {
   EXPECT_NEAR(all.volume, 2.0, 1e-12);
   EXPECT_NEAR((all.centroid - Vector3d(0.3, 0.1, -5)).norm(), 0.0, 1e-12);
   // A ball's cap; the mesh lies within its sagitta of the ball.
-  const TriangleMesh ball = tessellate(Sphere{0.05}, 1e-6);
+  const geometry::TriangleMesh ball = geometry::tessellate(geometry::Sphere{0.05}, 1e-6);
   EXPECT_NEAR(submerged(ball, fromXyzRpy({0, 0, 0.04}, {0, 0, 0})).volume, capVolume(0.05, 0.01),
               1e-3 * capVolume(0.05, 0.01));
 }

@@ -1,9 +1,9 @@
 // The judge is judged: brute-force distances and depths against sampling and known answers.
 #include <gtest/gtest.h>
 
+#include "core/math/random.hpp"
 #include "core/verify/meshes.hpp"
 #include "core/verify/penetration.hpp"
-#include "core/verify/random.hpp"
 
 namespace abstand::verify {
 namespace {

@@ -11,7 +11,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // m; the directions of bones are unit vectors of six digits, which a reader makes one and what is written
@@ -162,15 +162,15 @@ TEST(AcclaimAsBvh, TheSameCaptureGivesTheSamePerson) {
   EXPECT_NEAR(a.report.stature, b.report.stature, kWritten);
   ASSERT_EQ(a.frames.size(), b.frames.size());
   for (std::size_t k = 0; k < a.frames.size(); ++k)
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      const auto joint = static_cast<Joint>(j);
-      ASSERT_EQ(a.frames[k].has(joint), b.frames[k].has(joint)) << jointName(joint);
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      const auto joint = static_cast<humanmodel::Joint>(j);
+      ASSERT_EQ(a.frames[k].has(joint), b.frames[k].has(joint)) << humanmodel::jointName(joint);
       if (a.frames[k].has(joint)) {
         ASSERT_LT((a.frames[k][joint] - b.frames[k][joint]).norm(), kWritten)
-            << jointName(joint) << " of frame " << k;
+            << humanmodel::jointName(joint) << " of frame " << k;
       }
     }
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "tracking/bvh/bvh_recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::Contains;
@@ -167,10 +167,10 @@ TEST(Acclaim, ReadsACmuCapture) {
   EXPECT_THAT(r.report.notes, Contains(HasSubstr("11.asf")));
   // Bones keep their lengths, knees bend backwards, and the lower foot of a walk stays near the floor.
   const double thigh = 7.33161 * 0.0254 / 0.45;
-  for (const SkeletonFrame& f : r.frames) {
-    ASSERT_NEAR((f[Joint::kKneeLeft] - f[Joint::kHipLeft]).norm(), thigh, 1e-9);
-    EXPECT_LT(std::min(f[Joint::kToeLeft].z(), f[Joint::kToeRight].z()), 0.2);
-    EXPECT_GT(f[Joint::kHeadTop].z(), f[Joint::kPelvis].z() + 0.4);
+  for (const humanmodel::SkeletonFrame& f : r.frames) {
+    ASSERT_NEAR((f[humanmodel::Joint::kKneeLeft] - f[humanmodel::Joint::kHipLeft]).norm(), thigh, 1e-9);
+    EXPECT_LT(std::min(f[humanmodel::Joint::kToeLeft].z(), f[humanmodel::Joint::kToeRight].z()), 0.2);
+    EXPECT_GT(f[humanmodel::Joint::kHeadTop].z(), f[humanmodel::Joint::kPelvis].z() + 0.4);
   }
   const Recording rest = openRecording(testing::sharedData("mocap/asfamc/11.asf"));
   EXPECT_EQ(rest.frames.size(), 1u);
@@ -188,17 +188,18 @@ TEST(Acclaim, AgreesWithCmuBvh) {
   EXPECT_EQ(a.report.up, b.report.up);
   EXPECT_NEAR(a.report.rate, b.report.rate, 0.01);
   EXPECT_NEAR(a.report.stature, b.report.stature, 0.25) << "two people";
-  const auto share = [](const Recording& r, Joint i, Joint j) {
+  const auto share = [](const Recording& r, humanmodel::Joint i, humanmodel::Joint j) {
     return (r.frames[100][i] - r.frames[100][j]).norm() / r.report.stature;
   };
-  for (const auto& [i, j] : {std::pair{Joint::kHipLeft, Joint::kKneeLeft},
-                             {Joint::kKneeLeft, Joint::kAnkleLeft},
-                             {Joint::kShoulderLeft, Joint::kElbowLeft},
-                             {Joint::kElbowLeft, Joint::kWristLeft},
-                             {Joint::kPelvis, Joint::kNeck},
-                             {Joint::kShoulderLeft, Joint::kShoulderRight}})
-    EXPECT_NEAR(share(a, i, j), share(b, i, j), 0.07) << jointName(i) << " to " << jointName(j);
+  for (const auto& [i, j] : {std::pair{humanmodel::Joint::kHipLeft, humanmodel::Joint::kKneeLeft},
+                             {humanmodel::Joint::kKneeLeft, humanmodel::Joint::kAnkleLeft},
+                             {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kElbowLeft},
+                             {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristLeft},
+                             {humanmodel::Joint::kPelvis, humanmodel::Joint::kNeck},
+                             {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight}})
+    EXPECT_NEAR(share(a, i, j), share(b, i, j), 0.07)
+        << humanmodel::jointName(i) << " to " << humanmodel::jointName(j);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

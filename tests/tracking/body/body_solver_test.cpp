@@ -8,13 +8,13 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::randomRigPose;
 
 const BodyRig& rig() {
-  static const BodyRig made = makeRig(makeHuman({}));
+  static const BodyRig made = makeRig(humanmodel::makeHuman({}));
   return made;
 }
 
@@ -28,15 +28,16 @@ TEST(BodyRig, FreedomsAreCountedOnce) {
 }
 
 TEST(BodyRig, StandsAsTheModelDoes) {
-  const HumanModel model = makeHuman({});
+  const humanmodel::HumanModel model = humanmodel::makeHuman({});
   RigPose pose;
-  pose.X_WP.translation() = model.rest[Joint::kPelvis];
+  pose.X_WP.translation() = model.rest[humanmodel::Joint::kPelvis];
   RigPlacement X_WS;
   place(rig(), pose, X_WS);
-  SkeletonFrame frame;
-  jointsOf(rig(), X_WS, JointState::kTracked, frame);
-  for (std::size_t j = 0; j < kJointCount; ++j)
-    EXPECT_LT((frame.p[j] - model.rest.p[j]).norm(), 1e-12) << jointName(static_cast<Joint>(j));
+  humanmodel::SkeletonFrame frame;
+  jointsOf(rig(), X_WS, humanmodel::JointState::kTracked, frame);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    EXPECT_LT((frame.p[j] - model.rest.p[j]).norm(), 1e-12)
+        << humanmodel::jointName(static_cast<humanmodel::Joint>(j));
 }
 
 TEST(BodySolver, JacobianIsThatOfSmallChanges) {
@@ -139,4 +140,4 @@ TEST(BodySolver, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

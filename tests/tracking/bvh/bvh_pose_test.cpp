@@ -13,7 +13,7 @@
 #include "tests/support/paths.hpp"
 #include "tracking/bvh/bvh_reader.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kRounding = 1e-12;        // a few roundings of lengths about 1
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Captures, AgainstAssimp, ::testing::Values("Boxing_Toes
                          [](const auto& i) { return std::string(i.param, 2) == "01" ? "Cmu" : "Boxing"; });
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

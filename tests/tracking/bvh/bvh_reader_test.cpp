@@ -9,7 +9,7 @@
 
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::ElementsAre;
@@ -209,4 +209,4 @@ TEST(BvhReader, NothingElseEscapes) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

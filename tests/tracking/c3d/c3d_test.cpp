@@ -11,7 +11,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::c3dOf;
@@ -53,7 +53,7 @@ TEST(C3d, SixEncodingsReadTheSame) {
       for (std::size_t i = 0; i < 5; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
           const bool gap = i == 2 && k == 2;
-          EXPECT_EQ(frames[i].state[k] == JointState::kMissing, gap) << i << " " << k;
+          EXPECT_EQ(frames[i].state[k] == humanmodel::JointState::kMissing, gap) << i << " " << k;
           if (gap) continue;
           EXPECT_EQ(frames[i].p[k], c.frames[i][k]) << i << " " << k;
         }
@@ -87,7 +87,7 @@ TEST(C3d, DoesNotBelieveResidualsThatAreAllNegative) {
   C3dReader reader(bytes, "t.c3d");
   const auto frames = framesOf(reader);
   EXPECT_EQ(frames[1].p[1], c.frames[1][1]);
-  EXPECT_EQ(frames[2].state[2], JointState::kMissing) << "in the origin";
+  EXPECT_EQ(frames[2].state[2], humanmodel::JointState::kMissing) << "in the origin";
   EXPECT_THAT(reader.warnings()[0].text, HasSubstr("every residual is negative"));
 }
 
@@ -150,7 +150,7 @@ TEST(C3d, SixFilesOfOneTrialReadEqual) {
     for (std::size_t i = 0; i < 450; ++i)
       for (std::size_t j = 0; j < 26; ++j) {
         ASSERT_EQ(all[k][i].state[j], all[0][i].state[j]) << k << " " << i << " " << j;
-        if (all[0][i].state[j] == JointState::kMissing) continue;
+        if (all[0][i].state[j] == humanmodel::JointState::kMissing) continue;
         largest = std::max(largest, (all[k][i].p[j] - all[0][i].p[j]).norm());
         ++known;
       }
@@ -182,4 +182,4 @@ TEST(C3d, RealFilesOpenOrAreRefused) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 namespace abstand::testing {
 
 struct SmallC3d {
-  C3dProcessor processor{C3dProcessor::kIntel};
+  tracking::C3dProcessor processor{tracking::C3dProcessor::kIntel};
   bool is_float{true};
   float scale{0.25f};  ///< units a step of the integers; written negative for floats
   std::vector<std::string> labels{"LASI", "RASI", "C7"};
@@ -25,15 +25,15 @@ struct SmallC3d {
 
 /// Blocks: header, nothing up to the parameters, two of parameters, then the data.
 inline std::string c3dOf(const SmallC3d& c) {
-  const bool big = c.processor == C3dProcessor::kMips;
+  const bool big = c.processor == tracking::C3dProcessor::kMips;
   const auto u16 = [big](int v) {
     const char low = static_cast<char>(v & 0xff), high = static_cast<char>(v >> 8 & 0xff);
     return big ? std::string{high, low} : std::string{low, high};
   };
   const auto f32 = [&](float v) {
-    auto bits = std::bit_cast<std::uint32_t>(c.processor == C3dProcessor::kDec ? 4.0f * v : v);
+    auto bits = std::bit_cast<std::uint32_t>(c.processor == tracking::C3dProcessor::kDec ? 4.0f * v : v);
     const int high = static_cast<int>(bits >> 16), low = static_cast<int>(bits & 0xffff);
-    return c.processor == C3dProcessor::kIntel ? u16(low) + u16(high) : u16(high) + u16(low);
+    return c.processor == tracking::C3dProcessor::kIntel ? u16(low) + u16(high) : u16(high) + u16(low);
   };
   const auto padded = [](std::string s, std::size_t size) {
     s.resize((s.size() + size - 1) / size * size, '\0');

@@ -12,7 +12,7 @@
 #include "tracking/registry/open_recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
@@ -20,12 +20,12 @@ using ::testing::HasSubstr;
 Recording someone(std::size_t frames) {
   Recording r;
   for (std::uint64_t i = 0; i < frames; ++i) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     f.t = 0.1 + static_cast<double>(i) / 120.0;
-    for (std::size_t j = 0; j < kJointCount; ++j)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if ((i + j) % 7 != 0)
-        f.set(static_cast<Joint>(j), 3.0 * testing::randomPose(i * 100 + j).translation(),
-              j % 3 == 0 ? JointState::kInferred : JointState::kTracked);
+        f.set(static_cast<humanmodel::Joint>(j), 3.0 * testing::randomPose(i * 100 + j).translation(),
+              j % 3 == 0 ? humanmodel::JointState::kInferred : humanmodel::JointState::kTracked);
     r.frames.push_back(f);
   }
   return r;
@@ -48,8 +48,8 @@ TEST(Compact, ComesBack) {
   for (std::size_t i = 0; i < 20; ++i) {
     EXPECT_EQ(read.frames[i].t, written.frames[i].t);
     EXPECT_EQ(read.frames[i].state, written.frames[i].state);
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      if (!read.frames[i].has(static_cast<Joint>(j))) continue;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      if (!read.frames[i].has(static_cast<humanmodel::Joint>(j))) continue;
       EXPECT_LE((read.frames[i].p[j] - written.frames[i].p[j]).cwiseAbs().maxCoeff(), 0.5001 * kCompactStep);
     }
   }
@@ -129,10 +129,10 @@ TEST(Compact, KeepsTheSpreadWhereThereIsOne) {
 TEST(Compact, IsSmall) {
   Recording r;
   for (int i = 0; i < 100; ++i) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     f.t = i / 100.0;
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      f.set(static_cast<Joint>(j),
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      f.set(static_cast<humanmodel::Joint>(j),
             Vector3d(0.0123456 * i, 0.1 * static_cast<double>(j) + 1.0 / 3.0, 1.0 / (2.0 + i)));
     r.frames.push_back(f);
   }
@@ -142,4 +142,4 @@ TEST(Compact, IsSmall) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

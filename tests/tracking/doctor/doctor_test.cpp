@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kRate = 100.0;
@@ -20,22 +20,22 @@ Recording walker(std::size_t frames, double noise = 0.0) {
   std::normal_distribution<double> normal(0.0, 1.0);
   Recording r;
   for (std::size_t i = 0; i < frames; ++i) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     f.t = static_cast<double>(i) / kRate;
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      const bool is_right = jointName(static_cast<Joint>(j)).ends_with("right");
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      const bool is_right = humanmodel::jointName(static_cast<humanmodel::Joint>(j)).ends_with("right");
       Vector3d p(f.t, is_right ? -0.2 : 0.2, 0.07 * static_cast<double>(j));
       if (noise > 0.0) p += noise * Vector3d(normal(random), normal(random), normal(random));
-      f.set(static_cast<Joint>(j), p);
+      f.set(static_cast<humanmodel::Joint>(j), p);
     }
     r.frames.push_back(f);
   }
   return r;
 }
 
-const JointHealth& healthOf(const DoctorReport& r, Joint j) {
+const JointHealth& healthOf(const DoctorReport& r, humanmodel::Joint j) {
   for (const auto& h : r.joints)
-    if (h.joint == jointName(j)) return h;
+    if (h.joint == humanmodel::jointName(j)) return h;
   throw std::logic_error("no such joint");
 }
 
@@ -47,31 +47,34 @@ TEST(Doctor, FindsNothingInAHealthyRecording) {
   for (const auto& b : r.bones) EXPECT_LT(b.spread + std::abs(b.drift), 1e-12) << b.part;
   EXPECT_TRUE(r.swaps.empty());
   EXPECT_TRUE(r.jumps.empty());
-  EXPECT_LT(healthOf(r, Joint::kNeck).jitter, 1e-12);
-  EXPECT_NEAR(healthOf(r, Joint::kNeck).speed, 1.0, 1e-9);
+  EXPECT_LT(healthOf(r, humanmodel::Joint::kNeck).jitter, 1e-12);
+  EXPECT_NEAR(healthOf(r, humanmodel::Joint::kNeck).speed, 1.0, 1e-9);
   EXPECT_EQ(r.fill.filled + r.fill.left, 0u);
 }
 
 // 3 x 2000 samples: the median's estimate of a standard deviation is good to 3 % at twice its own deviation.
 TEST(Doctor, MeasuresWhiteNoise) {
   for (const double noise : {0.0005, 0.004})
-    EXPECT_NEAR(jitterOf(walker(2000, noise).frames, Joint::kNeck), noise, 0.05 * noise);
+    EXPECT_NEAR(jitterOf(walker(2000, noise).frames, humanmodel::Joint::kNeck), noise, 0.05 * noise);
 }
 
 TEST(Doctor, FindsGapsJumpsSwapsAndDrift) {
   Recording r = walker(100);
   for (std::size_t i = 20; i < 30; ++i)
-    r.frames[i].set(Joint::kWristLeft, Vector3d::Constant(kNaN), JointState::kMissing);
-  r.frames[50].p[static_cast<std::size_t>(Joint::kHead)].z() += 0.5;
+    r.frames[i].set(humanmodel::Joint::kWristLeft, Vector3d::Constant(kNaN),
+                    humanmodel::JointState::kMissing);
+  r.frames[50].p[static_cast<std::size_t>(humanmodel::Joint::kHead)].z() += 0.5;
   for (std::size_t i = 70; i < 100; ++i)
-    for (const auto& [a, b] :
-         {std::pair{Joint::kHipLeft, Joint::kHipRight}, {Joint::kShoulderLeft, Joint::kShoulderRight}})
+    for (const auto& [a, b] : {std::pair{humanmodel::Joint::kHipLeft, humanmodel::Joint::kHipRight},
+                               {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight}})
       std::swap(r.frames[i].p[static_cast<std::size_t>(a)], r.frames[i].p[static_cast<std::size_t>(b)]);
   for (std::size_t i = 0; i < 100; ++i)
-    r.frames[i].p[static_cast<std::size_t>(Joint::kToeLeft)].z() += 0.001 * static_cast<double>(i);
+    r.frames[i].p[static_cast<std::size_t>(humanmodel::Joint::kToeLeft)].z() +=
+        0.001 * static_cast<double>(i);
   const DoctorReport report = examine(r);
-  EXPECT_EQ(healthOf(report, Joint::kWristLeft).missing, 10u);
-  EXPECT_NEAR(healthOf(report, Joint::kWristLeft).longest_gap, 0.11, 1e-9) << "from place to place";
+  EXPECT_EQ(healthOf(report, humanmodel::Joint::kWristLeft).missing, 10u);
+  EXPECT_NEAR(healthOf(report, humanmodel::Joint::kWristLeft).longest_gap, 0.11, 1e-9)
+      << "from place to place";
   EXPECT_THAT(report.swaps, ::testing::ElementsAre(::testing::DoubleNear(0.7, 1e-9)));
   const auto of_head = std::count_if(report.jumps.begin(), report.jumps.end(),
                                      [](const Jump& j) { return j.joint == "head"; });
@@ -122,11 +125,11 @@ TEST(Filters, AreReportedBeforeAndAfter) {
 
 TEST(Filters, StartAnewBehindAGap) {
   Recording r = walker(20);
-  r.frames[10].set(Joint::kNeck, Vector3d::Constant(kNaN), JointState::kMissing);
-  const Vector3d behind = r.frames[11][Joint::kNeck];
+  r.frames[10].set(humanmodel::Joint::kNeck, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
+  const Vector3d behind = r.frames[11][humanmodel::Joint::kNeck];
   smooth(r.frames, kRate, Smoothing::kButterworth);
-  EXPECT_FALSE(r.frames[10].has(Joint::kNeck));
-  EXPECT_LT((r.frames[11][Joint::kNeck] - behind).norm(), 1e-12);
+  EXPECT_FALSE(r.frames[10].has(humanmodel::Joint::kNeck));
+  EXPECT_LT((r.frames[11][humanmodel::Joint::kNeck] - behind).norm(), 1e-12);
 }
 
 // A cubic in time comes back exactly from a Hermite curve whose end velocities are exact; ours are one-sided
@@ -136,31 +139,39 @@ TEST(GapFill, KeepsTheWayAndTheLengthOfLimbs) {
   // The forearm turns about the elbow at 2 rad/s.
   constexpr double kLength = 0.25;
   for (auto& f : r.frames)
-    f.set(Joint::kWristLeft,
-          f[Joint::kElbowLeft] + kLength * Vector3d(std::cos(2 * f.t), std::sin(2 * f.t), 0));
+    f.set(humanmodel::Joint::kWristLeft,
+          f[humanmodel::Joint::kElbowLeft] + kLength * Vector3d(std::cos(2 * f.t), std::sin(2 * f.t), 0));
   const Recording whole = r;
   for (std::size_t i = 20; i < 30; ++i) {
-    r.frames[i].set(Joint::kWristLeft, Vector3d::Constant(kNaN), JointState::kMissing);
-    r.frames[i].set(Joint::kNeck, Vector3d::Constant(kNaN), JointState::kMissing);
+    r.frames[i].set(humanmodel::Joint::kWristLeft, Vector3d::Constant(kNaN),
+                    humanmodel::JointState::kMissing);
+    r.frames[i].set(humanmodel::Joint::kNeck, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
   }
   for (std::size_t i = 0; i < 5; ++i)
-    r.frames[i].set(Joint::kHead, Vector3d::Constant(kNaN), JointState::kMissing);
+    r.frames[i].set(humanmodel::Joint::kHead, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
   const GapFill fill = fillGaps(r.frames, 0.2);
   EXPECT_EQ(fill.filled, 20u);
   EXPECT_EQ(fill.left, 5u) << "nothing is known before the start";
   for (std::size_t i = 20; i < 30; ++i) {
-    EXPECT_LT((r.frames[i][Joint::kNeck] - whole.frames[i][Joint::kNeck]).norm(), 1e-12);
-    EXPECT_NEAR((r.frames[i][Joint::kWristLeft] - r.frames[i][Joint::kElbowLeft]).norm(), kLength, 1e-12);
-    EXPECT_LT((r.frames[i][Joint::kWristLeft] - whole.frames[i][Joint::kWristLeft]).norm(), 2e-4);
-    EXPECT_EQ(r.frames[i].state[static_cast<std::size_t>(Joint::kWristLeft)], JointState::kInferred);
+    EXPECT_LT((r.frames[i][humanmodel::Joint::kNeck] - whole.frames[i][humanmodel::Joint::kNeck]).norm(),
+              1e-12);
+    EXPECT_NEAR(
+        (r.frames[i][humanmodel::Joint::kWristLeft] - r.frames[i][humanmodel::Joint::kElbowLeft]).norm(),
+        kLength, 1e-12);
+    EXPECT_LT(
+        (r.frames[i][humanmodel::Joint::kWristLeft] - whole.frames[i][humanmodel::Joint::kWristLeft]).norm(),
+        2e-4);
+    EXPECT_EQ(r.frames[i].state[static_cast<std::size_t>(humanmodel::Joint::kWristLeft)],
+              humanmodel::JointState::kInferred);
     // Unseen since frame 19 and until frame 30.
     const double unseen =
         std::min(whole.frames[i].t - whole.frames[19].t, whole.frames[30].t - whole.frames[i].t);
-    EXPECT_NEAR(kReachQuantile * r.frames[i].spread[static_cast<std::size_t>(Joint::kNeck)],
-                kPersonSpeed * unseen, 1e-12);
+    EXPECT_NEAR(
+        humanmodel::kReachQuantile * r.frames[i].spread[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+        humanmodel::kPersonSpeed * unseen, 1e-12);
   }
   EXPECT_EQ(fillGaps(r.frames, 0.05).filled, 0u);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

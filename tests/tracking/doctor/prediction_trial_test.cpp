@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kAhead[] = {0.05, 0.1};
@@ -14,9 +14,9 @@ constexpr double kAhead[] = {0.05, 0.1};
 Recording moving(const std::function<Vector3d(double)>& at) {
   Recording r;
   for (int i = 0; i < 200; ++i) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     f.t = 0.01 * i;
-    f.set(Joint::kHandLeft, at(f.t));
+    f.set(humanmodel::Joint::kHandLeft, at(f.t));
     r.frames.push_back(f);
   }
   return r;
@@ -63,8 +63,8 @@ TEST(PredictionTrial, AccelerationIsWhatTheGuessMisses) {
 TEST(PredictionTrial, GapsAndGuessedJointsDoNotCount) {
   Recording r = moving([](double t) { return Vector3d(t, 0, 0); });
   for (int i = 50; i < 100; ++i)
-    r.frames[static_cast<std::size_t>(i)].state[static_cast<std::size_t>(Joint::kHandLeft)] =
-        JointState::kInferred;
+    r.frames[static_cast<std::size_t>(i)].state[static_cast<std::size_t>(humanmodel::Joint::kHandLeft)] =
+        humanmodel::JointState::kInferred;
   const auto trials = tryPredictions(r, {}, kAhead);
   // Of 50 places before the gap and 100 behind it, those whose later place lies in it or beyond the end do
   // not.
@@ -73,4 +73,4 @@ TEST(PredictionTrial, GapsAndGuessedJointsDoNotCount) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

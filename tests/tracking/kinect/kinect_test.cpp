@@ -12,7 +12,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
@@ -41,11 +41,11 @@ TEST(Irds, BothFormsGiveTheSameFrames) {
     EXPECT_DOUBLE_EQ(frame.t, 0.1);
     EXPECT_EQ(frame.p[0], Vector3d(0.5, -1, 2));
     EXPECT_EQ(frame.p[3], Vector3d(1, 2, 3));
-    EXPECT_EQ(frame.state[3], JointState::kInferred);
-    EXPECT_EQ(frame.state[1], JointState::kMissing);
+    EXPECT_EQ(frame.state[3], humanmodel::JointState::kInferred);
+    EXPECT_EQ(frame.state[1], humanmodel::JointState::kMissing);
     frame = frameOf(reader);
     EXPECT_DOUBLE_EQ(frame.t, 0.133);
-    EXPECT_EQ(frame.state[0], JointState::kMissing) << "a place that was not tracked is none";
+    EXPECT_EQ(frame.state[0], humanmodel::JointState::kMissing) << "a place that was not tracked is none";
     EXPECT_FALSE(reader.next(frame));
   }
 }
@@ -184,7 +184,8 @@ TEST_P(RealKinect, IsUnderstood) {
   EXPECT_GE(r.report.stature, 1.4);
   EXPECT_LE(r.report.stature, 2.1);
   EXPECT_EQ(r.frames.front().t, 0.0);
-  for (const auto& f : r.frames) EXPECT_GT(f[Joint::kHeadTop].z(), f[Joint::kPelvis].z() + 0.3);
+  for (const auto& f : r.frames)
+    EXPECT_GT(f[humanmodel::Joint::kHeadTop].z(), f[humanmodel::Joint::kPelvis].z() + 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealKinect, ::testing::ValuesIn(kCaptures), [](const auto& i) {
@@ -202,8 +203,8 @@ TEST(RealKinect, TakesAgree) {
   const auto largest = [](const Recording& a, const Recording& b) {
     double d = 0.0;
     for (std::size_t i = 0; i < a.frames.size(); ++i)
-      for (std::size_t j = 0; j < kJointCount; ++j)
-        if (a.frames[i].has(static_cast<Joint>(j)))
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+        if (a.frames[i].has(static_cast<humanmodel::Joint>(j)))
           d = std::max(d, (a.frames[i].p[j] - b.frames[i].p[j]).norm());
     return d;
   };
@@ -217,4 +218,4 @@ TEST(RealKinect, TakesAgree) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

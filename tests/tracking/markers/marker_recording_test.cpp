@@ -11,7 +11,7 @@
 #include "tracking/markers/point_recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
@@ -65,9 +65,11 @@ TEST(MarkerRecording, UnitsAndUpAreFoundAndJointsAreCentres) {
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
   EXPECT_NEAR(r.report.stature, m.body.height, 0.05);
   ASSERT_EQ(r.frames.size(), m.joints.size());
-  for (const Joint j : {Joint::kKneeLeft, Joint::kElbowRight, Joint::kWristLeft, Joint::kAnkleRight})
+  for (const humanmodel::Joint j : {humanmodel::Joint::kKneeLeft, humanmodel::Joint::kElbowRight,
+                                    humanmodel::Joint::kWristLeft, humanmodel::Joint::kAnkleRight})
     for (std::size_t i = 0; i < r.frames.size(); ++i)
-      EXPECT_LT((r.frames[i][j] - m.joints[i][j]).norm(), 0.012) << jointName(j) << ", frame " << i;
+      EXPECT_LT((r.frames[i][j] - m.joints[i][j]).norm(), 0.012)
+          << humanmodel::jointName(j) << ", frame " << i;
 }
 
 TEST(MarkerRecording, ExchangedNamesAreSolvedInAMirror) {
@@ -82,9 +84,11 @@ TEST(MarkerRecording, ExchangedNamesAreSolvedInAMirror) {
   RecordingOptions options;
   options.mirror = "sides";
   const Recording r = readPoints(wrong, "m", options);
-  for (const Joint j : {Joint::kKneeLeft, Joint::kWristLeft, Joint::kAnkleRight})
+  for (const humanmodel::Joint j :
+       {humanmodel::Joint::kKneeLeft, humanmodel::Joint::kWristLeft, humanmodel::Joint::kAnkleRight})
     for (std::size_t i = 0; i < r.frames.size(); ++i)
-      EXPECT_LT((r.frames[i][j] - expected.frames[i][j]).norm(), 0.01) << jointName(j) << ", frame " << i;
+      EXPECT_LT((r.frames[i][j] - expected.frames[i][j]).norm(), 0.01)
+          << humanmodel::jointName(j) << ", frame " << i;
 }
 
 TEST(MarkerRecording, NoneTakesMiddlesOfMarkers) {
@@ -165,17 +169,18 @@ TEST(MarkerRecording, PlugInGaitCentresAreNearVicons) {
   theirs.joint_map = map;
   const Recording vicon = openRecording(file, theirs), ours = openRecording(file);
   ASSERT_EQ(vicon.frames.size(), ours.frames.size());
-  const std::pair<Joint, double> limits[]{{Joint::kHipLeft, 0.035},   {Joint::kHipRight, 0.035},
-                                          {Joint::kKneeLeft, 0.020},  {Joint::kKneeRight, 0.020},
-                                          {Joint::kAnkleLeft, 0.020}, {Joint::kAnkleRight, 0.020}};
+  const std::pair<humanmodel::Joint, double> limits[]{
+      {humanmodel::Joint::kHipLeft, 0.035},   {humanmodel::Joint::kHipRight, 0.035},
+      {humanmodel::Joint::kKneeLeft, 0.020},  {humanmodel::Joint::kKneeRight, 0.020},
+      {humanmodel::Joint::kAnkleLeft, 0.020}, {humanmodel::Joint::kAnkleRight, 0.020}};
   for (const auto& [joint, limit] : limits) {
     double mean = 0.0;
     for (std::size_t i = 0; i < ours.frames.size(); ++i)
       mean +=
           (ours.frames[i][joint] - vicon.frames[i][joint]).norm() / static_cast<double>(ours.frames.size());
-    EXPECT_LT(mean, limit) << jointName(joint);
+    EXPECT_LT(mean, limit) << humanmodel::jointName(joint);
   }
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,11 +9,11 @@
 #include "core/base/error.hpp"
 #include "core/base/text_file.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 const BodyRig& rig() {
-  static const BodyRig made = makeRig(makeHuman({}));
+  static const BodyRig made = makeRig(humanmodel::makeHuman({}));
   return made;
 }
 
@@ -98,7 +98,7 @@ TEST(MarkerSet, PlacesMirrorAndEndAtJoints) {
   EXPECT_LT((left - Vector3d(right.x(), -right.y(), right.z())).norm(), 1e-12);
   EXPECT_GT(left.y(), 0.0);
   EXPECT_NEAR(left.z(), rig()[RigSegment::kFootLeft].p_parent.z(), 1e-12);
-  const Vector3d toe = rig().p_joint[static_cast<std::size_t>(Joint::kToeLeft)];
+  const Vector3d toe = rig().p_joint[static_cast<std::size_t>(humanmodel::Joint::kToeLeft)];
   EXPECT_NEAR(match.markers[2].p_S.x(), toe.x(), 1e-12);
   EXPECT_NEAR(match.markers[2].p_S.z(), toe.z(), 1e-12);
   EXPECT_GT(match.markers[3].p_S.y(), 0.0);
@@ -130,4 +130,4 @@ TEST(MarkerSet, TheSetWithMostMarkersIsChosen) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/markers/synthetic_markers.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::makeMarkers;
@@ -16,7 +16,8 @@ using testing::SyntheticMarkers;
 
 /// Root mean square over all frames, of joints that are there (m); hands and head apart, which end at points
 /// that no marker shows.
-double jointError(const SyntheticMarkers& m, const std::vector<SkeletonFrame>& frames, Joint j) {
+double jointError(const SyntheticMarkers& m, const std::vector<humanmodel::SkeletonFrame>& frames,
+                  humanmodel::Joint j) {
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -27,12 +28,14 @@ double jointError(const SyntheticMarkers& m, const std::vector<SkeletonFrame>& f
   return count > 0 ? std::sqrt(sum / count) : kInfinity;
 }
 
-constexpr Joint kLimbJoints[]{Joint::kHipLeft,   Joint::kHipRight,   Joint::kKneeLeft,    Joint::kKneeRight,
-                              Joint::kAnkleLeft, Joint::kAnkleRight, Joint::kElbowLeft,   Joint::kElbowRight,
-                              Joint::kWristLeft, Joint::kWristRight, Joint::kShoulderLeft};
+constexpr humanmodel::Joint kLimbJoints[]{
+    humanmodel::Joint::kHipLeft,    humanmodel::Joint::kHipRight,    humanmodel::Joint::kKneeLeft,
+    humanmodel::Joint::kKneeRight,  humanmodel::Joint::kAnkleLeft,   humanmodel::Joint::kAnkleRight,
+    humanmodel::Joint::kElbowLeft,  humanmodel::Joint::kElbowRight,  humanmodel::Joint::kWristLeft,
+    humanmodel::Joint::kWristRight, humanmodel::Joint::kShoulderLeft};
 
 TEST(BodySizes, JacobianIsThatOfSmallChanges) {
-  const BodyRig base = makeRig(makeHuman({}));
+  const BodyRig base = makeRig(humanmodel::makeHuman({}));
   SizeVector sizes = sameSizes();
   sizes[0] = 1.04;
   sizes[static_cast<int>(index(BodySize::kThigh))] = 0.05;
@@ -63,7 +66,8 @@ TEST(MarkerSolution, ExactMarkersGiveTheBody) {
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
   EXPECT_EQ(s.report.lost, 0u);
   EXPECT_LT(s.report.rms, 0.001);
-  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.004) << jointName(j);
+  for (const humanmodel::Joint j : kLimbJoints)
+    EXPECT_LT(jointError(m, s.frames, j), 0.004) << humanmodel::jointName(j);
   EXPECT_NEAR(s.report.stature, m.body.height, 0.02);
 }
 
@@ -86,9 +90,10 @@ TEST(MarkerSolution, FindsJointCentresUnderNoiseGapsAndExchangedLabels) {
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
   EXPECT_EQ(s.report.lost, 0u);
   // The priors hold what markers some 9 mm from the set's places say of the joints to within a few mm.
-  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.010) << jointName(j);
+  for (const humanmodel::Joint j : kLimbJoints)
+    EXPECT_LT(jointError(m, s.frames, j), 0.010) << humanmodel::jointName(j);
   double mean = 0.0;
-  for (const Joint j : kLimbJoints) mean += jointError(m, s.frames, j) / std::size(kLimbJoints);
+  for (const humanmodel::Joint j : kLimbJoints) mean += jointError(m, s.frames, j) / std::size(kLimbJoints);
   EXPECT_LT(mean, 0.006);
   EXPECT_LT(s.report.rms, 0.003);
   // What is exchanged is not believed, and named.
@@ -112,7 +117,8 @@ TEST(MarkerSolution, AMarkerThatNeverFitsIsIgnored) {
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
   ASSERT_EQ(s.report.ignored.size(), 1u);
   EXPECT_EQ(s.report.ignored[0].first, m.found[0].label);
-  for (const Joint j : kLimbJoints) EXPECT_LT(jointError(m, s.frames, j), 0.012) << jointName(j);
+  for (const humanmodel::Joint j : kLimbJoints)
+    EXPECT_LT(jointError(m, s.frames, j), 0.012) << humanmodel::jointName(j);
 }
 
 TEST(MarkerSolution, FramesWithoutMarkersAreLostAndTheRestFoundAgain) {
@@ -122,8 +128,8 @@ TEST(MarkerSolution, FramesWithoutMarkersAreLostAndTheRestFoundAgain) {
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
   EXPECT_EQ(s.report.lost, 30u);
   for (std::size_t i = 0; i < m.moments.size(); ++i)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      EXPECT_EQ(s.frames[i].state[j] == JointState::kMissing, i >= 30 && i < 60) << i;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      EXPECT_EQ(s.frames[i].state[j] == humanmodel::JointState::kMissing, i >= 30 && i < 60) << i;
 }
 
 TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
@@ -156,10 +162,12 @@ TEST(MarkerSolution, WhatNoMarkerShowsIsNotClaimed) {
   }
   const MarkerSolution s = solveMarkers(m.base, legs, m.t, moments);
   for (const auto& f : s.frames) {
-    EXPECT_EQ(f.state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
-    EXPECT_EQ(f.state[static_cast<std::size_t>(Joint::kKneeLeft)], JointState::kTracked);
-    for (const Joint j : {Joint::kElbowLeft, Joint::kWristRight, Joint::kHeadTop, Joint::kShoulderLeft})
-      EXPECT_FALSE(f.has(j)) << jointName(j);
+    EXPECT_EQ(f.state[static_cast<std::size_t>(humanmodel::Joint::kNeck)], humanmodel::JointState::kInferred);
+    EXPECT_EQ(f.state[static_cast<std::size_t>(humanmodel::Joint::kKneeLeft)],
+              humanmodel::JointState::kTracked);
+    for (const humanmodel::Joint j : {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristRight,
+                                      humanmodel::Joint::kHeadTop, humanmodel::Joint::kShoulderLeft})
+      EXPECT_FALSE(f.has(j)) << humanmodel::jointName(j);
   }
 }
 
@@ -179,4 +187,4 @@ TEST(MarkerSolver, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -12,27 +12,29 @@
 namespace abstand::testing {
 
 struct SyntheticMarkers {
-  BodyRig base, body;  ///< what the solver starts from, and the truth
-  SizeVector sizes;
-  std::vector<FoundMarker> found;  ///< on the base, as a set has them
+  tracking::BodyRig base, body;  ///< what the solver starts from, and the truth
+  tracking::SizeVector sizes;
+  std::vector<tracking::FoundMarker> found;  ///< on the base, as a set has them
   std::vector<double> t;
-  std::vector<MarkerPlaces> moments;
-  std::vector<SkeletonFrame> joints;  ///< the truth
+  std::vector<tracking::MarkerPlaces> moments;
+  std::vector<humanmodel::SkeletonFrame> joints;  ///< the truth
 };
 
 /// Walking on the spot with arms that swing and bend, a trunk that bows and turns.
-inline RigPose walkingPose(const BodyRig& rig, double t) {
-  BodySolver::Vector d = BodySolver::Vector::Zero();
-  const auto at = [&](RigSegment s, int k) -> double& { return d(rig[s].column + k); };
+inline tracking::RigPose walkingPose(const tracking::BodyRig& rig, double t) {
+  tracking::BodySolver::Vector d = tracking::BodySolver::Vector::Zero();
+  const auto at = [&](tracking::RigSegment s, int k) -> double& { return d(rig[s].column + k); };
   const double w = 2.0 * kPi * 0.9 * t;
-  using enum RigSegment;
+  using enum tracking::RigSegment;
   d.head<3>() = Vector3d(0.1 * std::sin(0.5 * w), 0.05 * std::cos(w), 0.95 + 0.02 * std::sin(2.0 * w));
   d.segment<3>(3) = Vector3d(0.05 * std::sin(w), 0.1, 0.3 * std::sin(0.4 * w));
   at(kChest, 1) = 0.15 + 0.15 * std::sin(0.7 * w);
   at(kChest, 2) = 0.2 * std::sin(w);
   at(kHead, 1) = 0.2 * std::sin(0.5 * w);
   for (const double side : {1.0, -1.0}) {
-    const auto on = [&](RigSegment left) { return side > 0 ? left : segmentAt(index(left) + 1); };
+    const auto on = [&](tracking::RigSegment left) {
+      return side > 0 ? left : tracking::segmentAt(tracking::index(left) + 1);
+    };
     at(on(kThighLeft), 1) = -0.25 - side * 0.45 * std::sin(w);
     at(on(kThighLeft), 0) = side * (0.1 + 0.1 * std::sin(0.6 * w));
     at(on(kThighLeft), 2) = 0.1 * std::sin(0.8 * w);
@@ -45,8 +47,8 @@ inline RigPose walkingPose(const BodyRig& rig, double t) {
     at(on(kHandLeft), 0) = 0.3 * std::sin(w);
     at(on(kHandLeft), 1) = 0.2 * std::sin(0.7 * w);
   }
-  RigPose pose;
-  advance(rig, d, pose);
+  tracking::RigPose pose;
+  tracking::advance(rig, d, pose);
   return pose;
 }
 
@@ -56,40 +58,41 @@ inline SyntheticMarkers makeMarkers(std::uint64_t seed, double seconds, double r
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   SyntheticMarkers m;
-  m.base = makeRig(makeHuman({}));
-  m.sizes = sameSizes();
+  m.base = tracking::makeRig(humanmodel::makeHuman({}));
+  m.sizes = tracking::sameSizes();
   m.sizes[0] = 1.06;
-  m.sizes[static_cast<int>(index(BodySize::kThigh))] = 0.04;
-  m.sizes[static_cast<int>(index(BodySize::kCalf))] = -0.03;
-  m.sizes[static_cast<int>(index(BodySize::kForearm))] = 0.05;
-  m.body = resized(m.base, m.sizes);
-  const MarkerSet set = loadMarkerSet(dataFolder() / "marker_sets" / "plug_in_gait.markers");
+  m.sizes[static_cast<int>(tracking::index(tracking::BodySize::kThigh))] = 0.04;
+  m.sizes[static_cast<int>(tracking::index(tracking::BodySize::kCalf))] = -0.03;
+  m.sizes[static_cast<int>(tracking::index(tracking::BodySize::kForearm))] = 0.05;
+  m.body = tracking::resized(m.base, m.sizes);
+  const tracking::MarkerSet set =
+      tracking::loadMarkerSet(dataFolder() / "marker_sets" / "plug_in_gait.markers");
   std::vector<std::string> names;
   for (const auto& marker : set.markers) names.push_back(marker.names.front());
   for (auto& name : names)
     if (name.find(" + ") != std::string::npos) name = name.substr(0, 4);
   // Middles of two are given as one point here.
-  MarkerSet single = set;
+  tracking::MarkerSet single = set;
   for (std::size_t i = 0; i < names.size(); ++i) single.markers[i].names = {names[i]};
-  m.found = matchMarkers(single, m.base, names).markers;
-  std::vector<RigMarker> worn;
+  m.found = tracking::matchMarkers(single, m.base, names).markers;
+  std::vector<tracking::RigMarker> worn;
   for (const auto& f : m.found) {
     const Vector3d off(normal(random), normal(random), normal(random));
-    worn.push_back({f.segment, growth(f.segment, m.sizes).cwiseProduct(f.p_S) + shift * off});
+    worn.push_back({f.segment, tracking::growth(f.segment, m.sizes).cwiseProduct(f.p_S) + shift * off});
   }
   const auto count = static_cast<int>(seconds * rate);
   for (int i = 0; i < count; ++i) {
     m.t.push_back(i / rate);
-    RigPlacement X_WS;
-    place(m.body, walkingPose(m.body, m.t.back()), X_WS);
-    MarkerPlaces places;
+    tracking::RigPlacement X_WS;
+    tracking::place(m.body, walkingPose(m.body, m.t.back()), X_WS);
+    tracking::MarkerPlaces places;
     for (const auto& w : worn)
-      places.push_back(X_WS[index(w.segment)] * w.p_S +
+      places.push_back(X_WS[tracking::index(w.segment)] * w.p_S +
                        noise * Vector3d(normal(random), normal(random), normal(random)));
     m.moments.push_back(std::move(places));
-    SkeletonFrame frame;
+    humanmodel::SkeletonFrame frame;
     frame.t = m.t.back();
-    jointsOf(m.body, X_WS, JointState::kTracked, frame);
+    tracking::jointsOf(m.body, X_WS, humanmodel::JointState::kTracked, frame);
     m.joints.push_back(frame);
   }
   return m;

@@ -10,12 +10,12 @@
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
 
-int indexOf(const JointMatch& match, Joint j) { return match.joint[static_cast<std::size_t>(j)]; }
+int indexOf(const JointMatch& match, humanmodel::Joint j) { return match.joint[static_cast<std::size_t>(j)]; }
 
 TEST(JointMap, ReadsItsFormat) {
   const JointMap map = parseJointMap(
@@ -24,7 +24,7 @@ TEST(JointMap, ReadsItsFormat) {
       "m.map");
   EXPECT_EQ(map.name, "Mine");
   EXPECT_EQ(map.prefixes, (std::vector<std::string>{"my:", "my_"}));
-  EXPECT_EQ(map.names[static_cast<std::size_t>(Joint::kToeLeft)],
+  EXPECT_EQ(map.names[static_cast<std::size_t>(humanmodel::Joint::kToeLeft)],
             (std::vector<std::string>{"L Toe", "L Foot/end"}));
 }
 
@@ -56,13 +56,14 @@ TEST(JointMap, MatchesNamesAsTheyAreWritten) {
   for (const char* name :
        {"Bip01 L UpperArm", "bip01_l_upperarm", "L.UpperArm", "actor1:Bip01 L UpperArm", "L Arm"}) {
     const std::vector<std::string> names{"x", name};
-    EXPECT_EQ(indexOf(matchJoints(map, names), Joint::kShoulderLeft), name == std::string("L Arm") ? -1 : 1)
+    EXPECT_EQ(indexOf(matchJoints(map, names), humanmodel::Joint::kShoulderLeft),
+              name == std::string("L Arm") ? -1 : 1)
         << name;
   }
   // The neck is looked for first and takes the joint; no joint serves twice.
   const std::vector<std::string> one{"L Arm"};
   const JointMatch match = matchJoints(map, one);
-  EXPECT_EQ(indexOf(match, Joint::kNeck), 0);
+  EXPECT_EQ(indexOf(match, humanmodel::Joint::kNeck), 0);
   EXPECT_EQ(match.mapped, 1);
 }
 
@@ -78,18 +79,19 @@ TEST(JointMap, EveryShippedMapIsWhole) {
   for (const JointMap& map : maps) {
     EXPECT_FALSE(map.origin.empty()) << map.file;
     EXPECT_FALSE(map.licence.empty()) << map.file;
-    for (std::size_t j = 0; j < kJointCount; ++j) {
-      const auto joint = static_cast<Joint>(j);
-      const bool is_derived = joint == Joint::kSpine || joint == Joint::kThorax ||
-                              joint == Joint::kHandLeft || joint == Joint::kHandRight ||
-                              (joint == Joint::kHeadTop && map.head == HeadPoint::kMiddle);
-      EXPECT_TRUE(is_derived || !map.names[j].empty()) << map.file << jointName(joint);
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      const auto joint = static_cast<humanmodel::Joint>(j);
+      const bool is_derived = joint == humanmodel::Joint::kSpine || joint == humanmodel::Joint::kThorax ||
+                              joint == humanmodel::Joint::kHandLeft ||
+                              joint == humanmodel::Joint::kHandRight ||
+                              (joint == humanmodel::Joint::kHeadTop && map.head == HeadPoint::kMiddle);
+      EXPECT_TRUE(is_derived || !map.names[j].empty()) << map.file << humanmodel::jointName(joint);
     }
     // What is left must not be right: each side's names differ by the side only.
-    for (std::size_t j = 0; j + 4 < kJointCount; ++j) {
-      const std::string name(jointName(static_cast<Joint>(j)));
+    for (std::size_t j = 0; j + 4 < humanmodel::kJointCount; ++j) {
+      const std::string name(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));
       if (!name.ends_with("_left")) continue;
-      const auto right = parseJoint(name.substr(0, name.size() - 4) + "right");
+      const auto right = humanmodel::parseJoint(name.substr(0, name.size() - 4) + "right");
       ASSERT_TRUE(right);
       EXPECT_EQ(map.names[j].size(), map.names[static_cast<std::size_t>(*right)].size()) << map.file << name;
       if (map.names[j].empty()) continue;
@@ -131,7 +133,7 @@ TEST(JointMap, TellsConventionsApart) {
   for (const Case& c : cases) {
     const JointMatch match = chooseJointMap(maps, c.names);
     EXPECT_EQ(match.map, c.map);
-    const int i = indexOf(match, Joint::kShoulderLeft);
+    const int i = indexOf(match, humanmodel::Joint::kShoulderLeft);
     ASSERT_GE(i, 0) << c.map;
     EXPECT_EQ(c.names[static_cast<std::size_t>(i)], c.shoulder) << c.map;
   }
@@ -148,4 +150,4 @@ TEST(DataFolder, FollowsTheEnvironmentFirst) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "tracking/recording/up_axis.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::bvhOf;
@@ -28,7 +28,7 @@ Recording read(const SmallHuman& human, const RecordingOptions& options = {}) {
   return readBvhRecording(bvhOf(human), "t.bvh", options);
 }
 
-double heightOf(const Recording& r, Joint j) { return r.frames.front()[j].z(); }
+double heightOf(const Recording& r, humanmodel::Joint j) { return r.frames.front()[j].z(); }
 
 TEST(Recording, GuessesUnitsAndSaysWhy) {
   struct Case {
@@ -46,7 +46,7 @@ TEST(Recording, GuessesUnitsAndSaysWhy) {
     EXPECT_DOUBLE_EQ(r.report.scale, c.scale);
     EXPECT_NEAR(r.report.stature, kSmallHumanStature, kRounding) << c.name;
     EXPECT_THAT(r.report.units_reason, HasSubstr("an adult's stature"));
-    EXPECT_NEAR(heightOf(r, Joint::kPelvis), 0.95, kRounding);
+    EXPECT_NEAR(heightOf(r, humanmodel::Joint::kPelvis), 0.95, kRounding);
     EXPECT_THAT(r.report.warnings, IsEmpty()) << c.name;
   }
 }
@@ -73,9 +73,11 @@ TEST(Recording, FindsUpInEveryAxis) {
     const Recording r = read({.R_FW = R_WF.transpose()});
     EXPECT_EQ(r.report.up, axis);
     EXPECT_THAT(r.report.up_reason, HasSubstr("from feet to head"));
-    EXPECT_NEAR(heightOf(r, Joint::kPelvis), 0.95, kRounding) << axis;
-    EXPECT_NEAR(heightOf(r, Joint::kHeadTop), 0.95 + 0.8, kRounding) << axis;
-    EXPECT_GT(r.frames[0][Joint::kShoulderLeft].y(), r.frames[0][Joint::kShoulderRight].y()) << axis;
+    EXPECT_NEAR(heightOf(r, humanmodel::Joint::kPelvis), 0.95, kRounding) << axis;
+    EXPECT_NEAR(heightOf(r, humanmodel::Joint::kHeadTop), 0.95 + 0.8, kRounding) << axis;
+    EXPECT_GT(r.frames[0][humanmodel::Joint::kShoulderLeft].y(),
+              r.frames[0][humanmodel::Joint::kShoulderRight].y())
+        << axis;
     EXPECT_THAT(r.report.warnings, IsEmpty()) << axis;
   }
   EXPECT_EQ(rotationToZUp("y") * Vector3d(1, 2, 3), Vector3d(1, -3, 2));
@@ -90,21 +92,22 @@ TEST(Recording, UpCanBeSaidAndALyingPersonIsPointedAt) {
   EXPECT_THAT(guessed.report.warnings, Contains(HasSubstr("give the axis if the person is lying")));
   EXPECT_NEAR(guessed.report.stature, kSmallHumanStature, kRounding);
   const Recording said = read(lying, {.up = "y"});
-  EXPECT_NEAR(heightOf(said, Joint::kHeadTop), 0.1, kRounding);
+  EXPECT_NEAR(heightOf(said, humanmodel::Joint::kHeadTop), 0.1, kRounding);
   EXPECT_THROW(read(lying, {.up = "w"}), UsageError);
 }
 
 TEST(Recording, DerivesWhatFollowsFromOthers) {
-  const auto z = [](const Recording& r, Joint j) { return r.frames.front()[j].z(); };
-  const auto state = [](const Recording& r, Joint j) {
+  const auto z = [](const Recording& r, humanmodel::Joint j) { return r.frames.front()[j].z(); };
+  const auto state = [](const Recording& r, humanmodel::Joint j) {
     return r.frames.front().state[static_cast<std::size_t>(j)];
   };
   const Recording r = read({.rename = [](const std::string& n) { return n == "Chest" ? "Middle" : n; }});
-  EXPECT_NEAR(z(r, Joint::kHead), 0.95 + 0.7, kRounding) << "between the base of the skull and the vertex";
-  EXPECT_NEAR(z(r, Joint::kThorax), 0.95 + 0.45, kRounding) << "between the shoulders";
-  EXPECT_NEAR(z(r, Joint::kSpine), 0.95 + 0.225, kRounding) << "between pelvis and thorax";
-  EXPECT_EQ(state(r, Joint::kSpine), JointState::kInferred);
-  EXPECT_EQ(state(r, Joint::kNeck), JointState::kTracked);
+  EXPECT_NEAR(z(r, humanmodel::Joint::kHead), 0.95 + 0.7, kRounding)
+      << "between the base of the skull and the vertex";
+  EXPECT_NEAR(z(r, humanmodel::Joint::kThorax), 0.95 + 0.45, kRounding) << "between the shoulders";
+  EXPECT_NEAR(z(r, humanmodel::Joint::kSpine), 0.95 + 0.225, kRounding) << "between pelvis and thorax";
+  EXPECT_EQ(state(r, humanmodel::Joint::kSpine), humanmodel::JointState::kInferred);
+  EXPECT_EQ(state(r, humanmodel::Joint::kNeck), humanmodel::JointState::kTracked);
 
   // A map without end sites: head top, hands and toes are put where bodies have them, and the report says so.
   const testing::ScratchFolder folder;
@@ -118,13 +121,14 @@ TEST(Recording, DerivesWhatFollowsFromOthers) {
                                       {"ankle", "Ankle"}})
       map += std::string(joint) + "_" + side + ": " + big + name + "\n";
   const Recording bare = read({}, {.joint_map = folder.write("bare.map", map)});
-  EXPECT_NEAR(z(bare, Joint::kHeadTop), 0.95 + 0.5 + 0.25, kRounding) << "half a trunk above the neck";
-  EXPECT_NEAR(z(bare, Joint::kHandLeft), 0.95 + 0.45 - 0.55 - 0.25 * 0.108 / 0.146, kRounding);
-  EXPECT_NEAR(bare.frames.front()[Joint::kToeRight].x(), 0.45 * 0.44, kRounding) << "ahead";
-  EXPECT_NEAR(z(bare, Joint::kToeRight), 0.95 - 0.86 - 0.44 * 0.039 / 0.246, kRounding)
+  EXPECT_NEAR(z(bare, humanmodel::Joint::kHeadTop), 0.95 + 0.5 + 0.25, kRounding)
+      << "half a trunk above the neck";
+  EXPECT_NEAR(z(bare, humanmodel::Joint::kHandLeft), 0.95 + 0.45 - 0.55 - 0.25 * 0.108 / 0.146, kRounding);
+  EXPECT_NEAR(bare.frames.front()[humanmodel::Joint::kToeRight].x(), 0.45 * 0.44, kRounding) << "ahead";
+  EXPECT_NEAR(z(bare, humanmodel::Joint::kToeRight), 0.95 - 0.86 - 0.44 * 0.039 / 0.246, kRounding)
       << "and below the ankle";
   EXPECT_EQ(bare.report.mapped.size(), 14u);
-  EXPECT_EQ(state(bare, Joint::kToeRight), JointState::kInferred);
+  EXPECT_EQ(state(bare, humanmodel::Joint::kToeRight), humanmodel::JointState::kInferred);
   EXPECT_THAT(
       bare.report.warnings,
       Contains(HasSubstr("derived from other joints: head_top, hand_left, hand_right, toe_left, toe_right")));
@@ -185,4 +189,4 @@ TEST(Recording, RefusesBadFiles) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -12,7 +12,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
@@ -20,12 +20,12 @@ using ::testing::HasSubstr;
 TEST(SkeletonCsv, ComesBackToTheBit) {
   Recording written;
   for (std::uint64_t i = 0; i < 20; ++i) {
-    SkeletonFrame f;
+    humanmodel::SkeletonFrame f;
     f.t = static_cast<double>(i) * 0.0083333;
-    for (std::size_t j = 0; j < kJointCount; ++j) {
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       if ((i + j) % 7 == 0) continue;  // a gap
-      f.set(static_cast<Joint>(j), testing::randomPose(i * 100 + j).translation(),
-            j % 3 == 0 ? JointState::kInferred : JointState::kTracked);
+      f.set(static_cast<humanmodel::Joint>(j), testing::randomPose(i * 100 + j).translation(),
+            j % 3 == 0 ? humanmodel::JointState::kInferred : humanmodel::JointState::kTracked);
     }
     f.p[1].z() = -0.0;
     written.frames.push_back(f);
@@ -41,9 +41,9 @@ TEST(SkeletonCsv, ComesBackToTheBit) {
   for (std::size_t i = 0; i < written.frames.size(); ++i) {
     const auto &a = written.frames[i], &b = read.frames[i];
     EXPECT_EQ(std::bit_cast<std::uint64_t>(a.t), std::bit_cast<std::uint64_t>(b.t));
-    for (std::size_t j = 0; j < kJointCount; ++j) {
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       ASSERT_EQ(a.state[j], b.state[j]) << i << " " << j;
-      for (int k = 0; k < 3 && a.state[j] != JointState::kMissing; ++k)
+      for (int k = 0; k < 3 && a.state[j] != humanmodel::JointState::kMissing; ++k)
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.p[j][k]), std::bit_cast<std::uint64_t>(b.p[j][k]));
     }
   }
@@ -52,15 +52,15 @@ TEST(SkeletonCsv, ComesBackToTheBit) {
 TEST(SkeletonCsv, ReadsWhatOthersWrite) {
   const Recording r = readSkeletonCsv("t,neck.z,neck.x,neck.y\r\n0,3,1,2\r\n0.5,,,\r\n1,6,4,5", "t.csv");
   ASSERT_EQ(r.frames.size(), 3u);
-  EXPECT_EQ(r.frames[0][Joint::kNeck], Vector3d(1, 2, 3));
-  EXPECT_FALSE(r.frames[1].has(Joint::kNeck));
-  EXPECT_FALSE(r.frames[0].has(Joint::kPelvis));
+  EXPECT_EQ(r.frames[0][humanmodel::Joint::kNeck], Vector3d(1, 2, 3));
+  EXPECT_FALSE(r.frames[1].has(humanmodel::Joint::kNeck));
+  EXPECT_FALSE(r.frames[0].has(humanmodel::Joint::kPelvis));
   EXPECT_EQ(r.report.gaps, 1u);
   EXPECT_EQ(r.report.rate, 2.0);
   EXPECT_EQ(r.report.up, "z");
   const Recording turned =
       readSkeletonCsv("t,neck.x,neck.y,neck.z\n0,100,200,300\n", "t.csv", {.units = "cm", .up = "y"});
-  EXPECT_LT((turned.frames[0][Joint::kNeck] - Vector3d(1, -3, 2)).norm(), 1e-12);
+  EXPECT_LT((turned.frames[0][humanmodel::Joint::kNeck] - Vector3d(1, -3, 2)).norm(), 1e-12);
 }
 
 TEST(SkeletonCsv, RefusesWithThePlace) {
@@ -94,4 +94,4 @@ TEST(SkeletonCsv, RefusesWithThePlace) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::HasSubstr;
@@ -27,11 +27,13 @@ TEST(SkeletonJson, ReadsALineAFrame) {
   EXPECT_EQ(r.report.rate, 2.0);
   ASSERT_EQ(r.frames.size(), 2u);
   EXPECT_EQ(r.frames[0].t, 0.5);
-  EXPECT_EQ(r.frames[0][Joint::kNeck], Vector3d(0, 0.25, 1.5));
-  EXPECT_EQ(r.frames[0].state[static_cast<std::size_t>(Joint::kNeck)], JointState::kInferred);
-  EXPECT_FALSE(r.frames[0].has(Joint::kHead)) << "confidence 0";
-  EXPECT_FALSE(r.frames[1].has(Joint::kPelvis));
-  EXPECT_EQ(r.frames[1].state[static_cast<std::size_t>(Joint::kNeck)], JointState::kTracked);
+  EXPECT_EQ(r.frames[0][humanmodel::Joint::kNeck], Vector3d(0, 0.25, 1.5));
+  EXPECT_EQ(r.frames[0].state[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+            humanmodel::JointState::kInferred);
+  EXPECT_FALSE(r.frames[0].has(humanmodel::Joint::kHead)) << "confidence 0";
+  EXPECT_FALSE(r.frames[1].has(humanmodel::Joint::kPelvis));
+  EXPECT_EQ(r.frames[1].state[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+            humanmodel::JointState::kTracked);
 }
 
 TEST(SkeletonJson, ReadsWhatServeTakes) {
@@ -75,4 +77,4 @@ TEST(SkeletonJson, RefusesWithTheLine) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "tests/support/no_alloc.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 DepthCamera cameraOf(int width, int height) {
@@ -113,4 +113,4 @@ TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "tracking/registry/open_recording.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::JointErrors;
@@ -23,12 +23,13 @@ constexpr double kRawOfKinect = 0.120;  // m
 
 /// Joints that a Kinect's skeleton puts into its camera's axes (x right, y up, z away, as the reader gives
 /// them: z up, y towards the camera), in the world of the track.
-std::vector<SkeletonFrame> intoWorld(std::vector<SkeletonFrame> frames, const DepthCamera& camera) {
+std::vector<humanmodel::SkeletonFrame> intoWorld(std::vector<humanmodel::SkeletonFrame> frames,
+                                                 const DepthCamera& camera) {
   Matrix3d R_CK;  // from the reader's axes into the optical ones of the camera whose images were turned back
   R_CK << -1, 0, 0, 0, 0, -1, 0, -1, 0;
-  for (SkeletonFrame& frame : frames)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (frame.state[j] != JointState::kMissing) frame.p[j] = camera.X_WC * (R_CK * frame.p[j]);
+  for (humanmodel::SkeletonFrame& frame : frames)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (frame.state[j] != humanmodel::JointState::kMissing) frame.p[j] = camera.X_WC * (R_CK * frame.p[j]);
   return frames;
 }
 
@@ -82,10 +83,10 @@ TEST(ClipTracker, WhoIsNotInAnImageIsLostInIt) {
   DepthStream stream(std::move(source));
   const ClipTrack track = trackClip(stream, {});
   ASSERT_EQ(track.people.size(), 1u);
-  const std::vector<SkeletonFrame>& frames = track.people[0].frames;
+  const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
   ASSERT_EQ(frames.size(), images.size());
   for (std::size_t i = 0; i < frames.size(); ++i)
-    EXPECT_EQ(frames[i].has(Joint::kPelvis), i < kGone || i >= kBack) << "image " << i;
+    EXPECT_EQ(frames[i].has(humanmodel::Joint::kPelvis), i < kGone || i >= kBack) << "image " << i;
   EXPECT_EQ(track.people[0].found, frames.size() - (kBack - kGone));
 }
 
@@ -95,7 +96,7 @@ TEST(ClipTracker, TellsTheStature) {
   auto clip = testing::simulate(plan);
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_EQ(track.people.size(), 1u);
-  EXPECT_NEAR(track.people[0].body.height, clip.truth[0][Joint::kHeadTop].z(), kTolerance);
+  EXPECT_NEAR(track.people[0].body.height, clip.truth[0][humanmodel::Joint::kHeadTop].z(), kTolerance);
   ClipTrackerOptions options;
   options.person.height = 1.85;
   const ClipTrack told = trackClip(*clip.stream, options);
@@ -107,14 +108,14 @@ TEST(ClipTracker, GivesTheSameTwice) {
   auto clip = testing::simulate(plan);
   const ClipTrack a = trackClip(*clip.stream, {}), b = trackClip(*clip.stream, {});
   for (std::size_t i = 0; i < a.people[0].frames.size(); ++i)
-    for (std::size_t j = 0; j < kJointCount; ++j)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       EXPECT_EQ(a.people[0].frames[i].p[j], b.people[0].frames[i].p[j]);
 }
 
 TEST(BodyTracker, AllocatesNothingOnceItFollows) {
   testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.2};
   auto clip = testing::simulate(plan);
-  static const BodyRig rig = makeRig(makeHuman({}));
+  static const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   BodyTracker tracker(rig);
   for (DepthFrame frame; clip.stream->next(frame);) {
     std::vector<std::uint8_t> mask(frame.image.z.size());
@@ -151,4 +152,4 @@ TEST(TrackedRecording, RefusesAPersonWhoIsNotThere) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

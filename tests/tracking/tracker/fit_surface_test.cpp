@@ -6,7 +6,7 @@
 #include "tests/support/random_pose.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 FitSurface surfaceOf(bool drum) {
@@ -90,4 +90,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceKinds, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "drum" : "ellipsoid"; });
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,13 +7,13 @@
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m
 
 const BodyRig& rig() {
-  static const BodyRig made = makeRig(makeHuman({}));
+  static const BodyRig made = makeRig(humanmodel::makeHuman({}));
   return made;
 }
 
@@ -24,13 +24,13 @@ SeenSegments without(std::initializer_list<RigSegment> hidden) {
 }
 
 /// Where the joints are when a seen segment is held in place and everything else is in `pose`.
-SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, const RigPose& pose) {
+humanmodel::SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, const RigPose& pose) {
   RigPlacement X_WS;
   place(rig(), pose, X_WS);
   const Transform X = held_at[index(held)] * X_WS[index(held)].inverse();
   for (Transform& X_WP : X_WS) X_WP = X * X_WP;
-  SkeletonFrame frame;
-  jointsOf(rig(), X_WS, JointState::kTracked, frame);
+  humanmodel::SkeletonFrame frame;
+  jointsOf(rig(), X_WS, humanmodel::JointState::kTracked, frame);
   return frame;
 }
 
@@ -40,10 +40,10 @@ TEST(HiddenWays, AreZeroForWhatIsSeenAndInfiniteWithoutAnything) {
 }
 
 TEST(HiddenWays, AddUpTheBonesFromTheLastSeenSegment) {
-  using enum Joint;
+  using enum humanmodel::Joint;
   const auto ways =
       hiddenWays(rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
-  const auto way = [&](Joint j) { return ways[static_cast<std::size_t>(j)]; };
+  const auto way = [&](humanmodel::Joint j) { return ways[static_cast<std::size_t>(j)]; };
   const double forearm = rig().p_joint[static_cast<std::size_t>(kWristLeft)].norm();
   const double hand = rig().p_joint[static_cast<std::size_t>(kHandLeft)].norm();
   EXPECT_EQ(way(kElbowLeft), 0.0);
@@ -73,13 +73,16 @@ TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       RigPlacement held_at;
       place(rig(), testing::randomRigPose(rig(), 2 * seed, 1.0), held_at);
-      const SkeletonFrame a = heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed, 1.0));
-      const SkeletonFrame b = heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed + 1, 1.0));
-      for (std::size_t j = 0; j < kJointCount; ++j) {
+      const humanmodel::SkeletonFrame a =
+          heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed, 1.0));
+      const humanmodel::SkeletonFrame b =
+          heldBy(c.held, held_at, testing::randomRigPose(rig(), 2 * seed + 1, 1.0));
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
         if ((c.seen >> index(rig().carrier[j]) & 1u) != 0) continue;
         // Of joints that hang on another seen segment, which moved with the pose, nothing is claimed here.
         if (c.held != kHead && c.held != kForearmLeft && ways[j] == 0.0) continue;
-        EXPECT_LE((a.p[j] - b.p[j]).norm(), 2.0 * ways[j] + kRounding) << jointName(static_cast<Joint>(j));
+        EXPECT_LE((a.p[j] - b.p[j]).norm(), 2.0 * ways[j] + kRounding)
+            << humanmodel::jointName(static_cast<humanmodel::Joint>(j));
       }
     }
   }
@@ -88,9 +91,9 @@ TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
 TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
   using enum RigSegment;
   HiddenSpread hidden(rig());
-  const auto wrist = static_cast<std::size_t>(Joint::kWristLeft),
-             elbow = static_cast<std::size_t>(Joint::kElbowLeft),
-             head = static_cast<std::size_t>(Joint::kHead);
+  const auto wrist = static_cast<std::size_t>(humanmodel::Joint::kWristLeft),
+             elbow = static_cast<std::size_t>(humanmodel::Joint::kElbowLeft),
+             head = static_cast<std::size_t>(humanmodel::Joint::kHead);
   hidden.see(0.0, without({}));
   for (const double s : hidden.spread()) EXPECT_EQ(s, 0.0);
   const SeenSegments seen = without({kUpperArmLeft, kForearmLeft, kHandLeft});
@@ -99,11 +102,12 @@ TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
   for (int i = 1; i <= 60; ++i) {
     const double t = i / 30.0;
     hidden.see(t, seen);
-    const double reach = partReach(0.0, hidden.spread()[wrist]);
+    const double reach = humanmodel::partReach(0.0, hidden.spread()[wrist]);
     EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kMin);
     EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kMin);
     EXPECT_GE(reach, last);
-    EXPECT_GE(reach + kRounding, std::min(space, kPersonSpeed * t)) << "somebody is faster than that";
+    EXPECT_GE(reach + kRounding, std::min(space, humanmodel::kPersonSpeed * t))
+        << "somebody is faster than that";
     EXPECT_LE(reach, space + kRounding) << "an arm is not longer";
     EXPECT_EQ(hidden.spread()[head], 0.0);
     last = reach;
@@ -119,9 +123,10 @@ TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
   testing::NoAlloc guard;
   hidden.see(0.0, seen);
   EXPECT_EQ(guard.count(), 0);
-  const auto ankle = static_cast<std::size_t>(Joint::kAnkleLeft);
-  EXPECT_NEAR(partReach(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle], kRounding);
+  const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
+  EXPECT_NEAR(humanmodel::partReach(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle],
+              kRounding);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,11 +5,11 @@
 
 #include "tests/support/random_pose.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
-  const BodyRig rig = makeRig(makeHuman({}));
+  const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   int tried = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     for (const Limb& limb : kLimbs) {
@@ -40,4 +40,4 @@ TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

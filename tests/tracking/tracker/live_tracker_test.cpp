@@ -22,8 +22,8 @@ SimulatedClip someoneReaching(double end, bool room = false) {
 }
 
 /// The usual body, of that height or of the measured one.
-LiveTrackerOptions usual(std::optional<double> height) {
-  LiveTrackerOptions options;
+tracking::LiveTrackerOptions usual(std::optional<double> height) {
+  tracking::LiveTrackerOptions options;
   options.person.height = height;
   options.person.fit_body = false;
   return options;
@@ -31,12 +31,12 @@ LiveTrackerOptions usual(std::optional<double> height) {
 
 TEST(LiveTracker, SeesEveryImageOnce) {
   SimulatedClip clip = someoneReaching(1.5);
-  LiveTrackerOptions options = usual(1.75);
+  tracking::LiveTrackerOptions options = usual(1.75);
   std::size_t watched = 0;
-  options.watch = [&](const ClipMoment& moment) { EXPECT_EQ(moment.image, watched++); };
-  LiveTracker tracker(clip.stream->camera(), true, options);
-  std::vector<SkeletonFrame> seen;
-  DepthFrame frame;
+  options.watch = [&](const tracking::ClipMoment& moment) { EXPECT_EQ(moment.image, watched++); };
+  tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+  std::vector<humanmodel::SkeletonFrame> seen;
+  tracking::DepthFrame frame;
   while (clip.stream->next(frame)) {
     const auto people = tracker.see(frame);
     ASSERT_EQ(people.size(), 1u) << frame.t;
@@ -48,7 +48,7 @@ TEST(LiveTracker, SeesEveryImageOnce) {
   const JointErrors errors = compare(seen, clip.truth);
   EXPECT_LE(JointErrors::mean(errors.raw), kOfLiveBody);
   EXPECT_EQ(errors.lost, 0u);
-  const ClipTrack track = tracker.track();
+  const tracking::ClipTrack track = tracker.track();
   ASSERT_EQ(track.people.size(), 1u);
   EXPECT_EQ(track.people[0].found, clip.stream->size());
   EXPECT_EQ(track.people[0].frames.size(), clip.stream->size());
@@ -62,11 +62,11 @@ TEST(LiveTracker, SeesEveryImageOnce) {
 TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
   const auto fitted = [](bool aside) {
     SimulatedClip clip = someoneReaching(4.0);
-    LiveTrackerOptions options;
+    tracking::LiveTrackerOptions options;
     options.person.height = 1.75;
     options.person.fit_aside = aside;
-    LiveTracker tracker(clip.stream->camera(), true, options);
-    DepthFrame frame;
+    tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+    tracking::DepthFrame frame;
     int lost = 0, images = 0;
     for (; images < kMaxImages; ++images) {
       // The last image stays until the body is there.
@@ -80,9 +80,10 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
     EXPECT_EQ(lost, 0);
     return tracker.track().people.at(0).body;
   };
-  const HumanModel aside = makeHuman(fitted(true)), at_once = makeHuman(fitted(false));
-  for (std::size_t i = 0; i < kBodyPartCount; ++i) {
-    const auto part = static_cast<BodyPart>(i);
+  const humanmodel::HumanModel aside = humanmodel::makeHuman(fitted(true)),
+                               at_once = humanmodel::makeHuman(fitted(false));
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
+    const auto part = static_cast<humanmodel::BodyPart>(i);
     EXPECT_EQ(aside.part(part).length, at_once.part(part).length);
     EXPECT_EQ(aside.part(part).contour, at_once.part(part).contour);
   }
@@ -91,10 +92,10 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
 /// Measured first: nobody to send, then somebody of about the right height.
 TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
   SimulatedClip clip = someoneReaching(0.7);
-  LiveTrackerOptions options = usual(std::nullopt);
+  tracking::LiveTrackerOptions options = usual(std::nullopt);
   options.keep = false;
-  LiveTracker tracker(clip.stream->camera(), true, options);
-  DepthFrame frame;
+  tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+  tracking::DepthFrame frame;
   std::size_t first = 0, images = 0;
   while (clip.stream->next(frame)) {
     ++images;
@@ -102,7 +103,7 @@ TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
   }
   EXPECT_GT(first, 1u);
   EXPECT_LT(first, images);
-  const ClipTrack track = tracker.track();
+  const tracking::ClipTrack track = tracker.track();
   ASSERT_EQ(track.people.size(), 1u);
   EXPECT_NEAR(track.people[0].body.height, 1.75, 0.08);
   EXPECT_TRUE(track.people[0].frames.empty()) << "nothing is kept";
@@ -111,20 +112,20 @@ TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
 /// Where the camera does not say how it stands, the floor does, and nothing is tracked before.
 TEST(LiveTracker, StandsOnTheFloorThatItSees) {
   SimulatedClip clip = someoneReaching(0.3, true);
-  DepthCamera camera = clip.stream->camera();
+  tracking::DepthCamera camera = clip.stream->camera();
   const Transform X_WC = camera.X_WC;
   camera.X_WC = Transform::Identity();
-  LiveTracker tracker(camera, false, usual(1.75));
-  DepthFrame frame;
+  tracking::LiveTracker tracker(camera, false, usual(1.75));
+  tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
-  const ClipTrack track = tracker.track();
+  const tracking::ClipTrack track = tracker.track();
   EXPECT_EQ(track.world, "the floor in sight is z = 0");
   // Height and tilt are those of the true camera; where it stands on the floor nobody can know.
   EXPECT_NEAR(track.camera.X_WC.translation().z(), X_WC.translation().z(), kFloorNoise);
   EXPECT_NEAR((track.camera.X_WC.linear().row(2) - X_WC.linear().row(2)).norm(), 0.0, 0.02);
 
-  LiveTracker blind(camera, false, {});
-  frame.image = DepthImage(camera.width, camera.height);
+  tracking::LiveTracker blind(camera, false, {});
+  frame.image = tracking::DepthImage(camera.width, camera.height);
   for (int i = 0; i < 10; ++i) {
     frame.t = 0.1 * i;
     EXPECT_TRUE(blind.see(frame).empty());
@@ -135,22 +136,22 @@ TEST(LiveTracker, StandsOnTheFloorThatItSees) {
 
 TEST(LiveTracker, LosesWhoGoes) {
   SimulatedClip clip = someoneReaching(0.2);
-  LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
-  DepthFrame frame;
+  tracking::LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
+  tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
   const std::size_t with = clip.stream->size();
-  frame.image = DepthImage(frame.image.width, frame.image.height);
+  frame.image = tracking::DepthImage(frame.image.width, frame.image.height);
   // Longer than anybody is remembered.
   for (int i = 1; i <= 15; ++i) {
     frame.t += 1.0;
     EXPECT_TRUE(tracker.see(frame).empty()) << i;
   }
-  const ClipTrack track = tracker.track();
+  const tracking::ClipTrack track = tracker.track();
   ASSERT_EQ(track.people.size(), 1u);
   EXPECT_EQ(track.people[0].found, with);
   EXPECT_GT(track.people[0].frames.size(), with);
   EXPECT_LT(track.people[0].frames.size(), with + 15) << "who is gone for good is no longer noted as lost";
-  EXPECT_FALSE(track.people[0].frames.back().has(Joint::kPelvis));
+  EXPECT_FALSE(track.people[0].frames.back().has(humanmodel::Joint::kPelvis));
 }
 
 }  // namespace

@@ -16,12 +16,12 @@
 namespace abstand::testing {
 namespace {
 
-using enum Joint;
+using enum humanmodel::Joint;
 
 constexpr double kRate = 30.0;  // Hz
 
 /// Yaw (rad) of the hips: 0 where they face +x.
-double facing(const SkeletonFrame& frame) {
+double facing(const humanmodel::SkeletonFrame& frame) {
   const Vector3d left = frame[kHipLeft] - frame[kHipRight];
   return std::atan2(-left.x(), left.y());
 }
@@ -29,64 +29,66 @@ double facing(const SkeletonFrame& frame) {
 Matrix3d turned(double yaw) { return Eigen::AngleAxisd(yaw, Vector3d::UnitZ()).toRotationMatrix(); }
 
 /// Into the clip's world: over the origin, facing +x, the lowest skin of all frames on z = 0.
-void placeFrames(std::vector<SkeletonFrame>& frames, const SkinBody& skin, double turn) {
+void placeFrames(std::vector<humanmodel::SkeletonFrame>& frames, const tracking::SkinBody& skin,
+                 double turn) {
   const double yaw = -facing(frames.front()), start = frames.front().t;
   const Vector3d hips = 0.5 * (frames.front()[kHipLeft] + frames.front()[kHipRight]);
   double low = kInfinity;
-  for (const SkeletonFrame& frame : frames)
-    for (const SkinPart& part : skin.wrap(frame))
+  for (const humanmodel::SkeletonFrame& frame : frames)
+    for (const tracking::SkinPart& part : skin.wrap(frame))
       for (const Vector3d& p : part.mesh.vertices) low = std::min(low, p.z());
-  for (SkeletonFrame& frame : frames)
-    for (std::size_t j = 0; j < kJointCount; ++j)
-      if (frame.state[j] != JointState::kMissing)
+  for (humanmodel::SkeletonFrame& frame : frames)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (frame.state[j] != humanmodel::JointState::kMissing)
         frame.p[j] =
             turned(yaw + turn * (frame.t - start)) * (frame.p[j] - Vector3d(hips.x(), hips.y(), low));
 }
 
-TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+geometry::TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-bool isCompared(Joint j) { return j != kSpine && j != kThorax; }
+bool isCompared(humanmodel::Joint j) { return j != kSpine && j != kThorax; }
 
-Joint otherSide(Joint j) {
-  if (j >= kShoulderLeft && j <= kHandLeft) return static_cast<Joint>(static_cast<int>(j) + 4);
-  if (j >= kShoulderRight && j <= kHandRight) return static_cast<Joint>(static_cast<int>(j) - 4);
-  if (j >= kHipLeft && j <= kToeLeft) return static_cast<Joint>(static_cast<int>(j) + 4);
-  if (j >= kHipRight && j <= kToeRight) return static_cast<Joint>(static_cast<int>(j) - 4);
+humanmodel::Joint otherSide(humanmodel::Joint j) {
+  if (j >= kShoulderLeft && j <= kHandLeft) return static_cast<humanmodel::Joint>(static_cast<int>(j) + 4);
+  if (j >= kShoulderRight && j <= kHandRight) return static_cast<humanmodel::Joint>(static_cast<int>(j) - 4);
+  if (j >= kHipLeft && j <= kToeLeft) return static_cast<humanmodel::Joint>(static_cast<int>(j) + 4);
+  if (j >= kHipRight && j <= kToeRight) return static_cast<humanmodel::Joint>(static_cast<int>(j) - 4);
   return j;
 }
 
 }  // namespace
 
 SimulatedClip simulate(const ClipPlan& plan) {
-  const Recording recording = openRecording(plan.recording);
+  const tracking::Recording recording = tracking::openRecording(plan.recording);
   SimulatedClip clip;
   for (double t = plan.start; t < plan.end && t <= recording.frames.back().t; t += 1.0 / kRate) {
     clip.truth.push_back(recording.at(t));
     clip.truth.back().t = t;
   }
-  SkinOptions options;
+  tracking::SkinOptions options;
   options.clothing = plan.clothing;
   options.seed = plan.body_seed;
-  const auto skin = std::make_shared<const SkinBody>(statureOfLegs(clip.truth).value_or(1.75), options);
+  const auto skin =
+      std::make_shared<const tracking::SkinBody>(tracking::statureOfLegs(clip.truth).value_or(1.75), options);
   placeFrames(clip.truth, *skin, plan.turn);
 
-  DepthSource source;
+  tracking::DepthSource source;
   source.camera.width = plan.width;
   source.camera.height = plan.width * 3 / 4;
   source.camera.fx = source.camera.fy = 580.0 * plan.width / 640.0;
   source.camera.cx = 0.5 * (source.camera.width - 1);
   source.camera.cy = 0.5 * (source.camera.height - 1);
-  source.camera.X_WC = lookingAt(plan.eye, plan.look);
+  source.camera.X_WC = tracking::lookingAt(plan.eye, plan.look);
   source.facts.format = "simulated";
   source.facts.camera_known = source.facts.pose_known = true;
-  for (const SkeletonFrame& frame : clip.truth) source.t.push_back(frame.t);
+  for (const humanmodel::SkeletonFrame& frame : clip.truth) source.t.push_back(frame.t);
   source.load = [frames = clip.truth, skin, camera = source.camera, plan](std::size_t i) {
-    DepthRender render(camera);
+    tracking::DepthRender render(camera);
     render.clear();
     const Transform X_CW = camera.X_WC.inverse();
-    for (const SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
+    for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
     if (plan.room) {
       Vector3d ahead = camera.X_WC.linear().col(2);
       ahead.z() = 0.0;
@@ -97,9 +99,9 @@ SimulatedClip simulate(const ClipPlan& plan) {
       render.draw(rectangle(near - aside, near + aside, foot + aside), X_CW);
       render.draw(rectangle(foot - aside, foot + aside, foot + aside + up), X_CW);
     }
-    return seenByKinect(render.image(), camera, kinectNoiseIn(camera), 1, i);
+    return tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
   };
-  clip.stream = std::make_unique<DepthStream>(std::move(source));
+  clip.stream = std::make_unique<tracking::DepthStream>(std::move(source));
   return clip;
 }
 
@@ -129,42 +131,45 @@ double JointErrors::Stated::medianRatio() const {
   return ratio.empty() ? kNaN : JointErrors::quantile(ratio, 0.5);
 }
 
-JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector<SkeletonFrame>& truth) {
+JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
+                    const std::vector<humanmodel::SkeletonFrame>& truth) {
   JointErrors errors;
-  std::array<Vector3d, kJointCount> offset;
-  std::array<int, kJointCount> count{};
+  std::array<Vector3d, humanmodel::kJointCount> offset;
+  std::array<int, humanmodel::kJointCount> count{};
   offset.fill(Vector3d::Zero());
   const auto each = [&](const auto& visit) {
     std::size_t k = 0;
-    for (const SkeletonFrame& frame : tracked) {
+    for (const humanmodel::SkeletonFrame& frame : tracked) {
       while (k + 1 < truth.size() && truth[k].t < frame.t - 0.5 / kRate) ++k;
-      for (std::size_t j = 0; j < kJointCount; ++j)
-        if (isCompared(static_cast<Joint>(j)) && frame.has(static_cast<Joint>(j)) &&
-            truth[k].has(static_cast<Joint>(j)))
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+        if (isCompared(static_cast<humanmodel::Joint>(j)) && frame.has(static_cast<humanmodel::Joint>(j)) &&
+            truth[k].has(static_cast<humanmodel::Joint>(j)))
           visit(frame, j, Vector3d(frame.p[j] - truth[k].p[j]), turned(facing(truth[k])));
     }
   };
-  each([&](const SkeletonFrame&, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
+  each([&](const humanmodel::SkeletonFrame&, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
     offset[j] += R_WH.transpose() * error;
     ++count[j];
   });
-  each([&](const SkeletonFrame& frame, std::size_t j, const Vector3d& error, const Matrix3d& R_WH) {
+  each([&](const humanmodel::SkeletonFrame& frame, std::size_t j, const Vector3d& error,
+           const Matrix3d& R_WH) {
     errors.raw.push_back(error.norm());
     errors.aligned.push_back((error - R_WH * offset[j] / count[j]).norm());
-    JointErrors::Stated& stated = frame.state[j] == JointState::kInferred ? errors.inferred : errors.tracked;
+    JointErrors::Stated& stated =
+        frame.state[j] == humanmodel::JointState::kInferred ? errors.inferred : errors.tracked;
     stated.error.push_back(error.norm());
-    stated.reach.push_back(partReach(0.0, frame.spread[j]));
+    stated.reach.push_back(humanmodel::partReach(0.0, frame.spread[j]));
   });
   std::sort(errors.raw.begin(), errors.raw.end());
   std::sort(errors.aligned.begin(), errors.aligned.end());
 
   std::size_t k = 0, run = 0;
-  for (const SkeletonFrame& frame : tracked) {
+  for (const humanmodel::SkeletonFrame& frame : tracked) {
     while (k + 1 < truth.size() && truth[k].t < frame.t - 0.5 / kRate) ++k;
     double right = 0.0, exchanged = 0.0;
     bool has_body = false;
-    for (std::size_t i = 0; i < kJointCount; ++i) {
-      const auto j = static_cast<Joint>(i);
+    for (std::size_t i = 0; i < humanmodel::kJointCount; ++i) {
+      const auto j = static_cast<humanmodel::Joint>(i);
       if (otherSide(j) == j || !frame.has(j) || !truth[k].has(j) || !truth[k].has(otherSide(j))) continue;
       has_body = true;
       right += (frame[j] - truth[k][j]).norm();

@@ -22,8 +22,8 @@ struct ClipPlan {
 };
 
 struct SimulatedClip {
-  std::unique_ptr<DepthStream> stream;  ///< 30 Hz, the camera's pose known
-  std::vector<SkeletonFrame> truth;     ///< joints as recorded, world, one for each image
+  std::unique_ptr<tracking::DepthStream> stream;  ///< 30 Hz, the camera's pose known
+  std::vector<humanmodel::SkeletonFrame> truth;   ///< joints as recorded, world, one for each image
 };
 
 SimulatedClip simulate(const ClipPlan& plan);
@@ -48,6 +48,7 @@ struct JointErrors {
   static double mean(const std::vector<double>& errors);
   static double quantile(const std::vector<double>& errors, double share);
 };
-JointErrors compare(const std::vector<SkeletonFrame>& tracked, const std::vector<SkeletonFrame>& truth);
+JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
+                    const std::vector<humanmodel::SkeletonFrame>& truth);
 
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::ClipPlan;
@@ -132,8 +132,8 @@ TEST_P(PeopleFromBehind, AreKnownToLookAway) {
     const ClipTrack track = trackClip(*clip.stream, {});
     away = !track.people.empty() && track.people[0].facing.away;
     std::printf("%s: %.2f\n", GetParam().name, track.people.empty() ? kNaN : track.people[0].facing.ratio);
-    return testing::compare(track.people.empty() ? std::vector<SkeletonFrame>{} : track.people[0].frames,
-                            clip.truth);
+    return testing::compare(
+        track.people.empty() ? std::vector<humanmodel::SkeletonFrame>{} : track.people[0].frames, clip.truth);
   };
   bool away = false;
   plan.eye = {2.0 * plan.look.x() - plan.eye.x(), -plan.eye.y(), plan.eye.z()};
@@ -159,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(Captures, SimulatedPeople, ::testing::ValuesIn(cases())
                          [](const auto& one) { return one.param.name; });
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

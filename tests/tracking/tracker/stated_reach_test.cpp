@@ -5,7 +5,7 @@
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using testing::ClipPlan;
@@ -49,9 +49,9 @@ TEST(StatedReach, HoldsRawErrorsOfTrackedAndOfInferredJoints) {
     const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
     tracked.add(errors.tracked);
     inferred.add(errors.inferred);
-    for (const SkeletonFrame& frame : track.people[0].frames)
-      for (std::size_t j = 0; j < kJointCount; ++j)
-        if (frame.state[j] == JointState::kInferred) {
+    for (const humanmodel::SkeletonFrame& frame : track.people[0].frames)
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+        if (frame.state[j] == humanmodel::JointState::kInferred) {
           EXPECT_GE(frame.spread[j], kMinInferred);
         }
   }
@@ -65,4 +65,4 @@ TEST(StatedReach, HoldsRawErrorsOfTrackedAndOfInferredJoints) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

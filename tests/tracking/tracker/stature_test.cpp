@@ -6,7 +6,7 @@
 
 #include "tracking/tracker/tracked_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::ElementsAre;
@@ -117,4 +117,4 @@ TEST(Facing, ThatIsNotDecidedIsTheFrontAndAWarning) {
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using ::testing::Contains;
@@ -35,10 +35,10 @@ TEST(Trc, ReadsMarkersAndGaps) {
     PointFrame f;
     ASSERT_TRUE(reader.next(f));
     EXPECT_EQ(f.p[0], Vector3d(1, 2, 3));
-    EXPECT_EQ(f.state[1], JointState::kMissing);
+    EXPECT_EQ(f.state[1], humanmodel::JointState::kMissing);
     ASSERT_TRUE(reader.next(f));
     EXPECT_EQ(f.t, 0.52);
-    EXPECT_EQ(f.state[0], JointState::kMissing);
+    EXPECT_EQ(f.state[0], humanmodel::JointState::kMissing);
     EXPECT_EQ(f.p[1], Vector3d(4, 5, 6));
     EXPECT_FALSE(reader.next(f));
     EXPECT_TRUE(reader.warnings().empty());
@@ -50,7 +50,7 @@ TEST(Trc, SaysWhatDiffersFromItsClaims) {
   TrcReader reader(text, "t.trc");
   PointFrame f;
   ASSERT_TRUE(reader.next(f));
-  EXPECT_EQ(f.state[1], JointState::kMissing);
+  EXPECT_EQ(f.state[1], humanmodel::JointState::kMissing);
   EXPECT_FALSE(reader.next(f));
   ASSERT_EQ(reader.warnings().size(), 3u);
   EXPECT_THAT(reader.warnings()[0].text, HasSubstr("claims 3 markers, found 2"));
@@ -67,8 +67,8 @@ TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
   PointFrame f;
   ASSERT_TRUE(reader.next(f));
   ASSERT_TRUE(reader.next(f));
-  EXPECT_EQ(f.state[0], JointState::kMissing);
-  EXPECT_EQ(f.state[1], JointState::kMissing);
+  EXPECT_EQ(f.state[0], humanmodel::JointState::kMissing);
+  EXPECT_EQ(f.state[1], humanmodel::JointState::kMissing);
   ASSERT_TRUE(reader.next(f));
   EXPECT_EQ(f.p[0], Vector3d(1, 2, 3));
   EXPECT_EQ(f.p[1], Vector3d(4, 5, 6));
@@ -145,10 +145,11 @@ TEST(Trc, MarkersMakeABody) {
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_GT(r.report.stature, 1.4);
   EXPECT_LT(r.report.stature, 2.1);
-  const SkeletonFrame& f = r.frames[40];
-  EXPECT_NEAR(f[Joint::kWristLeft].z(), f[Joint::kShoulderLeft].z(), 0.25) << "arms out";
-  EXPECT_GT((f[Joint::kWristLeft] - f[Joint::kWristRight]).norm(), 1.0);
+  const humanmodel::SkeletonFrame& f = r.frames[40];
+  EXPECT_NEAR(f[humanmodel::Joint::kWristLeft].z(), f[humanmodel::Joint::kShoulderLeft].z(), 0.25)
+      << "arms out";
+  EXPECT_GT((f[humanmodel::Joint::kWristLeft] - f[humanmodel::Joint::kWristRight]).norm(), 1.0);
 }
 
 }  // namespace
-}  // namespace abstand
+}  // namespace abstand::tracking

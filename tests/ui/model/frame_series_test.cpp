@@ -82,12 +82,12 @@ TEST(Decimation, PartsTheLineWhereNothingIsKnown) {
 }
 
 TEST(RunHistory, FindsWhereContactsBegin) {
-  SceneOutline outline;
+  view::SceneOutline outline;
   outline.end = 10.0;
   outline.frame_period = 0.1;
   RunHistory history;
   history.open(outline);
-  std::vector<PlotSample> samples;
+  std::vector<view::PlotSample> samples;
   for (int i = 0; i <= 100; ++i) {
     const bool contact = (i >= 20 && i < 30) || (i >= 70 && i < 72);
     samples.push_back({i * 0.1, contact ? -0.01 : 0.2, contact ? 5.0 : 0.0, 0.0});

@@ -40,20 +40,20 @@ class Checked {
   QtMessageHandler previous_{nullptr};
 };
 
-SceneSnapshot snapshotAt(FakeSession& session, double t) {
+view::SceneSnapshot snapshotAt(FakeSession& session, double t) {
   session.seek(t);
-  SceneSnapshot snapshot;
+  view::SceneSnapshot snapshot;
   session.takeSnapshot(snapshot);
   return snapshot;
 }
 
 TEST(NearestClasses, PeopleComeFirstAndPartsOfOneAreNotAmongThem) {
-  SceneOutline outline;
+  view::SceneOutline outline;
   outline.objects = {{"arm/1", "arm", false, true},      {"arm/2", "arm", false, true},
                      {"p/head", "p", true, true},        {"p/torso", "p", true, true},
                      {"table", "objects", false, false}, {"lamp", "objects", false, false}};
   outline.pairs = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {0, 4}};
-  SceneSnapshot snapshot;
+  view::SceneSnapshot snapshot;
   snapshot.pairs.resize(outline.pairs.size());
   const double distances[] = {0.3, 0.5, 0.4, -0.05, 0.2, -0.1, kInfinity};
   for (std::size_t i = 0; i < snapshot.pairs.size(); ++i) snapshot.pairs[i].result.distance = distances[i];
@@ -109,7 +109,7 @@ TEST(SceneTree, MarksContactByTextAndOnlyTellsWhatChanged) {
   FakeSession session;
   SceneTreeModel model;
   model.open(session.outline());
-  const SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  const view::SceneSnapshot snapshot = snapshotAt(session, 0.4);
   model.refresh(session.outline(), snapshot);
   const int link = session.indexOf("arm/link4");
   ASSERT_TRUE(snapshot.objects[static_cast<std::size_t>(link)].colliding);
@@ -144,13 +144,13 @@ TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
   FakeSession session;
   PairTableModel model;
   model.open(session.outline());
-  SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  view::SceneSnapshot snapshot = snapshotAt(session, 0.4);
   snapshot.pairs[0].result = {};
   model.refresh(snapshot);
   EXPECT_EQ(model.index(0, PairTableModel::kDistance).data().toString(), QStringLiteral("–"));
   EXPECT_EQ(model.index(0, PairTableModel::kDistance).data(PairTableModel::kSortRole).toDouble(), kInfinity);
-  SceneSnapshot lost = snapshotAt(session, 5.5);
-  lost.objects[static_cast<std::size_t>(session.indexOf("table"))].pose_state = PoseState::kStale;
+  view::SceneSnapshot lost = snapshotAt(session, 5.5);
+  lost.objects[static_cast<std::size_t>(session.indexOf("table"))].pose_state = scene::PoseState::kStale;
   model.refresh(lost);
   for (int row = 0; row < model.rowCount(); ++row)
     EXPECT_EQ(model.nameOf(model.objectsOf(row).second) == "table" ||

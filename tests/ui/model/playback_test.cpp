@@ -11,7 +11,7 @@ namespace {
 struct PlaybackTest : testing::Test {
   void SetUp() override { playback.setPort(&session); }
   void pull() {
-    SceneSnapshot snapshot;
+    view::SceneSnapshot snapshot;
     if (session.takeSnapshot(snapshot)) playback.onSnapshot(snapshot);
   }
   FakeSession session;
@@ -29,7 +29,7 @@ TEST_F(PlaybackTest, ShowsASeekAtOnceAndClampsIt) {
 }
 
 TEST_F(PlaybackTest, DoesNotJumpBackToASnapshotFromBeforeTheSeek) {
-  SceneSnapshot old;
+  view::SceneSnapshot old;
   session.takeSnapshot(old);
   playback.seek(3.0);
   playback.onSnapshot(old);

@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/pose_spread.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kMaxOff = 1.5;     // pixels
@@ -189,4 +189,4 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   return fit;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include "tracking/depth/calibration/chessboard.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A board that was seen, and where it lies.
 struct PlacedBoard {
@@ -32,4 +32,4 @@ struct BoardFit {
 /// more than 1.5 pixels off, which is no noise.
 BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board, std::span<const PlacedBoard> views);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kMaxFocalSpread = 0.02;
@@ -205,4 +205,4 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
   return fit;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

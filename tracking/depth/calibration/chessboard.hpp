@@ -8,7 +8,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/formats/grey_png.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A printed board. Its frame O: the origin is the inner corner next to the dark corner square, x along the
 /// columns, y along the rows, z towards who looks at it.
@@ -53,4 +53,4 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
                             int height);
 inline constexpr std::size_t kMinViews = 5;
 
-}  // namespace abstand
+}  // namespace abstand::tracking

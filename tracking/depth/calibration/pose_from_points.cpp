@@ -9,7 +9,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr char kPointsHeader[] = "cx,cy,cz,wx,wy,wz";
@@ -29,7 +29,7 @@ MatchedPoint pointOf(std::string_view line, const std::string& file, int number)
     const auto value = parseDouble(cell);
     if (!value || !(std::abs(*value) <= kMaxPointDistance))
       throw ParseError(cells.pos(),
-                       "found " + inQuotes(cell) + ", expected a number of metres, at most 1000");
+                       "found " + text::inQuotes(cell) + ", expected a number of metres, at most 1000");
     v[k] = *value;
   }
   if (cells.next(cell))
@@ -57,7 +57,8 @@ std::vector<MatchedPoint> readMatchedPoints(const std::string& text, const std::
   if (!lines.next(line))
     throw ParseError({file, 1, 1}, std::string("found nothing, expected the header ") + kPointsHeader);
   if (withoutBlanksBehind(line) != kPointsHeader)
-    throw ParseError({file, 1, 1}, "found " + inQuotes(line) + ", expected the header " + kPointsHeader);
+    throw ParseError({file, 1, 1},
+                     "found " + text::inQuotes(line) + ", expected the header " + kPointsHeader);
   while (lines.next(line))
     if (const std::string_view row = withoutBlanksBehind(line); !row.empty())
       points.push_back(pointOf(row, file, lines.number()));
@@ -91,4 +92,4 @@ PoseFit fitPose(std::span<const MatchedPoint> points) {
   return fit;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct MatchedPoint {
   Vector3d p_C, p_W;  ///< m: in the camera's optical frame, and in world
@@ -31,4 +31,4 @@ struct PoseFit {
 /// (Umeyama, PAMI 1991, without scale). Throws UsageError for fewer than three points, or points on a line.
 PoseFit fitPose(std::span<const MatchedPoint> points);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace abstand {
+namespace abstand::tracking {
 
 Transform movedAbout(const Vector3d& p_W, const Transform& X_WC, const Vector6d& step) {
   const Vector3d turn = step.tail<3>();
@@ -24,4 +24,4 @@ double spreadAt(const Matrix6d& covariance, double reach) {
   return std::sqrt((moves + 2.0 / 3.0 * reach * reach * turns) / 3.0);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

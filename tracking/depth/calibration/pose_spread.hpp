@@ -3,7 +3,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -21,4 +21,4 @@ double spreadAt(const Matrix6d& covariance, double reach);
 /// reach is about so far from a board on its table, or from its links.
 inline constexpr double kUsedWithin = 1.0;
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/pose_spread.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kMinPoints = 150.0;
@@ -62,7 +62,7 @@ std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const 
 }
 
 /// m; 0 inside.
-double distanceToBox(const Bounds& box, const Vector3d& p) {
+double distanceToBox(const geometry::Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
 }
 
@@ -73,9 +73,10 @@ struct Row {
 
 class Fit {
  public:
-  Fit(const DepthCamera& camera, std::span<const Surface* const> bodies, std::span<const SurfaceView> views)
+  Fit(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
+      std::span<const SurfaceView> views)
       : bodies_(bodies), views_(views), points_(measuredPoints(camera, views)) {
-    for (const Surface* body : bodies) boxes_.push_back(body->bounds());
+    for (const geometry::Surface* body : bodies) boxes_.push_back(body->bounds());
   }
 
   /// What is left at a pose.
@@ -142,7 +143,7 @@ class Fit {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const Vector3d p_B = views_[view].X_WB[b].inverse() * p_W;
       if (distanceToBox(boxes_[b], p_B) >= best) continue;
-      const SurfacePoint found = bodies_[b]->closest(p_B);
+      const geometry::SurfacePoint found = bodies_[b]->closest(p_B);
       if (found.distance >= best) continue;
       best = found.distance;
       body = b;
@@ -150,7 +151,7 @@ class Fit {
     if (body == bodies_.size()) return false;
     const Transform& X_WB = views_[view].X_WB[body];
     const Vector3d p_B = X_WB.inverse() * p_W;
-    const SurfacePoint found = bodies_[body]->closest(p_B);
+    const geometry::SurfacePoint found = bodies_[body]->closest(p_B);
     row.distance = bodies_[body]->inside(p_B, found) ? -found.distance : found.distance;
     const Vector3d n_B = std::abs(row.distance) > kTouch ? Vector3d((p_B - found.point) / row.distance)
                                                          : slopeAt(*bodies_[body], p_B);
@@ -158,7 +159,7 @@ class Fit {
     return row.n_W.dot(n_image) > kAgree;
   }
 
-  static Vector3d slopeAt(const Surface& body, const Vector3d& p) {
+  static Vector3d slopeAt(const geometry::Surface& body, const Vector3d& p) {
     constexpr double kStep = 5e-4;  // m
     Vector3d slope;
     for (int k = 0; k < 3; ++k)
@@ -167,10 +168,10 @@ class Fit {
     return slope.norm() > 0.0 ? slope.normalized() : Vector3d(Vector3d::UnitZ());
   }
 
-  std::span<const Surface* const> bodies_;
+  std::span<const geometry::Surface* const> bodies_;
   std::span<const SurfaceView> views_;
   std::vector<Measured> points_;
-  std::vector<Bounds> boxes_;
+  std::vector<geometry::Bounds> boxes_;
 };
 
 /// The least that a freedom is held by, as a share of the rows: turns count by the way that they move a point
@@ -193,7 +194,7 @@ template <class... Values>
 
 }  // namespace
 
-SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface* const> bodies,
+SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
                              std::span<const SurfaceView> views, std::uint64_t seed) {
   ABSTAND_CHECK(!bodies.empty() && !views.empty() && camera.distortion.isZero(0.0));
   SurfaceSearch search(camera, bodies, views, seed);
@@ -236,4 +237,4 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface*
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 
 #include "tracking/depth/calibration/surface_search.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct SurfaceFit {
   Transform X_WC{Transform::Identity()};
@@ -24,7 +24,7 @@ struct SurfaceFit {
 /// whose width follows the median. Needs no segmentation: what is not near a body does not count.
 /// Throws UsageError where fewer than 150 points see the bodies, where less than half of what would be seen
 /// is there, and where the bodies leave a freedom open, as a ball does. The same for the same seed.
-SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const Surface* const> bodies,
+SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
                              std::span<const SurfaceView> views, std::uint64_t seed);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

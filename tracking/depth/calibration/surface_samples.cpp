@@ -6,7 +6,7 @@
 
 #include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kSagitta = 1e-3;  // m, of the meshes of shapes
@@ -22,13 +22,13 @@ Vector3d doubleArea(const Face& f) {
 
 }  // namespace
 
-std::vector<SurfaceSample> sampleSurfaces(std::span<const Surface* const> bodies, std::size_t count,
+std::vector<SurfaceSample> sampleSurfaces(std::span<const geometry::Surface* const> bodies, std::size_t count,
                                           std::uint64_t seed) {
   std::vector<Face> faces;
   std::vector<double> up_to;  // area of all faces so far
   double area = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const TriangleMesh mesh = bodies[b]->mesh(kSagitta);
+    const geometry::TriangleMesh mesh = bodies[b]->mesh(kSagitta);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const Face face{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, b};
       if (!(doubleArea(face).norm() > 0.0)) continue;
@@ -50,4 +50,4 @@ std::vector<SurfaceSample> sampleSurfaces(std::span<const Surface* const> bodies
   return samples;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

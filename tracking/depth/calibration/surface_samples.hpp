@@ -6,7 +6,7 @@
 
 #include "core/geometry/surface.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct SurfaceSample {
   Vector3d p, normal;  ///< m; unit, outwards; of body `body`, in its frame
@@ -14,7 +14,7 @@ struct SurfaceSample {
 };
 
 /// `count` points, the same number on the same area whichever body it belongs to. The same for the same seed.
-std::vector<SurfaceSample> sampleSurfaces(std::span<const Surface* const> bodies, std::size_t count,
+std::vector<SurfaceSample> sampleSurfaces(std::span<const geometry::Surface* const> bodies, std::size_t count,
                                           std::uint64_t seed);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

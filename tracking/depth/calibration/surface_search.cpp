@@ -6,7 +6,7 @@
 
 #include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kSearchPoints = 1200;  // of all views
@@ -28,7 +28,7 @@ Transform beside(const Transform& X_WC, double reach, double turn, Random& rando
 
 }  // namespace
 
-SurfaceSearch::SurfaceSearch(const DepthCamera& camera, std::span<const Surface* const> bodies,
+SurfaceSearch::SurfaceSearch(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
                              std::span<const SurfaceView> views, std::uint64_t seed)
     : camera_(camera), views_(views), seed_(seed) {
   for (std::size_t k = 0; k < views.size(); ++k)
@@ -109,4 +109,4 @@ std::vector<Transform> SurfaceSearch::search(std::size_t most) {
   return poses;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

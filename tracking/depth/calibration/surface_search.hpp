@@ -5,7 +5,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// An image, and where the known bodies were.
 struct SurfaceView {
@@ -19,7 +19,7 @@ struct SurfaceView {
 class SurfaceSearch {
  public:
   /// Without distortion. The views must outlive this.
-  SurfaceSearch(const DepthCamera& camera, std::span<const Surface* const> bodies,
+  SurfaceSearch(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
                 std::span<const SurfaceView> views, std::uint64_t seed);
 
   /// Up to `most` poses with the least cost, best first, of some thousands around camera.X_WC: within
@@ -48,4 +48,4 @@ class SurfaceSearch {
   std::uint64_t seed_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

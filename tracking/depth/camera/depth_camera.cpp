@@ -7,24 +7,24 @@
 #include "core/config/yaml_reader.hpp"
 #include "core/math/roll_pitch_yaw.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
-constexpr YamlRange kFocalRange{0.0, 1e5, "pixels", true};
-constexpr YamlRange kCentreRange{-1e5, 1e5, "pixels"};
-constexpr YamlRange kScaleRange{0.0, 1e7, "units per metre", true};
-constexpr YamlRange kSpreadRange{0.0, 10.0, "m"};
-constexpr YamlRange kPositionRange{-1e3, 1e3, "m"};
-constexpr YamlRange kAngleRange{-10.0, 10.0, "rad"};
-constexpr YamlRange kDistortionRange{-1e3, 1e3};
+constexpr config::YamlRange kFocalRange{0.0, 1e5, "pixels", true};
+constexpr config::YamlRange kCentreRange{-1e5, 1e5, "pixels"};
+constexpr config::YamlRange kScaleRange{0.0, 1e7, "units per metre", true};
+constexpr config::YamlRange kSpreadRange{0.0, 10.0, "m"};
+constexpr config::YamlRange kPositionRange{-1e3, 1e3, "m"};
+constexpr config::YamlRange kAngleRange{-10.0, 10.0, "rad"};
+constexpr config::YamlRange kDistortionRange{-1e3, 1e3};
 constexpr double kSamePlace = 1e-6;  // m
 
-double need(const YamlFields& fields, const char* key, const YamlRange& range) {
+double need(const config::YamlFields& fields, const char* key, const config::YamlRange& range) {
   fields.need(key);
   return *fields.number(key, range);
 }
 
-int needPixels(const YamlFields& fields, const char* key) {
+int needPixels(const config::YamlFields& fields, const char* key) {
   fields.need(key);
   return *fields.integer(key, 1, DepthCamera::kMaxPixels);
 }
@@ -45,8 +45,8 @@ Eigen::Vector2d DepthCamera::pixelOf(const Vector3d& p_C) const {
 }
 
 DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
-  const YamlNode root = parseYaml(text, file);
-  const YamlFields fields(
+  const config::YamlNode root = config::parseYaml(text, file);
+  const config::YamlFields fields(
       root, file, "a camera file",
       {"width", "height", "fx", "fy", "cx", "cy", "depth_scale", "distortion", "T_WC", "spread"});
   DepthCamera camera;
@@ -64,10 +64,10 @@ DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
                                               " numbers in `distortion`, expected 5: k1, k2, p1, p2, k3");
     for (std::size_t i = 0; i < 5; ++i)
       camera.distortion[static_cast<Eigen::Index>(i)] =
-          yamlNumber(list[i], file, "`distortion`", kDistortionRange);
+          config::yamlNumber(list[i], file, "`distortion`", kDistortionRange);
   }
   if (const auto* node = fields.find("T_WC")) {
-    const YamlFields pose(*node, file, "`T_WC`", {"xyz", "rpy"});
+    const config::YamlFields pose(*node, file, "`T_WC`", {"xyz", "rpy"});
     camera.X_WC = fromXyzRpy(pose.vector("xyz", kPositionRange).value_or(Vector3d::Zero()),
                              pose.vector("rpy", kAngleRange).value_or(Vector3d::Zero()));
   }
@@ -76,7 +76,7 @@ DepthCamera parseDepthCamera(const std::string& text, const std::string& file) {
 }
 
 DepthCamera loadDepthCamera(const std::filesystem::path& file) {
-  return parseDepthCamera(readFile(file, kMaxYamlBytes), file.string());
+  return parseDepthCamera(readFile(file, config::kMaxYamlBytes), file.string());
 }
 
 std::string describeDepthCamera(const DepthCamera& c) {
@@ -111,4 +111,4 @@ Transform lookingAt(const Vector3d& eye, const Vector3d& target) {
   return X;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

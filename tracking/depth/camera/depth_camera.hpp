@@ -6,7 +6,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Optical axes: x right, y down, z forward. The centre of the pixel in column u and row v is at (u, v).
 struct DepthCamera {
@@ -37,4 +37,4 @@ std::string describeDepthCamera(const DepthCamera& camera);
 /// one point or one above the other.
 Transform lookingAt(const Vector3d& eye, const Vector3d& target);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Depths (m) along the optical axis, row by row from the top; 0: not measured.
 struct DepthImage {
@@ -22,4 +22,4 @@ struct DepthImage {
   }
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr float kMaxStraightDepth = 100.0f;  // m; no depth camera measures beyond
@@ -53,4 +53,4 @@ void StraightImages::straighten(DepthImage& image) {
   for (int v = 0; v < camera_.height; ++v) std::reverse(&image.at(0, v), &image.at(0, v) + camera_.width);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Takes the distortion of a camera out of its images, by the nearest pixel, and turns those of a mirror
 /// back. After the first image nothing allocates. One thread.
@@ -25,4 +25,4 @@ class StraightImages {
   DepthImage straight_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 void saveColourPng(const ColourImage& image, const std::filesystem::path& file) {
   cv::Mat mat(image.height, image.width, CV_8UC3);
@@ -22,4 +22,4 @@ void saveColourPng(const ColourImage& image, const std::filesystem::path& file) 
   out.commit();
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Red, green, blue, row by row from the top.
 struct ColourImage {
@@ -21,4 +21,4 @@ struct ColourImage {
 /// Whole or not at all. Throws UsageError when the place cannot be written.
 void saveColourPng(const ColourImage& image, const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -13,7 +13,7 @@
 #include "tracking/depth/formats/pcd_cloud.hpp"
 #include "tracking/kinect/mat_variable.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using Path = std::filesystem::path;
@@ -192,7 +192,7 @@ DepthSource openDepthFiles(const Path& path, const DepthStreamOptions& options) 
     if (!given) {
       const FittedCamera fit = fitCamera(cloud, first.string());
       fitted = GivenCamera{fit.camera, "fitted to the points of the first cloud, " +
-                                           rounded(fit.residual, 3) + " pixels off in the median"};
+                                           text::rounded(fit.residual, 3) + " pixels off in the median"};
     }
     chooseCamera(source, given, cloud.width, cloud.height, first.string(), fitted);
   } else {
@@ -240,4 +240,4 @@ DepthSource openDepthMat(const Path& file, const DepthStreamOptions& options) {
   return source;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "tracking/depth/formats/depth_decode.hpp"
 #include "tracking/depth/formats/png_header.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kMax = 65535.0;
@@ -66,4 +66,4 @@ DepthImage decodeGrey16(const std::string& bytes, double scale, const std::strin
   return image;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Writes round(z * scale) in grey of 16 bits; what does not fit becomes 0, not measured. Whole or not at
 /// all. Throws UsageError when the place cannot be written.
@@ -15,4 +15,4 @@ void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::
 /// DepthCamera::kMaxPixels.
 DepthImage loadDepthPng(const std::filesystem::path& file, double scale);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 /// Images of known sensors, by their size: published nominal numbers.
@@ -105,4 +105,4 @@ DepthFileKind depthFileKind(const std::filesystem::path& file) {
   return kOther;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

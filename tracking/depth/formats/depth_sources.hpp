@@ -5,7 +5,7 @@
 
 #include "tracking/depth/formats/depth_stream.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Frames a second where a recording does not say; that of the Kinects.
 inline constexpr double kAssumedDepthRate = 30.0;
@@ -51,4 +51,4 @@ DepthSource openOni(const std::filesystem::path& file, const DepthStreamOptions&
 /// UTD-MHAD: a MATLAB file with d_depth, rows x columns x frames, mm.
 DepthSource openDepthMat(const std::filesystem::path& file, const DepthStreamOptions& options);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

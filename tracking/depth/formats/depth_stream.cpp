@@ -8,7 +8,7 @@
 #include "core/base/text_file.hpp"
 #include "tracking/depth/formats/depth_sources.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 double medianRate(const std::vector<double>& t) {
@@ -83,4 +83,4 @@ std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
   return std::make_unique<DepthStream>(std::move(source));
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/straight_images.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct DepthFrame {
   double t{0.0};  ///< s since the first frame of the file; of a clip of the simulator, of its scene
@@ -78,4 +78,4 @@ class DepthStream {
 std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
                                              const DepthStreamOptions& options = {});
 
-}  // namespace abstand
+}  // namespace abstand::tracking

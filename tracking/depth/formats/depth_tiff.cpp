@@ -7,7 +7,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/formats/depth_decode.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 enum : unsigned { kWidth = 256, kHeight = 257, kBits = 258, kChannels = 277, kSampleFormat = 339 };
@@ -80,4 +80,4 @@ DepthImage decodeDepthTiff(const std::string& bytes, double scale, const std::st
   return image;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Width and height that the first image of a TIFF claims. Throws ParseError for what is no image of one
 /// channel of 16 bits whole numbers, or has sides above DepthCamera::kMaxPixels, so that no decoder reserves
@@ -18,4 +18,4 @@ TiffSize checkDepthTiff(const std::string& bytes, const std::string& file);
 /// Reads the first image, packed or not (whatever libtiff reads). Throws ParseError. `scale`: units a metre.
 DepthImage decodeDepthTiff(const std::string& bytes, double scale, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

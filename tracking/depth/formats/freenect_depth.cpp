@@ -9,7 +9,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/depth/camera/depth_camera.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kNoDisparity = 2047;
@@ -49,7 +49,7 @@ FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& fi
     const std::string_view text = word();
     const auto n = parseInt(text);
     if (!n || *n < 1 || *n > most)
-      fail("found " + inQuotes(text) + ", expected " + what + " from 1 to " + std::to_string(most));
+      fail("found " + text::inQuotes(text) + ", expected " + what + " from 1 to " + std::to_string(most));
     return n.value_or(0);
   };
   FreenectHeader header;
@@ -137,4 +137,4 @@ FreenectImage parseFreenectDepth(std::string_view bytes, const std::string& file
   return read;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Pixels of a Kinect v1's depth, as its drivers hand them over.
 inline constexpr int kKinectWidth = 640, kKinectHeight = 480;
@@ -41,4 +41,4 @@ std::string freenectDump(const DepthImage& image);
 FreenectImage parseFreenectDepth(std::string_view bytes, const std::string& file,
                                  const std::optional<FreenectUnits>& units = {});
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "tracking/depth/formats/freenect_depth.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uintmax_t kMaxListBytes = std::uintmax_t{64} << 20;
@@ -34,7 +34,7 @@ std::vector<Dumped> readIndex(const std::filesystem::path& folder) {
     const std::size_t end = line.find('-', 2);
     const auto t = end == std::string_view::npos ? std::nullopt : parseDouble(line.substr(2, end - 2));
     if (!t || line.find('/') != std::string_view::npos)
-      throw ParseError(pos, "found " + inQuotes(line) + ", expected d-TIME-TIMESTAMP.pgm");
+      throw ParseError(pos, "found " + text::inQuotes(line) + ", expected d-TIME-TIMESTAMP.pgm");
     // Within the resolution of the name, frames may share a time; the later one is dropped.
     if (!frames.empty() && *t <= frames.back().t) {
       if (*t < frames.back().t)
@@ -81,4 +81,4 @@ DepthSource openFreenectRecord(const std::filesystem::path& folder, const DepthS
   return source;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "core/base/text_file.hpp"
 #include "tracking/depth/formats/png_header.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uintmax_t kMaxGreyPngBytes = std::uintmax_t{256} << 20;
@@ -40,4 +40,4 @@ GreyImage loadGreyPng(const std::filesystem::path& file) {
   return image;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Brightness, row by row from the top.
 struct GreyImage {
@@ -24,4 +24,4 @@ struct GreyImage {
 /// DepthCamera::kMaxPixels.
 GreyImage loadGreyPng(const std::filesystem::path& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uintmax_t kMaxClipListBytes = std::uintmax_t{64} << 20;
@@ -41,7 +41,8 @@ std::filesystem::path within(const std::filesystem::path& folder, const Word& wo
   const std::filesystem::path name(word.text);
   bool leaves = name.is_absolute();
   for (const auto& part : name) leaves |= part == "..";
-  if (leaves) throw ParseError(pos, "found " + inQuotes(word.text) + ", expected a file within the folder");
+  if (leaves)
+    throw ParseError(pos, "found " + text::inQuotes(word.text) + ", expected a file within the folder");
   return folder / name;
 }
 
@@ -74,7 +75,7 @@ std::vector<Listed> readList(const std::filesystem::path& file, std::size_t& rep
     const Word &time = words[column], &name = words[column + 1];
     const SourcePos pos{file.string(), lines.number(), time.column};
     const auto t = parseDouble(time.text);
-    if (!t) throw ParseError(pos, "found " + inQuotes(time.text) + ", expected a time in seconds");
+    if (!t) throw ParseError(pos, "found " + text::inQuotes(time.text) + ", expected a time in seconds");
     // One depth image may go with two colour images.
     if (!listed.empty() && *t == listed.back().t) {
       ++repeated;
@@ -137,4 +138,4 @@ DepthSource openListedClip(const std::filesystem::path& folder, const DepthStrea
   return source;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace abstand {
+namespace abstand::tracking {
 
 bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
   // No byte of input gives more than 88 (three bytes give 264 at most).
@@ -33,4 +33,4 @@ bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
   return true;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "core/base/number.hpp"
 #include "core/text/message_text.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMaxHeader = 1 << 16;
@@ -76,7 +76,7 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
                      std::string_view("uif").find(type[2]) != std::string_view::npos &&
                      std::string_view("1248").find(type[3]) != std::string_view::npos &&
                      !(type[2] == 'f' && type[3] == '1');
-  if (!known) fail("found numbers of type " + inQuotes(type) + ", expected one like '<u2' or '<f4'");
+  if (!known) fail("found numbers of type " + text::inQuotes(type) + ", expected one like '<u2' or '<f4'");
   array.is_low_first = type[1] != '>';
   array.kind = type[2];
   array.bytes_each = static_cast<std::size_t>(type[3] - '0');
@@ -85,7 +85,8 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
 
   std::string_view shape = valueOf(header, "'shape'", file);
   std::size_t count = 1;
-  if (!shape.starts_with("(")) fail("found the shape " + inQuotes(shape) + ", expected sizes in brackets");
+  if (!shape.starts_with("("))
+    fail("found the shape " + text::inQuotes(shape) + ", expected sizes in brackets");
   shape.remove_prefix(1);
   while (!shape.empty() && shape.front() != ')') {
     const std::size_t end = shape.find_first_of(",)");
@@ -93,7 +94,7 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
     while (word.starts_with(' ')) word.remove_prefix(1);
     const auto n = parseInt(word);
     if (!n || *n < 1 || array.size.size() == 4)
-      fail("found the size " + inQuotes(word) + " in the shape, expected up to four above 0");
+      fail("found the size " + text::inQuotes(word) + " in the shape, expected up to four above 0");
     array.size.push_back(static_cast<std::size_t>(n.value_or(1)));
     count *= array.size.back();
     if (count > kMaxNumbers) fail("found a shape of more than 2147483648 numbers, expected fewer");
@@ -107,4 +108,4 @@ NpyArray parseNpy(std::string_view bytes, const std::string& file) {
   return array;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A view of an array in memory: sizes of its axes, and its numbers one after the other, the last axis
 /// fastest.
@@ -24,4 +24,4 @@ struct NpyArray {
 /// 4, 8; rows before columns (no Fortran order). `bytes` must outlive the array. Throws ParseError.
 NpyArray parseNpy(std::string_view bytes, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

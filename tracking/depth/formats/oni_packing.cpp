@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 class Unpacker {
@@ -105,4 +105,4 @@ std::vector<std::uint16_t> unpackOni(std::string_view bytes, OniPacking packing,
   return packing == OniPacking::k16z ? unpacker.differences() : unpacker.table();
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

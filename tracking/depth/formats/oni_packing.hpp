@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The three that OpenNI's recorders use for depth.
 enum class OniPacking : std::uint8_t {
@@ -24,4 +24,4 @@ enum class OniPacking : std::uint8_t {
 std::vector<std::uint16_t> unpackOni(std::string_view bytes, OniPacking packing, std::size_t count,
                                      const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

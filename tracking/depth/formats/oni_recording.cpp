@@ -10,7 +10,7 @@
 #include "core/text/message_text.hpp"
 #include "tracking/depth/formats/depth_sources.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x0052494e;  // "NIR" and a zero
@@ -143,7 +143,7 @@ class Reader {
     else if (packing == codec("16zT"))
       depth_.packing = OniPacking::kTable;
     else
-      fail("found depth packed by " + inQuotes(std::string_view(bytes_).substr(from - 4, 4)) +
+      fail("found depth packed by " + text::inQuotes(std::string_view(bytes_).substr(from - 4, 4)) +
            ", expected NONE, 16zP or 16zT");
     stream_ = stream;
   }
@@ -276,4 +276,4 @@ DepthSource openOni(const std::filesystem::path& file, const DepthStreamOptions&
   return source;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 #include "tracking/depth/camera/depth_image.hpp"
 #include "tracking/depth/formats/oni_packing.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Where an image lies in the file.
 struct OniFrame {
@@ -39,4 +39,4 @@ OniDepth readOni(std::istream& in, const std::string& file);
 DepthImage readOniImage(std::istream& in, const OniDepth& depth, const OniFrame& frame,
                         const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

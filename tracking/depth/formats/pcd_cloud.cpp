@@ -13,7 +13,7 @@
 #include "tracking/depth/formats/lzf.hpp"
 #include "tracking/table/cells.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMaxPcdFields = 64;
@@ -54,7 +54,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
   const auto number = [&](std::string_view text, int least, int most) {
     const auto n = parseInt(text);
     if (!n || *n < least || *n > most)
-      fail("found " + inQuotes(text) + ", expected a number from " + std::to_string(least) + " to " +
+      fail("found " + text::inQuotes(text) + ", expected a number from " + std::to_string(least) + " to " +
            std::to_string(most));
     return static_cast<std::size_t>(n.value_or(least));
   };
@@ -92,12 +92,12 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
       header.kind = w[1];
       break;
     } else if (w[0] != "VERSION" && w[0] != "VIEWPOINT") {
-      fail("found " + inQuotes(w[0]) + ", expected a line of a PCD header");
+      fail("found " + text::inQuotes(w[0]) + ", expected a line of a PCD header");
     }
   }
   header.line = lines.number();
   if (header.kind != "ascii" && header.kind != "binary" && header.kind != "binary_compressed")
-    fail("found DATA " + inQuotes(header.kind) + ", expected ascii, binary or binary_compressed");
+    fail("found DATA " + text::inQuotes(header.kind) + ", expected ascii, binary or binary_compressed");
   if (header.width < 2 || header.height < 2)
     fail("found a cloud of " + std::to_string(header.width) + " x " + std::to_string(header.height) +
          " points, expected an organised one, a point for each pixel");
@@ -169,8 +169,8 @@ void parseAscii(std::string_view data, const Header& header, const std::array<st
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string_view text = w[column[k]];
       const auto value = parseDouble(text);
-      if (!value && lowerCase(text) != "nan" && lowerCase(text) != "-nan")
-        throw ParseError(pos, "found " + inQuotes(text) + ", expected a number or nan");
+      if (!value && text::lowerCase(text) != "nan" && text::lowerCase(text) != "-nan")
+        throw ParseError(pos, "found " + text::inQuotes(text) + ", expected a number or nan");
       p[static_cast<Eigen::Index>(k)] = static_cast<float>(value.value_or(kNaN));
     }
     cloud.points.push_back(p);
@@ -274,8 +274,9 @@ FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file) {
   // Written so that NaN fails.
   if (!(fit.residual <= kMaxResidual && fit.camera.fx > 0.0 && fit.camera.fy > 0.0))
     throw ParseError({file}, "found points that no pinhole camera saw in this order (" +
-                                 rounded(fit.residual, 1) + " pixels off), expected those of a depth camera");
+                                 text::rounded(fit.residual, 1) +
+                                 " pixels off), expected those of a depth camera");
   return fit;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "core/math/transform.hpp"
 #include "tracking/depth/camera/depth_camera.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// An organised cloud: a point for each pixel, row by row from the top.
 struct PcdCloud {
@@ -31,4 +31,4 @@ struct FittedCamera {
 };
 FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "tracking/depth/camera/depth_camera.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // Signature, length and name of the first chunk, width, height, bits, colour type.
@@ -34,4 +34,4 @@ PngHeader readPngHeader(const std::string& bytes, const std::string& file, const
           static_cast<unsigned char>(bytes[25])};
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

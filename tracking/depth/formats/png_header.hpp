@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct PngHeader {
   int width{0}, height{0};  ///< pixels
@@ -15,4 +15,4 @@ struct PngHeader {
 /// sentence, like "a depth image".
 PngHeader readPngHeader(const std::string& bytes, const std::string& file, const std::string& expected);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

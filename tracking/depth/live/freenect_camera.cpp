@@ -10,7 +10,7 @@
 #include <libfreenect.h>
 #include <sys/time.h>
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr const char* kLibrary = "libfreenect.so.0.5";
@@ -157,11 +157,11 @@ bool FreenectCamera::serve() {
 
 std::string FreenectCamera::lastError() const { return device_->error; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking
 
 #else
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct FreenectCamera::Device {};
 
@@ -175,6 +175,6 @@ bool FreenectCamera::isRaw() const { return true; }
 bool FreenectCamera::serve() { return false; }
 std::string FreenectCamera::lastError() const { return {}; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking
 
 #endif

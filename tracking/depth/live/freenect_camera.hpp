@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// The name of the camera, where a recording could stand, and in errors.
 inline constexpr const char* kKinectSource = "live:kinect";
@@ -42,4 +42,4 @@ class FreenectCamera {
   std::unique_ptr<Device> device_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

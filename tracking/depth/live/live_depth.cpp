@@ -6,7 +6,7 @@
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/depth/formats/freenect_depth.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -24,7 +24,7 @@ bool isLiveSource(const std::string& name) { return name.starts_with(kPrefix); }
 LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
     : images_(Image{0, {{0.0, DepthImage(kKinectWidth, kKinectHeight)}, {}}}) {
   if (name != kKinectSource)
-    throw UsageError("found the camera " + inQuotes(name) + ", expected " + kKinectSource);
+    throw UsageError("found the camera " + text::inQuotes(name) + ", expected " + kKinectSource);
   if (options.rate > 0.0)
     throw UsageError("--rate: found with a camera that looks now, expected a recording");
   DepthSource source;
@@ -114,4 +114,4 @@ LiveDepth::Outcome LiveDepth::next(LiveFrame& frame, double wait) {
 
 std::string LiveDepth::ended() const { return has_ended_.load(std::memory_order_acquire) ? why_ : ""; }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -11,7 +11,7 @@
 #include "tracking/depth/formats/depth_stream.hpp"
 #include "tracking/depth/live/freenect_camera.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Whether that is the name of a camera, as kKinectSource, and not of a file: `live:` and anything.
 bool isLiveSource(const std::string& name);
@@ -72,4 +72,4 @@ class LiveDepth {
   std::thread thread_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

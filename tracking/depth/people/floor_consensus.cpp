@@ -10,7 +10,7 @@
 
 #include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kNeighbourhood = 5;  // a triple reaches over this part of the grid's columns, to each side
@@ -99,4 +99,4 @@ std::optional<FloorPlane> consensusPlane(const PointGrid& grid, const ConsensusO
   return planeOf(coefficients);
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "tracking/depth/people/floor_plane.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct ConsensusOptions {
   double tilt{0.0};        ///< rad, that a plane may lean by from the image's level
@@ -22,4 +22,4 @@ struct ConsensusOptions {
 std::optional<FloorPlane> consensusPlane(const PointGrid& grid, const ConsensusOptions& options,
                                          const std::function<std::size_t(const FloorPlane&)>& count);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

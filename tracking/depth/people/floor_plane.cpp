@@ -7,7 +7,7 @@
 
 #include "tracking/depth/people/floor_consensus.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kTries = 1500;               // most of them are not level, and cost nothing
@@ -97,4 +97,4 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
   return best;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tracking/depth/camera/depth_image.hpp"
 #include "tracking/depth/people/point_grid.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A plane below the camera, in the camera's frame C.
 struct FloorPlane {
@@ -37,4 +37,4 @@ class FloorFinder {
   std::vector<Vector3d> points_;  ///< those that are not 0
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

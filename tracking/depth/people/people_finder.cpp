@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // Of a head over its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m long, and
@@ -435,4 +435,4 @@ void PeopleFinder::mask(int id, std::vector<std::uint8_t>& is_person) const {
   for (std::size_t i = 0; i < is_person.size(); ++i) is_person[i] = number != 0 && people_.label[i] == number;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -4,7 +4,7 @@
 #include "tracking/depth/people/floor_plane.hpp"
 #include "tracking/depth/people/plan_view.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 struct PeopleFinderOptions {
   double nearest{0.4}, farthest{6.0};  ///< m, depth gate
@@ -113,4 +113,4 @@ class PeopleFinder {
   double last_t_{kNaN};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

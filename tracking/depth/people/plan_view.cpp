@@ -1,7 +1,7 @@
 // What stands on the floor, seen from above.
 #include "tracking/depth/people/plan_view.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr int kGap = 2;  // cells that a component may skip
@@ -43,4 +43,4 @@ void PlanView::join() {
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A grid over the floor. Each cell knows how much surface was seen over it, height by height.
 class PlanView {
@@ -88,4 +88,4 @@ class PlanView {
   std::vector<std::size_t> starts_{0};
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

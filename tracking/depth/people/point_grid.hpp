@@ -5,7 +5,7 @@
 
 #include "core/math/transform.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// Points of an image (m, camera's frame), row by row; 0 where nothing was measured.
 struct PointGrid {
@@ -15,4 +15,4 @@ struct PointGrid {
   int indexOf(int column, int row) const { return row * columns + column; }
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -7,7 +7,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr double kNearest = 0.01;  // m
@@ -21,7 +21,7 @@ DepthRender::DepthRender(const DepthCamera& camera) : camera_(camera), image_(ca
 
 void DepthRender::clear() { std::fill(image_.z.begin(), image_.z.end(), 0.0f); }
 
-void DepthRender::draw(const TriangleMesh& mesh, const Transform& X_CB) {
+void DepthRender::draw(const geometry::TriangleMesh& mesh, const Transform& X_CB) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     // What is left of the triangle before the plane z = kNearest: at most four corners.
     std::array<Vector3d, 4> kept;
@@ -68,4 +68,4 @@ void DepthRender::fill(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
   }
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A z-buffer of the size of the camera's image. Both sides of every triangle are seen. Not shared between
 /// threads.
@@ -16,7 +16,7 @@ class DepthRender {
 
   void clear();
   /// `X_CB`: the mesh's body in the camera's optical frame. Parts nearer than 1 cm are cut off.
-  void draw(const TriangleMesh& mesh, const Transform& X_CB);
+  void draw(const geometry::TriangleMesh& mesh, const Transform& X_CB);
   /// The nearest surface at the centre of each pixel; 0 where there is none.
   const DepthImage& image() const { return image_; }
 
@@ -27,4 +27,4 @@ class DepthRender {
   DepthImage image_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

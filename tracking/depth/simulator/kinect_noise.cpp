@@ -6,7 +6,7 @@
 
 #include "core/math/random.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 // Of the depth: neighbours whose depths differ by less are one surface.
@@ -115,4 +115,4 @@ DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, cons
   return seen;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A camera that sees the pattern of a projector beside it. Numbers of Khoshelham, Elberink, Sensors 2012
 /// (the baseline, disparities in eighths of a pixel, so steps of 2.9 mm z^2 [z in m, f = 580]) and of Nguyen,
@@ -30,4 +30,4 @@ KinectNoise kinectNoiseIn(const DepthCamera& camera);
 DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, const KinectNoise& noise,
                         std::uint64_t seed, std::uint64_t frame);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

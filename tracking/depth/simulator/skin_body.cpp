@@ -10,10 +10,10 @@
 #include "core/math/random.hpp"
 #include "tracking/depth/simulator/skin_loft.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
-using enum Joint;
+using enum humanmodel::Joint;
 
 constexpr double kUnevenness = 0.08;     // of thicknesses of a body with a seed
 constexpr double kSameSkinPlace = 0.01;  // m, joints that are one
@@ -56,15 +56,15 @@ Vector3d squareTo(const Vector3d& axis, const Vector3d& v) {
   return w.normalized();
 }
 
-bool hasAll(const SkeletonFrame& f, std::initializer_list<Joint> joints) {
-  return std::all_of(joints.begin(), joints.end(), [&](Joint j) { return f.has(j); });
+bool hasAll(const humanmodel::SkeletonFrame& f, std::initializer_list<humanmodel::Joint> joints) {
+  return std::all_of(joints.begin(), joints.end(), [&](humanmodel::Joint j) { return f.has(j); });
 }
 
 /// A limb from `from` to `to`, round, with both ends rounded off. `radius` and `back` (how far the middle
 /// lies behind the bone, against `front`) are functions of the share of the way.
 template <class Radius, class Back>
-TriangleMesh limb(const Vector3d& from, const Vector3d& to, const Vector3d& front, const Radius& radius,
-                  const Back& back) {
+geometry::TriangleMesh limb(const Vector3d& from, const Vector3d& to, const Vector3d& front,
+                            const Radius& radius, const Back& back) {
   const double length = (to - from).norm();
   const Vector3d axis = (to - from) / length, v = squareTo(axis, front), u = v.cross(axis);
   std::vector<LoftSection> sections;
@@ -117,10 +117,10 @@ class Spine {
 
 }  // namespace
 
-std::optional<double> statureOfLegs(std::span<const SkeletonFrame> frames) {
+std::optional<double> statureOfLegs(std::span<const humanmodel::SkeletonFrame> frames) {
   constexpr double kLegShare = 0.245 + 0.246;
   std::vector<double> statures;
-  for (const SkeletonFrame& f : frames)
+  for (const humanmodel::SkeletonFrame& f : frames)
     for (const auto& [hip, knee, ankle] :
          {std::array{kHipLeft, kKneeLeft, kAnkleLeft}, std::array{kHipRight, kKneeRight, kAnkleRight}})
       if (hasAll(f, {hip, knee, ankle}))
@@ -148,21 +148,22 @@ SkinBody::SkinBody(double stature, const SkinOptions& options)
   }
 }
 
-SkinBody::Axes SkinBody::axesOf(const SkeletonFrame& f, Joint left, Joint right) {
+SkinBody::Axes SkinBody::axesOf(const humanmodel::SkeletonFrame& f, humanmodel::Joint left,
+                                humanmodel::Joint right) {
   const Vector3d across = (f[left] - f[right]).normalized();
   const Vector3d up = f[kNeck] - f[kPelvis];
   const Vector3d front = across.cross(up);
   return {front.isZero(1e-9) ? Vector3d(across.unitOrthogonal()) : Vector3d(front.normalized()), across};
 }
 
-void SkinBody::addTrunk(const SkeletonFrame& f, Parts& parts) const {
+void SkinBody::addTrunk(const humanmodel::SkeletonFrame& f, Parts& parts) const {
   if (!hasAll(f, {kPelvis, kNeck, kHipLeft, kHipRight, kShoulderLeft, kShoulderRight})) return;
   const Axes hips = axesOf(f, kHipLeft, kHipRight), chest = axesOf(f, kShoulderLeft, kShoulderRight);
   const Vector3d p_hips = 0.5 * (f[kHipLeft] + f[kHipRight]);
   const Vector3d p_shoulders = 0.5 * (f[kShoulderLeft] + f[kShoulderRight]);
   const double trunk = (p_shoulders - p_hips).norm();
   std::vector<Vector3d> points{p_hips};
-  for (const Joint j : {kSpine, kThorax}) {
+  for (const humanmodel::Joint j : {kSpine, kThorax}) {
     if (!f.has(j)) continue;
     // Some recordings have the spine's joints behind the shoulders or in one place.
     const double before = (f[j] - points.back()).norm(), left = (p_shoulders - f[j]).norm();
@@ -196,7 +197,7 @@ void SkinBody::addTrunk(const SkeletonFrame& f, Parts& parts) const {
   parts.push_back({"torso", loft(sections)});
 }
 
-void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
+void SkinBody::addHead(const humanmodel::SkeletonFrame& f, Parts& parts) const {
   if (!hasAll(f, {kNeck, kHeadTop, kShoulderLeft, kShoulderRight, kPelvis})) return;
   const Vector3d up = f[kHeadTop] - f[kNeck];
   if (up.norm() < kSameSkinPlace) return;
@@ -213,7 +214,7 @@ void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
     sections.push_back({centre + height * half * axis, front, left, kHeadDepth * head_ * narrow,
                         kHeadBreadth * head_ * narrow});
   }
-  TriangleMesh mesh = loft(sections);
+  geometry::TriangleMesh mesh = loft(sections);
   for (Vector3d& p : mesh.vertices) {
     const Vector3d from = p - centre;
     const double sideways = from.dot(left) / (kNoseBreadth * head_);
@@ -227,10 +228,11 @@ void SkinBody::addHead(const SkeletonFrame& f, Parts& parts) const {
                                  base, centre, front, [&](double) { return kNeckRadius * neck_; }, none)});
 }
 
-void SkinBody::addArm(const SkeletonFrame& f, bool is_left, Parts& parts) const {
-  const Joint shoulder = is_left ? kShoulderLeft : kShoulderRight, elbow = is_left ? kElbowLeft : kElbowRight;
-  const Joint wrist = is_left ? kWristLeft : kWristRight, hand = is_left ? kHandLeft : kHandRight;
-  const auto apart = [&](Joint a, Joint b) {
+void SkinBody::addArm(const humanmodel::SkeletonFrame& f, bool is_left, Parts& parts) const {
+  const humanmodel::Joint shoulder = is_left ? kShoulderLeft : kShoulderRight,
+                          elbow = is_left ? kElbowLeft : kElbowRight;
+  const humanmodel::Joint wrist = is_left ? kWristLeft : kWristRight, hand = is_left ? kHandLeft : kHandRight;
+  const auto apart = [&](humanmodel::Joint a, humanmodel::Joint b) {
     return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSameSkinPlace;
   };
   const Vector3d front = hasAll(f, {kShoulderLeft, kShoulderRight, kNeck, kPelvis})
@@ -264,10 +266,10 @@ void SkinBody::addArm(const SkeletonFrame& f, bool is_left, Parts& parts) const 
   }
 }
 
-void SkinBody::addLeg(const SkeletonFrame& f, bool is_left, Parts& parts) const {
-  const Joint hip = is_left ? kHipLeft : kHipRight, knee = is_left ? kKneeLeft : kKneeRight;
-  const Joint ankle = is_left ? kAnkleLeft : kAnkleRight, toe = is_left ? kToeLeft : kToeRight;
-  const auto apart = [&](Joint a, Joint b) {
+void SkinBody::addLeg(const humanmodel::SkeletonFrame& f, bool is_left, Parts& parts) const {
+  const humanmodel::Joint hip = is_left ? kHipLeft : kHipRight, knee = is_left ? kKneeLeft : kKneeRight;
+  const humanmodel::Joint ankle = is_left ? kAnkleLeft : kAnkleRight, toe = is_left ? kToeLeft : kToeRight;
+  const auto apart = [&](humanmodel::Joint a, humanmodel::Joint b) {
     return hasAll(f, {a, b}) && (f[a] - f[b]).norm() > kSameSkinPlace;
   };
   Vector3d front = hasAll(f, {kHipLeft, kHipRight, kNeck, kPelvis}) ? axesOf(f, kHipLeft, kHipRight).front
@@ -313,7 +315,7 @@ void SkinBody::addLeg(const SkeletonFrame& f, bool is_left, Parts& parts) const 
   }
 }
 
-std::vector<SkinPart> SkinBody::wrap(const SkeletonFrame& frame) const {
+std::vector<SkinPart> SkinBody::wrap(const humanmodel::SkeletonFrame& frame) const {
   Parts parts;
   addTrunk(frame, parts);
   addHead(frame, parts);
@@ -324,4 +326,4 @@ std::vector<SkinPart> SkinBody::wrap(const SkeletonFrame& frame) const {
   return parts;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "core/geometry/triangle_mesh.hpp"
 #include "humanmodel/joints.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// What a person of the simulator looks like.
 struct SkinOptions {
@@ -22,11 +22,11 @@ struct SkinOptions {
 /// m, from the length of the legs (thigh 0.245, calf 0.246 of it; Drillis and Contini 1966, in Winter 2009),
 /// the median over the frames that show one; nothing where none does. A recording's own stature is often
 /// short, as its head ends below the vertex.
-std::optional<double> statureOfLegs(std::span<const SkeletonFrame> frames);
+std::optional<double> statureOfLegs(std::span<const humanmodel::SkeletonFrame> frames);
 
 struct SkinPart {
-  std::string_view name;  ///< as in scene files, and "neck"
-  TriangleMesh mesh;      ///< closed, in the axes of the frame that it was made for
+  std::string_view name;        ///< as in scene files, and "neck"
+  geometry::TriangleMesh mesh;  ///< closed, in the axes of the frame that it was made for
 };
 
 /// A body that is made unlike the model of humanmodel, so that what fits that model is not tested against
@@ -40,18 +40,18 @@ class SkinBody {
 
   /// The parts whose joints are there. Left and right, front and back follow hips, shoulders and toes, as the
   /// joints say nothing of a turn about a limb's own axis or of where the head looks.
-  std::vector<SkinPart> wrap(const SkeletonFrame& frame) const;
+  std::vector<SkinPart> wrap(const humanmodel::SkeletonFrame& frame) const;
 
  private:
   struct Axes {
     Vector3d front, left;  ///< of the trunk, of length 1
   };
   using Parts = std::vector<SkinPart>;
-  static Axes axesOf(const SkeletonFrame& frame, Joint left, Joint right);
-  void addTrunk(const SkeletonFrame& frame, Parts& parts) const;
-  void addHead(const SkeletonFrame& frame, Parts& parts) const;
-  void addArm(const SkeletonFrame& frame, bool is_left, Parts& parts) const;
-  void addLeg(const SkeletonFrame& frame, bool is_left, Parts& parts) const;
+  static Axes axesOf(const humanmodel::SkeletonFrame& frame, humanmodel::Joint left, humanmodel::Joint right);
+  void addTrunk(const humanmodel::SkeletonFrame& frame, Parts& parts) const;
+  void addHead(const humanmodel::SkeletonFrame& frame, Parts& parts) const;
+  void addArm(const humanmodel::SkeletonFrame& frame, bool is_left, Parts& parts) const;
+  void addLeg(const humanmodel::SkeletonFrame& frame, bool is_left, Parts& parts) const;
 
   double stature_;
   double clothing_;
@@ -59,4 +59,4 @@ class SkinBody {
   double trunk_breadth_, trunk_depth_, upper_arm_, forearm_, thigh_, calf_, head_, neck_, foot_;
 };
 
-}  // namespace abstand
+}  // namespace abstand::tracking

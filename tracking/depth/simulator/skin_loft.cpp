@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 namespace {
 
 constexpr std::uint32_t kAround = 28;
@@ -14,9 +14,9 @@ double rounded(double x, double n) { return std::copysign(std::pow(std::abs(x), 
 
 }  // namespace
 
-TriangleMesh loft(std::span<const LoftSection> sections) {
+geometry::TriangleMesh loft(std::span<const LoftSection> sections) {
   ABSTAND_CHECK(sections.size() >= 2);
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (const LoftSection& s : sections) {
     for (std::uint32_t i = 0; i < kAround; ++i) {
       const double angle = 2.0 * kPi * i / kAround;
@@ -59,4 +59,4 @@ double smoothCurve(std::span<const CurvePoint> points, double x) {
          points[k + 1].y * (1.0 + 2.0 * s) * t * t - tangent(k + 1) * h * s * t * t;
 }
 
-}  // namespace abstand
+}  // namespace abstand::tracking

@@ -5,7 +5,7 @@
 
 #include "core/geometry/triangle_mesh.hpp"
 
-namespace abstand {
+namespace abstand::tracking {
 
 /// A rounded cross-section: the points centre + u a cos^(2/n) + v b sin^(2/n), an ellipse for n = 2 and
 /// nearer to its rectangle for greater n. `u` and `v` are square to each other, of length 1; u x v points to
@@ -18,7 +18,7 @@ struct LoftSection {
 
 /// Bands between neighbours and a fan over each end: closed, triangles outwards as long as no section bends
 /// through its neighbour. At least two sections.
-TriangleMesh loft(std::span<const LoftSection> sections);
+geometry::TriangleMesh loft(std::span<const LoftSection> sections);
 
 /// The value at `x` of a smooth curve through (x, y) pairs whose x rises; constant beyond both ends. No value
 /// leaves the range of the two neighbours (monotone cubic; Fritsch, Butland 1984).
@@ -27,4 +27,4 @@ struct CurvePoint {
 };
 double smoothCurve(std::span<const CurvePoint> points, double x);
 
-}  // namespace abstand
+}  // namespace abstand::tracking

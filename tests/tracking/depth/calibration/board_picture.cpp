@@ -12,7 +12,7 @@ namespace {
 constexpr double kWhite = 210.0, kBlack = 35.0, kAround = 120.0;
 
 /// The ray (z = 1) that the camera sees at (u, v): Brown's model backwards, by fixed-point steps.
-Vector3d rayAt(const DepthCamera& camera, double u, double v) {
+Vector3d rayAt(const tracking::DepthCamera& camera, double u, double v) {
   const Vector3d seen = camera.at(u, v, 1.0);
   Vector3d ray = seen;
   if (camera.distortion.isZero(0.0)) return ray;
@@ -23,7 +23,7 @@ Vector3d rayAt(const DepthCamera& camera, double u, double v) {
   return ray;
 }
 
-double brightness(const Chessboard& board, double x, double y) {
+double brightness(const tracking::Chessboard& board, double x, double y) {
   const double column = std::floor(x / board.square) + 1.0, row = std::floor(y / board.square) + 1.0;
   if (column < -1.0 || row < -1.0 || column > board.columns || row > board.rows) return kAround;
   if (column < 0.0 || row < 0.0 || column >= board.columns || row >= board.rows) return kWhite;
@@ -32,10 +32,10 @@ double brightness(const Chessboard& board, double x, double y) {
 
 }  // namespace
 
-GreyImage pictureOf(const DepthCamera& camera, const Chessboard& board, const Transform& X_WO,
-                    const BoardPictureOptions& options) {
+tracking::GreyImage pictureOf(const tracking::DepthCamera& camera, const tracking::Chessboard& board,
+                              const Transform& X_WO, const BoardPictureOptions& options) {
   const Transform X_OC = X_WO.inverse() * camera.X_WC;
-  GreyImage image(camera.width, camera.height);
+  tracking::GreyImage image(camera.width, camera.height);
   Random random(options.seed, 0);
   for (int v = 0; v < image.height; ++v)
     for (int u = 0; u < image.width; ++u) {
@@ -57,9 +57,9 @@ GreyImage pictureOf(const DepthCamera& camera, const Chessboard& board, const Tr
   return image;
 }
 
-DepthCamera cameraBefore(const Chessboard& board, const Transform& X_WO, double distance, double lean,
-                         double side, double roll) {
-  DepthCamera camera;
+tracking::DepthCamera cameraBefore(const tracking::Chessboard& board, const Transform& X_WO, double distance,
+                                   double lean, double side, double roll) {
+  tracking::DepthCamera camera;
   const Vector3d middle(0.5 * board.square * (board.columns - 2), 0.5 * board.square * (board.rows - 2), 0.0);
   Transform X_OC = Transform::Identity();
   X_OC.linear() = (Eigen::AngleAxisd(side, Vector3d::UnitZ()) * Eigen::AngleAxisd(lean, Vector3d::UnitX()) *

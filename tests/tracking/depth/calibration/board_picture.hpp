@@ -12,12 +12,12 @@ struct BoardPictureOptions {
 };
 
 /// The board lies at X_WO with a white rim of one square, on grey; camera.X_WC and its distortion count.
-GreyImage pictureOf(const DepthCamera& camera, const Chessboard& board, const Transform& X_WO,
-                    const BoardPictureOptions& options = {});
+tracking::GreyImage pictureOf(const tracking::DepthCamera& camera, const tracking::Chessboard& board,
+                              const Transform& X_WO, const BoardPictureOptions& options = {});
 
 /// A camera of 640 x 480 that looks at the middle of a board at X_WO, from `distance` (m), `lean` (rad) off
 /// the board's normal towards `side` (rad about it), turned by `roll` (rad) about its own axis.
-DepthCamera cameraBefore(const Chessboard& board, const Transform& X_WO, double distance, double lean,
-                         double side, double roll);
+tracking::DepthCamera cameraBefore(const tracking::Chessboard& board, const Transform& X_WO, double distance,
+                                   double lean, double side, double roll);
 
 }  // namespace abstand::testing

@@ -18,8 +18,8 @@ namespace {
 /// Pixels; of corners in pictures with noise of 2 levels, in which a square is 14 to 25 pixels broad.
 constexpr double kCornerOff = 0.2;
 
-const Chessboard kBoard{8, 5, 0.03};
-const Chessboard kSameTurned{8, 6, 0.03};
+const tracking::Chessboard kBoard{8, 5, 0.03};
+const tracking::Chessboard kSameTurned{8, 6, 0.03};
 
 double angleBetween(const Transform& a, const Transform& b) {
   return Quaterniond(a.linear()).angularDistance(Quaterniond(b.linear()));
@@ -27,24 +27,24 @@ double angleBetween(const Transform& a, const Transform& b) {
 
 Transform boardOnTable() { return fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.6}); }
 
-PlacedBoard seen(const DepthCamera& camera, const Chessboard& board, const Transform& X_WO,
-                 const BoardPictureOptions& options = {}) {
-  const auto corners = findChessboard(pictureOf(camera, board, X_WO, options), board);
+tracking::PlacedBoard seen(const tracking::DepthCamera& camera, const tracking::Chessboard& board,
+                           const Transform& X_WO, const BoardPictureOptions& options = {}) {
+  const auto corners = tracking::findChessboard(pictureOf(camera, board, X_WO, options), board);
   if (!corners) throw UsageError("no board");
   return {*corners, X_WO};
 }
 
 /// A camera that knows nothing of its pose.
-DepthCamera unplaced(DepthCamera camera) {
+tracking::DepthCamera unplaced(tracking::DepthCamera camera) {
   camera.X_WC = Transform::Identity();
   return camera;
 }
 
 TEST(Chessboard, CornersAreFoundInTheBoardsOrder) {
   for (const double roll : {0.0, 1.2, kPi}) {
-    DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.5, 0.4, roll);
+    tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.5, 0.4, roll);
     camera.distortion << -0.15, 0.05, 0.001, -0.001, 0.0;
-    const PlacedBoard board = seen(camera, kBoard, boardOnTable());
+    const tracking::PlacedBoard board = seen(camera, kBoard, boardOnTable());
     ASSERT_EQ(board.corners.size(), 28u);
     for (std::size_t i = 0; i < board.corners.size(); ++i) {
       const Vector3d p_C = camera.X_WC.inverse() * (boardOnTable() * kBoard.corner(i));
@@ -55,11 +55,11 @@ TEST(Chessboard, CornersAreFoundInTheBoardsOrder) {
 
 TEST(Chessboard, TheRimIsNoRowOfSquares) {
   // A view in which OpenCV's search by sectors takes the rim for a row.
-  DepthCamera camera;
+  tracking::DepthCamera camera;
   camera.X_WC.linear() = Quaterniond(-0.445374, 0.057295, 0.882136, 0.142112).normalized().toRotationMatrix();
   camera.X_WC.translation() = Vector3d(0.628633, -0.166231, 0.394025);
   camera.distortion << -0.2, 0.06, 0.001, -0.0005, 0.0;
-  const PlacedBoard board = seen(camera, kBoard, Transform::Identity(), {.seed = 17});
+  const tracking::PlacedBoard board = seen(camera, kBoard, Transform::Identity(), {.seed = 17});
   for (std::size_t i = 0; i < board.corners.size(); ++i) {
     const Eigen::Vector2d truth = camera.pixelOf(camera.X_WC.inverse() * kBoard.corner(i));
     EXPECT_LT((board.corners[i] - truth).norm(), 2.0 * kCornerOff) << i;  // it leans by 60 degrees
@@ -67,13 +67,13 @@ TEST(Chessboard, TheRimIsNoRowOfSquares) {
 }
 
 TEST(Chessboard, NothingWhereThereIsNoneOrAnother) {
-  const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.4, 0.0, 0.0);
-  const GreyImage image = pictureOf(camera, kBoard, boardOnTable());
-  EXPECT_FALSE(findChessboard(image, {9, 6, 0.03}).has_value());
-  EXPECT_FALSE(findChessboard(GreyImage(640, 480), kBoard).has_value());
+  const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.4, 0.0, 0.0);
+  const tracking::GreyImage image = pictureOf(camera, kBoard, boardOnTable());
+  EXPECT_FALSE(tracking::findChessboard(image, {9, 6, 0.03}).has_value());
+  EXPECT_FALSE(tracking::findChessboard(tracking::GreyImage(640, 480), kBoard).has_value());
   // Half of it is beside the image.
-  const DepthCamera near = cameraBefore(kBoard, boardOnTable(), 0.15, 0.0, 0.0, 0.0);
-  EXPECT_FALSE(findChessboard(pictureOf(near, kBoard, boardOnTable()), kBoard).has_value());
+  const tracking::DepthCamera near = cameraBefore(kBoard, boardOnTable(), 0.15, 0.0, 0.0, 0.0);
+  EXPECT_FALSE(tracking::findChessboard(pictureOf(near, kBoard, boardOnTable()), kBoard).has_value());
 }
 
 TEST(BoardPose, IsFoundAgain) {
@@ -82,10 +82,10 @@ TEST(BoardPose, IsFoundAgain) {
   };
   std::uint64_t seed = 1;
   for (const Case& c : {Case{0.6, 0.5, 0.0, 0.0}, Case{0.8, 0.9, 2.0, 3.0}, Case{1.2, 0.6, -1.0, 0.3}}) {
-    DepthCamera camera = cameraBefore(kBoard, boardOnTable(), c.distance, c.lean, c.side, c.roll);
+    tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), c.distance, c.lean, c.side, c.roll);
     camera.distortion << -0.2, 0.06, 0.001, -0.0005, 0.0;
-    const PlacedBoard board = seen(camera, kBoard, boardOnTable(), {.seed = seed++});
-    const BoardFit fit = fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1));
+    const tracking::PlacedBoard board = seen(camera, kBoard, boardOnTable(), {.seed = seed++});
+    const tracking::BoardFit fit = tracking::fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1));
     EXPECT_LT(fit.rms, kCornerOff);
     EXPECT_NEAR(fit.depth, c.distance, 0.05);
     // Corners to 0.05 pixels: 0.1 mm across at 1.2 m, along the rays some 10 times that.
@@ -99,40 +99,42 @@ TEST(BoardPose, IsFoundAgain) {
 }
 
 TEST(BoardPose, MorePlacesAreOneFit) {
-  const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 1.0, 0.6, 0.3, 0.0);
+  const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 1.0, 0.6, 0.3, 0.0);
   const Transform beside = boardOnTable() * fromXyzRpy({0.1, 0.15, 0.05}, {0.2, -0.1, 0.5});
-  const std::vector<PlacedBoard> boards{seen(camera, kBoard, boardOnTable()), seen(camera, kBoard, beside)};
-  const BoardFit one = fitBoardPose(unplaced(camera), kBoard, std::span(boards).first(1));
-  const BoardFit both = fitBoardPose(unplaced(camera), kBoard, boards);
+  const std::vector<tracking::PlacedBoard> boards{seen(camera, kBoard, boardOnTable()),
+                                                  seen(camera, kBoard, beside)};
+  const tracking::BoardFit one = tracking::fitBoardPose(unplaced(camera), kBoard, std::span(boards).first(1));
+  const tracking::BoardFit both = tracking::fitBoardPose(unplaced(camera), kBoard, boards);
   EXPECT_LT((both.X_WC.translation() - camera.X_WC.translation()).norm(), 0.003);
   EXPECT_LT(both.spread, one.spread);
   // A place that is wrong by 2 cm is seen in what is left.
-  std::vector<PlacedBoard> wrong = boards;
+  std::vector<tracking::PlacedBoard> wrong = boards;
   wrong[1].X_WO.translation().x() += 0.02;
-  EXPECT_THROW(fitBoardPose(unplaced(camera), kBoard, wrong), UsageError);
+  EXPECT_THROW(tracking::fitBoardPose(unplaced(camera), kBoard, wrong), UsageError);
 }
 
 TEST(BoardPose, ABoardThatIsTheSameTurnedNeedsARoughPose) {
   for (const double roll : {0.0, 3.0}) {
-    const DepthCamera camera = cameraBefore(kSameTurned, boardOnTable(), 0.7, 0.5, 0.2, roll);
-    const PlacedBoard board = seen(camera, kSameTurned, boardOnTable());
+    const tracking::DepthCamera camera = cameraBefore(kSameTurned, boardOnTable(), 0.7, 0.5, 0.2, roll);
+    const tracking::PlacedBoard board = seen(camera, kSameTurned, boardOnTable());
     try {
-      fitBoardPose(unplaced(camera), kSameTurned, std::span(&board, 1));
+      tracking::fitBoardPose(unplaced(camera), kSameTurned, std::span(&board, 1));
       FAIL() << "taken";
     } catch (const UsageError& e) {
       EXPECT_THAT(e.what(), ::testing::HasSubstr("looks the same upside down (8 x 6)"));
     }
-    DepthCamera rough = camera;
+    tracking::DepthCamera rough = camera;
     rough.X_WC = camera.X_WC * fromXyzRpy({0.3, -0.2, 0.1}, {0.5, 0.3, -0.4});
-    const BoardFit fit = fitBoardPose(rough, kSameTurned, std::span(&board, 1));
+    const tracking::BoardFit fit = tracking::fitBoardPose(rough, kSameTurned, std::span(&board, 1));
     EXPECT_LT((fit.X_WC.translation() - camera.X_WC.translation()).norm(), 0.003) << roll;
   }
 }
 
 /// Corners as a camera with `noise` (pixels) measures them, without a picture.
-PlacedBoard measured(const DepthCamera& camera, const Transform& X_WO, double noise, std::uint64_t seed) {
+tracking::PlacedBoard measured(const tracking::DepthCamera& camera, const Transform& X_WO, double noise,
+                               std::uint64_t seed) {
   Random random(seed, 0);
-  PlacedBoard board;
+  tracking::PlacedBoard board;
   board.X_WO = X_WO;
   for (std::size_t i = 0; i < kBoard.corners(); ++i) {
     Eigen::Vector2d p = camera.pixelOf(camera.X_WC.inverse() * (X_WO * kBoard.corner(i)));
@@ -145,17 +147,19 @@ PlacedBoard measured(const DepthCamera& camera, const Transform& X_WO, double no
 TEST(BoardPose, TheCovarianceIsThatOfManyFits) {
   constexpr double kNoise = 0.2;  // pixels
   constexpr int kSets = 300;
-  const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.8, 0.7, 0.2, 0.0);
+  const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.8, 0.7, 0.2, 0.0);
   const Vector3d middle = boardOnTable() * Vector3d(0.09, 0.045, 0.0);
   double squares = 0.0, said = 0.0;
   for (int i = 0; i < kSets; ++i) {
-    const PlacedBoard board = measured(camera, boardOnTable(), kNoise, static_cast<std::uint64_t>(i) + 1);
-    const BoardFit fit = fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1));
+    const tracking::PlacedBoard board =
+        measured(camera, boardOnTable(), kNoise, static_cast<std::uint64_t>(i) + 1);
+    const tracking::BoardFit fit = tracking::fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1));
     const double across = kNoise * fit.depth / camera.fx;
     said += fit.spread * fit.spread - across * across;
     // Points on a sphere of a metre about the board's middle: its six poles stand for all directions.
     for (int k = 0; k < 6; ++k) {
-      const Vector3d p_W = middle + (k % 2 ? -kUsedWithin : kUsedWithin) * Vector3d::Unit(k / 2);
+      const Vector3d p_W =
+          middle + (k % 2 ? -tracking::kUsedWithin : tracking::kUsedWithin) * Vector3d::Unit(k / 2);
       squares += (fit.X_WC * (camera.X_WC.inverse() * p_W) - p_W).squaredNorm() / 18.0;
     }
   }
@@ -164,19 +168,20 @@ TEST(BoardPose, TheCovarianceIsThatOfManyFits) {
 }
 
 TEST(BoardPose, RefusesTwoPosesThatExplainTheCornersAlike) {
-  const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 6.0, 0.4, 0.2, 0.0);
-  const PlacedBoard board = measured(camera, boardOnTable(), 0.5, 3);
-  EXPECT_THROW(fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1)), UsageError);
-  const BoardFit fit = fitBoardPose(camera, kBoard, std::span(&board, 1));
+  const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 6.0, 0.4, 0.2, 0.0);
+  const tracking::PlacedBoard board = measured(camera, boardOnTable(), 0.5, 3);
+  EXPECT_THROW(tracking::fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1)), UsageError);
+  const tracking::BoardFit fit = tracking::fitBoardPose(camera, kBoard, std::span(&board, 1));
   EXPECT_LT((fit.X_WC.translation() - camera.X_WC.translation()).norm(), 1.0);
   EXPECT_GT(fit.spread, 0.01);
 }
 
 TEST(Intrinsics, AreFoundAgain) {
-  std::vector<BoardCorners> views;
-  DepthCamera truth;
+  std::vector<tracking::BoardCorners> views;
+  tracking::DepthCamera truth;
   for (int i = 0; i < 6; ++i) {
-    DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.42 + 0.05 * i, 0.55, 1.1 * i, 0.3 * i);
+    tracking::DepthCamera camera =
+        cameraBefore(kBoard, boardOnTable(), 0.42 + 0.05 * i, 0.55, 1.1 * i, 0.3 * i);
     camera.fx = 571.0;
     camera.fy = 574.0;
     camera.cx = 312.0;
@@ -186,7 +191,7 @@ TEST(Intrinsics, AreFoundAgain) {
     views.push_back(
         seen(camera, kBoard, boardOnTable(), {.seed = static_cast<std::uint64_t>(i) + 1}).corners);
   }
-  const IntrinsicsFit fit = fitIntrinsics(kBoard, views, 640, 480);
+  const tracking::IntrinsicsFit fit = tracking::fitIntrinsics(kBoard, views, 640, 480);
   EXPECT_LT(fit.rms, 0.1);
   EXPECT_LT(fit.focal_spread, 0.01);
   EXPECT_NEAR(fit.camera.fx, truth.fx, 0.005 * truth.fx);
@@ -196,17 +201,17 @@ TEST(Intrinsics, AreFoundAgain) {
   // The coefficients share one curve; what counts is where they put a pixel halfway to the image's corner.
   const Vector3d aside(0.28, 0.2, 1.0);
   EXPECT_LT((fit.camera.pixelOf(aside) - truth.pixelOf(aside)).norm(), 3.0);
-  EXPECT_THROW(fitIntrinsics(kBoard, std::span(views).first(4), 640, 480), UsageError);
+  EXPECT_THROW(tracking::fitIntrinsics(kBoard, std::span(views).first(4), 640, 480), UsageError);
 }
 
 TEST(Intrinsics, BoardsThatFaceTheCameraLeaveTheFocalLengthOpen) {
-  std::vector<BoardCorners> views;
+  std::vector<tracking::BoardCorners> views;
   for (int i = 0; i < 5; ++i) {
-    const DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.5, 0.0, 0.0, 0.5 * i);
+    const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.5, 0.0, 0.0, 0.5 * i);
     views.push_back(measured(camera, boardOnTable(), 0.1, static_cast<std::uint64_t>(i) + 1).corners);
   }
   try {
-    fitIntrinsics(kBoard, views, 640, 480);
+    tracking::fitIntrinsics(kBoard, views, 640, 480);
     FAIL() << "taken";
   } catch (const UsageError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("leave the focal length open"));
@@ -217,7 +222,7 @@ TEST(PoseSpread, IsTheMeanOverAllDirections) {
   Random random(5, 0);
   Eigen::Matrix<double, 6, 6> root;
   for (int i = 0; i < 36; ++i) root(i / 6, i % 6) = random.between(-1.0, 1.0);
-  const Matrix6d covariance = root * root.transpose();
+  const tracking::Matrix6d covariance = root * root.transpose();
   constexpr double kReach = 0.7;
   double sum = 0.0;
   // The poles of a sphere have the second moments of all of it.
@@ -230,19 +235,20 @@ TEST(PoseSpread, IsTheMeanOverAllDirections) {
     }
     sum += (J * covariance * J.transpose()).trace() / 18.0;
   }
-  EXPECT_NEAR(spreadAt(covariance, kReach), std::sqrt(sum), 1e-12);
+  EXPECT_NEAR(tracking::spreadAt(covariance, kReach), std::sqrt(sum), 1e-12);
 }
 
 TEST(PoseSpread, StepsTurnAboutThePoint) {
   const Transform X = randomPose(3, 2.0);
   const Vector3d pivot(0.3, -0.4, 1.0);
-  Vector6d step;
+  tracking::Vector6d step;
   step << 0.0, 0.0, 0.0, 0.1, -0.2, 0.3;
-  const Transform moved = movedAbout(pivot, X, step);
+  const Transform moved = tracking::movedAbout(pivot, X, step);
   EXPECT_LT((moved * (X.inverse() * pivot) - pivot).norm(), 1e-12);
   EXPECT_NEAR(angleBetween(moved, X), step.norm(), 1e-12);
   step << 0.1, 0.2, 0.3, 0.0, 0.0, 0.0;
-  EXPECT_LT((movedAbout(pivot, X, step).translation() - X.translation() - step.head<3>()).norm(), 1e-12);
+  EXPECT_LT((tracking::movedAbout(pivot, X, step).translation() - X.translation() - step.head<3>()).norm(),
+            1e-12);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 namespace abstand::testing {
 namespace {
 
-std::vector<MatchedPoint> matched(const Transform& X_WC, std::size_t count, double noise,
-                                  std::uint64_t seed) {
+std::vector<tracking::MatchedPoint> matched(const Transform& X_WC, std::size_t count, double noise,
+                                            std::uint64_t seed) {
   Random random(seed, 0);
-  std::vector<MatchedPoint> points;
+  std::vector<tracking::MatchedPoint> points;
   for (std::size_t i = 0; i < count; ++i) {
-    MatchedPoint p;
+    tracking::MatchedPoint p;
     for (int k = 0; k < 3; ++k) p.p_C[k] = random.between(-1.0, 1.0) + (k == 2 ? 2.5 : 0.0);
     p.p_W = X_WC * p.p_C;
     // Uniform with that standard deviation.
@@ -30,7 +30,7 @@ TEST(PoseFromPoints, IsFoundAgain) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Transform X_WC = randomPose(seed, 3.0);
     for (const std::size_t count : {3u, 4u, 20u}) {
-      const PoseFit fit = fitPose(matched(X_WC, count, 0.0, seed + 100));
+      const tracking::PoseFit fit = tracking::fitPose(matched(X_WC, count, 0.0, seed + 100));
       EXPECT_LT((fit.X_WC.matrix() - X_WC.matrix()).cwiseAbs().maxCoeff(), 1e-9) << seed << ", " << count;
       EXPECT_LT(fit.worst, 1e-9);
       EXPECT_GT(fit.X_WC.linear().determinant(), 0.0);
@@ -43,8 +43,9 @@ TEST(PoseFromPoints, SpreadIsThatOfThePoints) {
   double sum = 0.0;
   constexpr int kSets = 200;
   for (int i = 0; i < kSets; ++i)
-    sum += std::pow(fitPose(matched(randomPose(7, 2.0), 5, kNoise, static_cast<std::uint64_t>(i) + 1)).spread,
-                    2);
+    sum += std::pow(
+        tracking::fitPose(matched(randomPose(7, 2.0), 5, kNoise, static_cast<std::uint64_t>(i) + 1)).spread,
+        2);
   // 200 sets of 9 freedoms: the mean of their squares is within a tenth.
   EXPECT_NEAR(std::sqrt(sum / kSets), kNoise, 0.1 * kNoise);
 }
@@ -52,23 +53,23 @@ TEST(PoseFromPoints, SpreadIsThatOfThePoints) {
 TEST(PoseFromPoints, TheWorstPointIsNamed) {
   auto points = matched(randomPose(3, 2.0), 12, 0.0, 5);
   points[8].p_W.x() += 0.05;
-  const PoseFit fit = fitPose(points);
+  const tracking::PoseFit fit = tracking::fitPose(points);
   EXPECT_EQ(fit.worst_point, 8u);
   EXPECT_GT(fit.worst, 0.03);
 }
 
 TEST(PoseFromPoints, RefusesTooFewAndPointsOnALine) {
   auto points = matched(randomPose(3, 2.0), 6, 0.0, 5);
-  EXPECT_THROW(fitPose(std::span(points).first(2)), UsageError);
+  EXPECT_THROW(tracking::fitPose(std::span(points).first(2)), UsageError);
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = {Vector3d(0.1, 0.2, 0.3) * static_cast<double>(i),
                  Vector3d(0.3, 0.2, 0.1) * static_cast<double>(i)};
-  EXPECT_THROW(fitPose(points), UsageError);
+  EXPECT_THROW(tracking::fitPose(points), UsageError);
 }
 
 TEST(PoseFromPoints, TablesSayWhatIsWrongAndWhere) {
   const std::string header = "cx,cy,cz,wx,wy,wz\n";
-  EXPECT_EQ(readMatchedPoints(header + "1,2,3,4,5,6\r\n\n-1,0,1e-3,4,5,6\n", "p.csv").size(), 2u);
+  EXPECT_EQ(tracking::readMatchedPoints(header + "1,2,3,4,5,6\r\n\n-1,0,1e-3,4,5,6\n", "p.csv").size(), 2u);
   struct Wrong {
     std::string text, says;
   };
@@ -79,7 +80,7 @@ TEST(PoseFromPoints, TablesSayWhatIsWrongAndWhere) {
         Wrong{header + "1,2,3,4,5,6,7\n", "p.csv:2:13: error: found more"},
         Wrong{header + "nan,2,3,4,5,6\n", "p.csv:2:1: error: found 'nan'"}}) {
     try {
-      readMatchedPoints(wrong.text, "p.csv");
+      tracking::readMatchedPoints(wrong.text, "p.csv");
       ADD_FAILURE() << wrong.text;
     } catch (const ParseError& e) {
       EXPECT_THAT(e.what(), ::testing::HasSubstr(wrong.says));

@@ -12,13 +12,14 @@ constexpr double kRounding = 1e-12;  // of poses through three angles
 
 TEST(DepthCamera, IsReadBackAsItWasWritten) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    DepthCamera camera;
+    tracking::DepthCamera camera;
     camera.width = 320;
     camera.fx = 285.63 + 1e-9;
     camera.distortion << 0.1, -0.2, 0.001, 0.002, 0.05;
     camera.X_WC = randomPose(seed, 3.0);
     camera.spread = 1e-4 * static_cast<double>(seed);
-    const DepthCamera again = parseDepthCamera(describeDepthCamera(camera), "camera.yaml");
+    const tracking::DepthCamera again =
+        tracking::parseDepthCamera(tracking::describeDepthCamera(camera), "camera.yaml");
     EXPECT_EQ(again.width, camera.width);
     EXPECT_EQ(again.height, camera.height);
     EXPECT_EQ(again.fx, camera.fx);
@@ -27,9 +28,10 @@ TEST(DepthCamera, IsReadBackAsItWasWritten) {
     EXPECT_LT((again.X_WC.matrix() - camera.X_WC.matrix()).cwiseAbs().maxCoeff(), kRounding) << seed;
   }
   // Straight up, where two of the angles turn about the same axis.
-  DepthCamera camera;
+  tracking::DepthCamera camera;
   camera.X_WC = fromXyzRpy({1, 2, 3}, {0.3, kPi / 2, 0.2});
-  const DepthCamera again = parseDepthCamera(describeDepthCamera(camera), "camera.yaml");
+  const tracking::DepthCamera again =
+      tracking::parseDepthCamera(tracking::describeDepthCamera(camera), "camera.yaml");
   EXPECT_LT((again.X_WC.matrix() - camera.X_WC.matrix()).cwiseAbs().maxCoeff(), 1e-7);
 }
 
@@ -41,12 +43,12 @@ struct Wrong {
 TEST(DepthCamera, SaysWhatIsWrongAndWhere) {
   const std::string whole =
       "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n";
-  EXPECT_NO_THROW(parseDepthCamera(whole, "c.yaml"));
+  EXPECT_NO_THROW(tracking::parseDepthCamera(whole, "c.yaml"));
   for (const Wrong& wrong :
        {Wrong{"width: 640\n", "c.yaml:1:1: error: "}, Wrong{"width: 0\n", "c.yaml:1:8: error: "},
         Wrong{"- 1\n", "c.yaml:1:1: error: "}, Wrong{"breadth: 1\n", "breadth"}}) {
     try {
-      parseDepthCamera(wrong.text, "c.yaml");
+      tracking::parseDepthCamera(wrong.text, "c.yaml");
       ADD_FAILURE() << wrong.text;
     } catch (const ParseError& e) {
       EXPECT_NE(std::string(e.what()).find(wrong.message), std::string::npos) << e.what();
@@ -54,19 +56,19 @@ TEST(DepthCamera, SaysWhatIsWrongAndWhere) {
   }
   for (const char* more :
        {"distortion: [1, 2]\n", "fx: 580\n", "T_WC: {xyz: [1, 2]}\n", "T_WC: {xyz: [.nan, 0, 0]}\n"})
-    EXPECT_THROW(parseDepthCamera(whole + more, "c.yaml"), ParseError) << more;
+    EXPECT_THROW(tracking::parseDepthCamera(whole + more, "c.yaml"), ParseError) << more;
 }
 
 TEST(DepthCamera, LooksAtItsTarget) {
   const Vector3d eye(3, 1, 1.5), target(0, 0, 1);
-  const Transform X_WC = lookingAt(eye, target);
+  const Transform X_WC = tracking::lookingAt(eye, target);
   EXPECT_TRUE(isPose(X_WC, kRounding));
   const Vector3d seen = X_WC.inverse() * target;
   EXPECT_LT((seen - Vector3d(0, 0, (target - eye).norm())).norm(), kRounding);
   EXPECT_LT((X_WC.inverse() * (target + Vector3d(0, 0, 0.1))).y(), 0.0);  // up is where v falls
   EXPECT_NEAR(X_WC.linear()(2, 0), 0.0, kRounding);                       // rows are level
-  EXPECT_THROW(lookingAt(eye, eye), UsageError);
-  EXPECT_THROW(lookingAt(eye, eye + Vector3d(0, 0, 1)), UsageError);
+  EXPECT_THROW(tracking::lookingAt(eye, eye), UsageError);
+  EXPECT_THROW(tracking::lookingAt(eye, eye + Vector3d(0, 0, 1)), UsageError);
 }
 
 }  // namespace

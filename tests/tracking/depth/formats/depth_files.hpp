@@ -56,7 +56,8 @@ struct TiffText {
 
 /// The points of a depth image as a PCD file; `kind` is ascii, binary or binary_compressed (packed in
 /// literals).
-inline std::string pcd(const DepthImage& image, const DepthCamera& camera, const std::string& kind) {
+inline std::string pcd(const tracking::DepthImage& image, const tracking::DepthCamera& camera,
+                       const std::string& kind) {
   std::string head =
       "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgba\nSIZE 4 4 4 4\n"
       "TYPE F F F U\nCOUNT 1 1 1 1\nWIDTH " +

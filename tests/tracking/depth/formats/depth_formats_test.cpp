@@ -19,7 +19,7 @@ namespace {
 TEST(NpyArray, ReadsNumbersOfAllKinds) {
   const auto only = [](const std::string& type, const std::string& data) {
     const std::string bytes = npy(type, "(2,)", data);
-    const NpyArray a = parseNpy(bytes, "a.npy");
+    const tracking::NpyArray a = tracking::parseNpy(bytes, "a.npy");
     EXPECT_EQ(a.size, std::vector<std::size_t>{2}) << type;
     return std::pair(a.at(0), a.at(1));
   };
@@ -40,7 +40,9 @@ TEST(NpyArray, ReadsNumbersOfAllKinds) {
 }
 
 TEST(NpyArray, RefusesWhatItDoesNotKnow) {
-  const auto says = [](const std::string& bytes) { return refusal([&] { parseNpy(bytes, "a.npy"); }); };
+  const auto says = [](const std::string& bytes) {
+    return refusal([&] { tracking::parseNpy(bytes, "a.npy"); });
+  };
   EXPECT_TRUE(holds(says("\x93NUMPX______"), "no NumPy"));
   EXPECT_TRUE(holds(says(npy("<c8", "(1,)", "12345678")), "type '\\'<c8\\''") ||
               holds(says(npy("<c8", "(1,)", "12345678")), "type"));
@@ -62,7 +64,7 @@ TEST(DepthTiff, ReadsPlainAndPackedOnes) {
       // PackBits, a row at a time: a byte n below 128 copies n + 1.
       if (packing == 32773)
         tiff.strip = std::string(1, 3) + plain.substr(0, 4) + std::string(1, 3) + plain.substr(4);
-      const DepthImage image = decodeDepthTiff(tiff.bytes(), 1000.0, "a.tiff");
+      const tracking::DepthImage image = tracking::decodeDepthTiff(tiff.bytes(), 1000.0, "a.tiff");
       ASSERT_EQ(image.width, 2);
       ASSERT_EQ(image.height, 2);
       EXPECT_EQ(image.z, (std::vector<float>{1.0f, 0.0f, 2.5f, 65.535f})) << low << " " << packing;
@@ -72,7 +74,7 @@ TEST(DepthTiff, ReadsPlainAndPackedOnes) {
 
 TEST(DepthTiff, RefusesWhatIsNoDepth) {
   const auto says = [](const std::string& bytes) {
-    return refusal([&] { decodeDepthTiff(bytes, 1000.0, "a.tiff"); });
+    return refusal([&] { tracking::decodeDepthTiff(bytes, 1000.0, "a.tiff"); });
   };
   TiffText tiff;
   tiff.strip = std::string(8, '\1');
@@ -97,36 +99,36 @@ TEST(Lzf, UnpacksRunsAndRepeats) {
                                  "ab",
                                  3) +
                              std::string("\x20\x01", 2) + std::string("\xe0\x05\x00", 3);
-  ASSERT_TRUE(unpackLzf(packed, 100, out));
+  ASSERT_TRUE(tracking::unpackLzf(packed, 100, out));
   EXPECT_EQ(out, "ababa" + std::string(14, 'a'));
-  EXPECT_TRUE(unpackLzf(packed, 19, out));
-  EXPECT_FALSE(unpackLzf(packed, 18, out));
-  EXPECT_FALSE(unpackLzf(std::string("\x05"
-                                     "ab",
-                                     3),
-                         100, out));
-  EXPECT_FALSE(unpackLzf(std::string("\x20\x01", 2), 100, out)) << "copies from before the start";
-  EXPECT_FALSE(unpackLzf(std::string("\x00"
-                                     "a\xe0\x05",
-                                     4),
-                         100, out))
+  EXPECT_TRUE(tracking::unpackLzf(packed, 19, out));
+  EXPECT_FALSE(tracking::unpackLzf(packed, 18, out));
+  EXPECT_FALSE(tracking::unpackLzf(std::string("\x05"
+                                               "ab",
+                                               3),
+                                   100, out));
+  EXPECT_FALSE(tracking::unpackLzf(std::string("\x20\x01", 2), 100, out)) << "copies from before the start";
+  EXPECT_FALSE(tracking::unpackLzf(std::string("\x00"
+                                               "a\xe0\x05",
+                                               4),
+                                   100, out))
       << "ends in a copy";
 }
 
 TEST(PcdCloud, ReadsAllThreeKindsAndFindsItsCamera) {
-  DepthCamera camera;
+  tracking::DepthCamera camera;
   camera.width = 40;
   camera.height = 30;
   camera.fx = 36.0;
   camera.fy = 35.0;
   camera.cx = 19.0;
   camera.cy = 15.5;
-  DepthImage image(40, 30);
+  tracking::DepthImage image(40, 30);
   for (int v = 0; v < 30; ++v)
     for (int u = 0; u < 40; ++u)
       image.at(u, v) = u % 7 == 0 ? 0.0f : 1.0f + 0.01f * static_cast<float>(u + v);
   for (const char* kind : {"ascii", "binary", "binary_compressed"}) {
-    const PcdCloud cloud = parsePcd(pcd(image, camera, kind), "a.pcd");
+    const tracking::PcdCloud cloud = tracking::parsePcd(pcd(image, camera, kind), "a.pcd");
     ASSERT_EQ(cloud.points.size(), 1200u) << kind;
     for (std::size_t i = 0; i < image.z.size(); ++i) {
       if (image.z[i] > 0.0f)
@@ -134,7 +136,7 @@ TEST(PcdCloud, ReadsAllThreeKindsAndFindsItsCamera) {
       else
         ASSERT_TRUE(std::isnan(cloud.points[i].z())) << kind << " " << i;
     }
-    const FittedCamera fit = fitCamera(cloud, "a.pcd");
+    const tracking::FittedCamera fit = tracking::fitCamera(cloud, "a.pcd");
     constexpr double kFloat = 1e-4;  // pixels, of points kept in float
     EXPECT_NEAR(fit.camera.fx, camera.fx, kFloat);
     EXPECT_NEAR(fit.camera.fy, camera.fy, kFloat);
@@ -142,15 +144,17 @@ TEST(PcdCloud, ReadsAllThreeKindsAndFindsItsCamera) {
     EXPECT_NEAR(fit.camera.cy, camera.cy, kFloat);
     EXPECT_LT(fit.residual, kFloat);
   }
-  PcdCloud moved = parsePcd(pcd(image, camera, "binary"), "a.pcd");
+  tracking::PcdCloud moved = tracking::parsePcd(pcd(image, camera, "binary"), "a.pcd");
   for (Vector3f& p : moved.points)
     p = Eigen::AngleAxisf(0.5f, Vector3f::UnitX()) * p + Vector3f(0.1f, 0.0f, 0.5f);
-  EXPECT_TRUE(holds(refusal([&] { fitCamera(moved, "a.pcd"); }), "no pinhole camera"));
+  EXPECT_TRUE(holds(refusal([&] { tracking::fitCamera(moved, "a.pcd"); }), "no pinhole camera"));
 }
 
 TEST(PcdCloud, RefusesWhatHasNoPixels) {
-  const std::string whole = pcd(DepthImage(4, 3), {}, "binary");
-  const auto says = [](const std::string& bytes) { return refusal([&] { parsePcd(bytes, "a.pcd"); }); };
+  const std::string whole = pcd(tracking::DepthImage(4, 3), {}, "binary");
+  const auto says = [](const std::string& bytes) {
+    return refusal([&] { tracking::parsePcd(bytes, "a.pcd"); });
+  };
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = whole;
     return text.replace(text.find(from), from.size(), to);
@@ -163,12 +167,12 @@ TEST(PcdCloud, RefusesWhatHasNoPixels) {
   EXPECT_TRUE(holds(says(with("DATA binary", "DATA zip")), "DATA 'zip'"));
   EXPECT_TRUE(holds(says(with("SIZE 4 4 4 4", "SIZE 4 4 4")), "3 values behind SIZE"));
   EXPECT_TRUE(holds(says(whole.substr(0, whole.size() - 1)), "bytes of points"));
-  std::string packed = pcd(DepthImage(4, 3), {}, "binary_compressed");
+  std::string packed = pcd(tracking::DepthImage(4, 3), {}, "binary_compressed");
   // A copy from before the start in the place of the first run.
   packed[packed.find("_compressed\n") + 12 + 8] = '\x7f';
   EXPECT_TRUE(holds(says(packed), "damaged"));
   EXPECT_TRUE(holds(refusal([] {
-                      fitCamera({4, 3, std::vector<Vector3f>(12, Vector3f::Zero())}, "a.pcd");
+                      tracking::fitCamera({4, 3, std::vector<Vector3f>(12, Vector3f::Zero())}, "a.pcd");
                     }),
                     "found 0 points"));
 }
@@ -176,20 +180,24 @@ TEST(PcdCloud, RefusesWhatHasNoPixels) {
 TEST(FreenectDepth, DumpsWhatItReads) {
   int depths = 0;
   for (int raw = 0; raw < 2048; ++raw) {
-    const float z = freenectDepth(raw);
-    EXPECT_EQ(freenectRaw(z), z > 0.0f ? raw : 2047) << raw;
+    const float z = tracking::freenectDepth(raw);
+    EXPECT_EQ(tracking::freenectRaw(z), z > 0.0f ? raw : 2047) << raw;
     depths += z > 0.0f;
   }
   EXPECT_GT(depths, 1000);
   for (const float none : {0.0f, -1.0f, 0.29f, 10.5f, std::numeric_limits<float>::quiet_NaN(),
                            std::numeric_limits<float>::infinity()})
-    EXPECT_EQ(freenectRaw(none), 2047) << none;
+    EXPECT_EQ(tracking::freenectRaw(none), 2047) << none;
   // Half a step of the line off, at most: dz = z^2 / 2 * step.
   for (float z = 0.31f; z < 9.0f; z += 0.01f)
-    EXPECT_NEAR(freenectDepth(freenectRaw(z)), z, 0.5 * 0.0030711016 * z * z * 1.02 + 1e-6) << z;
-  DepthImage image(3, 2);
-  image.z = {0.0f, freenectDepth(800), 0.0f, freenectDepth(1), freenectDepth(1050), 0.0f};
-  const FreenectImage read = parseFreenectDepth(freenectDump(image), "d.pgm");
+    EXPECT_NEAR(tracking::freenectDepth(tracking::freenectRaw(z)), z,
+                0.5 * 0.0030711016 * z * z * 1.02 + 1e-6)
+        << z;
+  tracking::DepthImage image(3, 2);
+  image.z = {
+      0.0f, tracking::freenectDepth(800), 0.0f, tracking::freenectDepth(1), tracking::freenectDepth(1050),
+      0.0f};
+  const tracking::FreenectImage read = tracking::parseFreenectDepth(tracking::freenectDump(image), "d.pgm");
   EXPECT_TRUE(read.units.is_raw);
   EXPECT_TRUE(read.units.is_low_first);
   EXPECT_EQ(read.image.z, image.z);
@@ -203,20 +211,22 @@ TEST(FreenectDepth, TellsDisparitiesFromMillimetresInBothOrders) {
     return bytes;
   };
   for (const bool low : {true, false}) {
-    const FreenectImage raw = parseFreenectDepth(dump({2047, 800, 2047, 700, 1000, 2047}, low), "d.pgm");
+    const tracking::FreenectImage raw =
+        tracking::parseFreenectDepth(dump({2047, 800, 2047, 700, 1000, 2047}, low), "d.pgm");
     EXPECT_TRUE(raw.units.is_raw);
     EXPECT_EQ(raw.units.is_low_first, low);
     EXPECT_EQ(raw.image.at(0, 0), 0.0f);
     EXPECT_NEAR(raw.image.at(1, 0), 1.0 / (3.3309495161 - 0.0030711016 * 800), 1e-6);
-    const FreenectImage mm = parseFreenectDepth(dump({0, 800, 0, 4700, 1000, 0}, low), "d.pgm");
+    const tracking::FreenectImage mm =
+        tracking::parseFreenectDepth(dump({0, 800, 0, 4700, 1000, 0}, low), "d.pgm");
     EXPECT_FALSE(mm.units.is_raw);
     EXPECT_EQ(mm.units.is_low_first, low);
     EXPECT_FLOAT_EQ(mm.image.at(0, 1), 4.7f);
     EXPECT_EQ(mm.image.at(0, 0), 0.0f);
   }
-  EXPECT_EQ(freenectDepth(1085), 0.0f) << "behind the horizon of the line";
+  EXPECT_EQ(tracking::freenectDepth(1085), 0.0f) << "behind the horizon of the line";
   const auto says = [](const std::string& bytes) {
-    return refusal([&] { parseFreenectDepth(bytes, "d.pgm"); });
+    return refusal([&] { tracking::parseFreenectDepth(bytes, "d.pgm"); });
   };
   EXPECT_TRUE(holds(says(dump({1, 2}, true)), "4 bytes of pixels, expected 12"));
   EXPECT_TRUE(holds(says(dump({1, 2}, true, "P6 3 2 65535\n")), "P5"));

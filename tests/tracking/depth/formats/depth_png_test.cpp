@@ -15,15 +15,15 @@ namespace {
 
 TEST(DepthPng, KeepsWholeUnitsAndNothingElse) {
   const ScratchFolder folder;
-  DepthImage image(7, 3);
+  tracking::DepthImage image(7, 3);
   image.at(0, 0) = 1.2345f;
   image.at(6, 2) = 65.535f;
   image.at(1, 1) = 65.6f;  // beyond 16 bits
   image.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
   image.at(3, 1) = -1.0f;
   const auto file = folder.path() / "d.png";
-  saveDepthPng(image, 1000.0, file);
-  const DepthImage again = loadDepthPng(file, 1000.0);
+  tracking::saveDepthPng(image, 1000.0, file);
+  const tracking::DepthImage again = tracking::loadDepthPng(file, 1000.0);
   ASSERT_EQ(again.width, 7);
   ASSERT_EQ(again.height, 3);
   EXPECT_NEAR(again.at(0, 0), 1.2345, 0.0005 + 1e-6);
@@ -34,12 +34,12 @@ TEST(DepthPng, KeepsWholeUnitsAndNothingElse) {
 TEST(DepthPng, RefusesWhatIsNoDepth) {
   const ScratchFolder folder;
   const auto file = folder.path() / "d.png";
-  saveDepthPng(DepthImage(20, 20), 1000.0, file);
+  tracking::saveDepthPng(tracking::DepthImage(20, 20), 1000.0, file);
   const std::string whole = readFile(file);
   const auto refused = [&](const std::string& bytes, const char* message) {
     std::ofstream(file, std::ios::binary) << bytes;
     try {
-      loadDepthPng(file, 1000.0);
+      tracking::loadDepthPng(file, 1000.0);
       ADD_FAILURE() << message;
     } catch (const ParseError& e) {
       EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
@@ -59,7 +59,7 @@ TEST(DepthPng, RefusesWhatIsNoDepth) {
 TEST(DepthPng, ReadsRealDepth) {
   const auto file = sharedData("depth/itop/ITOP_train_000000000053.png");
   if (!exists(file)) GTEST_SKIP() << file;
-  const DepthImage image = loadDepthPng(file, 1000.0);
+  const tracking::DepthImage image = tracking::loadDepthPng(file, 1000.0);
   EXPECT_EQ(image.width, 320);
   EXPECT_EQ(image.height, 240);
   const float middle = image.at(160, 120);

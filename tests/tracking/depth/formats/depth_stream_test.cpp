@@ -15,34 +15,34 @@ namespace abstand::testing {
 namespace {
 
 /// An image that tells its number: all `number` / 8 m, one pixel not measured.
-DepthImage numbered(int number, int width = 8, int height = 6) {
-  DepthImage image(width, height);
+tracking::DepthImage numbered(int number, int width = 8, int height = 6) {
+  tracking::DepthImage image(width, height);
   for (float& z : image.z) z = static_cast<float>(number) * 0.125f;
   image.at(1, 2) = 0.0f;
   return image;
 }
 
 std::string cameraText(int width = 8, int height = 6, double scale = 1000.0) {
-  DepthCamera camera;
+  tracking::DepthCamera camera;
   camera.width = width;
   camera.height = height;
   camera.depth_scale = scale;
-  return describeDepthCamera(camera);
+  return tracking::describeDepthCamera(camera);
 }
 
 /// The numbers of all frames of a stream.
-std::vector<int> numbers(DepthStream& stream) {
+std::vector<int> numbers(tracking::DepthStream& stream) {
   std::vector<int> found;
-  for (DepthFrame frame; stream.next(frame);) {
+  for (tracking::DepthFrame frame; stream.next(frame);) {
     EXPECT_EQ(frame.image.at(1, 2), 0.0f);
     found.push_back(static_cast<int>(std::lround(frame.image.at(0, 0) * 8.0f)));
   }
   return found;
 }
 
-std::string refusal(const std::filesystem::path& path, const DepthStreamOptions& options = {}) {
+std::string refusal(const std::filesystem::path& path, const tracking::DepthStreamOptions& options = {}) {
   try {
-    openDepthStream(path, options);
+    tracking::openDepthStream(path, options);
   } catch (const ParseError& e) {
     return e.message();
   }
@@ -54,8 +54,9 @@ TEST(DepthStream, ReadsAClipOfTheSimulator) {
   folder.write("camera.yaml", cameraText());
   folder.write("depth.txt", "# time [s], file\n2.000000 depth_000000.png\n2.033333 depth_000001.png\n");
   for (int i = 0; i < 2; ++i)
-    saveDepthPng(numbered(i + 5), 1000.0, folder.path() / ("depth_00000" + std::to_string(i) + ".png"));
-  const auto stream = openDepthStream(folder.path());
+    tracking::saveDepthPng(numbered(i + 5), 1000.0,
+                           folder.path() / ("depth_00000" + std::to_string(i) + ".png"));
+  const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_EQ(stream->facts().format, "clip");
   EXPECT_TRUE(stream->facts().camera_known);
   EXPECT_FALSE(stream->facts().pose_known);
@@ -64,19 +65,20 @@ TEST(DepthStream, ReadsAClipOfTheSimulator) {
   EXPECT_EQ(numbers(*stream), (std::vector<int>{5, 6}));
   stream->seek(1);
   EXPECT_EQ(numbers(*stream), std::vector<int>{6});
-  EXPECT_EQ(openDepthStream(folder.path(), {{}, 10.0})->times(), (std::vector<double>{0.0, 0.1}));
-  EXPECT_THROW(openDepthStream(folder.path(), {{}, -1.0}), UsageError);
+  EXPECT_EQ(tracking::openDepthStream(folder.path(), {{}, 10.0})->times(), (std::vector<double>{0.0, 0.1}));
+  EXPECT_THROW(tracking::openDepthStream(folder.path(), {{}, -1.0}), UsageError);
 }
 
 TEST(DepthStream, ReadsTheTumLayout) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path() / "depth");
   for (const int i : {1, 2})
-    saveDepthPng(numbered(i, 640, 480), 5000.0, folder.path() / "depth" / (std::to_string(i) + ".png"));
+    tracking::saveDepthPng(numbered(i, 640, 480), 5000.0,
+                           folder.path() / "depth" / (std::to_string(i) + ".png"));
   folder.write(
       "depth.txt",
       "# depth maps\n# timestamp filename\n1305031102.160407 depth/1.png\n1305031102.194330 depth/2.png\n");
-  const auto stream = openDepthStream(folder.path());
+  const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_EQ(stream->facts().format, "tum");
   EXPECT_EQ(stream->camera().fx, 525.0);
   EXPECT_NEAR(stream->times()[1], 0.033923, 1e-6);
@@ -87,7 +89,7 @@ TEST(DepthStream, ReadsTheTumLayout) {
   folder.write(
       "associations.txt",
       "1.0 rgb/1.png 1.1 depth/1.png\n1.05 rgb/2.png 1.1 depth/1.png\n1.2 rgb/3.png 1.3 depth/2.png\n");
-  const auto other = openDepthStream(folder.path() / "associations.txt");
+  const auto other = tracking::openDepthStream(folder.path() / "associations.txt");
   EXPECT_EQ(numbers(*other), (std::vector<int>{1, 2}));
   EXPECT_EQ(other->facts().notes.size(), 1u);
 }
@@ -95,7 +97,7 @@ TEST(DepthStream, ReadsTheTumLayout) {
 TEST(DepthStream, RefusesListsThatLeadAstray) {
   const auto says = [](const std::string& list) {
     const ScratchFolder folder;
-    saveDepthPng(numbered(1, 640, 480), 5000.0, folder.path() / "1.png");
+    tracking::saveDepthPng(numbered(1, 640, 480), 5000.0, folder.path() / "1.png");
     return refusal(folder.write("depth.txt", list));
   };
   EXPECT_EQ(says("1.0 1.png\n0.5 1.png\n"), "found the time 0.5 after 1, expected times that rise");
@@ -109,29 +111,30 @@ TEST(DepthStream, RefusesListsThatLeadAstray) {
 TEST(DepthStream, ReadsAFolderOfImagesInNaturalOrder) {
   const ScratchFolder folder;
   for (const int i : {1, 2, 10, 11})
-    saveDepthPng(numbered(i), 1000.0, folder.path() / ("d" + std::to_string(i) + ".png"));
+    tracking::saveDepthPng(numbered(i), 1000.0, folder.path() / ("d" + std::to_string(i) + ".png"));
   EXPECT_EQ(refusal(folder.path()),
             "found 8 x 6 pixels and no camera file, expected one, as no known sensor has that size");
   folder.write("camera.yaml", cameraText());
-  const auto stream = openDepthStream(folder.path());
+  const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_EQ(stream->facts().format, "png");
   EXPECT_EQ(stream->facts().rate_reason, "no times in the files; 30 Hz assumed");
   EXPECT_EQ(numbers(*stream), (std::vector<int>{1, 2, 10, 11}));
   // Another scale in a camera file that is given.
   const ScratchFolder elsewhere;
   const auto camera = elsewhere.write("half.yaml", cameraText(8, 6, 500.0));
-  EXPECT_EQ(numbers(*openDepthStream(folder.path(), {camera, 0.0})), (std::vector<int>{2, 4, 20, 22}));
+  EXPECT_EQ(numbers(*tracking::openDepthStream(folder.path(), {camera, 0.0})),
+            (std::vector<int>{2, 4, 20, 22}));
   const auto wrong = elsewhere.write("wrong.yaml", cameraText(9, 6));
   EXPECT_EQ(refusal(folder.path(), {wrong, 0.0}), "found 8 x 6 pixels, expected 9 x 6 as its camera has");
   // One that is of another size is found when it is its turn.
-  saveDepthPng(numbered(3, 4, 4), 1000.0, folder.path() / "d3.png");
-  EXPECT_THROW(numbers(*openDepthStream(folder.path())), ParseError);
+  tracking::saveDepthPng(numbered(3, 4, 4), 1000.0, folder.path() / "d3.png");
+  EXPECT_THROW(numbers(*tracking::openDepthStream(folder.path())), ParseError);
 }
 
 TEST(DepthStream, KnowsKinectsByTheirSize) {
   const ScratchFolder folder;
-  saveDepthPng(numbered(8, 320, 240), 1000.0, folder.path() / "1.png");
-  const auto stream = openDepthStream(folder.path() / "1.png");
+  tracking::saveDepthPng(numbered(8, 320, 240), 1000.0, folder.path() / "1.png");
+  const auto stream = tracking::openDepthStream(folder.path() / "1.png");
   EXPECT_EQ(stream->camera().fx, 285.63);
   EXPECT_FALSE(stream->facts().camera_known);
   EXPECT_EQ(stream->facts().camera_reason,
@@ -153,7 +156,7 @@ TEST(DepthStream, ReadsFreenectRecords) {
                      2);
     folder.write("d-1300000000." + std::string(n == 2 ? "200000-2" : "233000-3") + ".pgm", pgm);
   }
-  const auto stream = openDepthStream(folder.path());
+  const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_EQ(stream->facts().format, "freenect");
   EXPECT_NEAR(stream->times().at(1), 0.033, 1e-6);
   EXPECT_EQ(numbers(*stream), (std::vector<int>{8, 12}));
@@ -165,7 +168,7 @@ TEST(DepthStream, ReadsFreenectRecords) {
 
 TEST(DepthStream, ReadsCloudsTiffAndArrays) {
   const ScratchFolder clouds, tiffs, arrays;
-  DepthCamera camera = parseDepthCamera(cameraText(12, 12), "c");
+  tracking::DepthCamera camera = tracking::parseDepthCamera(cameraText(12, 12), "c");
   camera.fx = camera.fy = 10.0;
   camera.cx = camera.cy = 5.5;
   std::string stack;
@@ -181,16 +184,16 @@ TEST(DepthStream, ReadsCloudsTiffAndArrays) {
     }
     tiffs.write(std::to_string(n) + ".tif", tiff.bytes());
   }
-  const auto cloud = openDepthStream(clouds.path());
+  const auto cloud = tracking::openDepthStream(clouds.path());
   EXPECT_NEAR(cloud->camera().fx, 10.0, 1e-4);
   EXPECT_EQ(cloud->facts().format, "pcd");
   EXPECT_EQ(numbers(*cloud), (std::vector<int>{9, 10}));
-  EXPECT_EQ(numbers(*openDepthStream(tiffs.path())), (std::vector<int>{9, 10}));
+  EXPECT_EQ(numbers(*tracking::openDepthStream(tiffs.path())), (std::vector<int>{9, 10}));
   const auto array = arrays.write("a.npy", npy("<f4", "(2, 6, 8)", stack));
   const auto camera_file = arrays.write("8x6.yaml", cameraText());
-  EXPECT_EQ(numbers(*openDepthStream(array, {camera_file, 0.0})), (std::vector<int>{9, 10}));
+  EXPECT_EQ(numbers(*tracking::openDepthStream(array, {camera_file, 0.0})), (std::vector<int>{9, 10}));
   // Two kinds in one folder.
-  saveDepthPng(numbered(1), 1000.0, clouds.path() / "1.png");
+  tracking::saveDepthPng(numbered(1), 1000.0, clouds.path() / "1.png");
   EXPECT_EQ(refusal(clouds.path()), "found depth as png and as pcd in one folder, expected one kind");
 }
 
@@ -205,23 +208,23 @@ TEST(DepthStream, SaysWhyItRefuses) {
 
 TEST(DepthStream, TakesDistortionOut) {
   const ScratchFolder folder;
-  DepthCamera camera;
+  tracking::DepthCamera camera;
   camera.width = 64;
   camera.height = 48;
   camera.fx = camera.fy = 50.0;
   camera.cx = 31.5;
   camera.cy = 23.5;
   camera.distortion[0] = -0.2;
-  folder.write("camera.yaml", describeDepthCamera(camera));
+  folder.write("camera.yaml", tracking::describeDepthCamera(camera));
   // The one pixel that a lens with k1 = -0.2 shows for the ideal (55, 40): 1 + k1 rr nearer to the middle.
   const double x = (55 - 31.5) / 50.0, y = (40 - 23.5) / 50.0, shrink = 1.0 - 0.2 * (x * x + y * y);
-  DepthImage image(64, 48);
+  tracking::DepthImage image(64, 48);
   image.at(static_cast<int>(std::lround(50.0 * x * shrink + 31.5)),
            static_cast<int>(std::lround(50.0 * y * shrink + 23.5))) = 1.5f;
-  saveDepthPng(image, 1000.0, folder.path() / "1.png");
-  const auto stream = openDepthStream(folder.path());
+  tracking::saveDepthPng(image, 1000.0, folder.path() / "1.png");
+  const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_TRUE(stream->camera().distortion.isZero(0.0));
-  DepthFrame frame;
+  tracking::DepthFrame frame;
   ASSERT_TRUE(stream->next(frame));
   EXPECT_EQ(frame.image.at(55, 40), 1.5f);
   EXPECT_EQ(stream->facts().notes.size(), 1u);
@@ -232,10 +235,10 @@ TEST(DepthStream, TakesDistortionOut) {
 TEST(DepthStream, FivePeopleAreThePointsThatPclReads) {
   const auto file = sharedData("depth/pcl/five_people.pcd");
   if (!exists(file)) GTEST_SKIP() << file;
-  const auto stream = openDepthStream(file);
+  const auto stream = tracking::openDepthStream(file);
   EXPECT_NEAR(stream->camera().fx, 525.0, 0.01);
   EXPECT_NEAR(stream->camera().fy, 525.0, 0.01);
-  DepthFrame frame;
+  tracking::DepthFrame frame;
   ASSERT_TRUE(stream->next(frame));
   std::size_t measured = 0;
   double sum = 0.0;
@@ -248,21 +251,22 @@ TEST(DepthStream, FivePeopleAreThePointsThatPclReads) {
 TEST(DepthStream, ItopIsTheSameAsArrayAndAsImage) {
   const auto array = sharedData("depth/itop/ITOP_train_000000000053.npy");
   if (!exists(array)) GTEST_SKIP() << array;
-  DepthFrame a, b;
-  const auto stream = openDepthStream(array);
+  tracking::DepthFrame a, b;
+  const auto stream = tracking::openDepthStream(array);
   EXPECT_EQ(stream->camera().fx, 285.7143);
   ASSERT_TRUE(stream->next(a));
-  ASSERT_TRUE(openDepthStream(sharedData("depth/itop/ITOP_train_000000000053.png"))->next(b));
+  ASSERT_TRUE(tracking::openDepthStream(sharedData("depth/itop/ITOP_train_000000000053.png"))->next(b));
   EXPECT_EQ(a.image.z, b.image.z);
 }
 
 TEST(DepthStream, UtdMhadIsTheSameAsMatrixAndAsImages) {
   const auto file = sharedData("depth/utd_mhad/a18_s1_t1_depth.mat");
   if (!exists(file)) GTEST_SKIP() << file;
-  const auto matrix = openDepthStream(file), images = openDepthStream(sharedData("depth/utd_mhad/a18_s1_t1"));
+  const auto matrix = tracking::openDepthStream(file),
+             images = tracking::openDepthStream(sharedData("depth/utd_mhad/a18_s1_t1"));
   EXPECT_EQ(matrix->facts().format, "utd-mhad");
   EXPECT_EQ(matrix->size(), 65u);
-  DepthFrame a, b;
+  tracking::DepthFrame a, b;
   while (matrix->next(a)) {
     ASSERT_TRUE(images->next(b));
     // The set's images are mirrored; of the matrix that is known, of loose images it is not.
@@ -276,8 +280,8 @@ TEST(DepthStream, UtdMhadIsTheSameAsMatrixAndAsImages) {
 TEST(DepthStream, ReadsATiffOfPackBits) {
   const auto folder = sharedData("depth/pcl/grabber");
   if (!exists(folder)) GTEST_SKIP() << folder;
-  DepthFrame frame;
-  ASSERT_TRUE(openDepthStream(folder)->next(frame));
+  tracking::DepthFrame frame;
+  ASSERT_TRUE(tracking::openDepthStream(folder)->next(frame));
   std::size_t measured = 0;
   for (const float z : frame.image.z) measured += z > 0.3f && z < 10.0f;
   EXPECT_GT(measured, frame.image.z.size() / 2);

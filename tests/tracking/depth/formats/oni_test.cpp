@@ -19,8 +19,8 @@ using Numbers = std::vector<std::uint16_t>;
 std::string refusalOf(const std::string& bytes) {
   std::istringstream in(bytes);
   return refusal([&] {
-    const OniDepth depth = readOni(in, "a.oni");
-    for (const OniFrame& frame : depth.frames) readOniImage(in, depth, frame, "a.oni");
+    const tracking::OniDepth depth = tracking::readOni(in, "a.oni");
+    for (const tracking::OniFrame& frame : depth.frames) tracking::readOniImage(in, depth, frame, "a.oni");
   });
 }
 
@@ -28,18 +28,19 @@ std::string refusalOf(const std::string& bytes) {
 /// 2 m, and a disc with its centre at (n, n) in image n, 1 m + 3 mm (x - y) away. The zeros behind its last
 /// record are left out.
 TEST(OniRecording, ReadsWhatOpenNIWrote) {
-  const auto stream = openDepthStream(projectFile("tests/tracking/depth/formats/openni2_dummy.oni"));
+  const auto stream =
+      tracking::openDepthStream(projectFile("tests/tracking/depth/formats/openni2_dummy.oni"));
   EXPECT_EQ(stream->facts().format, "oni");
   EXPECT_EQ(stream->camera().width, 320);
   EXPECT_EQ(stream->camera().height, 240);
   ASSERT_EQ(stream->size(), 5u);
   EXPECT_NEAR(stream->facts().rate, 1.0 / 0.033, 1e-6);
   EXPECT_EQ(stream->times().front(), 0.0);
-  DepthFrame frame;
+  tracking::DepthFrame frame;
   int n = -1;
   while (stream->next(frame)) {
     const auto expected = [](int k) {
-      DepthImage image(320, 240);
+      tracking::DepthImage image(320, 240);
       for (int y = std::max(k - 10, 0); y < k + 10; ++y)
         for (int x = std::max(k - 10, 0); x < k + 10; ++x)
           if ((x - k) * (x - k) + (y - k) * (y - k) < 70)
@@ -67,17 +68,20 @@ TEST(OniPacking, UnpacksWhatIsPacked) {
       value = std::clamp(value, 0, 32767);  // 15 bits: what a number in full has room for
       n = static_cast<std::uint16_t>(value);
     }
-    EXPECT_EQ(unpackOni(packed16z(numbers), OniPacking::k16z, numbers.size(), "a"), numbers);
-    EXPECT_EQ(unpackOni(packed16zTable(numbers), OniPacking::kTable, numbers.size(), "a"), numbers);
-    EXPECT_EQ(unpackOni(plain16(numbers), OniPacking::kNone, numbers.size(), "a"), numbers);
+    EXPECT_EQ(tracking::unpackOni(packed16z(numbers), tracking::OniPacking::k16z, numbers.size(), "a"),
+              numbers);
+    EXPECT_EQ(tracking::unpackOni(packed16zTable(numbers), tracking::OniPacking::kTable, numbers.size(), "a"),
+              numbers);
+    EXPECT_EQ(tracking::unpackOni(plain16(numbers), tracking::OniPacking::kNone, numbers.size(), "a"),
+              numbers);
   }
 }
 
 TEST(OniPacking, RefusesWhatIsDamaged) {
-  const auto says = [](const std::string& bytes, OniPacking packing, std::size_t count) {
-    return refusal([&] { unpackOni(bytes, packing, count, "a.oni"); });
+  const auto says = [](const std::string& bytes, tracking::OniPacking packing, std::size_t count) {
+    return refusal([&] { tracking::unpackOni(bytes, packing, count, "a.oni"); });
   };
-  using enum OniPacking;
+  using enum tracking::OniPacking;
   EXPECT_TRUE(holds(says("", k16z, 4), "found its end"));
   EXPECT_TRUE(holds(says(plain16({1, 2}), kNone, 3), "4 bytes of pixels, expected 6"));
   EXPECT_TRUE(holds(says(packed16z({1, 1, 1, 1, 1}), k16z, 4), "more than 4 pixels"));
@@ -93,15 +97,15 @@ TEST(OniPacking, RefusesWhatIsDamaged) {
 
 const Numbers kFirst{0, 800, 801, 2000, 2000, 2000, 0, 9999}, kSecond{1, 1, 1, 1, 1, 1, 1, 1};
 
-OniDepth depthOf(const std::string& bytes) {
+tracking::OniDepth depthOf(const std::string& bytes) {
   std::istringstream in(bytes);
-  return readOni(in, "a.oni");
+  return tracking::readOni(in, "a.oni");
 }
 
-DepthImage imageOf(const std::string& bytes, std::size_t i) {
+tracking::DepthImage imageOf(const std::string& bytes, std::size_t i) {
   std::istringstream in(bytes);
-  const OniDepth depth = readOni(in, "a.oni");
-  return readOniImage(in, depth, depth.frames.at(i), "a.oni");
+  const tracking::OniDepth depth = tracking::readOni(in, "a.oni");
+  return tracking::readOniImage(in, depth, depth.frames.at(i), "a.oni");
 }
 
 TEST(OniRecording, TakesTheDepthAmongOtherStreams) {
@@ -113,7 +117,7 @@ TEST(OniRecording, TakesTheDepthAmongOtherStreams) {
     text.property(4, "xnFOV", OniText::real(1.0) + OniText::real(0.8));
     text.image(1, 0.0, "colour").image(4, 0.5, packed16z(kFirst)).image(1, 0.6, "colour");
     text.image(4, 0.54, packed16z(kSecond));
-    const OniDepth depth = depthOf(text.end());
+    const tracking::OniDepth depth = depthOf(text.end());
     EXPECT_EQ(depth.width, 4);
     EXPECT_EQ(depth.height, 2);
     EXPECT_EQ(depth.metres, 1e-4);
@@ -136,13 +140,13 @@ TEST(OniRecording, IsAStreamOfDepth) {
   text.stream(1, "NONE").size(1, 4, 2).property(1, "xnFOV", OniText::real(1.0) + OniText::real(0.8));
   text.property(1, "xnMirror", bytesOf(1, 8), true);
   text.image(1, 3.0, plain16(kFirst)).image(1, 3.04, plain16(kSecond));
-  const auto stream = openDepthStream(folder.write("a.oni", text.end()));
+  const auto stream = tracking::openDepthStream(folder.write("a.oni", text.end()));
   EXPECT_EQ(stream->times(), (std::vector<double>{0.0, 3.04 - 3.0}));
   EXPECT_EQ(stream->facts().camera_reason, "the field of view in the file");
   EXPECT_NEAR(stream->camera().fx, 2.0 / std::tan(0.5), 1e-12);
   EXPECT_NEAR(stream->camera().fy, 1.0 / std::tan(0.4), 1e-12);
   EXPECT_NEAR(stream->camera().cx, 4 - 1 - 2.0, 1e-12);  // of a mirror
-  DepthFrame frame;
+  tracking::DepthFrame frame;
   ASSERT_TRUE(stream->next(frame));
   EXPECT_FLOAT_EQ(frame.image.at(3, 0), 0.0f);
   EXPECT_FLOAT_EQ(frame.image.at(2, 0), 0.8f);
@@ -165,7 +169,7 @@ TEST(OniRecording, ReadsWhatIsWholeOfACutFile) {
       EXPECT_TRUE(holds(refusalOf(part), "a.oni: error: at byte")) << n;
       continue;
     }
-    const OniDepth depth = depthOf(part);
+    const tracking::OniDepth depth = depthOf(part);
     EXPECT_EQ(depth.frames.size(), n == bytes.size() ? 2u : 1u) << n;
     EXPECT_TRUE(depth.is_cut);
     EXPECT_FLOAT_EQ(imageOf(part, 0).at(1, 0), 0.8f);

@@ -6,11 +6,11 @@
 namespace abstand::testing {
 namespace {
 
-std::string refusal(const char* role, const std::string& name = kKinectSource,
-                    const DepthStreamOptions& options = {}) {
+std::string refusal(const char* role, const std::string& name = tracking::kKinectSource,
+                    const tracking::DepthStreamOptions& options = {}) {
   ::setenv("FAKE_KINECT", role, 1);
   try {
-    LiveDepth camera(name, options);
+    tracking::LiveDepth camera(name, options);
   } catch (const std::exception& e) {
     return e.what();
   }
@@ -30,24 +30,24 @@ TEST(LiveDepth, SaysWhyThereIsNoCamera) {
             "expected one that no other program uses, and the right to use it, which on Debian the group "
             "plugdev has");
   EXPECT_EQ(refusal("mm:1", "live:webcam"), "found the camera 'live:webcam', expected live:kinect");
-  DepthStreamOptions rate;
+  tracking::DepthStreamOptions rate;
   rate.rate = 30.0;
-  EXPECT_EQ(refusal("mm:1", kKinectSource, rate),
+  EXPECT_EQ(refusal("mm:1", tracking::kKinectSource, rate),
             "--rate: found with a camera that looks now, expected a recording");
 }
 
 TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:7", 1);
-  LiveDepth camera(kKinectSource, {});
+  tracking::LiveDepth camera(tracking::kKinectSource, {});
   EXPECT_EQ(camera.facts().notes.front(), "millimetres by the camera's own calibration");
   EXPECT_FALSE(camera.facts().pose_known);
-  const std::vector<LiveFrame> frames = watch(camera);
+  const std::vector<tracking::LiveFrame> frames = watch(camera);
   EXPECT_EQ(frames.size() + camera.dropped(), 7u);
   ASSERT_FALSE(frames.empty());
   // The newest wins: whatever was dropped, the last one was not.
   EXPECT_FLOAT_EQ(frames.back().frame.image.z.back(), 0.706f);
-  for (const LiveFrame& f : frames) {
+  for (const tracking::LiveFrame& f : frames) {
     EXPECT_EQ(f.frame.image.z[0], 0.0f);
     EXPECT_EQ(f.frame.image.z[1], 0.0f) << "65535 is no depth";
   }
@@ -59,26 +59,26 @@ TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
       camera.ended(),
       "found the camera gone after 7 images (USB camera marked dead, stopping streams), expected it to stay "
       "plugged in");
-  LiveFrame none;
-  EXPECT_EQ(camera.next(none, 0.0), LiveDepth::Outcome::kEnded) << "it stays ended";
+  tracking::LiveFrame none;
+  EXPECT_EQ(camera.next(none, 0.0), tracking::LiveDepth::Outcome::kEnded) << "it stays ended";
 }
 
 TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "silent", 1);
-  LiveDepth camera(kKinectSource, {});
-  LiveFrame frame;
-  EXPECT_EQ(camera.next(frame, 0.02), LiveDepth::Outcome::kNothingYet);
+  tracking::LiveDepth camera(tracking::kKinectSource, {});
+  tracking::LiveFrame frame;
+  EXPECT_EQ(camera.next(frame, 0.02), tracking::LiveDepth::Outcome::kNothingYet);
   EXPECT_EQ(camera.ended(), "");
 }
 
 TEST(LiveDepth, TurnsTheImagesOfAMirrorBack) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:1", 1);
-  DepthStreamOptions options;
+  tracking::DepthStreamOptions options;
   options.mirror = true;
-  LiveDepth camera(kKinectSource, options);
-  const std::vector<LiveFrame> frames = watch(camera);
+  tracking::LiveDepth camera(tracking::kKinectSource, options);
+  const std::vector<tracking::LiveFrame> frames = watch(camera);
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_EQ(frames[0].frame.image.at(639, 0), 0.0f);
   EXPECT_GT(frames[0].frame.image.at(0, 0), 0.0f);

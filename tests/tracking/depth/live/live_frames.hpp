@@ -17,10 +17,10 @@ inline bool loadDriver(const char* library) {
   return *library != '\0' && ::dlopen(library, RTLD_NOW) != nullptr;
 }
 
-inline std::vector<LiveFrame> watch(LiveDepth& camera) {
-  std::vector<LiveFrame> frames;
-  LiveFrame frame;
-  while (camera.next(frame, kPatience) == LiveDepth::Outcome::kFrame) frames.push_back(frame);
+inline std::vector<tracking::LiveFrame> watch(tracking::LiveDepth& camera) {
+  std::vector<tracking::LiveFrame> frames;
+  tracking::LiveFrame frame;
+  while (camera.next(frame, kPatience) == tracking::LiveDepth::Outcome::kFrame) frames.push_back(frame);
   return frames;
 }
 

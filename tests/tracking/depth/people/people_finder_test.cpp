@@ -18,7 +18,7 @@
 namespace abstand::testing {
 namespace {
 
-using enum Joint;
+using enum humanmodel::Joint;
 
 constexpr double kStature = 1.7;  // m, of the people
 constexpr double kStep = 0.1;     // s between images
@@ -26,8 +26,8 @@ constexpr double kStep = 0.1;     // s between images
 /// Shares of pixels: edges fray, the soles lie within the floor's noise, and a hand may be cut off.
 constexpr double kMinFound = 0.85, kMinRight = 0.95;
 
-TriangleMesh box(const Vector3d& size, const Vector3d& centre) {
-  TriangleMesh mesh = tessellate(Cuboid{size}, 0.01);
+geometry::TriangleMesh box(const Vector3d& size, const Vector3d& centre) {
+  geometry::TriangleMesh mesh = geometry::tessellate(geometry::Cuboid{size}, 0.01);
   for (Vector3d& p : mesh.vertices) p += centre;
   return mesh;
 }
@@ -41,40 +41,40 @@ class Room {
     camera_.fx = camera_.fy = 285.63;
     camera_.cx = 159.5;
     camera_.cy = 119.5;
-    X_WC_ = lookingAt({0, 0, 1.3}, {1.0, 0, 1.3 - std::tan(unit::deg(12.0))});
+    X_WC_ = tracking::lookingAt({0, 0, 1.3}, {1.0, 0, 1.3 - std::tan(unit::deg(12.0))});
     things_.push_back(box({12, 8, 0.02}, {4, 0, -0.01}));
     things_.push_back(box({0.02, 8, 3}, {4.6, 0, 1.5}));
   }
   /// Intrinsics alone: where the camera is, is to be found out.
-  const DepthCamera& camera() const { return camera_; }
+  const tracking::DepthCamera& camera() const { return camera_; }
   const Transform& X_WC() const { return X_WC_; }
-  void furnish(TriangleMesh thing) { things_.push_back(std::move(thing)); }
+  void furnish(geometry::TriangleMesh thing) { things_.push_back(std::move(thing)); }
 
   /// What stands there, each person a skeleton; `truth` says who is seen, 1 + index, 0 for things.
-  DepthImage see(const std::vector<SkeletonFrame>& people, std::uint64_t frame) {
-    DepthRender render(camera_);
-    for (const TriangleMesh& mesh : things_) render.draw(mesh, X_WC_.inverse());
+  tracking::DepthImage see(const std::vector<humanmodel::SkeletonFrame>& people, std::uint64_t frame) {
+    tracking::DepthRender render(camera_);
+    for (const geometry::TriangleMesh& mesh : things_) render.draw(mesh, X_WC_.inverse());
     truth.assign(render.image().z.size(), 0);
     for (std::size_t k = 0; k < people.size(); ++k) {
       const std::vector<float> before = render.image().z;
-      for (const SkinPart& part : SkinBody(kStature, {}).wrap(people[k]))
+      for (const tracking::SkinPart& part : tracking::SkinBody(kStature, {}).wrap(people[k]))
         render.draw(part.mesh, X_WC_.inverse());
       for (std::size_t i = 0; i < before.size(); ++i)
         if (render.image().z[i] != before[i]) truth[i] = static_cast<std::uint8_t>(k + 1);
     }
-    return seenByKinect(render.image(), camera_, KinectNoise{}, 1, frame);
+    return tracking::seenByKinect(render.image(), camera_, tracking::KinectNoise{}, 1, frame);
   }
   std::vector<std::uint8_t> truth;
 
  private:
-  DepthCamera camera_;
+  tracking::DepthCamera camera_;
   Transform X_WC_;
-  std::vector<TriangleMesh> things_;
+  std::vector<geometry::TriangleMesh> things_;
 };
 
 /// A person who walks on the spot at (x, y), facing the camera.
-SkeletonFrame personAt(double x, double y, double t) {
-  SkeletonFrame f = walking(t, kStature);
+humanmodel::SkeletonFrame personAt(double x, double y, double t) {
+  humanmodel::SkeletonFrame f = walking(t, kStature);
   const Matrix3d R = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix();
   for (Vector3d& p : f.p) p = R * p + Vector3d(x, y, 0.0);
   return f;
@@ -86,8 +86,8 @@ struct Overlap {
   double found() const { return static_cast<double>(both) / static_cast<double>(truth); }
   double right() const { return static_cast<double>(both) / static_cast<double>(label); }
 };
-Overlap overlap(const Room& room, const DepthImage& image, std::size_t person, const PeopleImage& people,
-                std::size_t index) {
+Overlap overlap(const Room& room, const tracking::DepthImage& image, std::size_t person,
+                const tracking::PeopleImage& people, std::size_t index) {
   Overlap o;
   for (std::size_t i = 0; i < image.z.size(); ++i) {
     if (image.z[i] == 0.0f) continue;
@@ -102,11 +102,11 @@ Overlap overlap(const Room& room, const DepthImage& image, std::size_t person, c
 TEST(FloorPlane, IsFoundWhereItLies) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Room room;
-    const DepthImage image = room.see({personAt(2.6, 0.3, 1.0)}, seed);
-    FloorFinder finder;
+    const tracking::DepthImage image = room.see({personAt(2.6, 0.3, 1.0)}, seed);
+    tracking::FloorFinder finder;
     const auto floor = finder.find(image, room.camera(), seed);
     ASSERT_TRUE(floor.has_value()) << seed;
-    const FloorPlane truth = floorOfWorld(room.X_WC());
+    const tracking::FloorPlane truth = tracking::floorOfWorld(room.X_WC());
     EXPECT_NEAR(truth.height, 1.3, 1e-12);
     EXPECT_NEAR(floor->height, truth.height, 0.03) << seed;  // a step of disparity at 3 m, twice
     EXPECT_GT(floor->up.dot(truth.up), std::cos(unit::deg(1.0))) << seed;
@@ -114,10 +114,10 @@ TEST(FloorPlane, IsFoundWhereItLies) {
   }
   // A person alone has no floor under the feet.
   Room room;
-  DepthImage image = room.see({personAt(2.6, 0.3, 1.0)}, 1);
+  tracking::DepthImage image = room.see({personAt(2.6, 0.3, 1.0)}, 1);
   for (std::size_t i = 0; i < image.z.size(); ++i)
     if (room.truth[i] == 0) image.z[i] = 0.0f;
-  FloorFinder finder;
+  tracking::FloorFinder finder;
   EXPECT_FALSE(finder.find(image, room.camera(), 1).has_value());
 }
 
@@ -126,24 +126,24 @@ TEST(PeopleFinder, FindsNobodyInARoomWithFurniture) {
   room.furnish(box({0.8, 1.4, 0.04}, {3.0, -1.0, 0.72}));  // a table
   room.furnish(box({0.4, 0.9, 1.8}, {4.3, 1.2, 0.9}));     // a shelf, as high as a person
   room.furnish(box({0.45, 0.45, 0.9}, {2.4, 0.9, 0.45}));  // a chair
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   for (int i = 0; i < 25; ++i)
     EXPECT_TRUE(finder.find(i * kStep, room.see({}, static_cast<std::uint64_t>(i))).persons.empty()) << i;
 }
 
 TEST(PeopleFinder, KeepsTwoWhoCrossApart) {
   Room room;
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   int near_id = 0, far_id = 0, together = 0;
   for (int i = 0; i <= 40; ++i) {
     const double y = -1.0 + 0.05 * i;  // 0.5 m/s each
-    const DepthImage image = room.see({personAt(2.4, y, 0.1 * i), personAt(3.2, -y, 0.1 * i + 1.0)},
-                                      static_cast<std::uint64_t>(i));
-    const PeopleImage& people = finder.find(i * kStep, image);
+    const tracking::DepthImage image = room.see({personAt(2.4, y, 0.1 * i), personAt(3.2, -y, 0.1 * i + 1.0)},
+                                                static_cast<std::uint64_t>(i));
+    const tracking::PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_TRUE(people.floor.has_value());
     ASSERT_LE(people.persons.size(), 2u) << i;
     for (std::size_t k = 0; k < people.persons.size(); ++k) {
-      const FoundPerson& p = people.persons[k];
+      const tracking::FoundPerson& p = people.persons[k];
       const bool is_near = p.centroid.z() < 2.8;
       int& id = is_near ? near_id : far_id;
       if (id == 0) id = p.id;
@@ -164,11 +164,11 @@ TEST(PeopleFinder, KeepsTwoWhoCrossApart) {
 
 TEST(PeopleFinder, TellsTouchingShouldersApart) {
   Room room;
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   for (int i = 0; i < 10; ++i) {
-    const DepthImage image =
+    const tracking::DepthImage image =
         room.see({personAt(2.6, -0.26, 0.0), personAt(2.6, 0.26, 0.0)}, static_cast<std::uint64_t>(i));
-    const PeopleImage& people = finder.find(i * kStep, image);
+    const tracking::PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_EQ(people.persons.size(), 2u) << i;
     EXPECT_EQ(people.persons[0].id, 1);
     EXPECT_EQ(people.persons[1].id, 2);
@@ -182,9 +182,9 @@ TEST(PeopleFinder, TellsTouchingShouldersApart) {
 
 TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
   Room room;
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   for (int i = 0; i <= 30; ++i) {
-    SkeletonFrame f = person(kStature).rest;
+    humanmodel::SkeletonFrame f = person(kStature).rest;
     const double phase = std::min(1.0, i / 10.0), bow = std::max(0.0, i - 15.0) / 15.0;
     bend(f, kShoulderLeft, Vector3d::UnitX(), 3.0 * phase, {kElbowLeft, kWristLeft, kHandLeft});
     bend(f, kShoulderRight, -Vector3d::UnitX(), 3.0 * phase, {kElbowRight, kWristRight, kHandRight});
@@ -193,8 +193,8 @@ TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
           kShoulderRight, kElbowRight, kWristRight, kHandRight});
     const Matrix3d R = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix();
     for (Vector3d& p : f.p) p = R * p + Vector3d(2.8, 0.2, 0.0);
-    const DepthImage image = room.see({f}, static_cast<std::uint64_t>(i));
-    const PeopleImage& people = finder.find(i * kStep, image);
+    const tracking::DepthImage image = room.see({f}, static_cast<std::uint64_t>(i));
+    const tracking::PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_EQ(people.persons.size(), 1u) << i;
     EXPECT_EQ(people.persons[0].id, 1) << i;
     EXPECT_GT(overlap(room, image, 0, people, 0).found(), kMinFound) << i;
@@ -204,12 +204,12 @@ TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
 TEST(PeopleFinder, LearnsFurnitureSoThatWhoTouchesItIsCutOut) {
   Room room;
   room.furnish(box({0.6, 1.2, 0.72}, {3.0, -0.75, 0.36}));
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   int i = 0;
   for (; i < 25; ++i) finder.find(i * kStep, room.see({}, static_cast<std::uint64_t>(i)));
   for (; i < 32; ++i) {
-    const DepthImage image = room.see({personAt(2.95, 0.1, 0.0)}, static_cast<std::uint64_t>(i));
-    const PeopleImage& people = finder.find(i * kStep, image);
+    const tracking::DepthImage image = room.see({personAt(2.95, 0.1, 0.0)}, static_cast<std::uint64_t>(i));
+    const tracking::PeopleImage& people = finder.find(i * kStep, image);
     ASSERT_EQ(people.persons.size(), 1u) << i;
     const Overlap o = overlap(room, image, 0, people, 0);
     EXPECT_GT(o.found(), kMinFound) << i;
@@ -219,10 +219,11 @@ TEST(PeopleFinder, LearnsFurnitureSoThatWhoTouchesItIsCutOut) {
 
 TEST(PeopleFinder, NeverLearnsAPersonWhoStandsStill) {
   Room room;
-  PeopleFinder finder(room.camera());
-  const SkeletonFrame still = personAt(2.8, 0.0, 0.5);
+  tracking::PeopleFinder finder(room.camera());
+  const humanmodel::SkeletonFrame still = personAt(2.8, 0.0, 0.5);
   for (int i = 0; i < 32; ++i) {
-    const PeopleImage& people = finder.find(i * kStep, room.see({still}, static_cast<std::uint64_t>(i)));
+    const tracking::PeopleImage& people =
+        finder.find(i * kStep, room.see({still}, static_cast<std::uint64_t>(i)));
     ASSERT_EQ(people.persons.size(), 1u) << i;
     EXPECT_EQ(people.persons[0].id, 1);
   }
@@ -230,14 +231,15 @@ TEST(PeopleFinder, NeverLearnsAPersonWhoStandsStill) {
 
 TEST(PeopleFinder, LeavesKnownThingsOut) {
   Room room;
-  PeopleFinder finder(room.camera());
-  const SkeletonFrame robot = personAt(2.4, 0.7, 0.2);
-  DepthRender known(room.camera());
-  for (const SkinPart& part : SkinBody(kStature, {}).wrap(robot))
+  tracking::PeopleFinder finder(room.camera());
+  const humanmodel::SkeletonFrame robot = personAt(2.4, 0.7, 0.2);
+  tracking::DepthRender known(room.camera());
+  for (const tracking::SkinPart& part : tracking::SkinBody(kStature, {}).wrap(robot))
     known.draw(part.mesh, room.X_WC().inverse());
   for (int i = 0; i < 3; ++i) {
-    const DepthImage image = room.see({robot, personAt(2.8, -0.6, 0.1 * i)}, static_cast<std::uint64_t>(i));
-    const PeopleImage& people = finder.find(i * kStep, image, &known.image());
+    const tracking::DepthImage image =
+        room.see({robot, personAt(2.8, -0.6, 0.1 * i)}, static_cast<std::uint64_t>(i));
+    const tracking::PeopleImage& people = finder.find(i * kStep, image, &known.image());
     ASSERT_EQ(people.persons.size(), 1u) << i;
     EXPECT_GT(overlap(room, image, 1, people, 0).found(), kMinFound);
   }
@@ -245,10 +247,10 @@ TEST(PeopleFinder, LeavesKnownThingsOut) {
 
 TEST(PeopleFinder, GivesTheNumberBackToWhoIsGoneForAMoment) {
   Room room;
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   const auto count = [&](int i, bool is_there) {
-    const DepthImage image =
-        room.see(is_there ? std::vector{personAt(2.8, 0.0, 0.2)} : std::vector<SkeletonFrame>{},
+    const tracking::DepthImage image =
+        room.see(is_there ? std::vector{personAt(2.8, 0.0, 0.2)} : std::vector<humanmodel::SkeletonFrame>{},
                  static_cast<std::uint64_t>(i));
     return finder.find(i * kStep, image).persons;
   };
@@ -261,12 +263,12 @@ TEST(PeopleFinder, GivesTheNumberBackToWhoIsGoneForAMoment) {
 
 TEST(PeopleFinder, DoesNotTakeTheWallThatSomebodyUncoversForHim) {
   Room room;
-  PeopleFinder finder(room.camera());
+  tracking::PeopleFinder finder(room.camera());
   int i = 0;
   for (; i < 25; ++i)
     finder.find(i * kStep, room.see({personAt(3.8, 0.0, 0.2)}, static_cast<std::uint64_t>(i)));
   for (; i < 35; ++i) {
-    const PeopleImage& people =
+    const tracking::PeopleImage& people =
         finder.find(i * kStep, room.see({personAt(3.4, -1.0, 0.2)}, static_cast<std::uint64_t>(i)));
     ASSERT_EQ(people.persons.size(), 1u) << i;
     EXPECT_LT(people.persons[0].centroid.z(), 3.6) << i;
@@ -275,11 +277,11 @@ TEST(PeopleFinder, DoesNotTakeTheWallThatSomebodyUncoversForHim) {
 
 TEST(PeopleFinder, AllocatesNothingAndGivesTheSameBits) {
   Room room;
-  std::vector<DepthImage> images;
+  std::vector<tracking::DepthImage> images;
   for (int i = 0; i < 6; ++i)
     images.push_back(
         room.see({personAt(2.4, -0.5, 0.1 * i), personAt(3.0, 0.5, 0.1 * i)}, static_cast<std::uint64_t>(i)));
-  PeopleFinder a(room.camera()), b(room.camera());
+  tracking::PeopleFinder a(room.camera()), b(room.camera());
   for (int i = 0; i < 2; ++i) a.find(i * kStep, images[static_cast<std::size_t>(i)]);
   std::size_t people = 0;
   {
@@ -300,10 +302,10 @@ TEST(PeopleFinder, AllocatesNothingAndGivesTheSameBits) {
 
 TEST(PeopleFinder, TakesTheFloorOfACameraThatIsPlaced) {
   Room room;
-  DepthCamera placed = room.camera();
+  tracking::DepthCamera placed = room.camera();
   placed.X_WC = room.X_WC();
-  PeopleFinder finder(placed);
-  const PeopleImage& people = finder.find(0.0, room.see({personAt(2.6, 0.0, 0.3)}, 1));
+  tracking::PeopleFinder finder(placed);
+  const tracking::PeopleImage& people = finder.find(0.0, room.see({personAt(2.6, 0.0, 0.3)}, 1));
   EXPECT_NEAR(people.floor.value().height, 1.3, 1e-12);
   EXPECT_EQ(people.persons.size(), 1u);
 }
@@ -313,15 +315,15 @@ TEST(PeopleFinder, TakesTheFloorOfACameraThatIsPlaced) {
 TEST(PeopleFinder, FindsTheFivePeopleOfPcl) {
   const auto file = sharedData("depth/pcl/five_people.pcd");
   if (!exists(file)) GTEST_SKIP() << file;
-  const auto stream = openDepthStream(file);
-  DepthFrame frame;
+  const auto stream = tracking::openDepthStream(file);
+  tracking::DepthFrame frame;
   ASSERT_TRUE(stream->next(frame));
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    PeopleFinder finder(stream->camera(), {.seed = seed});
-    const PeopleImage& people = finder.find(0.0, frame.image);
+    tracking::PeopleFinder finder(stream->camera(), {.seed = seed});
+    const tracking::PeopleImage& people = finder.find(0.0, frame.image);
     EXPECT_EQ(people.persons.size(), 5u) << seed;
     EXPECT_TRUE(people.floor.has_value());
-    for (const FoundPerson& p : people.persons) {
+    for (const tracking::FoundPerson& p : people.persons) {
       EXPECT_GT(p.pixels, 15000u);
       EXPECT_NEAR(p.top, 1.75, 0.2) << seed;
     }
@@ -332,10 +334,10 @@ TEST(PeopleFinder, FindsTheOnePersonOfUtdMhadInEveryImage) {
   for (const char* name : {"a18_s1_t1", "a25_s3_t1"}) {
     const auto file = sharedData(std::string("depth/utd_mhad/") + name + "_depth.mat");
     if (!exists(file)) GTEST_SKIP() << file;
-    const auto stream = openDepthStream(file);
-    PeopleFinder finder(stream->camera());
-    for (DepthFrame frame; stream->next(frame);) {
-      const PeopleImage& people = finder.find(frame.t, frame.image);
+    const auto stream = tracking::openDepthStream(file);
+    tracking::PeopleFinder finder(stream->camera());
+    for (tracking::DepthFrame frame; stream->next(frame);) {
+      const tracking::PeopleImage& people = finder.find(frame.t, frame.image);
       ASSERT_EQ(people.persons.size(), 1u) << name << " " << frame.t;
       EXPECT_EQ(people.persons[0].id, 1) << name << " " << frame.t;
       const auto all = static_cast<double>(
@@ -348,16 +350,16 @@ TEST(PeopleFinder, FindsTheOnePersonOfUtdMhadInEveryImage) {
 TEST(PeopleFinder, FindsThePersonOfItopAndNobodyInPclsOffice) {
   const auto file = sharedData("depth/itop/ITOP_train_000000000053.npy");
   if (!exists(file)) GTEST_SKIP() << file;
-  DepthFrame frame;
-  const auto itop = openDepthStream(file);
+  tracking::DepthFrame frame;
+  const auto itop = tracking::openDepthStream(file);
   ASSERT_TRUE(itop->next(frame));
-  PeopleFinder finder(itop->camera());
-  const PeopleImage& people = finder.find(0.0, frame.image);
+  tracking::PeopleFinder finder(itop->camera());
+  const tracking::PeopleImage& people = finder.find(0.0, frame.image);
   ASSERT_EQ(people.persons.size(), 1u);
   EXPECT_NEAR(people.persons[0].centroid.z(), 2.96, 0.1);  // of the middle of the trunk in the image
-  const auto office = openDepthStream(sharedData("depth/pcl/grabber"));
+  const auto office = tracking::openDepthStream(sharedData("depth/pcl/grabber"));
   ASSERT_TRUE(office->next(frame));
-  PeopleFinder other(office->camera());
+  tracking::PeopleFinder other(office->camera());
   EXPECT_TRUE(other.find(0.0, frame.image).persons.empty());
 }
 

@@ -21,18 +21,19 @@ Transform at(double x, double y, double z) {
   return X;
 }
 
-TriangleMesh wall(double left, double right) {
-  TriangleMesh mesh;
+geometry::TriangleMesh wall(double left, double right) {
+  geometry::TriangleMesh mesh;
   mesh.vertices = {{left, -5, 0}, {right, -5, 0}, {right, 5, 0}, {left, 5, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
 
 TEST(DepthRender, SeesABallWhereItsRaysMeetIt) {
-  const DepthCamera camera;
-  DepthRender render(camera);
+  const tracking::DepthCamera camera;
+  tracking::DepthRender render(camera);
   const Vector3d centre(0.2, -0.1, 1.7);
-  render.draw(tessellate(Ellipsoid{{kRadius, kRadius, kRadius}}, kSagitta), at(0.2, -0.1, 1.7));
+  render.draw(geometry::tessellate(geometry::Ellipsoid{{kRadius, kRadius, kRadius}}, kSagitta),
+              at(0.2, -0.1, 1.7));
   int inside = 0;
   for (int v = 0; v < camera.height; v += 3) {
     for (int u = 0; u < camera.width; u += 3) {
@@ -53,7 +54,7 @@ TEST(DepthRender, SeesABallWhereItsRaysMeetIt) {
 }
 
 TEST(DepthRender, KeepsTheNearestAndCutsWhatIsBehindTheCamera) {
-  DepthRender render({});
+  tracking::DepthRender render({});
   render.draw(wall(-5, 5), at(0, 0, 3));
   render.draw(wall(-5, 0), at(0, 0, 2));
   render.draw(wall(-5, 5), at(0, 0, 4));
@@ -65,23 +66,23 @@ TEST(DepthRender, KeepsTheNearestAndCutsWhatIsBehindTheCamera) {
   Transform X = at(0, 0, 1);
   X.linear() = Eigen::AngleAxisd(-kPi / 4, Vector3d::UnitY()).toRotationMatrix();
   render.draw(wall(-5, 5), X);
-  const DepthCamera camera;
+  const tracking::DepthCamera camera;
   for (const int u : {0, 100, 500}) {
     const double slope = camera.at(u, 0, 1.0).x();
     EXPECT_NEAR(render.image().at(u, 240), 1.0 / (1.0 - slope), 10.0 * kFloat) << u;
   }
-  DepthCamera bent;
+  tracking::DepthCamera bent;
   bent.distortion[0] = 0.1;
-  EXPECT_THROW(DepthRender{bent}, UsageError);
+  EXPECT_THROW(tracking::DepthRender{bent}, UsageError);
 }
 
 TEST(KinectNoise, OfAWallHasTheSpreadAndTheStepsOfItsLaw) {
-  const DepthCamera camera;
-  const KinectNoise noise;
+  const tracking::DepthCamera camera;
+  const tracking::KinectNoise noise;
   for (const double z : {1.0, 2.0, 4.0}) {
-    DepthRender render(camera);
+    tracking::DepthRender render(camera);
     render.draw(wall(-20, 20), at(0, 0, z));
-    const DepthImage seen = seenByKinect(render.image(), camera, noise, 1, 0);
+    const tracking::DepthImage seen = tracking::seenByKinect(render.image(), camera, noise, 1, 0);
     double sum = 0.0, squares = 0.0;
     int n = 0;
     for (int v = 100; v < 380; ++v) {
@@ -103,13 +104,13 @@ TEST(KinectNoise, OfAWallHasTheSpreadAndTheStepsOfItsLaw) {
 }
 
 TEST(KinectNoise, ShadowsAreAsWideAsTheProjectorIsAway) {
-  const DepthCamera camera;
-  KinectNoise noise;
+  const tracking::DepthCamera camera;
+  tracking::KinectNoise noise;
   noise.across = 0.0;
-  DepthRender render(camera);
+  tracking::DepthRender render(camera);
   render.draw(wall(-0.2, 0.2), at(0, 0, 1.5));
   render.draw(wall(-20, 20), at(0, 0, 3.0));
-  const DepthImage seen = seenByKinect(render.image(), camera, noise, 1, 0);
+  const tracking::DepthImage seen = tracking::seenByKinect(render.image(), camera, noise, 1, 0);
   int dark = 0, left = 0;
   const double edge = camera.fx * -0.2 / 1.5 + camera.cx;
   for (int u = 0; u < camera.width; ++u) {
@@ -123,10 +124,10 @@ TEST(KinectNoise, ShadowsAreAsWideAsTheProjectorIsAway) {
 }
 
 TEST(KinectNoise, OfAHalvedImageIsAsDeepInMetres) {
-  DepthCamera half;
+  tracking::DepthCamera half;
   half.width = 320, half.height = 240;
   half.fx = half.fy = 290.0;
-  const KinectNoise whole, scaled = kinectNoiseIn(half);
+  const tracking::KinectNoise whole, scaled = tracking::kinectNoiseIn(half);
   EXPECT_DOUBLE_EQ(scaled.across, 0.5 * whole.across);
   // z^2 / (f b) times the step of the disparity.
   EXPECT_DOUBLE_EQ(scaled.disparity_step / half.fx, whole.disparity_step / 580.0);
@@ -134,11 +135,11 @@ TEST(KinectNoise, OfAHalvedImageIsAsDeepInMetres) {
 }
 
 TEST(KinectNoise, IsTheSameForTheSameSeed) {
-  const DepthCamera camera;
-  DepthRender render(camera);
+  const tracking::DepthCamera camera;
+  tracking::DepthRender render(camera);
   render.draw(wall(-1, 1), at(0, 0, 2));
   const auto seen = [&](std::uint64_t seed, std::uint64_t frame) {
-    return seenByKinect(render.image(), camera, {}, seed, frame).z;
+    return tracking::seenByKinect(render.image(), camera, {}, seed, frame).z;
   };
   EXPECT_EQ(seen(1, 0), seen(1, 0));
   EXPECT_NE(seen(1, 0), seen(2, 0));

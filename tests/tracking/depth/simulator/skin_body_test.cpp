@@ -14,27 +14,27 @@
 namespace abstand::testing {
 namespace {
 
-using enum Joint;
+using enum humanmodel::Joint;
 
 constexpr double kStature = 1.62;    // m, of walking()
 constexpr double kRounding = 1e-12;  // m
 
-const TriangleMesh& part(const std::vector<SkinPart>& parts, std::string_view name) {
-  for (const SkinPart& p : parts)
+const geometry::TriangleMesh& part(const std::vector<tracking::SkinPart>& parts, std::string_view name) {
+  for (const tracking::SkinPart& p : parts)
     if (p.name == name) return p.mesh;
   throw std::runtime_error("no part " + std::string(name));
 }
 
 TEST(SkinLoft, ACurveKeepsItsPointsAndLeavesNoStretchOfThem) {
-  const std::vector<CurvePoint> points{{0.0, 1.0}, {0.3, 2.0}, {0.4, 2.1}, {1.0, -1.0}};
-  for (const CurvePoint& p : points) EXPECT_DOUBLE_EQ(smoothCurve(points, p.x), p.y);
-  EXPECT_EQ(smoothCurve(points, -5.0), 1.0);
-  EXPECT_EQ(smoothCurve(points, 5.0), -1.0);
+  const std::vector<tracking::CurvePoint> points{{0.0, 1.0}, {0.3, 2.0}, {0.4, 2.1}, {1.0, -1.0}};
+  for (const tracking::CurvePoint& p : points) EXPECT_DOUBLE_EQ(tracking::smoothCurve(points, p.x), p.y);
+  EXPECT_EQ(tracking::smoothCurve(points, -5.0), 1.0);
+  EXPECT_EQ(tracking::smoothCurve(points, 5.0), -1.0);
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const double sign = points[k + 1].y > points[k].y ? 1.0 : -1.0;
     double last = points[k].y;
     for (int i = 1; i <= 100; ++i) {
-      const double y = smoothCurve(points, points[k].x + (points[k + 1].x - points[k].x) * i / 100);
+      const double y = tracking::smoothCurve(points, points[k].x + (points[k + 1].x - points[k].x) * i / 100);
       EXPECT_GE(sign * (y - last), -kRounding) << k << " " << i;
       last = y;
     }
@@ -43,46 +43,48 @@ TEST(SkinLoft, ACurveKeepsItsPointsAndLeavesNoStretchOfThem) {
 
 TEST(SkinBody, IsClosedAndFacesOutwards) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const SkinBody skin(kStature, {1.0 + 0.1 * static_cast<double>(seed), 0.01, seed});
+    const tracking::SkinBody skin(kStature, {1.0 + 0.1 * static_cast<double>(seed), 0.01, seed});
     for (double t = 0.0; t < 2.0; t += 0.37) {
       const auto parts = skin.wrap(walking(t));
       EXPECT_EQ(parts.size(), 15u);
-      for (const SkinPart& p : parts)
-        EXPECT_TRUE(inspect(p.mesh).watertight) << p.name << " " << seed << " " << t;
+      for (const tracking::SkinPart& p : parts)
+        EXPECT_TRUE(mesh_file::inspect(p.mesh).watertight) << p.name << " " << seed << " " << t;
     }
   }
 }
 
 TEST(SkinBody, CoversItsJointsFromAllSides) {
-  DepthCamera camera;
-  const SkinBody skin(kStature, {});
+  tracking::DepthCamera camera;
+  const tracking::SkinBody skin(kStature, {});
   for (double t = 0.0; t < 2.0; t += 0.41) {
-    const SkeletonFrame frame = walking(t);
+    const humanmodel::SkeletonFrame frame = walking(t);
     for (int view = 0; view < 8; ++view) {
       const double a = 2.0 * kPi * view / 8;
-      camera.X_WC = lookingAt({2.6 * std::cos(a), 2.6 * std::sin(a), 1.2}, {0.0, 0.0, 0.8});
-      DepthRender render(camera);
-      for (const SkinPart& p : skin.wrap(frame)) render.draw(p.mesh, camera.X_WC.inverse());
-      for (std::size_t j = 0; j < kJointCount; ++j) {
+      camera.X_WC = tracking::lookingAt({2.6 * std::cos(a), 2.6 * std::sin(a), 1.2}, {0.0, 0.0, 0.8});
+      tracking::DepthRender render(camera);
+      for (const tracking::SkinPart& p : skin.wrap(frame)) render.draw(p.mesh, camera.X_WC.inverse());
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
         const Vector3d p = camera.X_WC.inverse() * frame.p[j];
         const float z =
             render.image().at(static_cast<int>(std::lround(camera.fx * p.x() / p.z() + camera.cx)),
                               static_cast<int>(std::lround(camera.fy * p.y() / p.z() + camera.cy)));
-        EXPECT_GT(z, 0.0f) << jointName(static_cast<Joint>(j)) << " " << view << " " << t;
-        EXPECT_LT(z, p.z()) << jointName(static_cast<Joint>(j)) << " " << view << " " << t;
+        EXPECT_GT(z, 0.0f) << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << " " << view << " "
+                           << t;
+        EXPECT_LT(z, p.z()) << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << " " << view << " "
+                            << t;
       }
     }
   }
 }
 
 TEST(SkinBody, ClothingLiesOnTheLimbsAndLeavesHeadAndHands) {
-  const SkeletonFrame frame = walking(0.3);
+  const humanmodel::SkeletonFrame frame = walking(0.3);
   constexpr double kClothing = 0.017;  // m
-  const auto bare = SkinBody(kStature, {}).wrap(frame),
-             dressed = SkinBody(kStature, {1.0, kClothing}).wrap(frame);
+  const auto bare = tracking::SkinBody(kStature, {}).wrap(frame),
+             dressed = tracking::SkinBody(kStature, {1.0, kClothing}).wrap(frame);
   ASSERT_EQ(bare.size(), dressed.size());
   for (const char* name : {"biceps_left", "forearm_right", "thigh_left", "calf_right"}) {
-    const TriangleMesh &a = part(bare, name), &b = part(dressed, name);
+    const geometry::TriangleMesh &a = part(bare, name), &b = part(dressed, name);
     double most = 0.0;
     for (std::size_t i = 0; i < a.vertices.size(); ++i)
       most = std::max(most, (b.vertices[i] - a.vertices[i]).norm());
@@ -90,14 +92,15 @@ TEST(SkinBody, ClothingLiesOnTheLimbsAndLeavesHeadAndHands) {
   }
   for (const char* name : {"head", "neck", "hand_left", "foot_right"})
     EXPECT_EQ(part(bare, name).vertices, part(dressed, name).vertices) << name;
-  EXPECT_GT(inspect(part(dressed, "torso")).volume, inspect(part(bare, "torso")).volume);
+  EXPECT_GT(mesh_file::inspect(part(dressed, "torso")).volume,
+            mesh_file::inspect(part(bare, "torso")).volume);
 }
 
 TEST(SkinBody, IsAsThickAsItsGirthAsks) {
-  const SkeletonFrame frame = walking(0.3);
+  const humanmodel::SkeletonFrame frame = walking(0.3);
   const Vector3d hip = frame[kHipLeft], axis = (frame[kKneeLeft] - hip).normalized();
   for (const double girth : {0.8, 1.0, 1.3}) {
-    const auto parts = SkinBody(kStature, {girth}).wrap(frame);
+    const auto parts = tracking::SkinBody(kStature, {girth}).wrap(frame);
     double most = 0.0;
     for (const Vector3d& p : part(parts, "thigh_left").vertices)
       most = std::max(most, (p - hip).cross(axis).norm());
@@ -106,40 +109,43 @@ TEST(SkinBody, IsAsThickAsItsGirthAsks) {
 }
 
 TEST(SkinBody, IsTheSameForTheSameSeed) {
-  const SkeletonFrame frame = walking(1.1);
-  const auto wrap = [&](std::uint64_t seed) { return SkinBody(kStature, {1.0, 0.0, seed}).wrap(frame); };
+  const humanmodel::SkeletonFrame frame = walking(1.1);
+  const auto wrap = [&](std::uint64_t seed) {
+    return tracking::SkinBody(kStature, {1.0, 0.0, seed}).wrap(frame);
+  };
   const auto usual = wrap(0), one = wrap(1), again = wrap(1), two = wrap(2);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].mesh.vertices, again[i].mesh.vertices);
     EXPECT_NE(one[i].mesh.vertices, two[i].mesh.vertices) << one[i].name;
-    const double volume = inspect(usual[i].mesh).volume;
-    EXPECT_NEAR(inspect(one[i].mesh).volume, volume, 0.25 * volume) << one[i].name;  // 1.08 cubed
+    const double volume = mesh_file::inspect(usual[i].mesh).volume;
+    EXPECT_NEAR(mesh_file::inspect(one[i].mesh).volume, volume, 0.25 * volume) << one[i].name;  // 1.08 cubed
   }
 }
 
 TEST(SkinBody, LeavesOutWhatItsJointsDoNotShow) {
-  SkeletonFrame frame = walking(0.0);
+  humanmodel::SkeletonFrame frame = walking(0.0);
   drop(frame, kWristLeft);
   drop(frame, kHeadTop);
-  const auto parts = SkinBody(kStature, {}).wrap(frame);
+  const auto parts = tracking::SkinBody(kStature, {}).wrap(frame);
   EXPECT_EQ(parts.size(), 15u - 4u);
   for (const char* name : {"forearm_left", "hand_left", "head", "neck"})
     EXPECT_THROW(part(parts, name), std::runtime_error);
-  EXPECT_TRUE(SkinBody(kStature, {}).wrap(SkeletonFrame{}).empty());
+  EXPECT_TRUE(tracking::SkinBody(kStature, {}).wrap(humanmodel::SkeletonFrame{}).empty());
 }
 
 TEST(SkinBody, RefusesWhatNoPersonIs) {
-  EXPECT_THROW(SkinBody(0.1, {}), UsageError);
-  EXPECT_THROW(SkinBody(kNaN, {}), UsageError);
-  EXPECT_THROW(SkinBody(kStature, {5.0}), UsageError);
-  EXPECT_THROW(SkinBody(kStature, {1.0, -0.01}), UsageError);
+  EXPECT_THROW(tracking::SkinBody(0.1, {}), UsageError);
+  EXPECT_THROW(tracking::SkinBody(kNaN, {}), UsageError);
+  EXPECT_THROW(tracking::SkinBody(kStature, {5.0}), UsageError);
+  EXPECT_THROW(tracking::SkinBody(kStature, {1.0, -0.01}), UsageError);
 }
 
 TEST(SkinBody, LegsSayTheStature) {
-  const std::vector<SkeletonFrame> frames{SkeletonFrame{}, walking(0.1, 1.62), walking(0.2, 1.62)};
+  const std::vector<humanmodel::SkeletonFrame> frames{humanmodel::SkeletonFrame{}, walking(0.1, 1.62),
+                                                      walking(0.2, 1.62)};
   // The model's legs are those of other people than Drillis's and Contini's.
-  EXPECT_NEAR(statureOfLegs(frames).value(), 1.62, 0.06);
-  EXPECT_FALSE(statureOfLegs(std::span(frames).first(1)).has_value());
+  EXPECT_NEAR(tracking::statureOfLegs(frames).value(), 1.62, 0.06);
+  EXPECT_FALSE(tracking::statureOfLegs(std::span(frames).first(1)).has_value());
 }
 
 }  // namespace

@@ -1,8 +1,0 @@
-// Random numbers of the checks.
-#pragma once
-
-#include "core/math/random.hpp"
-
-namespace abstand::verify {
-using abstand::Random;
-}  // namespace abstand::verify
