@@ -6,6 +6,10 @@ add_library(abstand_flags INTERFACE)
 target_compile_options(abstand_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
   $<$<BOOL:${ABSTAND_WERROR}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Position-independent code inlines what other code does then; clang does so by itself.
+  target_compile_options(abstand_flags INTERFACE -fno-semantic-interposition)
+endif()
 if(ABSTAND_SANITIZE)
   target_compile_options(abstand_flags INTERFACE -fsanitize=${ABSTAND_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(abstand_flags INTERFACE -fsanitize=${ABSTAND_SANITIZE})
@@ -38,6 +42,8 @@ function(abstand_library name)
   add_library(abstand::${name} ALIAS abstand_${name})
   target_include_directories(abstand_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_features(abstand_${name} PUBLIC cxx_std_20)
+  # For the Python module and for shared libraries.
+  set_target_properties(abstand_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   list(TRANSFORM L_LINKS PREPEND abstand::)
   target_link_libraries(abstand_${name} PUBLIC ${L_LINKS} Eigen3::Eigen Threads::Threads PRIVATE abstand_flags)
   if(name STREQUAL engine)
