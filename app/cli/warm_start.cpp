@@ -24,7 +24,7 @@ void addWarmStart(CLI::App& command, WarmStartArguments& args) {
 
 nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
   if (!s.warm_start) return nullptr;
-  nlohmann::ordered_json j{{"block_frames", nullptr}, {"far_from_m", query::kFarFrom}};
+  nlohmann::ordered_json j{{"block_frames", nullptr}, {"far_from_m", query::kRelativeFrom}};
   if (s.warm_start->block > 0) j["block_frames"] = s.warm_start->block;
   j["far_tolerance"] = s.warm_start->far_tolerance;
   return j;
@@ -33,7 +33,7 @@ nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
 std::string warmStartText(const run::RunSummary& s) {
   if (!s.warm_start) return {};
   return format(
-      "warm start: beyond %.1f m distances are at most %.3g %% above the smallest%s\n", query::kFarFrom,
+      "warm start: beyond %.1f m distances are at most %.3g %% above the smallest%s\n", query::kRelativeFrom,
       100.0 * s.warm_start->far_tolerance,
       s.warm_start->block > 0 ? format("; every %zu frames start cold", s.warm_start->block).c_str() : "");
 }

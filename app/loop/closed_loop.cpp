@@ -59,8 +59,8 @@ void ClosedLoop::push(PairId id) {
   if (pair.options.margin > 0.0) {
     query::PairOptions options = pair.options;
     options.margin = 0.0;
-    bare = query::penaltyForce(*object_a.spec.structure, object_a.X_WB, *object_b.spec.structure,
-                               object_b.X_WB, options, scratch_);
+    bare = query::penaltyForce({*object_a.spec.structure, object_a.X_WB},
+                               {*object_b.spec.structure, object_b.X_WB}, options, scratch_);
   }
   if (bare.contacts == 0) return;
   physics::Contact contact{

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace abstand::loop {
 namespace {
@@ -33,17 +32,11 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
     : driver_(driver),
       world_(world),
       hold_(description.reaction->hold),
-      reaction_(*description.reaction, driver.dof(), scene.pairs().size(),
-                mechanism::dofLimits(driver.mechanism())),
-      pairs_(driver, scene, people, *description.reaction),
+      reaction_(driver, description, *description.reaction, scene, people),
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
       tree_(mechanism::makeRigidTree(driver.mechanism())),
       gravity_B_(driver.X_WB().linear().transpose() * mechanism::kGravity),
       limits_(mechanism::dofLimits(driver.mechanism())) {
-  if (description.reaction->braking)
-    braking_.emplace(driver, scene, pairs_.own(), *description.reaction->braking);
-  if (const auto link = session::HeldLink::find(description, *description.reaction))
-    held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   const auto n = static_cast<std::size_t>(driver.dof());
   const control::PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
@@ -51,8 +44,7 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   // A plan that is faster than the robot begins at the robot's speed.
   for (std::size_t i = 0; i < n; ++i)
     qd_[i] = std::clamp(qd_[i], -limits_.limits()[i].velocity, limits_.limits()[i].velocity);
-  for (auto* v :
-       {&qdd_, &efforts_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_, &applied_, &bias_})
+  for (auto* v : {&qdd_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_, &applied_, &bias_})
     v->assign(n, 0.0);
   limits_.look(t, q_, qd_, {}, {});
   if (description.reaction->admittance) {
@@ -75,13 +67,13 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
 
 void ReactingRobot::place(double t, scene::Scene& scene) {
   driver_.moveTo(q_, t, scene);
-  if (held_) held_->place(t, scene);
+  reaction_.placeHeld(t, scene);
 }
 
 void ReactingRobot::look(double t, double h, std::span<const control::ReactionPair> pairs,
                          const scene::Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairId id = pairs_.own()[i].id;
+    const PairId id = reaction_.pairs().own()[i].id;
     if (scene.pairs()[id.index()].paused) continue;  // what it says is stale
     const double distance = scene.result(id).distance;
     take(record_.nearest, id, t, distance);
@@ -98,27 +90,13 @@ void ReactingRobot::look(double t, double h, std::span<const control::ReactionPa
 void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
   const double h = cycle.h;
   h_ = h;
-  control::ReactionInput input;
-  input.t = cycle.t;
-  input.dt = h;
-  input.q = q_;
-  input.qd = qd_;
-  input.planned = plan_.fullSpeed();
-  input.pairs = pairs_.gather(scene, input.planned);
-  input.person_age = cycle.person_age;
-  input.input_age = std::max(cycle.result_age, pairs_.oldest(scene, cycle.t));
-  driver_.efforts(scene, efforts_);
-  if (held_) held_->addEfforts(efforts_);
-  if (held_) input.held = &held_->look(scene);
-  input.efforts = efforts_;
-  const std::optional<safety::StopCause> cause = braking_ ? braking_->look(scene, q_, qd_) : std::nullopt;
-  if (cause) input.causes = {&*cause, 1};
-  input.reset = std::exchange(reset_, false);
-  look(cycle.t, h, input.pairs, scene);
+  look(cycle.t, h,
+       reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
+       scene);
 
   mechanism::placeBodies(tree_, q_, tree_state_);
   mechanism::massMatrix(tree_, tree_state_, mass_);
-  const control::ReactionOutput out = reaction_.update(input, mass_.M);
+  const control::ReactionOutput out = reaction_.update(mass_.M);
   std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
   for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
   scale_ = out.speed_scale;
@@ -129,8 +107,8 @@ void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
     return;
   }
   drive(out);
-  if (held_ && held_->frame() >= 0)
-    world_.applyWrench({number_, held_->frame()}, held_->wrench(), held_->point());
+  if (const session::HeldLink* held = reaction_.held(); held && held->frame() >= 0)
+    world_.applyWrench({number_, held->frame()}, held->wrench(), held->point());
   plan_.advance(h, scale_);
 }
 

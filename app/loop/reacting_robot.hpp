@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/loop/motion_clock.hpp"
-#include "app/session/braking_watch.hpp"
-#include "app/session/held_link.hpp"
+#include "app/session/robot_reaction.hpp"
 #include "core/mechanism/inverse_dynamics.hpp"
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/mechanism/mass_matrix.hpp"
@@ -40,7 +39,7 @@ class ReactingRobot {
                 double t);
 
   /// A person lets it go on, in the next react().
-  void reset() { reset_ = true; }
+  void reset() { reaction_.reset(); }
   /// Whether the torques of its reaction reach its motors.
   void setTorques(bool on) { reaction_.setTorques(on); }
   /// Puts the links where they are now.
@@ -55,7 +54,7 @@ class ReactingRobot {
   /// After the world's step.
   void follow();
 
-  const session::RobotPairs& pairs() const { return pairs_; }
+  const session::RobotPairs& pairs() const { return reaction_.pairs(); }
   const RobotRecord& record() const { return record_; }
   const safety::StopMachine& stops() const { return reaction_.stops(); }
   /// What position, velocity, acceleration and effort did against the robot's limits, in every cycle.
@@ -65,7 +64,7 @@ class ReactingRobot {
   std::span<const double> applied() const { return applied_; }
   bool positioned() const { return number_ < 0; }  ///< position-controlled
   int number() const { return number_; }           ///< in the world
-  const session::HeldLink* held() const { return held_ ? &*held_ : nullptr; }
+  const session::HeldLink* held() const { return reaction_.held(); }
   std::span<const double> q() const { return q_; }
   std::span<const double> qd() const { return qd_; }
   std::span<const double> qdd() const { return qdd_; }        ///< rad/s^2 or m/s^2, over the last cycle
@@ -84,10 +83,7 @@ class ReactingRobot {
   session::MechanismDriver& driver_;
   physics::PhysicsWorld& world_;
   control::HoldOptions hold_;
-  control::Reaction reaction_;
-  session::RobotPairs pairs_;
-  std::optional<session::BrakingWatch> braking_;
-  std::optional<session::HeldLink> held_;
+  session::RobotReaction reaction_;
   MotionClock plan_;
   mechanism::RigidTree tree_;
   mechanism::TreeState tree_state_;
@@ -96,12 +92,12 @@ class ReactingRobot {
   int number_{-1};
   mechanism::JointLimitWatch limits_;
   std::optional<physics::JointLimiter> limiter_;  ///< of a position-controlled robot with masses
-  std::vector<double> q_, qd_, qdd_, efforts_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
+  std::vector<double> q_, qd_, qdd_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
   std::vector<double> applied_, bias_, wanted_, last_wanted_;
   double t_next_{0.0};  ///< s, of follow()
   double scale_{1.0};
   double h_{0.0};  ///< s, of the last cycle
-  bool braked_{false}, reset_{false};
+  bool braked_{false};
   RobotRecord record_;
 };
 

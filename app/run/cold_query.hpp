@@ -12,7 +12,7 @@ inline query::PairResult queryCold(const scene::Scene& scene, const scene::Pair&
   const scene::Object& a = scene.object(pair.a);
   const scene::Object& b = scene.object(pair.b);
   query::PairResult result;
-  query::queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, result);
+  query::queryPair({*a.spec.structure, a.X_WB}, {*b.spec.structure, b.X_WB}, pair.options, scratch, result);
   return result;
 }
 

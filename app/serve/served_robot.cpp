@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/error.hpp"
 
@@ -18,15 +17,10 @@ ServedRobot::ServedRobot(session::MechanismDriver& driver,
                          const scene_file::MechanismDescription& description, const scene::Scene& scene,
                          const std::vector<bool>& people, const control::ReactionDescription& reaction)
     : driver_(driver),
-      reaction_(reaction, driver.dof(), scene.pairs().size(), mechanism::dofLimits(driver.mechanism())),
-      pairs_(driver, scene, people, reaction),
+      reaction_(driver, description, reaction, scene, people),
       mass_(driver.mechanism()),
       limits_(mechanism::dofLimits(driver.mechanism())) {
-  if (reaction.braking) braking_.emplace(driver, scene, pairs_.own(), *reaction.braking);
-  if (const auto link = session::HeldLink::find(description, reaction))
-    held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
   qd_.assign(static_cast<std::size_t>(driver.dof()), 0.0);
-  efforts_.assign(qd_.size(), 0.0);
 }
 
 void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, scene::Scene& scene) {
@@ -45,7 +39,7 @@ void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, scen
 }
 
 void ServedRobot::placeHeld(double t, scene::Scene& scene) {
-  if (held_ && started_) held_->place(t, scene);
+  if (started_) reaction_.placeHeld(t, scene);
 }
 
 void ServedRobot::grow(double t, double stale, scene::Scene& scene) {
@@ -60,24 +54,10 @@ void ServedRobot::react(double t, double person_age, const scene::Scene& scene, 
   if (!started_) return;
   // Of a robot whose joint values are stale it is not known that it stands.
   if (stale_) std::fill(qd_.begin(), qd_.end(), kNaN);
-  driver_.efforts(scene, efforts_);
-  if (held_) held_->addEfforts(efforts_);
-  control::ReactionInput input;
-  input.t = t;
-  input.dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
-  input.q = driver_.q();
-  input.qd = qd_;
-  if (held_) input.held = &held_->look(scene);
-  input.efforts = efforts_;
-  input.pairs = pairs_.gather(scene, qd_);
-  input.input_age = std::max(age(t), pairs_.oldest(scene, t));
-  input.person_age = person_age;
-  const std::optional<safety::StopCause> cause =
-      braking_ ? braking_->look(scene, driver_.q(), qd_) : std::nullopt;
-  if (cause) input.causes = {&*cause, 1};
-  input.reset = std::exchange(reset_, false);
+  const double dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
+  reaction_.gather({t, dt, driver_.q(), qd_, {}, age(t), person_age}, scene);
   last_react_ = t;
-  const control::ReactionOutput out = reaction_.update(input, mass_.at(driver_.q()));
+  const control::ReactionOutput out = reaction_.update(mass_.at(driver_.q()));
   for (std::size_t i = 0; i < torque.size(); ++i)
     torque[i] = stale_ || !std::isfinite(out.torque[i]) ? 0.0 : out.torque[i];
   if (!out.offset.empty() && !offset.empty()) std::copy(out.offset.begin(), out.offset.end(), offset.begin());

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "app/serve/state_report.hpp"
-#include "app/session/braking_watch.hpp"
-#include "app/session/held_link.hpp"
 #include "app/session/robot_mass.hpp"
+#include "app/session/robot_reaction.hpp"
 #include "core/mechanism/joint_limit_watch.hpp"
 
 namespace abstand::serve {
@@ -24,7 +23,7 @@ class ServedRobot {
   /// New joint values that came at `t` (s), measured at `stamp` (s on the sender's clock).
   void moveTo(std::span<const double> q, double t, double stamp, scene::Scene& scene);
   /// A person lets it go on, in the next react().
-  void reset() { reset_ = true; }
+  void reset() { reaction_.reset(); }
   void setTorques(bool on) { reaction_.setTorques(on); }
   /// Puts what it holds where it is now; before the scene's step.
   void placeHeld(double t, scene::Scene& scene);
@@ -45,15 +44,12 @@ class ServedRobot {
 
  private:
   session::MechanismDriver& driver_;
-  control::Reaction reaction_;
-  session::RobotPairs pairs_;
-  std::optional<session::BrakingWatch> braking_;
-  std::optional<session::HeldLink> held_;
+  session::RobotReaction reaction_;
   session::RobotMass mass_;
   mechanism::JointLimitWatch limits_;
-  std::vector<double> qd_, efforts_;
+  std::vector<double> qd_;
   double last_t_{-kInfinity}, last_stamp_{-kInfinity}, last_react_{kNaN};
-  bool stale_{true}, reset_{false}, started_{false};
+  bool stale_{true}, started_{false};
 };
 
 }  // namespace abstand::serve

@@ -9,25 +9,22 @@
 namespace abstand::query {
 namespace {
 
-double distanceFrom(const structure::HapticStructure& P, const Transform& X_WP, std::uint32_t near,
-                    const structure::HapticStructure& F, const Transform& X_WF, double margin) {
+double distanceFrom(const PlacedBody& P, std::uint32_t near, const PlacedBody& F, double margin) {
   if (near == kernels::kNoPoint) return kInfinity;
-  const Transform X_FP = X_WF.inverse() * X_WP;
-  const Vector3d start = X_FP * P.tree.at(near);
+  const Transform X_FP = F.X_WB.inverse() * P.X_WB;
+  const Vector3d start = X_FP * P.body.tree.at(near);
   // A walk outside never leads inside.
-  if (margin <= 0.0 && !F.surface->inside(start)) return kInfinity;
-  return refineWitness(*P.surface, *F.surface, structure::nearField(F), X_FP, start,
-                       X_FP.linear() * P.tree.normalAt(near), P.shell.spacing, geometry::kNoHint)
+  if (margin <= 0.0 && !F.body.surface->inside(start)) return kInfinity;
+  const Vector3d normal = X_FP.linear() * P.body.tree.normalAt(near);
+  return refineWitness(P.body, F.body, X_FP, {start, normal, P.body.shell.spacing, geometry::kNoHint})
       .distance;
 }
 
 }  // namespace
 
-double depthBetweenPoints(const structure::HapticStructure& a, const Transform& X_WA, std::uint32_t near_a,
-                          const structure::HapticStructure& b, const Transform& X_WB, std::uint32_t near_b,
-                          double margin) noexcept {
-  const double least = std::min(distanceFrom(a, X_WA, near_a, b, X_WB, margin),
-                                distanceFrom(b, X_WB, near_b, a, X_WA, margin));
+double depthBetweenPoints(const PlacedBody& a, std::uint32_t near_a, const PlacedBody& b,
+                          std::uint32_t near_b, double margin) noexcept {
+  const double least = std::min(distanceFrom(a, near_a, b, margin), distanceFrom(b, near_b, a, margin));
   return std::max(0.0, margin - least);
 }
 

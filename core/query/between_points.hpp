@@ -1,7 +1,7 @@
 // Contacts that the shell's points miss.
 #pragma once
 
-#include "core/structure/haptic_structure.hpp"
+#include "core/query/placed_body.hpp"
 
 namespace abstand::query {
 
@@ -9,8 +9,7 @@ namespace abstand::query {
 /// nearest points to which a walk on the exact surfaces leads from a shell point of A, of B, or of both
 /// (`near_a`, `near_b`: in leaf order, as penaltyForce() gives them; kNoPoint: none). World poses, margin in
 /// m. No allocation, no lock, no throw.
-double depthBetweenPoints(const structure::HapticStructure& a, const Transform& X_WA, std::uint32_t near_a,
-                          const structure::HapticStructure& b, const Transform& X_WB, std::uint32_t near_b,
-                          double margin) noexcept;
+double depthBetweenPoints(const PlacedBody& a, std::uint32_t near_a, const PlacedBody& b,
+                          std::uint32_t near_b, double margin) noexcept;
 
 }  // namespace abstand::query

@@ -22,14 +22,12 @@ struct TransportedWitnesses {
 };
 
 /// Most pairs: the nearest points are still where they were, and the hulls prove it.
-bool reuseWitnesses(const structure::HapticStructure& a, const Transform& X_WA,
-                    const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+bool reuseWitnesses(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                     const TransportedWitnesses& points, PairCache& past, PairResult& result) {
   if (!past.hulls || !(points.distance > kTouching)) return false;
   // Along a vector of any length: the separation times that.
-  const double certified =
-      separationAlong(points.way, a, X_WA, b, X_WB, false) / points.distance - kPlaneRounding;
-  if (points.distance - certified > allowed(points.distance, options) || certified <= options.margin)
+  const double certified = separationAlong(points.way, a, b, false) / points.distance - kPlaneRounding;
+  if (points.distance - certified > tolerance(points.distance, options) || certified <= options.margin)
     return false;
   past.distance = points.distance;
   result = {};
@@ -41,20 +39,19 @@ bool reuseWitnesses(const structure::HapticStructure& a, const Transform& X_WA,
 }
 
 /// The same from either of what a pair remembers; what it then starts from is in memory.last.
-bool reuseEitherCache(const structure::HapticStructure& a, const Transform& X_WA,
-                      const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+bool reuseEitherCache(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                       PairMemory& memory, PairResult& result) {
   if (!memory.last.apart) return false;
-  const TransportedWitnesses points(memory.last, X_WA, X_WB);
-  if (reuseWitnesses(a, X_WA, b, X_WB, options, points, memory.last, result)) return true;
+  const TransportedWitnesses points(memory.last, a.X_WB, b.X_WB);
+  if (reuseWitnesses(a, b, options, points, memory.last, result)) return true;
   if (!(std::abs(points.distance - memory.last.distance) > kJump)) return false;
   const PairCache before = memory.before_jump;
   memory.before_jump = memory.last;
   if (!before.apart) return false;
-  const TransportedWitnesses points_before(before, X_WA, X_WB);
+  const TransportedWitnesses points_before(before, a.X_WB, b.X_WB);
   if (!(points_before.distance < points.distance)) return false;
   memory.last = before;
-  return reuseWitnesses(a, X_WA, b, X_WB, options, points_before, memory.last, result);
+  return reuseWitnesses(a, b, options, points_before, memory.last, result);
 }
 
 void add(const PenaltyForce& penalty, PairResult& result) {
@@ -71,31 +68,28 @@ bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStr
   return a.bounding_sphere.radius <= b.bounding_sphere.radius;
 }
 
-bool queryDistance(const structure::HapticStructure& a, const Transform& X_WA,
-                   const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
-                   PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept {
+bool queryDistance(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
+                   const QueryContext& context, PairResult& result) noexcept {
   const double margin = options.margin;
-  if (reuseEitherCache(a, X_WA, b, X_WB, options, memory, result)) {
-    memory.last.touching = false;
+  if (reuseEitherCache(a, b, options, context.memory, result)) {
+    context.memory.last.touching = false;
     return false;
   }
-  PairCache& past = memory.last;
-  const bool from_a = pointsFromA(a, b);
-  const structure::HapticStructure& P = from_a ? a : b;
-  const structure::HapticStructure& F = from_a ? b : a;
-  const Transform& X_WF = from_a ? X_WB : X_WA;
-  PairSearch search(P, from_a ? X_WA : X_WB, F, X_WF, options, past.part_axes);
+  PairCache& past = context.memory.last;
+  const bool from_a = pointsFromA(a.body, b.body);
+  const PlacedBody& F = from_a ? b : a;
+  PairSearch search(from_a ? a : b, F, options, past.part_axes);
 
-  if (!search.remember(past, from_a)) {
-    search.search(past, scratch);
-    if (search.mayTouch()) search.searchReversed(scratch);
+  if (!search.warmStart(past, from_a)) {
+    search.search(past, context.scratch);
+    if (search.mayTouch()) search.searchReversed(context.scratch);
   }
-  search.keep(past, from_a);
+  search.store(past, from_a);
   const Witness& witness = search.witness();
   result = {};
   result.distance = witness.distance;
   result.bound = std::max(0.0, witness.distance - search.certified());
-  const Vector3d on_points = X_WF * witness.on_points, on_field = X_WF * witness.on_field;
+  const Vector3d on_points = F.X_WB * witness.on_points, on_field = F.X_WB * witness.on_field;
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
   result.depth = std::max(margin - witness.distance, 0.0);
@@ -106,24 +100,20 @@ bool queryDistance(const structure::HapticStructure& a, const Transform& X_WA,
   return !penalty;
 }
 
-void addPenalty(const structure::HapticStructure& a, const Transform& X_WA,
-                const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+void addPenalty(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                 kernels::PairScratch& scratch, PairResult& result) noexcept {
-  add(penaltyForce(a, X_WA, b, X_WB, options, scratch), result);
+  add(penaltyForce(a, b, options, scratch), result);
 }
 
-void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
-               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
-               PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept {
-  if (queryDistance(a, X_WA, b, X_WB, options, memory, scratch, result))
-    addPenalty(a, X_WA, b, X_WB, options, scratch, result);
+void queryPair(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
+               const QueryContext& context, PairResult& result) noexcept {
+  if (queryDistance(a, b, options, context, result)) addPenalty(a, b, options, context.scratch, result);
 }
 
-void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
-               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+void queryPair(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                kernels::PairScratch& scratch, PairResult& result) noexcept {
   PairMemory memory;
-  queryPair(a, X_WA, b, X_WB, options, memory, scratch, result);
+  queryPair(a, b, options, {memory, scratch}, result);
 }
 
 }  // namespace abstand::query

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/kernels/pair_scratch.hpp"
-#include "core/structure/haptic_structure.hpp"
+#include "core/query/placed_body.hpp"
 
 namespace abstand::query {
 
@@ -11,7 +11,7 @@ namespace abstand::query {
 enum class ForceLaw { kVolume, kThesis };
 
 /// m; nearer, the distance is that of the nearest points within 1e-5 m, farther away within a share of it.
-inline constexpr double kFarFrom = 0.1;
+inline constexpr double kRelativeFrom = 0.1;
 /// PairOptions::far_share unless something else is asked for: within a hundredth of the smallest.
 inline constexpr double kColdFarShare = 0.0099;
 
@@ -19,7 +19,7 @@ struct PairOptions {
   double margin{0.0};       ///< m, sum of both objects' safety margins
   double stiffness{1.0e6};  ///< N/m^3 (kVolume) or N/m (kThesis)
   ForceLaw law{ForceLaw::kVolume};
-  /// Of an answer beyond kFarFrom: by so much it may exceed the smallest distance of the shell's points.
+  /// Of an answer beyond kRelativeFrom: by so much it may exceed the smallest distance of the shell's points.
   double far_share{kColdFarShare};
 };
 
@@ -63,9 +63,11 @@ struct PairCache {
   Transform X_FP{Transform::Identity()};  ///< pose of one body in the other at the last full search ...
   double searched{-kInfinity};  ///< ... the least distance (m) of any shell point that it proved ...
   double found{-kInfinity};     ///< ... the distance (m) that it found ...
-  double rivals{-kInfinity};    ///< ... and the least (m) of the shell points that are not about `home`
+  double runner_up_distance{
+      -kInfinity};  ///< ... and the least (m) of the shell points that are not about `witness_on_points`
   PartAxes part_axes;
-  Vector3d home{Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
+  Vector3d witness_on_points{
+      Vector3d::Zero()};  ///< the witness on the body that gave the points, in its frame
 };
 
 /// What a pair remembers from one cycle to the next. It speeds up the next query of the same two structures
@@ -75,6 +77,12 @@ struct PairMemory {
   /// As it was when a body jumped last. A tracker that wavers between two explanations of what it sees (an
   /// elbow that turns over, left taken for right) jumps back soon.
   PairCache before_jump;
+};
+
+/// What a warm query works with: the pair's own memory, and work space of its thread.
+struct QueryContext {
+  PairMemory& memory;
+  kernels::PairScratch& scratch;
 };
 
 /// True when A gives the points and B the field. The body with the smaller bounding sphere gives the points,
@@ -94,15 +102,13 @@ bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStr
 /// surfaces (witness.hpp). Where the bodies may touch, the other body's points are searched as well. Inside,
 /// the depth is that of the deepest surface point that was found of either body in the other.
 ///
-/// With a memory, distances beyond kFarFrom may exceed the smallest of the shell's points by
+/// With a memory, distances beyond kRelativeFrom may exceed the smallest of the shell's points by
 /// options.far_share of themselves, as far as the field there tells them apart; `bound` says by how much in
 /// each case.
-void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
-               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
-               PairMemory& memory, kernels::PairScratch& scratch, PairResult& result) noexcept;
-/// Without anything to remember.
-void queryPair(const structure::HapticStructure& a, const Transform& X_WA,
-               const structure::HapticStructure& b, const Transform& X_WB, const PairOptions& options,
+void queryPair(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
+               const QueryContext& context, PairResult& result) noexcept;
+/// A cold query: nothing is remembered.
+void queryPair(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                kernels::PairScratch& scratch, PairResult& result) noexcept;
 
 }  // namespace abstand::query

@@ -41,32 +41,33 @@ void PairSearch::search(PairCache& memory, kernels::PairScratch& scratch) {
   const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
   memory.X_FP = X_FP_;
   memory.searched = lower_bound;
-  const double loss = witness_.distance > kFarFrom ? kFoundPart * witness_.distance : 0.0;
+  const double loss = witness_.distance > kRelativeFrom ? kFoundPart * witness_.distance : 0.0;
   memory.found = found_ = std::min(found_, witness_.distance - loss);
-  searched(lower_bound);
+  setShellBound(lower_bound);
   isProven();
-  memory.rivals = -kInfinity;
-  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kFarFrom) findRunnerUp(memory, scratch);
+  memory.runner_up_distance = -kInfinity;
+  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kRelativeFrom) findRunnerUp(memory, scratch);
 }
 
 bool PairSearch::mayTouch() const {
   if (certified_ <= 0.0) return true;
-  if (F_.pieces.empty() || separated_) return false;
+  if (F_.body.pieces.empty() || hull_test_ == HullTest::kSeparated) return false;
   const Transform X_PF = X_FP_.inverse();
-  return std::any_of(F_.pieces.begin(), F_.pieces.end(), [&](const Vector3d& piece) {
+  return std::any_of(F_.body.pieces.begin(), F_.body.pieces.end(), [&](const Vector3d& piece) {
     const Vector3d p = X_PF * piece;
-    return (p - P_.bounding_sphere.centre).norm() < P_.bounding_sphere.radius && P_.surface->inside(p);
+    return (p - P_.body.bounding_sphere.centre).norm() < P_.body.bounding_sphere.radius &&
+           P_.body.surface->inside(p);
   });
 }
 
 void PairSearch::searchReversed(kernels::PairScratch& scratch) {
   PartAxes none;
-  PairSearch other(F_, X_WF_, P_, X_WP_, options_, none);
+  PairSearch other(F_, P_, options_, none);
   // The forces are those of P's points, if there are any.
   other.summing_ = sum_ && sum_->contacts == 0;
   other.hint_field_ = hint_points_;
   other.witness_.distance = witness_.distance;
-  const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.shell.covering_radius;
+  const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.body.shell.covering_radius;
   // Each search bounds the depth of its own points.
   certified_ = std::min(certified_, lower_bound);
   other_sum_ = other.sum_;
@@ -81,19 +82,20 @@ void PairSearch::searchReversed(kernels::PairScratch& scratch) {
 }
 
 std::optional<PenaltyForce> PairSearch::penalty(bool from_a) const {
-  if (sum_ && sum_->contacts > 0) return penaltyOf(*sum_, P_, F_, X_FP_, X_WF_, options_.stiffness, from_a);
+  if (sum_ && sum_->contacts > 0) return penaltyOf(*sum_, P_, F_, X_FP_, options_.stiffness, from_a);
   if (!other_sum_) return {};
-  return penaltyOf(*other_sum_, F_, P_, X_WP_.inverse() * X_WF_, X_WP_, options_.stiffness, !from_a);
+  return penaltyOf(*other_sum_, F_, P_, P_.X_WB.inverse() * F_.X_WB, options_.stiffness, !from_a);
 }
 
-void PairSearch::keep(PairCache& memory, bool from_a) const {
+void PairSearch::store(PairCache& memory, bool from_a) const {
   memory.apart = witness_.distance > kTouching;
   memory.distance = witness_.distance;
   memory.hulls = hulls_;
   memory.by_parts = by_parts_;
-  const bool overlapping = asked_ && !separated_ && !by_parts_ && witness_.distance < kFarFrom;
+  const bool overlapping =
+      hull_test_ == HullTest::kOverlap && !by_parts_ && witness_.distance < kRelativeFrom;
   memory.idle = overlapping ? kIdle : idle_ > 0 ? idle_ - 1 : 0;
-  if (!remembered_ && memory.apart) {
+  if (state_ != WitnessState::kTransported && memory.apart) {
     const Vector3d n = (witness_.on_points - witness_.on_field) / witness_.distance;
     const Vector3d n_P = X_FP_.linear().transpose() * n;
     memory.n_a = from_a ? n_P : -n;
@@ -109,34 +111,34 @@ void PairSearch::keep(PairCache& memory, bool from_a) const {
 /// Where forces are wanted, those are summed at once, as both look at the same points.
 kernels::NearestPoint PairSearch::nearestPoint(const kernels::NearestLimits& limits,
                                                kernels::PairScratch& scratch) {
-  const field::NearField* near = structure::nearField(F_);
+  const field::NearField* near = structure::nearField(F_.body);
   if (summing_ && near) {
     const auto margin = static_cast<float>(options_.margin);
     // So far every point is looked at that limits.start would not leave out.
     const float start =
         std::isfinite(limits.start) ? limits.start + static_cast<float>(near->errorBound()) : margin;
     const kernels::ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
-    const kernels::ContactSearch found =
-        kernels::searchKernels().contactSearch(P_.treeView(X_FP_), F_.fieldView(), contacts, scratch);
+    const kernels::ContactSearch found = kernels::searchKernels().contactSearch(
+        P_.body.treeView(X_FP_), F_.body.fieldView(), contacts, scratch);
     sum_ = found.sum;
     if (found.nearest.point != kernels::kNoPoint || std::isfinite(limits.start)) return found.nearest;
   }
-  return kernels::searchKernels().nearest(P_.treeView(X_FP_), F_.fieldView(), limits, scratch);
+  return kernels::searchKernels().nearest(P_.body.treeView(X_FP_), F_.body.fieldView(), limits, scratch);
 }
 
 /// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
 /// searchPoints does.
 double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
-  const kernels::NearestLimits limits{static_cast<float>(witness_.distance), static_cast<float>(kFarFrom),
-                                      static_cast<float>(kSearchPart)};
+  const kernels::NearestLimits limits{static_cast<float>(witness_.distance),
+                                      static_cast<float>(kRelativeFrom), static_cast<float>(kSearchPart)};
   const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
-  const double spacing = P_.shell.spacing;
+  const double spacing = P_.body.shell.spacing;
   if (nearest.point != kernels::kNoPoint &&
       static_cast<double>(nearest.estimate) <
           witness_.distance + (witness_.distance > -spacing ? kCrossing : kDeeper) * spacing)
-    witness_ =
-        refineWitness(*P_.surface, *F_.surface, structure::nearField(F_), X_FP_,
-                      X_FP_ * P_.tree.at(nearest.point), normalAt(nearest.point), spacing, hint_field_);
+    witness_ = refineWitness(
+        P_.body, F_.body, X_FP_,
+        {X_FP_ * P_.body.tree.at(nearest.point), normalAt(nearest.point), spacing, hint_field_});
   return static_cast<double>(nearest.lower_bound);
 }
 
@@ -145,25 +147,25 @@ double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
 double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   const kernels::NearestLimits limits{
       apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
-      static_cast<float>(kFarFrom), static_cast<float>(kSearchPart)};
+      static_cast<float>(kRelativeFrom), static_cast<float>(kSearchPart)};
   const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
   const auto lower_bound = static_cast<double>(nearest.lower_bound);
   if (nearest.point == kernels::kNoPoint) return lower_bound;
-  const Vector3d start = X_FP_ * P_.tree.at(nearest.point);
-  const double spacing = P_.shell.spacing;
+  const Vector3d start = X_FP_ * P_.body.tree.at(nearest.point);
+  const double spacing = P_.body.shell.spacing;
   // What leads to the witness again, or cannot lead to anything nearer.
   const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
-  if (settled_ && witness_.distance > kTouching &&
+  if (state_ == WitnessState::kSettled && witness_.distance > kTouching &&
       static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
     return lower_bound;
-  const bool far = apart && lower_bound > kFarFrom;
+  const bool far = apart && lower_bound > kRelativeFrom;
   if (far && witness_.distance - lower_bound <= kStayPart * witness_.distance) {
     found_ = lower_bound;
     return lower_bound;
   }
   Witness found;
   if (far)
-    found = footWitness(*F_.surface, start, witness_.hint_field,
+    found = footWitness(*F_.body.surface, start, witness_.hint_field,
                         (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
   // Where the point's foot is no nearer than the witness, a walk from it may be.
   // Within a hundredth the foot is near enough.
@@ -171,8 +173,7 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
       options_.far_share < kColdFarShare &&
       static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
   if (!far || (worth && !(found.distance < witness_.distance)))
-    found = refineWitness(*P_.surface, *F_.surface, structure::nearField(F_), X_FP_, start,
-                          normalAt(nearest.point), spacing, hint_field_);
+    found = refineWitness(P_.body, F_.body, X_FP_, {start, normalAt(nearest.point), spacing, hint_field_});
   if (!apart || found.distance < witness_.distance) witness_ = found;
   return lower_bound;
 }
@@ -180,17 +181,17 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
 /// The nearest points that moved with the bodies are still the nearest, when all others were farther away
 /// by more than what the bodies have moved.
 bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
-  return certified_ > 0.0 && witness_.distance <= memory.rivals - motion_ &&
-         (X_FP_ * memory.home - witness_.on_points).norm() < 0.5 * kHome * P_.shell.spacing;
+  return certified_ > 0.0 && witness_.distance <= memory.runner_up_distance - motion_ &&
+         (X_FP_ * memory.witness_on_points - witness_.on_points).norm() < 0.5 * kHome * P_.body.shell.spacing;
 }
 
 void PairSearch::findRunnerUp(PairCache& memory, kernels::PairScratch& scratch) const {
   const Vector3f home = witness_.on_points.cast<float>();
-  const kernels::Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.shell.spacing)};
+  const kernels::Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.body.shell.spacing)};
   const auto most = static_cast<float>(witness_.distance + kRivalry);
-  memory.home = X_FP_.inverse() * witness_.on_points;
-  memory.rivals = static_cast<double>(
-      kernels::searchKernels().nearestOutside(P_.treeView(X_FP_), F_.fieldView(), ball, most, scratch));
+  memory.witness_on_points = X_FP_.inverse() * witness_.on_points;
+  memory.runner_up_distance = static_cast<double>(kernels::searchKernels().nearestOutside(
+      P_.body.treeView(X_FP_), F_.body.fieldView(), ball, most, scratch));
 }
 
 }  // namespace abstand::query

@@ -18,12 +18,12 @@ constexpr int kRounds = 3;
 
 }  // namespace
 
-bool PairSearch::remember(const PairCache& memory, bool from_a) {
+bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   hint_points_ = from_a ? memory.hint_a : memory.hint_b;
   hint_field_ = from_a ? memory.hint_b : memory.hint_a;
   if (!memory.apart) return false;
-  motion_ = mostMotion(P_.bounding_sphere, memory.X_FP, X_FP_);
-  searched(memory.searched - motion_);
+  motion_ = mostMotion(P_.body.bounding_sphere, memory.X_FP, X_FP_);
+  setShellBound(memory.searched - motion_);
   found_ = memory.found - motion_;
   witness_.on_points = X_FP_ * (from_a ? memory.on_a : memory.on_b);
   witness_.on_field = from_a ? memory.on_b : memory.on_a;
@@ -32,31 +32,33 @@ bool PairSearch::remember(const PairCache& memory, bool from_a) {
   witness_.distance = (witness_.on_points - witness_.on_field).norm();
   hulls_ = memory.hulls;
   if (!(witness_.distance > kTouching)) return false;
-  if (isKnown()) return remembered_ = true;
+  state_ = WitnessState::kTransported;
+  if (isKnown()) return true;
   by_parts_ = memory.by_parts;
-  if (by_parts_ && witness_.distance > kFarFrom && provenByParts()) return remembered_ = true;
+  if (by_parts_ && witness_.distance > kRelativeFrom && provenByParts()) return true;
+  state_ = WitnessState::kMoved;
   const Vector3d n_P = from_a ? memory.n_a : -memory.n_b, n_F = from_a ? memory.n_b : -memory.n_a;
   const bool jumped = std::abs(witness_.distance - memory.distance) > kJump;
   if (jumped && trySupportPoints(n_P, n_F)) return true;
-  idle_ = jumped || witness_.distance > kFarFrom ? 0 : memory.idle;
+  idle_ = jumped || witness_.distance > kRelativeFrom ? 0 : memory.idle;
   if (idle_ == 0 && refineLocally()) return true;
   // Farther away a search is the shorter way.
-  if (witness_.distance > kFarFrom) {
+  if (witness_.distance > kRelativeFrom) {
     if (!jumped && memory.hulls && trySupportPoints(n_P, n_F)) return true;
     if (tryPartSupportPoints()) return true;
-    if (witness_.distance > kFarFrom) return false;
+    if (witness_.distance > kRelativeFrom) return false;
   }
-  slideWitness(*P_.surface, *F_.surface, X_FP_, witness_);
+  slideWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_);
   if (isProven()) return true;
-  approachWitness(*P_.surface, *F_.surface, X_FP_, witness_);
-  settled_ = true;
+  approachWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_);
+  state_ = WitnessState::kSettled;
   return isProven() || isUniqueMinimum(memory);
 }
 
 /// From where they were, as long as there is much to gain.
 bool PairSearch::refineLocally() {
   for (int round = 1;; ++round) {
-    const bool more = walkWitness(*P_.surface, *F_.surface, X_FP_, witness_) && round < kRounds;
+    const bool more = walkWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_) && round < kRounds;
     // What parts prove is looked at once, at the end.
     if (!(by_parts_ && more) && isProven()) return true;
     if (!more) return false;
@@ -71,9 +73,9 @@ bool PairSearch::trySupportPoints(const Vector3d& n_P, const Vector3d& n_F) {
   if (separation(n) < separation(n_F)) n = n_F;
   for (int round = 0; round < kRounds; ++round) {
     const double before = witness_.distance;
-    take(P_.support.extreme(X_FP_.linear().transpose() * -n), F_.support.extreme(n));
+    tryPoints(P_.body.support.extreme(X_FP_.linear().transpose() * -n), F_.body.support.extreme(n));
     if (!(witness_.distance > kTouching)) return false;
-    if (provenByHulls(X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance)))
+    if (provenByHulls(F_.X_WB.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance)))
       return true;
     if (!(witness_.distance < before)) return false;
     n = (witness_.on_points - witness_.on_field) / witness_.distance;
@@ -89,15 +91,16 @@ bool PairSearch::tryPartSupportPoints() {
     const Vector3d n = (witness_.on_points - witness_.on_field) / before;
     FacingParts::Parts between;
     if (partsApart(n, between)) return true;
-    take(partExtreme(P_, between.of_points, X_FP_.linear().transpose() * -n),
-         partExtreme(F_, between.of_field, n));
+    tryPoints(partExtreme(P_.body, between.of_points, X_FP_.linear().transpose() * -n),
+              partExtreme(F_.body, between.of_field, n));
     if (!(witness_.distance < before)) return false;
   }
   return false;
 }
 
 /// One of these points of the surfaces or both, when they are nearer.
-void PairSearch::take(const structure::ExtremePoint& of_points, const structure::ExtremePoint& of_field) {
+void PairSearch::tryPoints(const structure::ExtremePoint& of_points,
+                           const structure::ExtremePoint& of_field) {
   const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
   const Vector3d p_0 = witness_.on_points, q_0 = witness_.on_field;
   const double d_p = (p - q_0).norm(), d_q = (p_0 - q).norm(), d = (p - q).norm();
@@ -117,13 +120,13 @@ void PairSearch::take(const structure::ExtremePoint& of_points, const structure:
 
 /// Certified, along the unit vector n from F to P in F's axes.
 double PairSearch::separation(const Vector3d& n) {
-  const double apart = separationAlong(X_WF_.linear() * n, P_, X_WP_, F_, X_WF_, false);
+  const double apart = separationAlong(F_.X_WB.linear() * n, P_, F_, false);
   certify(apart - kPlaneRounding);
   return apart;
 }
 
 bool PairSearch::isKnown() const {
-  const double may_exceed = allowed(witness_.distance, options_);
+  const double may_exceed = tolerance(witness_.distance, options_);
   return witness_.distance - certified_ <= may_exceed ||
          witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
 }
@@ -132,8 +135,8 @@ bool PairSearch::isKnown() const {
 bool PairSearch::isProven() {
   if (!(witness_.distance > kTouching)) return false;
   if (idle_ > 0) return isKnown();
-  asked_ = true;
-  const Vector3d n = X_WF_.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
+  if (hull_test_ == HullTest::kSkipped) hull_test_ = HullTest::kOverlap;
+  const Vector3d n = F_.X_WB.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
   const bool parts_first = by_parts_;
   if (parts_first && provenByParts()) return true;
   return provenByHulls(n) || (!parts_first && provenByParts());
@@ -141,13 +144,14 @@ bool PairSearch::isProven() {
 
 bool PairSearch::provenByHulls(const Vector3d& n) {
   for (const bool closely : {false, true}) {
-    const double separation = separationAlong(n, P_, X_WP_, F_, X_WF_, closely);
+    const double separation = separationAlong(n, P_, F_, closely);
     certify(separation - kPlaneRounding);
-    separated_ = separated_ || separation > kPlaneRounding;
+    if (separation > kPlaneRounding) hull_test_ = HullTest::kSeparated;
     hulls_ = witness_.distance - separation <= kHullPart * witness_.distance;
     if (isKnown()) return true;
     // What the first look may have lost.
-    if (witness_.distance - separation > kHullLoss * (P_.bounding_sphere.radius + F_.bounding_sphere.radius))
+    if (witness_.distance - separation >
+        kHullLoss * (P_.body.bounding_sphere.radius + F_.body.bounding_sphere.radius))
       break;
   }
   return false;
@@ -160,8 +164,9 @@ bool PairSearch::provenByParts() {
 }
 
 bool PairSearch::partsApart(const Vector3d& n, FacingParts::Parts& between) {
-  const double by = witness_.distance - allowed(witness_.distance, options_);
-  if (!FacingParts(P_, F_, X_FP_, by, witness_.distance <= kFarFrom, part_axes_).apart(n, between))
+  const double by = witness_.distance - tolerance(witness_.distance, options_);
+  if (!FacingParts(P_.body, F_.body, X_FP_, by, witness_.distance <= kRelativeFrom, part_axes_)
+           .apart(n, between))
     return false;
   certify(by);
   return true;

@@ -39,8 +39,8 @@ void PairSet::distances(std::span<const Transform> X_WB, const PairOptions& opti
                         std::span<PairResult> results) {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Bodies& pair = pairs_[i];
-    queryPair(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], options, memories_[i],
-              scratch_, results[i]);
+    queryPair({*structures_[pair.a], X_WB[pair.a]}, {*structures_[pair.b], X_WB[pair.b]}, options,
+              {memories_[i], scratch_}, results[i]);
   }
 }
 
@@ -55,9 +55,10 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
     const structure::HapticStructure &a = *structures_[pair.a], &b = *structures_[pair.b];
     const Transform &X_WA = X_WB[pair.a], &X_WB_b = X_WB[pair.b];
     const double between = kBetweenPoints * std::max(a.shell.spacing, b.shell.spacing);
-    PenaltyForce penalty = penaltyForce(a, X_WA, b, X_WB_b, options, scratch_, between);
+    PenaltyForce penalty = penaltyForce({a, X_WA}, {b, X_WB_b}, options, scratch_, between);
     if (penalty.contacts == 0)
-      penalty.depth = depthBetweenPoints(a, X_WA, penalty.near_a, b, X_WB_b, penalty.near_b, options.margin);
+      penalty.depth =
+          depthBetweenPoints({a, X_WA}, penalty.near_a, {b, X_WB_b}, penalty.near_b, options.margin);
     if (penalty.depth > 0.0) touches_.push_back({static_cast<std::uint32_t>(i), penalty});
   }
   return touches_;
@@ -69,8 +70,9 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   // Forces are those of the nearest only.
   const auto query = [&](std::size_t i, PairResult& result) {
     const Bodies& pair = pairs_[i];
-    const bool touches = queryDistance(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b],
-                                       options, memories_[i], scratch_, result);
+    const bool touches =
+        queryDistance({*structures_[pair.a], X_WB[pair.a]}, {*structures_[pair.b], X_WB[pair.b]}, options,
+                      {memories_[i], scratch_}, result);
     const Vector3d between = result.witness_a - result.witness_b;
     if (result.distance > 0.0) keepLine(i, X_WB, between / between.norm());
     return touches;
@@ -89,7 +91,7 @@ const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const 
   }
   if (touching) {
     const Bodies& pair = pairs_[nearest_.pair];
-    addPenalty(*structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], options, scratch_,
+    addPenalty({*structures_[pair.a], X_WB[pair.a]}, {*structures_[pair.b], X_WB[pair.b]}, options, scratch_,
                nearest_.result);
   }
   return nearest_;
@@ -117,8 +119,8 @@ bool PairSet::knownApart(std::size_t i, std::span<const Transform> X_WB, double 
   const Bodies& pair = pairs_[i];
   Lines& lines = lines_[i];
   const auto apart = [&](const Vector3d& n) {
-    return separationAlong(n, *structures_[pair.a], X_WB[pair.a], *structures_[pair.b], X_WB[pair.b], false) >
-           by + kPlaneRounding;
+    return separationAlong(n, {*structures_[pair.a], X_WB[pair.a]}, {*structures_[pair.b], X_WB[pair.b]},
+                           false) > by + kPlaneRounding;
   };
   const auto known = [&](const Line& line) {
     return !line.in_a.isZero() &&
@@ -161,7 +163,7 @@ bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by
     const Vector3d n = v.normalized();
     const Vector3d w = X_WA * a.support.extreme(X_WA.linear().transpose() * -n).point -
                        X_WB_b * b.support.extreme(X_WB_b.linear().transpose() * n).point;
-    if (n.dot(w) > by && separationAlong(n, a, X_WA, b, X_WB_b, false) > by + kPlaneRounding) {
+    if (n.dot(w) > by && separationAlong(n, {a, X_WA}, {b, X_WB_b}, false) > by + kPlaneRounding) {
       keepLine(i, X_WB, n);
       return true;
     }

@@ -19,17 +19,14 @@ struct PenaltyForce {
 };
 
 /// What a sum over P's points in F's field says. `points_of_a`: P is A, else B.
-PenaltyForce penaltyOf(const kernels::ContactSum& sum, const structure::HapticStructure& P,
-                       const structure::HapticStructure& F, const Transform& X_FP, const Transform& X_WF,
-                       double stiffness, bool points_of_a) noexcept;
+PenaltyForce penaltyOf(const kernels::ContactSum& sum, const PlacedBody& P, const PlacedBody& F,
+                       const Transform& X_FP, double stiffness, bool points_of_a) noexcept;
 
 /// Sums over the shell points of the body that gives them (pointsFromA) which are within the margin of the
 /// other: f = k a depth n [volume law], or k depth n [thesis eq. 2.2]. When there are none, over those of the
 /// other body, a tip of which may have come in between. `watch`: m, beyond the margin. Both structures must
 /// outlive the call. No allocation, no lock, no throw; depends on the arguments' values only.
-PenaltyForce penaltyForce(const structure::HapticStructure& a, const Transform& X_WA,
-                          const structure::HapticStructure& b, const Transform& X_WB,
-                          const PairOptions& options, kernels::PairScratch& scratch,
-                          double watch = 0.0) noexcept;
+PenaltyForce penaltyForce(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
+                          kernels::PairScratch& scratch, double watch = 0.0) noexcept;
 
 }  // namespace abstand::query

@@ -3,12 +3,11 @@
 
 namespace abstand::query {
 
-double separationAlong(const Vector3d& n, const structure::HapticStructure& a, const Transform& X_WA,
-                       const structure::HapticStructure& b, const Transform& X_WB, bool closely) noexcept {
-  const Vector3d towards_b = X_WA.linear().transpose() * -n, towards_a = X_WB.linear().transpose() * n;
-  const double apart = n.dot(X_WA.translation() - X_WB.translation());
-  return closely ? apart - a.support.closeUpper(towards_b) - b.support.closeUpper(towards_a)
-                 : apart - a.support.upper(towards_b) - b.support.upper(towards_a);
+double separationAlong(const Vector3d& n, const PlacedBody& a, const PlacedBody& b, bool closely) noexcept {
+  const Vector3d towards_b = a.X_WB.linear().transpose() * -n, towards_a = b.X_WB.linear().transpose() * n;
+  const double apart = n.dot(a.X_WB.translation() - b.X_WB.translation());
+  return closely ? apart - a.body.support.closeUpper(towards_b) - b.body.support.closeUpper(towards_a)
+                 : apart - a.body.support.upper(towards_b) - b.body.support.upper(towards_a);
 }
 
 double mostMotion(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,

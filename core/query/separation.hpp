@@ -1,7 +1,7 @@
 // Certified lower bounds of the distance of two bodies from what is cheap to know. Internal to the engine.
 #pragma once
 
-#include "core/structure/haptic_structure.hpp"
+#include "core/query/placed_body.hpp"
 
 namespace abstand::query {
 
@@ -12,8 +12,7 @@ inline constexpr double kPlaneRounding = 1e-8;
 /// axes), so no two points of theirs are nearer; negative when their hulls overlap along n. Where the bodies
 /// are convex about the nearest points and n points from one to the other, it is their distance.
 /// `closely`: looks at all corners of hulls, to lose nothing but float rounding.
-double separationAlong(const Vector3d& n, const structure::HapticStructure& a, const Transform& X_WA,
-                       const structure::HapticStructure& b, const Transform& X_WB, bool closely) noexcept;
+double separationAlong(const Vector3d& n, const PlacedBody& a, const PlacedBody& b, bool closely) noexcept;
 
 /// No point of the body has moved by more (m) between two poses: the way of its bounding sphere's centre, and
 /// the radius times the length of the longest chord of the rotation, 2 sin(angle / 2) = |R_1 - R_0|_F /

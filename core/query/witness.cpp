@@ -128,21 +128,22 @@ Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, cons
 
 }  // namespace
 
-Witness refineWitness(const geometry::Surface& points, const geometry::Surface& field,
-                      const field::NearField* near, const Transform& X_FP, const Vector3d& start,
-                      const Vector3d& normal, double step, std::uint32_t hint) noexcept {
+Witness refineWitness(const structure::HapticStructure& P, const structure::HapticStructure& F,
+                      const Transform& X_FP, const WitnessStart& start) noexcept {
+  const field::NearField* const near = structure::nearField(F);
   Witness w;
-  w.hint_field = hint;
-  Surfaces surfaces(points, field, X_FP, w);
+  w.hint_field = start.hint;
+  Surfaces surfaces(*P.surface, *F.surface, X_FP, w);
   bool inside;
-  const Vector3d p = near ? sunk(surfaces, *near, start, normal, step) : start;
+  const Vector3d p = near ? sunk(surfaces, *near, start.point, start.normal, start.step) : start.point;
   const Vector3d q = surfaces.toField(p, inside);
   set(w, p, q, (p - q).norm());
   if (inside) {
     w.distance = -w.distance;
     // Where many ways out are as long, at a medial axis, the field is too coarse to tell which way is down.
     const Vector3d inward = (p - q).normalized();
-    if (!near || (inward - normal * normal.dot(inward)).norm() > kSteep) deepen(surfaces, w, step);
+    if (!near || (inward - start.normal * start.normal.dot(inward)).norm() > kSteep)
+      deepen(surfaces, w, start.step);
   } else {
     approach(surfaces, w);
   }

@@ -1,8 +1,7 @@
 // The nearest pair of points on two exact surfaces, from a good start. Internal to the engine.
 #pragma once
 
-#include "core/field/near_field.hpp"
-#include "core/geometry/surface.hpp"
+#include "core/structure/haptic_structure.hpp"
 
 namespace abstand::query {
 
@@ -16,15 +15,20 @@ struct Witness {
   std::uint32_t hint_field{geometry::kNoHint};
 };
 
-/// Walks from `start` (on the surface of the point body P, given in F's frame) downhill in the exact signed
-/// distance to F, along P's surface: apart, by alternating projections, which never lengthen the distance;
-/// inside, by projected steps of at most `step` (m) against the gradient of `near`, F's near field, or of the
-/// exact distance where that is null, which is much slower. A local search: it ends at a nearest pair of
-/// the neighbourhood, whose distance is exact whatever led to it. `normal`: of P's surface at `start`, unit,
-/// in F's axes, either way. `hint`: where on F an answer nearby was found. No allocation, no throw.
-Witness refineWitness(const geometry::Surface& points, const geometry::Surface& field,
-                      const field::NearField* near, const Transform& X_FP, const Vector3d& start,
-                      const Vector3d& normal, double step, std::uint32_t hint) noexcept;
+/// Where refineWitness() starts, in F's frame.
+struct WitnessStart {
+  Vector3d point;      ///< on P's surface
+  Vector3d normal;     ///< of P's surface there, unit, either sign
+  double step;         ///< m; of the first step inside
+  std::uint32_t hint;  ///< where on F an answer nearby was found
+};
+
+/// Local search for the nearest pair of points of P and F, downhill in the exact signed distance to F along
+/// P's surface: apart, by alternating projections, which never lengthen the distance; inside, by projected
+/// steps against the gradient of F's near field, or of the exact distance where F has none, which is much
+/// slower. The distance is exact whatever led to it. No allocation, no throw.
+Witness refineWitness(const structure::HapticStructure& P, const structure::HapticStructure& F,
+                      const Transform& X_FP, const WitnessStart& start) noexcept;
 
 /// Stays with `start`, outside of F, and finds the point of F's surface that is nearest to it, or one that is
 /// no farther than `enough` (m).

@@ -8,7 +8,7 @@ SweptResult sweptPair(const structure::HapticStructure& a, BodyMotion& motion_a,
   return sweptDistance(
       duration,
       [&](double t) {
-        query::queryPair(a, motion_a.pose(t), b, motion_b.pose(t), {}, s.memory, s.scratch, s.result);
+        query::queryPair({a, motion_a.pose(t)}, {b, motion_b.pose(t)}, {}, {s.memory, s.scratch}, s.result);
         const double slack = motion_a.slack(t) + motion_b.slack(t);
         return DistanceSample{s.result.distance - s.result.bound - slack, s.result.distance - slack};
       },

@@ -49,8 +49,8 @@ struct World {
   void query(std::uint32_t pair, const PoseSet& poses, query::PairMemory& memory,
              kernels::PairScratch& scratch, query::PairResult& result) const {
     const auto [a, b] = pairs[pair];
-    query::queryPair(*structures[a], poses.X_WB[a], *structures[b], poses.X_WB[b], poses.options[pair],
-                     memory, scratch, result);
+    query::queryPair({*structures[a], poses.X_WB[a]}, {*structures[b], poses.X_WB[b]}, poses.options[pair],
+                     {memory, scratch}, result);
   }
 
   /// The same, or what is left of the last query when that will do. True when it was queried.

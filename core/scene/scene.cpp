@@ -271,7 +271,7 @@ void Scene::check(Pair& pair, kernels::PairScratch& scratch) {
   query::PairMemory nothing;
   query::PairMemory& memory =
       culling_.remember ? memories_[static_cast<std::size_t>(&pair - pairs_.data())] : nothing;
-  query::queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, memory, scratch,
+  query::queryPair({*a.spec.structure, a.X_WB}, {*b.spec.structure, b.X_WB}, pair.options, {memory, scratch},
                    pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!culling_.any()) return;

@@ -117,14 +117,14 @@ double timeQueries(const structure::HapticStructure& s, double gap) {
     // Apart for sure; then along the line between the nearest points.
     Transform X = Transform::Identity();
     X.translation() = (1.0 + kApart) * box.extent()[axis] * Vector3d::Unit(axis);
-    query::queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
+    query::queryPair({s, Transform::Identity()}, {s, X}, {}, scratch, result);
     const Vector3d way = (result.witness_a - result.witness_b).normalized();
     X.translation() += (result.distance - gap) * way;
     // One by one: who else uses the machine spoils a few of them, and not the median.
     std::vector<double> one;
     for (double all = 0.0; all < kTimed || one.size() < kMinTimed; all += one.back()) {
       const auto begin = Clock::now();
-      query::queryPair(s, Transform::Identity(), s, X, {}, scratch, result);
+      query::queryPair({s, Transform::Identity()}, {s, X}, {}, scratch, result);
       one.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
     }
     const auto middle = one.begin() + static_cast<std::ptrdiff_t>(one.size() / 2);

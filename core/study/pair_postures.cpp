@@ -76,8 +76,8 @@ double StudyPosture::gap(int a, int b) const {
 }
 
 const query::PairResult& StudyPosture::query(int a, int b) {
-  query::queryPair(*model_.body(a).structure, X_WL_[static_cast<std::size_t>(a)], *model_.body(b).structure,
-                   X_WL_[static_cast<std::size_t>(b)], {}, scratch_, result_);
+  query::queryPair({*model_.body(a).structure, X_WL_[static_cast<std::size_t>(a)]},
+                   {*model_.body(b).structure, X_WL_[static_cast<std::size_t>(b)]}, {}, scratch_, result_);
   return result_;
 }
 

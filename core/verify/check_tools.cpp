@@ -37,7 +37,7 @@ query::PairResult query(const structure::HapticStructure& a, const Transform& X_
                         const query::PairOptions& options) {
   kernels::PairScratch scratch;
   query::PairResult result;
-  query::queryPair(a, X_WA, b, X_WB, options, scratch, result);
+  query::queryPair({a, X_WA}, {b, X_WB}, options, scratch, result);
   return result;
 }
 

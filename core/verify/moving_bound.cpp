@@ -53,7 +53,7 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
   kernels::PairScratch scratch;
   query::PairResult result;
   for (std::size_t i = 0; i < kMotionSteps; ++i) {
-    query::queryPair(A, pose.X_WA, B, pose.X_WB, {}, memory, scratch, result);
+    query::queryPair({A, pose.X_WA}, {B, pose.X_WB}, {}, {memory, scratch}, result);
     const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
     path.answers[i] = judge(result);
     path.overlapping[i] = judge.exact().overlapping;

@@ -53,7 +53,8 @@ void sweptBrakingArm(benchmark::State& state) {
       testing::structureOf(geometry::Capsule{0.05, 0.3}, structure::FieldKind::kMixed);
   const structure::HapticStructure& hand =
       testing::structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.1}}, structure::FieldKind::kMixed);
-  const mechanism::Mechanism arm = robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
+  const mechanism::Mechanism arm =
+      robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   safety::BrakingPath path({.deceleration = {5.0}, .reaction_time = 0.02}, 7);
   const std::vector<double> q{0.3, 0.6, 0.0, 1.2, 0.0, 0.5, 0.0}, qd(7, 1.0);
   path.start(q, qd);

@@ -26,7 +26,7 @@ void queryAt(benchmark::State& state) {
   query::PairResult result;
   std::size_t i = 0;
   for (auto _ : state) {
-    query::queryPair(a, poses[i++ % poses.size()], b, Transform::Identity(), {.margin = 0.02}, scratch,
+    query::queryPair({a, poses[i++ % poses.size()]}, {b, Transform::Identity()}, {.margin = 0.02}, scratch,
                      result);
     benchmark::DoNotOptimize(result);
   }
@@ -49,7 +49,8 @@ void denseContact(benchmark::State& state) {
   long points = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (auto _ : state) {
-    query::queryPair(*inner, poses[i++ % poses.size()], outer, Transform::Identity(), {}, scratch, result);
+    query::queryPair({*inner, poses[i++ % poses.size()]}, {outer, Transform::Identity()}, {}, scratch,
+                     result);
     points += result.contacts;
   }
   const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;

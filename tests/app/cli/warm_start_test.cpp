@@ -72,7 +72,7 @@ TEST_F(WarmStart, DistancesAreThoseOfColdStartsWithinTheTolerance) {
     ASSERT_LE(w - w_bound, c + 1e-9) << warm[i];
     ASSERT_LE(c - c_bound, w + 1e-9) << cold[i];
     different += c != w;
-    if (c <= query::kFarFrom) {
+    if (c <= query::kRelativeFrom) {
       ASSERT_LE(w, c + kBetweenPoints) << warm[i];
       continue;
     }
@@ -89,7 +89,7 @@ TEST_F(WarmStart, IsStatedAndCanBeSwitchedOff) {
   const json warm = runJson("run " + kScene + part)["warm_start"];
   EXPECT_EQ(warm["block_frames"], run::kColdStart);
   EXPECT_EQ(warm["far_tolerance"], 0.002);
-  EXPECT_EQ(warm["far_from_m"], query::kFarFrom);
+  EXPECT_EQ(warm["far_from_m"], query::kRelativeFrom);
   EXPECT_EQ(runJson("run " + kScene + part + " --tolerance 0.01")["warm_start"]["far_tolerance"], 0.01);
   EXPECT_TRUE(runJson("run " + kScene + part + " --cold")["warm_start"].is_null());
   EXPECT_NE(run("run " + kScene + part).out.find("beyond 0.1 m distances are at most 0.2 % above"),

@@ -82,8 +82,8 @@ Outcome punch(const ReactionDescription& description, double speed) {
     mechanism::forward(b.arm, q, state);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const int frame = b.frames[i];
-      query::queryPair(*b.links[i], state.X_BF[static_cast<std::size_t>(frame)], *b.fist, X_WFist, {},
-                       memories[i], *scratch, result);
+      query::queryPair({*b.links[i], state.X_BF[static_cast<std::size_t>(frame)]}, {*b.fist, X_WFist}, {},
+                       {memories[i], *scratch}, result);
       outcome.nearest = std::min(outcome.nearest, result.distance);
       const Vector3d n = partingDirection(result);
       std::fill(rows[i].begin(), rows[i].end(), 0.0);

@@ -131,11 +131,11 @@ TEST(GodObject, SlidesOverABoxWithoutSinkingIn) {
     // The hand goes straight through the upper part of the box, 3 cm below where the ball can be, and on.
     const Transform hand = at({-0.3 + 0.6e-3 * i, 0.02, 0.12});
     for (int k = 0; k < 4; ++k) {
-      query::queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, memory, scratch, result);
+      query::queryPair({*ball, object.pose()}, {*box, Transform::Identity()}, {}, {memory, scratch}, result);
       const auto constraint = constraintOf(result, true);
       object.update(hand, constraint ? std::span(&*constraint, 1) : std::span<const ContactConstraint>());
     }
-    query::queryPair(*ball, object.pose(), *box, Transform::Identity(), {}, scratch, result);
+    query::queryPair({*ball, object.pose()}, {*box, Transform::Identity()}, {}, scratch, result);
     deepest = std::max(deepest, -result.distance);
     if (std::abs(hand.translation().x()) < 0.15) {
       ++pressed;

@@ -77,7 +77,8 @@ struct Dropped {
     table = large;
   }
   Contact contact(const Transform& X_WBox, const Transform& X_WTable, double stiffness) {
-    query::queryPair(*box, X_WBox, *table, X_WTable, {.margin = 0.0, .stiffness = stiffness}, scratch, pair);
+    query::queryPair({*box, X_WBox}, {*table, X_WTable}, {.margin = 0.0, .stiffness = stiffness}, scratch,
+                     pair);
     return {pair.force_a, pair.torque_a, X_WBox * box->mass_properties.com,
             0.5 * (pair.witness_a + pair.witness_b)};
   }

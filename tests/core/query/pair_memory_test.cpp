@@ -36,8 +36,8 @@ TEST(PairMemory, AgreesWithFreshQueriesWithinTheBounds) {
     for (int frame = 0; frame < 2000; ++frame) {
       const Transform X_WB = fromXyzRpy({0.5 * std::cos(0.003 * frame), 0.3 * std::sin(0.005 * frame), 0.05},
                                         {0.002 * frame, 0.001 * frame, frame % 500 == 0 ? 3.0 : 0.0});
-      query::queryPair(a, Transform::Identity(), b, X_WB, {.margin = 0.05}, memory, scratch, warm);
-      query::queryPair(a, Transform::Identity(), b, X_WB, {.margin = 0.05}, scratch, cold);
+      query::queryPair({a, Transform::Identity()}, {b, X_WB}, {.margin = 0.05}, {memory, scratch}, warm);
+      query::queryPair({a, Transform::Identity()}, {b, X_WB}, {.margin = 0.05}, scratch, cold);
       ASSERT_NO_FATAL_FAILURE(expectAgree(warm, cold, frame));
       proven += warm.distance > 0.0 && warm.bound < 0.011 * warm.distance;
     }
@@ -59,8 +59,8 @@ TEST(PairMemory, OfABodyThatJumpsToAndFroKeepsWithinTheBounds) {
       const double t = 0.002 * frame, aside = random() % 2 == 0 ? 0.1 : -0.15;
       const Transform X_WB =
           fromXyzRpy({0.25 * std::cos(t), aside, 0.2 * std::sin(2.0 * t)}, {t, 10.0 * aside, 0.5 * t});
-      query::queryPair(a, Transform::Identity(), b, X_WB, {.margin = margin}, memory, scratch, warm);
-      query::queryPair(a, Transform::Identity(), b, X_WB, {.margin = margin}, scratch, cold);
+      query::queryPair({a, Transform::Identity()}, {b, X_WB}, {.margin = margin}, {memory, scratch}, warm);
+      query::queryPair({a, Transform::Identity()}, {b, X_WB}, {.margin = margin}, scratch, cold);
       ASSERT_NO_FATAL_FAILURE(expectAgree(warm, cold, frame));
       touching += warm.distance < 0.0;
     }
@@ -77,10 +77,10 @@ TEST(PairMemory, OfABodyThatJumpsBackStartsWhereItWas) {
   query::PairMemory memory;
   kernels::PairScratch scratch;
   query::PairResult before, between, after;
-  query::queryPair(box, X_WA, box, X_WB, {}, memory, scratch, before);
-  query::queryPair(box, X_WA, box, X_WB_jumped, {}, memory, scratch, between);
+  query::queryPair({box, X_WA}, {box, X_WB}, {}, {memory, scratch}, before);
+  query::queryPair({box, X_WA}, {box, X_WB_jumped}, {}, {memory, scratch}, between);
   ASSERT_GT(std::abs(between.distance - before.distance), 0.01);
-  query::queryPair(box, X_WA, box, X_WB, {}, memory, scratch, after);
+  query::queryPair({box, X_WA}, {box, X_WB}, {}, {memory, scratch}, after);
   EXPECT_LT((after.witness_a - before.witness_a).norm(), 1e-12);
   EXPECT_LT((after.witness_b - before.witness_b).norm(), 1e-12);
   EXPECT_NEAR(after.distance, before.distance, 1e-12);

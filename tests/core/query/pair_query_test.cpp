@@ -23,7 +23,7 @@ query::PairResult query(const structure::HapticStructure& a, const Transform& X_
                         const query::PairOptions& options = {}) {
   kernels::PairScratch scratch;
   query::PairResult result;
-  query::queryPair(a, X_WA, b, X_WB, options, scratch, result);
+  query::queryPair({a, X_WA}, {b, X_WB}, options, scratch, result);
   return result;
 }
 
@@ -204,7 +204,7 @@ TEST(PairQuery, AllocatesNothing) {
   query::PairResult result;
   const NoAlloc guard;
   for (std::uint64_t seed = 0; seed < 50; ++seed)
-    query::queryPair(a, randomPose(seed, 0.1), b, randomPose(seed + 100, 0.1), {.margin = 0.05}, scratch,
+    query::queryPair({a, randomPose(seed, 0.1)}, {b, randomPose(seed + 100, 0.1)}, {.margin = 0.05}, scratch,
                      result);
   EXPECT_EQ(guard.count(), 0);
 }

@@ -62,7 +62,7 @@ query::PairResult alone(const Crowd& crowd, std::size_t pair, const query::PairO
   kernels::PairScratch scratch;
   query::PairResult result;
   const auto [a, b] = crowd.pairs[pair];
-  query::queryPair(*crowd.bodies[a], crowd.X_WB[a], *crowd.bodies[b], crowd.X_WB[b], options, scratch,
+  query::queryPair({*crowd.bodies[a], crowd.X_WB[a]}, {*crowd.bodies[b], crowd.X_WB[b]}, options, scratch,
                    result);
   return result;
 }

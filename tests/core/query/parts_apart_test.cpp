@@ -161,8 +161,9 @@ TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
         if (apart) {
           ASSERT_GE(truth, by - kFloat) << i;
           ++proven;
-          beyond_hulls += by > 0.01 && query::separationAlong(n, *bodies[a], X_BA, *bodies[b],
-                                                              Transform::Identity(), false) < 0.0;
+          beyond_hulls +=
+              by > 0.01 &&
+              query::separationAlong(n, {*bodies[a], X_BA}, {*bodies[b], Transform::Identity()}, false) < 0.0;
         } else {
           ASSERT_LT(between.of_points, bodies[a]->parts.size());
           ASSERT_LT(between.of_field, bodies[b]->parts.size());
@@ -209,7 +210,7 @@ TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
   query::PairResult result;
   query::PairSet set({lumpy.get(), ball.get()}, {{0, 1}});
   for (const Transform& X : {outside, outside, inside}) {
-    query::queryPair(*lumpy, Transform::Identity(), *ball, X, {}, memory, scratch, result);
+    query::queryPair({*lumpy, Transform::Identity()}, {*ball, X}, {}, {memory, scratch}, result);
     const Transform poses[] = {Transform::Identity(), X};
     EXPECT_EQ(set.contacts(poses, {}).empty(), X.translation() != inside.translation());
     EXPECT_EQ(set.nearest(poses, {}).result.distance < 0.0, X.translation() == inside.translation());
@@ -258,8 +259,8 @@ TEST(PairMemory, OfBodiesThatAreNotConvexKeepsWithinTheBounds) {
     const double t = 0.004 * frame;
     Transform X_WB = fromXyzRpy({0.3 * std::cos(t), 0.3 * std::sin(1.3 * t), 0.15 + 0.12 * std::sin(0.7 * t)},
                                 {t, 0.5 * t, frame % 7 == 0 ? kPi : 0.0});
-    query::queryPair(*a, Transform::Identity(), *b, X_WB, {}, memory, scratch, warm);
-    query::queryPair(*a, Transform::Identity(), *b, X_WB, {}, scratch, cold);
+    query::queryPair({*a, Transform::Identity()}, {*b, X_WB}, {}, {memory, scratch}, warm);
+    query::queryPair({*a, Transform::Identity()}, {*b, X_WB}, {}, scratch, cold);
     ASSERT_LE(warm.distance - warm.bound, cold.distance + kFloat) << frame;
     ASSERT_LE(cold.distance - cold.bound, warm.distance + kFloat) << frame;
     if (frame % 10 == 0 && cold.distance > 0.0) {

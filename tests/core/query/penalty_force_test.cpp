@@ -23,7 +23,7 @@ query::PairResult press(const structure::HapticStructure& body, const Transform&
                         query::ForceLaw law = query::ForceLaw::kVolume) {
   kernels::PairScratch scratch;
   query::PairResult r;
-  query::queryPair(body, X_WB, wall(), kWallPose, {.margin = 0.0, .stiffness = kStiffness, .law = law},
+  query::queryPair({body, X_WB}, {wall(), kWallPose}, {.margin = 0.0, .stiffness = kStiffness, .law = law},
                    scratch, r);
   return r;
 }

@@ -49,7 +49,7 @@ Seen expectCertified(const structure::HapticStructure& a, const structure::Hapti
   const double size = a.bounding_sphere.radius + b.bounding_sphere.radius;
   for (const Transform& X_BA : poses) {
     const double exact = distance(X_BA);
-    query::queryPair(a, X_BA, b, Transform::Identity(), {}, scratch, r);
+    query::queryPair({a, X_BA}, {b, Transform::Identity()}, {}, scratch, r);
     SCOPED_TRACE(::testing::Message() << "pose\n" << X_BA.matrix() << "\nexact " << exact);
     EXPECT_LE(r.distance - r.bound, exact + kRounding);
     if (exact > 0.0) {
@@ -172,7 +172,8 @@ TEST(Scale, AShellOfAMillionPoints) {
   X.translation() = Vector3d(0.0, 0.0, 0.5 + std::sqrt(0.75) * kEdge - kDeep);
   kernels::PairScratch scratch;
   query::PairResult r;
-  query::queryPair(*cube.structure, X, *wall, Transform::Identity(), {.stiffness = kStiffness}, scratch, r);
+  query::queryPair({*cube.structure, X}, {*wall, Transform::Identity()}, {.stiffness = kStiffness}, scratch,
+                   r);
   // Of some 1,200 wet squares those on the waterline count as a whole or not at all, and are hardly deep.
   const double volume = std::sqrt(0.75) * kDeep * kDeep * kDeep;
   EXPECT_NEAR(r.force_a.z(), kStiffness * volume, 0.01 * kStiffness * volume);

@@ -69,9 +69,10 @@ TEST(Separation, OfBallsAlongTheirCentresIsTheirDistance) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Transform X_WA = randomPose(i), X_WB = randomPose(i + 1000);
     const Vector3d way = X_WA.translation() - X_WB.translation();
-    EXPECT_NEAR(query::separationAlong(way.normalized(), ball, X_WA, ball, X_WB, false), way.norm() - 0.1,
+    EXPECT_NEAR(query::separationAlong(way.normalized(), {ball, X_WA}, {ball, X_WB}, false), way.norm() - 0.1,
                 1e-12);
-    EXPECT_LE(query::separationAlong(direction(i), ball, X_WA, ball, X_WB, false), way.norm() - 0.1 + 1e-12);
+    EXPECT_LE(query::separationAlong(direction(i), {ball, X_WA}, {ball, X_WB}, false),
+              way.norm() - 0.1 + 1e-12);
   }
 }
 

@@ -43,7 +43,7 @@ double distanceAt(const structure::HapticStructure& a, BodyMotion& x, const stru
                   BodyMotion& y, double t, query::PairMemory& memory) {
   static kernels::PairScratch scratch;
   query::PairResult result;
-  query::queryPair(a, x.pose(t), b, y.pose(t), {}, memory, scratch, result);
+  query::queryPair({a, x.pose(t)}, {b, y.pose(t)}, {}, {memory, scratch}, result);
   return result.distance;
 }
 

@@ -53,7 +53,7 @@ query::PairResult queried(const scene::Scene& scene, const scene::Pair& pair) {
   const scene::Object& b = scene.object(pair.b);
   kernels::PairScratch scratch;
   query::PairResult result;
-  query::queryPair(*a.spec.structure, a.X_WB, *b.spec.structure, b.X_WB, pair.options, scratch, result);
+  query::queryPair({*a.spec.structure, a.X_WB}, {*b.spec.structure, b.X_WB}, pair.options, scratch, result);
   return result;
 }
 

@@ -83,8 +83,8 @@ TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
     for (int i = 0; i < 200; ++i) {
       const Transform X(testing::randomPose(i, 0.1));
       query::PairResult r[2];
-      query::queryPair(built, Transform::Identity(), built, X, {.margin = 0.01}, scratch, r[0]);
-      query::queryPair(found, Transform::Identity(), found, X, {.margin = 0.01}, scratch, r[1]);
+      query::queryPair({built, Transform::Identity()}, {built, X}, {.margin = 0.01}, scratch, r[0]);
+      query::queryPair({found, Transform::Identity()}, {found, X}, {.margin = 0.01}, scratch, r[1]);
       EXPECT_EQ(r[0].distance, r[1].distance);
       EXPECT_EQ(r[0].bound, r[1].bound);
       EXPECT_EQ(r[0].force_a, r[1].force_a);

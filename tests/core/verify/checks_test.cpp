@@ -57,7 +57,7 @@ TEST(NastyPoses, TheCycleAllocatesNothing) {
     const structure::HapticStructure &a = *bodies[pose.a].structures[field],
                                      &b = *bodies[pose.b].structures[field];
     const testing::NoAlloc guard;
-    query::queryPair(a, pose.X_WA, b, pose.X_WB, {.margin = 0.01}, scratch, result);
+    query::queryPair({a, pose.X_WA}, {b, pose.X_WB}, {.margin = 0.01}, scratch, result);
     allocations += guard.count();
     touching += result.contacts > 0;
   }

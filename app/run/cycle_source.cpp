@@ -1,0 +1,206 @@
+#include "app/run/cycle_source.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "core/base/pacer.hpp"
+#include "core/scene/pair_threads.hpp"
+
+namespace abstand::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+void add(const scene::StepCounts& counts, RunSummary::Work& work) {
+  work.checked += counts.checked;
+  work.rested += counts.rested;
+  work.beyond += counts.beyond;
+  work.put_off += counts.put_off;
+  work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
+}
+
+/// The groups of pairs that live mode runs: the scene file's with one for the rest, or one group a core.
+std::vector<std::vector<PairId>> liveGroups(const session::Session& session) {
+  const scene::Scene& scene = session.scene();
+  std::vector<std::vector<PairId>> groups;
+  if (session.description().threads.empty()) {
+    groups.resize(std::max(1u, std::thread::hardware_concurrency()));
+    for (std::size_t i = 0; i < scene.pairs().size(); ++i)
+      groups[i % groups.size()].push_back(PairId(static_cast<std::uint32_t>(i)));
+    return groups;
+  }
+  for (const session::PairGroup& group : session.pairGroups()) groups.push_back(group.pairs);
+  return groups;
+}
+
+/// A step of the session a frame; cold starts at the beginnings of blocks (kColdStart).
+class LockStep : public CycleSource {
+ public:
+  LockStep(PassState& state, std::size_t first) : state_(state), frame_(first) {}
+
+  void frame(double t, const CycleDone& done) override {
+    scene::Scene& scene = state_.session.scene();
+    if (state_.summary.profile) state_.summary.profile->begin();
+    const auto begin = Clock::now();
+    if (frame_++ % kColdStart == 0) scene.startCold();
+    state_.session.step(t);
+    state_.takeRenewed();
+    state_.watchPoses();
+    const double worked = since(begin);
+    if (state_.summary.profile) state_.summary.profile->end(worked);
+    add(scene.counts(), state_.summary.work);
+    done(t, worked);
+  }
+  const std::vector<PairId>& renewed() const override { return state_.session.scene().renewed(); }
+
+ private:
+  PassState& state_;
+  std::size_t frame_;
+};
+
+/// The closed loop in lock step: a cycle a millisecond.
+class LoopInLockStep : public CycleSource {
+ public:
+  LoopInLockStep(PassState& state, double t) : state_(state), loop_(state.session, t) {
+    state_.summary.cycles = 0;
+  }
+
+  void frame(double t, const CycleDone& done) override {
+    // The cycle nearest to the frame is the last one before it.
+    while (loop_.time() <= t + 0.5 * loop::ClosedLoop::kStep) {
+      const double at = loop_.time();
+      if (state_.summary.profile) state_.summary.profile->begin();
+      const auto begin = Clock::now();
+      loop_.step();
+      state_.takeRenewed();
+      state_.watchPoses();
+      const double worked = since(begin);
+      if (state_.summary.profile) state_.summary.profile->end(worked);
+      add(state_.session.scene().counts(), state_.summary.work);
+      ++state_.summary.cycles;
+      done(at, worked);
+    }
+  }
+  const std::vector<PairId>& renewed() const override { return state_.session.scene().renewed(); }
+  const loop::ClosedLoop* loop() const override { return &loop_; }
+  void finish() override { state_.summary.robots = loop::reportOf(loop_); }
+
+ private:
+  PassState& state_;
+  loop::ClosedLoop loop_;
+};
+
+/// The closed loop with its pairs on threads of their own.
+class LoopLive : public CycleSource {
+ public:
+  LoopLive(PassState& state, double t)
+      : state_(state), live_(state.session, t, liveGroups(state.session), state.options.pace) {
+    state_.summary.cycles = 0;
+  }
+
+  void frame(double t, const CycleDone& done) override {
+    while (live_.loop().time() <= t + 0.5 * loop::ClosedLoop::kStep) {
+      const double at = live_.loop().time();
+      const double worked = live_.cycle(state_.results);
+      state_.watchPoses();
+      ++state_.summary.cycles;
+      done(at, worked);
+    }
+  }
+  const std::vector<PairId>& renewed() const override { return state_.all; }
+  const loop::ClosedLoop* loop() const override { return &live_.loop(); }
+  void finish() override {
+    add(live_.counts(), state_.summary.work);
+    state_.summary.robots = loop::reportOf(live_.loop());
+  }
+
+ private:
+  PassState& state_;
+  LiveLoop live_;
+};
+
+/// A frame a period of the recording, with its pairs on threads of their own.
+class FramesLive : public CycleSource {
+ public:
+  FramesLive(PassState& state, const std::vector<double>& times)
+      : state_(state), threads_(placed(state.session, times.front()).scene()), pacer_{periodOf(times)} {
+    for (auto& group : liveGroups(state.session)) threads_.start(threads_.addGroup(std::move(group)));
+  }
+
+  void frame(double t, const CycleDone& done) override {
+    scene::Scene& scene = state_.session.scene();
+    auto begin = Clock::now();
+    state_.session.applyMotion(t);
+    threads_.publishPoses(scene);
+    const double worked = since(begin);
+    // The groups have the rest of the period for these poses.
+    if (state_.options.pace == LivePace::kRealTime) pacer_.wait();
+    begin = Clock::now();
+    if (state_.options.pace == LivePace::kRealTime)
+      threads_.collect(state_.results);
+    else
+      settle(threads_, state_.results);
+    scene.take(state_.results, threads_.resultTimes());
+    state_.session.sumEfforts();
+    state_.watchPoses();
+    done(t, worked + since(begin));
+  }
+  const std::vector<PairId>& renewed() const override { return state_.all; }
+  void finish() override { add(threads_.counts(), state_.summary.work); }
+
+ private:
+  /// The threads start with the poses of the first frame.
+  static session::Session& placed(session::Session& session, double t) {
+    session.applyMotion(t);
+    return session;
+  }
+  static std::chrono::nanoseconds periodOf(const std::vector<double>& times) {
+    const double period =
+        times.size() > 1 ? (times.back() - times.front()) / static_cast<double>(times.size() - 1) : 0.001;
+    return std::chrono::nanoseconds(static_cast<long>(period * 1e9));
+  }
+
+  PassState& state_;
+  scene::PairThreads threads_;
+  Pacer pacer_;
+};
+
+}  // namespace
+
+PassState::PassState(session::Session& session_, const RunOptions& options_, RunSummary& summary_)
+    : session(session_),
+      options(options_),
+      summary(summary_),
+      results(session.scene().pairs().size()),
+      stale(session.scene().objectCount()) {
+  for (std::uint32_t i = 0; i < results.size(); ++i) all.emplace_back(i);
+}
+
+void PassState::takeRenewed() {
+  const scene::Scene& scene = session.scene();
+  for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
+}
+
+void PassState::watchPoses() {
+  const auto& objects = session.scene().objects();
+  for (std::size_t i = 0; i < stale.size(); ++i) {
+    const scene::PoseState s = objects[i].pose_state;
+    if (s == scene::PoseState::kStale || s == scene::PoseState::kRejected) stale[i] = true;
+  }
+}
+
+std::unique_ptr<CycleSource> makeCycleSource(PassState& state, const std::vector<double>& times,
+                                             std::size_t first) {
+  const bool react = state.options.react && state.session.reacts();
+  if (state.options.mode == RunMode::kLockstep) {
+    if (react) return std::make_unique<LoopInLockStep>(state, times.front());
+    return std::make_unique<LockStep>(state, first);
+  }
+  if (react) return std::make_unique<LoopLive>(state, times.front());
+  return std::make_unique<FramesLive>(state, times);
+}
+
+}  // namespace abstand::run

@@ -1,0 +1,49 @@
+// Extremes of the results of a run.
+#pragma once
+
+#include "app/run/run_scene.hpp"
+
+namespace abstand::run {
+
+/// The nearest, the hardest and the oldest result of a pass over frames. One thread.
+class Extremes {
+ public:
+  /// The session must outlive it.
+  explicit Extremes(const session::Session& session);
+
+  /// `renewed`: the pairs whose results may differ from the last frame's; all of them in the first frame.
+  void frame(double t, const std::vector<query::PairResult>& results, const std::vector<PairId>& renewed,
+             RunSummary& summary);
+
+  void finish(RunSummary& summary, RunMode mode) const;
+
+  RunSummary::Extreme extreme(std::size_t pair, double t, double value) const;
+
+ private:
+  /// The least distance of some pairs, m; of equal ones at a time the first in scene order, whatever the
+  /// order in which they are offered.
+  struct Least {
+    double value{kInfinity}, t{0.0};
+    std::size_t pair{0};
+    void offer(double d, double at, std::size_t i) {
+      if (d < value || (d == value && at == t && i < pair)) *this = {d, at, i};
+    }
+  };
+  std::optional<RunSummary::Extreme> extreme(const Least& least) const;
+  void lookAtClearance(PairId id, double t, double distance) {
+    clearance_.offer(distance - session_.scene().pairUncertainty(id), t, id.index());
+  }
+
+  const session::Session& session_;
+  std::vector<bool> touching_;
+  long touching_count_{0};
+  Least distance_, clearance_;
+  double force_{0.0}, force_t_{0.0};
+  bool force_apart_{false};
+  std::vector<PairClass> classes_;
+  std::array<Least, kPairClasses.size()> least_;
+  double age_{-1.0}, age_t_{0.0};
+  std::size_t force_pair_{0}, age_pair_{0};
+};
+
+}  // namespace abstand::run
