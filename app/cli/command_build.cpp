@@ -102,10 +102,17 @@ store::MadeStructure build(const CommandLine& line, const Body& body, const stru
   }
 }
 
-/// Builds one body, or explains it; both add to the document and the text.
+/// What the command says and writes.
+struct BuildOutput {
+  nlohmann::ordered_json document;
+  std::string text;
+  std::optional<OutputFolder> folder;  ///< of structures
+};
+
+/// Builds one body, or explains it; both add to the output.
 void make(const CommandLine& line, const BuildArguments& args, const structure::HapticOptions& options,
-          const std::string& name, store::StructureCache& cache, OutputFolder* folder,
-          nlohmann::ordered_json& document, std::string& text) {
+          const std::string& name, store::StructureCache& cache, BuildOutput& output) {
+  auto& [document, text, folder] = output;
   const Body body = load(name, number(args.scale, "--scale"), args.packages, cache);
   Said said;
   if (args.explain) {
@@ -137,16 +144,15 @@ int runBuild(const CommandLine& line, const BuildArguments& args) {
   options.validate();
 
   store::StructureCache cache(line.cache ? store::userCacheFolder() : std::filesystem::path());
-  nlohmann::ordered_json document;
+  BuildOutput output;
+  auto& [document, text, folder] = output;
   document[args.explain ? "explained" : "structures"] = nlohmann::ordered_json::array();
   if (args.explain) document["rules"] = explainRules();
-  std::string text;
   auto failed = nlohmann::ordered_json::array();
-  std::optional<OutputFolder> folder;
   if (!args.out.empty() && !args.explain) folder.emplace(args.out);
   for (const auto& name : args.meshes) {
     try {
-      make(line, args, options, name, cache, folder ? &*folder : nullptr, document, text);
+      make(line, args, options, name, cache, output);
     } catch (const ParseError& e) {
       if (args.meshes.size() == 1) throw;
       std::cerr << e.what() << std::endl;

@@ -137,7 +137,7 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const mechanis
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
     const double t = motion.start() + static_cast<double>(row) / args.rate;
     motion.at(t, q, qd, qdd);
-    mechanism::inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, efforts);
+    mechanism::inverseDynamics(tree, {q, qd, qdd}, {gravity_B, {}}, state, efforts);
     watch.look(t, q, qd, qdd, efforts);
     for (std::size_t k = 0; k < n; ++k) {
       if (std::abs(efforts[k]) <= peak[k]) continue;
@@ -201,7 +201,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
   std::vector<double> efforts(q.size()), gravity(q.size()), bias(q.size());
   mechanism::gravityEfforts(tree, q, gravity_B, state.tree, gravity);
   mechanism::biasEfforts(tree, q, qd, gravity_B, state.tree, bias);
-  mechanism::inverseDynamics(tree, q, qd, qdd, gravity_B, external, state.tree, efforts);
+  mechanism::inverseDynamics(tree, {q, qd, qdd}, {gravity_B, external}, state.tree, efforts);
   mechanism::massMatrix(tree, state.tree, state.mass);
   for (std::size_t k = 0; k < q.size(); ++k)
     text += format("dof %zu: effort %.6g, of that gravity %.6g\n", k, efforts[k], gravity[k]);
@@ -226,7 +226,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
       const Vector3d n_B = Vector3d(v[0], v[1], v[2]).normalized();
       if (!(n_B.norm() > 0.5)) throw UsageError("--effective: found no direction in '" + option + "'");
       const double mass =
-          mechanism::effectiveMass(tree, state.tree, state.mass, frame,
+          mechanism::effectiveMass({tree, state.tree, state.mass}, frame,
                                    mechanism::poseOfFrame(tree, state.tree, frame).translation(), n_B, work);
       const auto& name = mechanism.frames[static_cast<std::size_t>(frame)].name;
       rows.push_back({{"frame", name}, {"direction", toJson(n_B)}});

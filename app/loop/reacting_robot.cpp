@@ -116,7 +116,7 @@ void ReactingRobot::drive(const control::ReactionOutput& out) {
   brake(out.brakes);
   if (braked_) return;
   control::hold(hold_, plan_.now(), q_, qd_, acceleration_);
-  mechanism::inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  mechanism::inverseDynamics(tree_, {q_, qd_, acceleration_}, {gravity_B_, {}}, tree_state_, hold_efforts_);
   for (std::size_t i = 0; i < q_.size(); ++i)
     world_.setJointEffort(number_, static_cast<int>(i), hold_efforts_[i] + torque_[i]);
 }
@@ -156,8 +156,8 @@ void ReactingRobot::limitPosition(double h) {
   }
   // What its motors would have to give, what they can, and where that leads.
   for (std::size_t i = 0; i < q_.size(); ++i) acceleration_[i] = (next_qd_[i] - qd_[i]) / h;
-  mechanism::inverseDynamics(tree_, q_, qd_, {}, gravity_B_, {}, tree_state_, bias_);
-  mechanism::inverseDynamics(tree_, q_, qd_, acceleration_, gravity_B_, {}, tree_state_, hold_efforts_);
+  mechanism::inverseDynamics(tree_, {q_, qd_, {}}, {gravity_B_, {}}, tree_state_, bias_);
+  mechanism::inverseDynamics(tree_, {q_, qd_, acceleration_}, {gravity_B_, {}}, tree_state_, hold_efforts_);
   bool able = true;
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const double most = limits[i].effort;

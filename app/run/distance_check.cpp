@@ -26,22 +26,21 @@ DistanceCheck::DistanceCheck(const scene::Scene& scene, double limit, bool with_
   widened_ = limits_;
 }
 
-void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t,
-                          double distance, double reach, bool broken) {
+void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, const Sample& at, bool broken) {
   if (!broken) {
     if (open.active) closed.push_back(open.violation);
     open.active = false;
     return;
   }
   if (!open.active) {
-    const scene::Pair& p = scene_.pairs()[pair];
+    const scene::Pair& p = scene_.pairs()[at.pair];
     open = {true,
-            {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, t, t, distance, limits_[pair], reach,
-             recording_}};
+            {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, at.t, at.t, at.distance,
+             limits_[at.pair], at.reach, recording_}};
   }
-  open.violation.end = t;
-  open.violation.reach = std::max(open.violation.reach, reach);
-  open.violation.min_distance = std::min(open.violation.min_distance, distance);
+  open.violation.end = at.t;
+  open.violation.reach = std::max(open.violation.reach, at.reach);
+  open.violation.min_distance = std::min(open.violation.min_distance, at.distance);
 }
 
 void DistanceCheck::frame(double t, const std::vector<query::PairResult>& results) {
@@ -74,8 +73,8 @@ void DistanceCheck::frame(double t, const std::vector<query::PairResult>& result
       proven = proven || (cold.distance - cold.bound >= limit && between_proven);
     }
     const double reach = between.empty() ? reaches_[i] : widened_[i] - limits_[i];
-    watch(broken_[i], closed_broken_, i, when, d, reach, broken);
-    watch(unproven_[i], closed_unproven_, i, when, d, reach, !broken && !proven);
+    watch(broken_[i], closed_broken_, {i, when, d, reach}, broken);
+    watch(unproven_[i], closed_unproven_, {i, when, d, reach}, !broken && !proven);
   }
 }
 

@@ -51,8 +51,12 @@ class DistanceCheck {
     bool active{false};
     Violation violation;
   };
-  void watch(Open& open, std::vector<Violation>& closed, std::size_t pair, double t, double distance,
-             double reach, bool broken);
+  /// What a frame says of one pair.
+  struct Sample {
+    std::size_t pair;
+    double t, distance, reach;
+  };
+  void watch(Open& open, std::vector<Violation>& closed, const Sample& at, bool broken);
 
   const scene::Scene& scene_;
   kernels::PairScratch scratch_;

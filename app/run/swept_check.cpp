@@ -49,7 +49,7 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
       scratch_.memory = memories_[i];
       const structure::HapticStructure &sa = *objects[pair.a.index()].spec.structure,
                                        &sb = *objects[pair.b.index()].spec.structure;
-      const safety::SweptResult swept = safety::sweptPair(sa, a, sb, b, duration, options, scratch_);
+      const safety::SweptResult swept = safety::sweptPair({sa, a}, {sb, b}, duration, options, scratch_);
       memories_[i] = scratch_.memory;
       queries_ += swept.samples;
       between.lower = std::max(between.lower, swept.lower);

@@ -72,8 +72,8 @@ double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
   if (far >= options_.distance || duration == 0.0) return far;
   scratch_.memory = w.memory;
   const safety::SweptResult swept =
-      safety::sweptPair(*link.spec.structure, links_[static_cast<std::size_t>(w.link)], *part.spec.structure,
-                        person, duration, swept_, scratch_);
+      safety::sweptPair({*link.spec.structure, links_[static_cast<std::size_t>(w.link)]},
+                        {*part.spec.structure, person}, duration, swept_, scratch_);
   w.memory = scratch_.memory;
   queries_ += swept.samples;
   return swept.lower;

@@ -25,7 +25,7 @@ void JointTorques::update(std::span<const double> qd, std::span<const double> qd
   }
   mechanism::gravityEfforts(tree_, driver_.q(), gravity_B_, state_, efforts_);
   for (std::size_t i = 0; i < out.size(); ++i) out[i].gravity = -efforts_[i];
-  mechanism::inverseDynamics(tree_, driver_.q(), qd, qdd, Vector3d::Zero(), {}, state_, efforts_);
+  mechanism::inverseDynamics(tree_, {driver_.q(), qd, qdd}, {Vector3d::Zero(), {}}, state_, efforts_);
   for (std::size_t i = 0; i < out.size(); ++i) out[i].motion = -efforts_[i];
 }
 

@@ -101,11 +101,11 @@ std::span<const control::ReactionPair> RobotPairs::gather(const scene::Scene& sc
     const Vector3d n_B = X_BW.linear() * n_W;
     const auto frameOf = [&](int link) { return driver_.links()[static_cast<std::size_t>(link)].frame; };
     if (own.link_a >= 0)
-      control::addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_a), X_BW * r.witness_a,
-                              n_B, 1.0, row);
+      control::addDistanceRow(driver_.mechanism(), driver_.state(),
+                              {frameOf(own.link_a), X_BW * r.witness_a, n_B}, 1.0, row);
     if (own.link_b >= 0)
-      control::addDistanceRow(driver_.mechanism(), driver_.state(), frameOf(own.link_b), X_BW * r.witness_b,
-                              n_B, -1.0, row);
+      control::addDistanceRow(driver_.mechanism(), driver_.state(),
+                              {frameOf(own.link_b), X_BW * r.witness_b, n_B}, -1.0, row);
     if (own.link_b < 0) out.other_rate = otherRate(scene.object(pair.b), r.witness_b, n_W, -1.0);
     if (own.link_a < 0) out.other_rate = otherRate(scene.object(pair.a), r.witness_a, n_W, 1.0);
     if (own.person && people_rows_) out.spread = spread(own, scene, n_W);

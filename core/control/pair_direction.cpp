@@ -18,11 +18,12 @@ Vector3d partingDirection(const query::PairResult& result, const Vector3d& other
   return force > 0.0 ? Vector3d(result.force_a / force) : otherwise;
 }
 
-void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state, int frame,
-                    const Vector3d& p_B, const Vector3d& n_B, double sign, std::span<double> row) noexcept {
+void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state,
+                    const LinkPoint& point, double sign, std::span<double> row) noexcept {
   // The efforts of a unit force along n do the work of the distance.
-  if (frame >= 0)
-    mechanism::addJointEfforts(mechanism, state, frame, p_B, {sign * n_B, Vector3d::Zero()}, row);
+  if (point.frame >= 0)
+    mechanism::addJointEfforts(mechanism, state, point.frame, point.p_B, {sign * point.n_B, Vector3d::Zero()},
+                               row);
 }
 
 double fastestAlong(const Vector3d& n, const Twist& twist, const Vector3d& p_W,

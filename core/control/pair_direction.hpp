@@ -14,12 +14,18 @@ namespace abstand::control {
 Vector3d partingDirection(const query::PairResult& result,
                           const Vector3d& otherwise = Vector3d::Zero()) noexcept;
 
+/// A point of frame `frame`'s body and a unit vector there, in the mechanism's base frame.
+struct LinkPoint {
+  int frame;
+  Vector3d p_B, n_B;
+};
+
 /// Adds `sign` times d(distance)/dq of a point of frame `frame`'s body to `row` (size dof; m/rad or 1 for
 /// prismatic joints): J_p^T n, n and p in the mechanism's base frame. With sign +1 for the link that is A and
 /// -1 for the link that is B of the same mechanism, the row times qd is the rate of the distance that the
 /// mechanism causes. First order: exact while the nearest points stay where the surfaces are smooth.
-void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state, int frame,
-                    const Vector3d& p_B, const Vector3d& n_B, double sign, std::span<double> row) noexcept;
+void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state,
+                    const LinkPoint& point, double sign, std::span<double> row) noexcept;
 
 /// m/s, along the unit vector n: no point of a body within `sphere_W` is faster that way. `twist`: of the
 /// body at the point `p_W`, world axes.

@@ -48,14 +48,21 @@ struct Neighbours {
   }
 };
 
+// Where the vertices of a block are: the first one, their spacing, and by how much (m) rounding moves them.
+struct BlockFrame {
+  Vector3d origin;
+  double h, rounding;
+};
+
 // Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
 // so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
 // together exceed the way between the vertices by more than their `rounding`, no surface lies between and the
 // sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`:
 // the nearest point of the surface to vertex (i, j, k), which lies at p.
 template <class NearestAt>
-void fillBlock(const geometry::Surface& surface, const Neighbours& neighbours, const Vector3d& origin,
-               double h, double rounding, NearestAt&& nearest_at, float* values) {
+void fillBlock(const geometry::Surface& surface, const Neighbours& neighbours, const BlockFrame& frame,
+               NearestAt&& nearest_at, float* values) {
+  const auto& [origin, h, rounding] = frame;
   const bool closed = surface.watertight();
   const std::uint32_t self = neighbours.block[0][0][0];
   geometry::SurfacePoint nearest{origin, -1.0, geometry::kNoHint};
@@ -255,7 +262,7 @@ NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, do
     parallelFor(threads, kept.size(), [&](std::size_t n) {
       store(n, [&](float* to) {
         fillBlock(
-            surface, neighboursOf(kept[n]), blockOrigin(kept[n]), step, rounding,
+            surface, neighboursOf(kept[n]), {blockOrigin(kept[n]), step, rounding},
             [&](const Vector3d& p, int, int, int, std::uint32_t hint) { return surface.closest(p, hint); },
             to);
       });
@@ -279,7 +286,7 @@ NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, do
         measureBlock(distances, block, neighbours, hint, nearest.get());
         store(block_index_[b], [&](float* to) {
           fillBlock(
-              surface, neighbours, blockOrigin(b), step, rounding,
+              surface, neighbours, {blockOrigin(b), step, rounding},
               [&](const Vector3d&, int i, int j, int k, std::uint32_t) { return nearest[k][j][i]; }, to);
         });
       });

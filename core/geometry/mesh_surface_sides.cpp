@@ -100,14 +100,14 @@ bool MeshSides::cutsItself(const TriangleMesh& mesh, const TriangleTree& tree) c
 
 bool MeshSides::piecesAreNestedWell(const TriangleMesh& mesh, const WindingNumber& winding) const {
   // On the surface itself the number is the mean of both sides: one half, up to the dipoles' error.
-  constexpr double kTolerance = 0.25;
+  constexpr double kAboutHalf = 0.25;
   std::vector<bool> seen(slots_.size(), false);
   std::vector<std::uint32_t> stack;
   for (std::uint32_t s = 0; s < slots_.size(); ++s) {
     if (seen[s]) continue;
     const auto& v = slots_[s].corner;
     const Vector3d centre = (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3.0;
-    if (std::abs(winding.at(centre, s) - 0.5) > kTolerance) return false;
+    if (std::abs(winding.at(centre, s) - 0.5) > kAboutHalf) return false;
     seen[s] = true;
     stack.push_back(s);
     while (!stack.empty()) {

@@ -51,18 +51,22 @@ struct ContactSearch {
   NearestPoint nearest;  ///< of the points within `watch`, the one of the least estimate
 };
 
+/// Points one array a coordinate; m; `count` a multiple of 8.
+struct PointArrays {
+  const float *x, *y, *z;
+  std::size_t count;
+};
+
 struct SearchKernels {
   NearestPoint (*nearest)(const TreeView&, const FieldView&, const NearestLimits&, PairScratch&);
   /// No shell point outside of the ball is nearer than what it returns (m), which is at most `start`.
   float (*nearestOutside)(const TreeView&, const FieldView&, const Ball&, float start, PairScratch&);
   ContactSum (*contacts)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
   ContactSearch (*contactSearch)(const TreeView&, const FieldView&, const ContactLimits&, PairScratch&);
-  /// The largest of g . p over `count` points, a multiple of 8.
-  float (*support)(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
-                   float gz);
+  /// The largest of g . p over some points.
+  float (*support)(const PointArrays& points, float gx, float gy, float gz);
   /// Which of them it is.
-  std::size_t (*extreme)(const float* x, const float* y, const float* z, std::size_t count, float gx,
-                         float gy, float gz);
+  std::size_t (*extreme)(const PointArrays& points, float gx, float gy, float gz);
   /// Which parts of two bodies may be nearer than `by` (m), by their spheres: bit 8 j + i for part j of the
   /// first `count` of F and part i of P. X_FP as in TreeView.
   std::uint64_t (*meeting)(const float* X_FP, const SphereGroup& P, const SphereGroup& F, std::size_t count,

@@ -275,8 +275,8 @@ ContactSearch contactSearch(const TreeView& tree, const FieldView& field, const 
              : sumContacts<LayeredLanes, true>(tree, field, limits, scratch.stack);
 }
 
-float support(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
-              float gz) {
+float support(const PointArrays& points, float gx, float gy, float gz) {
+  const auto& [x, y, z, count] = points;
   const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
   Float8 most = splat(-kNever);
   for (std::size_t i = 0; i < count; i += 8)
@@ -284,8 +284,8 @@ float support(const float* x, const float* y, const float* z, std::size_t count,
   return -leastOf(splat(0.0f) - most);
 }
 
-std::size_t extreme(const float* x, const float* y, const float* z, std::size_t count, float gx, float gy,
-                    float gz) {
+std::size_t extreme(const PointArrays& points, float gx, float gy, float gz) {
+  const auto& [x, y, z, count] = points;
   const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
   // Whole numbers below 2^24 are exact in float.
   Float8 most = splat(-kNever), where = splat(0.0f);

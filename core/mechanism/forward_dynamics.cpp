@@ -5,11 +5,10 @@
 
 namespace abstand::mechanism {
 
-int forwardDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                    std::span<const double> efforts, const Vector3d& gravity_B,
-                    std::span<const Wrench> external, ForwardState& state, std::span<double> qdd) {
+int forwardDynamics(const RigidTree& tree, const JointMotion& motion, std::span<const double> efforts,
+                    const Loads& loads, ForwardState& state, std::span<double> qdd) {
   ABSTAND_CHECK(efforts.empty() || efforts.size() == qdd.size());
-  inverseDynamics(tree, q, qd, {}, gravity_B, external, state.tree, qdd);
+  inverseDynamics(tree, {motion.q, motion.qd, {}}, loads, state.tree, qdd);
   for (std::size_t i = 0; i < qdd.size(); ++i) qdd[i] = (efforts.empty() ? 0.0 : efforts[i]) - qdd[i];
   massMatrix(tree, state.tree, state.mass);
   const int massless = factor(state.mass);

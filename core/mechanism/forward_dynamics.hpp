@@ -15,9 +15,8 @@ struct ForwardState {
 /// qdd = M^-1 (efforts - C qd - g + sum of J^T w), arguments as in inverseDynamics(); `efforts` empty for
 /// none. Gives -1, or the dof that moves no mass; then `qdd` is not to be used. No allocation after the first
 /// call with the same state. Leaves M factored in `state.mass`.
-int forwardDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                    std::span<const double> efforts, const Vector3d& gravity_B,
-                    std::span<const Wrench> external, ForwardState& state, std::span<double> qdd);
+int forwardDynamics(const RigidTree& tree, const JointMotion& motion, std::span<const double> efforts,
+                    const Loads& loads, ForwardState& state, std::span<double> qdd);
 
 /// J, kinetic (of `qd`) and potential (0 at the base's origin) energy, for constant gravity.
 struct MechanicalEnergy {

@@ -7,9 +7,10 @@
 
 namespace abstand::mechanism {
 
-void inverseDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                     std::span<const double> qdd, const Vector3d& gravity_B, std::span<const Wrench> external,
-                     TreeState& state, std::span<double> efforts) {
+void inverseDynamics(const RigidTree& tree, const JointMotion& motion, const Loads& loads, TreeState& state,
+                     std::span<double> efforts) {
+  const auto& [q, qd, qdd] = motion;
+  const std::span<const Wrench> external = loads.external;
   const auto dof = static_cast<std::size_t>(tree.dof);
   const std::size_t n = tree.bodies.size();
   ABSTAND_CHECK((qd.empty() || qd.size() == dof) && (qdd.empty() || qdd.size() == dof));
@@ -17,7 +18,7 @@ void inverseDynamics(const RigidTree& tree, std::span<const double> q, std::span
   placeBodies(tree, q, state);
 
   // Outwards: motion, and what it takes to move each body alone. Gravity is a base that accelerates upwards.
-  const Vector3d lift_B = -gravity_B;
+  const Vector3d lift_B = -loads.gravity_B;
   for (std::size_t i = 0; i < n; ++i) {
     const TreeBody& b = tree.bodies[i];
     TreeBodyState& s = state.bodies[i];

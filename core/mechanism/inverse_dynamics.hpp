@@ -8,6 +8,20 @@ namespace abstand::mechanism {
 /// Standard gravity, m/s^2, for a base whose z is up.
 inline const Vector3d kGravity{0.0, 0.0, -9.80665};
 
+/// Joint values and their rates; rad or m, and per second. `qd`, `qdd`: size dof, or empty for none.
+struct JointMotion {
+  std::span<const double> q, qd, qdd;
+};
+
+/// What acts on a mechanism besides its motors.
+struct Loads {
+  /// m/s^2, in base axes; a base that accelerates without turning: gravity minus that acceleration.
+  const Vector3d& gravity_B;
+  /// Empty, or a wrench for each body that acts on it, in base axes, torque about the base's origin
+  /// (aboutOrigin()).
+  std::span<const Wrench> external;
+};
+
 /// Recursive Newton-Euler [Luh, Walker, Paul 1980, On-line computational scheme for mechanical manipulators;
 /// Craig, Introduction to Robotics, 6.5; Featherstone 2008, 5.3], in base axes with moments about each body's
 /// own origin:
@@ -17,25 +31,21 @@ inline const Vector3d kGravity{0.0, 0.0, -9.80665};
 /// that is what the motors must give (N m, N; size dof, overwritten). Efforts of mimic joints are projected
 /// onto their dof: each joint's effort times its scale, summed.
 ///
-/// `qd`, `qdd`: rad/s, rad/s^2 or m/s, m/s^2, size dof, or empty for none. `gravity_B`: m/s^2, in base axes;
-/// a base that accelerates without turning is gravity minus that acceleration. `external`: empty, or a wrench
-/// for each body that acts on it, in base axes, torque about the base's origin (aboutOrigin()). Leaves poses,
-/// angular velocities and accelerations of the bodies in `state`, the accelerations against free fall. Time
-/// O(bodies), no allocation after the first call with the same state.
-void inverseDynamics(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
-                     std::span<const double> qdd, const Vector3d& gravity_B, std::span<const Wrench> external,
-                     TreeState& state, std::span<double> efforts);
+/// Leaves poses, angular velocities and accelerations of the bodies in `state`, the accelerations against
+/// free fall. Time O(bodies), no allocation after the first call with the same state.
+void inverseDynamics(const RigidTree& tree, const JointMotion& motion, const Loads& loads, TreeState& state,
+                     std::span<double> efforts);
 
 /// g(q): the efforts that hold the mechanism still.
 inline void gravityEfforts(const RigidTree& tree, std::span<const double> q, const Vector3d& gravity_B,
                            TreeState& state, std::span<double> efforts) {
-  inverseDynamics(tree, q, {}, {}, gravity_B, {}, state, efforts);
+  inverseDynamics(tree, {q, {}, {}}, {gravity_B, {}}, state, efforts);
 }
 
 /// C(q, qd) qd + g(q): the efforts under which nothing accelerates.
 inline void biasEfforts(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
                         const Vector3d& gravity_B, TreeState& state, std::span<double> efforts) {
-  inverseDynamics(tree, q, qd, {}, gravity_B, {}, state, efforts);
+  inverseDynamics(tree, {q, qd, {}}, {gravity_B, {}}, state, efforts);
 }
 
 /// The wrench `w` about the point `p_B`, moved to the base's origin.

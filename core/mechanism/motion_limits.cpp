@@ -44,7 +44,7 @@ void lookSmooth(const Mechanism& mechanism, const MotionTable& table, double sta
   TreeState state;
   const auto look = [&](double t) {
     motion.at(t, q, qd, qdd);
-    if (weighed) inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, efforts);
+    if (weighed) inverseDynamics(tree, {q, qd, qdd}, {gravity_B, {}}, state, efforts);
     watch.look(t, q, qd, qdd, weighed ? std::span<const double>(efforts) : std::span<const double>());
   };
   look(start);

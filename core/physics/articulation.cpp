@@ -110,7 +110,7 @@ double Articulation::mobilityOf(int frame, const Vector3d& p_W, const Wrench& w_
   const int body = tree_.frames[static_cast<std::size_t>(frame)].body;
   if (body < 0) return 0.0;
   if (!factorMass()) return 0.0;
-  return mechanism::mobility(tree_, state_, mass_, body, p_W, w_W, work_);
+  return mechanism::mobility({tree_, state_, mass_}, body, p_W, w_W, work_);
 }
 
 mechanism::MechanicalEnergy Articulation::energy() {
@@ -136,7 +136,7 @@ void Articulation::drive(double h) {
   middle_ = qd_;
   if (!factorMass()) return;
   for (int round = 0; round < kMaxRounds; ++round) {
-    mechanism::inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, spare_, work_);
+    mechanism::inverseDynamics(tree_, {q_, middle_, {}}, {gravity_W_, external_}, spare_, work_);
     for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] = h * (command_[k] - work_[k]);
     mechanism::solveMass(mass_, next_rates_);
     for (std::size_t k = 0; k < work_.size(); ++k) next_rates_[k] += qd_[k];

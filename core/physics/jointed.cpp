@@ -115,7 +115,7 @@ void Jointed::placeFree() {
     values_[i] = value(i);
     rates_[i] = b.scale * middle_[static_cast<std::size_t>(b.dof)];
   }
-  mechanism::inverseDynamics(free_, values_, rates_, {}, Vector3d::Zero(), {}, free_state_, scratch_);
+  mechanism::inverseDynamics(free_, {values_, rates_, {}}, {Vector3d::Zero(), {}}, free_state_, scratch_);
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const mechanism::TreeBody& b = free_.bodies[i];
     const mechanism::TreeBodyState& s = free_state_.bodies[i];
@@ -229,7 +229,7 @@ double Jointed::rateOf(std::size_t i) const {
 /// Joints that share a dof, moved apart by ODE's step, get the velocities that are nearest in kinetic energy
 /// (Gauss's principle of least constraint): M qd = sum of scale times the joints' momenta.
 void Jointed::share() {
-  mechanism::inverseDynamics(free_, values_, {}, rates_, Vector3d::Zero(), {}, free_state_, momenta_);
+  mechanism::inverseDynamics(free_, {values_, {}, rates_}, {Vector3d::Zero(), {}}, free_state_, momenta_);
   std::fill(qd_.begin(), qd_.end(), 0.0);
   for (std::size_t i = 0; i < momenta_.size(); ++i)
     qd_[static_cast<std::size_t>(tree_.bodies[i].dof)] += tree_.bodies[i].scale * momenta_[i];

@@ -130,7 +130,7 @@ double Reduced::pushAtStop(std::size_t i) const {
 
 void Reduced::begin(double h) {
   drive(h);
-  mechanism::inverseDynamics(tree_, q_, middle_, {}, gravity_W_, external_, bias_state_, bias_);
+  mechanism::inverseDynamics(tree_, {q_, middle_, {}}, {gravity_W_, external_}, bias_state_, bias_);
   mechanism::massMatrix(tree_, state_, mass_);
   step_mass_.M = mass_.M;
   for (std::size_t k = 0; k < q_.size(); ++k) {

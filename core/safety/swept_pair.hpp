@@ -15,11 +15,16 @@ struct SweptScratch {
   query::PairResult result;
 };
 
+/// A body and its motion over [0, duration].
+struct MovingBody {
+  const structure::HapticStructure& body;
+  BodyMotion& motion;
+};
+
 /// Asks queryPair() at chosen times of [0, duration]. `lower` is never above the smallest distance that any
 /// motion within the bounds of `a` and `b` can bring; `upper` is the smallest that was seen with the poses of
 /// both (slack taken off). Distances are between bare surfaces, without margins. No allocation, no throw.
-SweptResult sweptPair(const structure::HapticStructure& a, BodyMotion& motion_a,
-                      const structure::HapticStructure& b, BodyMotion& motion_b, double duration,
-                      const SweptOptions& options, SweptScratch& scratch) noexcept;
+SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration, const SweptOptions& options,
+                      SweptScratch& scratch) noexcept;
 
 }  // namespace abstand::safety

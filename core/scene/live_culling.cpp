@@ -4,12 +4,11 @@
 
 namespace abstand::scene {
 
-void LiveCulling::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
-                       const LiveObject& a, const LiveObject& b, double touch_from, double margin,
-                       double share) {
-  proof_.take(result, X_WA, X_WB);
-  a_ = a;
-  b_ = b;
+void LiveCulling::take(const query::PairResult& result, const Placed& a, const Placed& b, double touch_from,
+                       double margin, double share) {
+  proof_.take(result, a.X_WB, b.X_WB);
+  a_ = a.object;
+  b_ = b.object;
   allowance_ = allowanceOf(proof_, result, touch_from, share);
   margin_ = margin;
 }

@@ -18,8 +18,13 @@ struct LiveObject {
 /// kept what is relied on here.
 class LiveCulling {
  public:
-  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
-            const LiveObject& a, const LiveObject& b, double touch_from, double margin, double share);
+  /// A body of the pair at the query.
+  struct Placed {
+    const Transform& X_WB;
+    const LiveObject& object;
+  };
+  void take(const query::PairResult& result, const Placed& a, const Placed& b, double touch_from,
+            double margin, double share);
   /// Without a bound on both speeds, and with a new margin: never.
   bool mayRest(const LiveObject& a, const LiveObject& b, double margin) const;
   /// Only when it may rest.

@@ -65,7 +65,7 @@ struct World {
       return false;
     }
     query(pair, poses, memory, scratch, result);
-    last.take(result, poses.X_WB[a], poses.X_WB[b], now_a, now_b,
+    last.take(result, {poses.X_WB[a], now_a}, {poses.X_WB[b], now_b},
               touchFrom(*structures[a], *structures[b], options), options.margin, rest);
     return true;
   }

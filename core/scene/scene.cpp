@@ -275,7 +275,7 @@ void Scene::check(Pair& pair, kernels::PairScratch& scratch) {
                    pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!culling_.any()) return;
-  pair.rest.take(pair.result, a.X_WB, b.X_WB, reaches_[pair.a.index()], reaches_[pair.b.index()],
+  pair.rest.take(pair.result, {a.X_WB, reaches_[pair.a.index()]}, {b.X_WB, reaches_[pair.b.index()]},
                  touchFrom(*a.spec.structure, *b.spec.structure, pair.options), culling_);
 }
 

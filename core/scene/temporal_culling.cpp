@@ -37,12 +37,11 @@ double touchFrom(const structure::HapticStructure& a, const structure::HapticStr
   return options.margin + std::max(a.errorBound(), b.errorBound());
 }
 
-void TemporalCulling::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
-                           const MotionBound& a, const MotionBound& b, double touch_from,
+void TemporalCulling::take(const query::PairResult& result, const Moved& a, const Moved& b, double touch_from,
                            const QueryCulling& culling) {
-  proof_.take(result, X_WA, X_WB);
-  way_a_ = a.way();
-  way_b_ = b.way();
+  proof_.take(result, a.X_WB, b.X_WB);
+  way_a_ = a.bound.way();
+  way_b_ = b.bound.way();
   touch_from_ = touch_from;
   touches_ = result.contacts > 0;
   allowance_ = allowanceOf(proof_, result, touch_from, culling.rest);

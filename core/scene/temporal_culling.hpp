@@ -42,9 +42,14 @@ class TemporalCulling {
  public:
   /// Nothing is proven any more: the pair has to be queried.
   void forget() { proof_.lower = kNaN; }
+  /// A body of the pair at the query.
+  struct Moved {
+    const Transform& X_WB;
+    const MotionBound& bound;
+  };
   /// After a query. `touch_from` (m): what is certified to be farther apart has no contacts.
-  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB,
-            const MotionBound& a, const MotionBound& b, double touch_from, const QueryCulling& culling);
+  void take(const query::PairResult& result, const Moved& a, const Moved& b, double touch_from,
+            const QueryCulling& culling);
   /// Whether the pair may do without a query at the present poses, and why; kChecked: it may not.
   PairOutcome outcome(const MotionBound& a, const MotionBound& b, const QueryCulling& culling) const;
   /// m: what is proven at the present poses.

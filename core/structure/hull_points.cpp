@@ -47,7 +47,7 @@ HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& cen
 
 float HullPoints::reachAboutCentre(const Vector3f& g) const {
   const float farthest =
-      kernels::searchKernels().support(x_.data(), y_.data(), z_.data(), x_.size(), g.x(), g.y(), g.z());
+      kernels::searchKernels().support({x_.data(), y_.data(), z_.data(), x_.size()}, g.x(), g.y(), g.z());
   return farthest + kHullRounding * g.lpNorm<1>() * radius_;
 }
 
@@ -64,7 +64,7 @@ ExtremePoint HullPoints::extreme(const Vector3d& g) const {
 double HullPoints::farthest(const Vector3d& g, ExtremePoint& extreme) const {
   const Vector3f d = g.cast<float>();
   const std::size_t i =
-      kernels::searchKernels().extreme(x_.data(), y_.data(), z_.data(), x_.size(), d.x(), d.y(), d.z());
+      kernels::searchKernels().extreme({x_.data(), y_.data(), z_.data(), x_.size()}, d.x(), d.y(), d.z());
   extreme = {centre_ + Vector3f(x_[i], y_[i], z_[i]).cast<double>(), hints_[i]};
   return g.dot(extreme.point) + 2.0 * static_cast<double>(kHullRounding * d.lpNorm<1>() * radius_);
 }

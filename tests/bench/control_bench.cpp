@@ -71,7 +71,7 @@ void sweptBrakingArm(benchmark::State& state) {
   for (auto _ : state) {
     path.start(q, qd);
     safety::UnknownMotion unknown(hands[i++ % hands.size()], Vector3d::Zero(), {1.6, 20.0}, path.stopTime());
-    samples += safety::sweptPair(rod, link, hand, unknown, path.stopTime(),
+    samples += safety::sweptPair({rod, link}, {hand, unknown}, path.stopTime(),
                                  {.tolerance = 0.005, .enough = 0.0, .hit = 0.0}, scratch)
                    .samples;
   }

@@ -43,7 +43,8 @@ BENCHMARK(forwardKinematics)->Arg(7)->Arg(47);
 void inverseDynamicsCall(benchmark::State& state) {
   Posture p(robot(state));
   for (auto _ : state) {
-    mechanism::inverseDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state.tree, p.out);
+    mechanism::inverseDynamics(p.tree, {p.next(), p.qd, p.qdd}, {mechanism::kGravity, {}}, p.state.tree,
+                               p.out);
     benchmark::DoNotOptimize(p.out.data());
   }
 }
@@ -62,7 +63,8 @@ BENCHMARK(massMatrixCall)->Arg(7)->Arg(47);
 void forwardDynamicsCall(benchmark::State& state) {
   Posture p(robot(state));
   for (auto _ : state) {
-    mechanism::forwardDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state, p.out);
+    mechanism::forwardDynamics(p.tree, {p.next(), p.qd, {}}, p.qdd, {mechanism::kGravity, {}}, p.state,
+                               p.out);
     benchmark::DoNotOptimize(p.out.data());
   }
 }
@@ -70,12 +72,12 @@ BENCHMARK(forwardDynamicsCall)->Arg(7)->Arg(47);
 
 void effectiveMassCall(benchmark::State& state) {
   Posture p(robot(state));
-  mechanism::forwardDynamics(p.tree, p.next(), p.qd, p.qdd, mechanism::kGravity, {}, p.state, p.out);
+  mechanism::forwardDynamics(p.tree, {p.next(), p.qd, {}}, p.qdd, {mechanism::kGravity, {}}, p.state, p.out);
   const int frame = static_cast<int>(p.tree.frames.size()) - 1;
   const Vector3d p_B = mechanism::poseOfFrame(p.tree, p.state.tree, frame).translation();
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        mechanism::effectiveMass(p.tree, p.state.tree, p.state.mass, frame, p_B, Vector3d::UnitX(), p.out));
+        mechanism::effectiveMass({p.tree, p.state.tree, p.state.mass}, frame, p_B, Vector3d::UnitX(), p.out));
 }
 BENCHMARK(effectiveMassCall)->Arg(7)->Arg(47);
 

@@ -87,7 +87,7 @@ Outcome punch(const ReactionDescription& description, double speed) {
       outcome.nearest = std::min(outcome.nearest, result.distance);
       const Vector3d n = partingDirection(result);
       std::fill(rows[i].begin(), rows[i].end(), 0.0);
-      addDistanceRow(b.arm, state, frame, result.witness_a, n, 1.0, rows[i]);
+      addDistanceRow(b.arm, state, {frame, result.witness_a, n}, 1.0, rows[i]);
       pairs[i] = {.pair = static_cast<int>(i),
                   .distance = result.distance - result.bound,
                   .row = rows[i],

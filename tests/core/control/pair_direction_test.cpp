@@ -52,13 +52,13 @@ TEST(DistanceRow, IsTheRateOfTheDistance) {
     const double rate = (distance(kStep) - distance(-kStep)) / (2 * kStep);
     distance(0.0);
     const Vector3d p_B = state.X_BF[frame] * p_F;
-    addDistanceRow(arm, state, frame, p_B, (p_B - other).normalized(), 1.0, row);
+    addDistanceRow(arm, state, {frame, p_B, (p_B - other).normalized()}, 1.0, row);
     double found = 0.0;
     for (int i = 0; i < 7; ++i) found += row[i] * qd[i];
     EXPECT_NEAR(found, rate, 1e-7);
     // Twice with both signs is nothing; the base has no row.
-    addDistanceRow(arm, state, frame, p_B, (p_B - other).normalized(), -1.0, row);
-    addDistanceRow(arm, state, -1, p_B, Vector3d::UnitX(), 1.0, row);
+    addDistanceRow(arm, state, {frame, p_B, (p_B - other).normalized()}, -1.0, row);
+    addDistanceRow(arm, state, {-1, p_B, Vector3d::UnitX()}, 1.0, row);
     for (const double x : row) EXPECT_NEAR(x, 0.0, 1e-15);
   }
 }

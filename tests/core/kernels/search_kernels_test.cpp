@@ -113,11 +113,11 @@ TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
     for (auto* v : {&x, &y, &z})
       for (float& value : *v) value = any(special);
     const float g[3] = {any(special), any(special), any(special)};
-    ASSERT_EQ(bitsOf(fast.support(x.data(), y.data(), z.data(), count, g[0], g[1], g[2])),
-              bitsOf(plain.support(x.data(), y.data(), z.data(), count, g[0], g[1], g[2])))
+    ASSERT_EQ(bitsOf(fast.support({x.data(), y.data(), z.data(), count}, g[0], g[1], g[2])),
+              bitsOf(plain.support({x.data(), y.data(), z.data(), count}, g[0], g[1], g[2])))
         << round;
-    ASSERT_EQ(fast.extreme(x.data(), y.data(), z.data(), count, g[0], g[1], g[2]),
-              plain.extreme(x.data(), y.data(), z.data(), count, g[0], g[1], g[2]))
+    ASSERT_EQ(fast.extreme({x.data(), y.data(), z.data(), count}, g[0], g[1], g[2]),
+              plain.extreme({x.data(), y.data(), z.data(), count}, g[0], g[1], g[2]))
         << round;
     kernels::SphereGroup P, F;
     float X_FP[12];
@@ -266,8 +266,8 @@ TEST(SearchKernels, SupportIsTheLargestProduct) {
   for (const kernels::SearchKernels* kernels : {&kernels::searchKernels(), &kernels::kPortableKernels}) {
     float most = -1e30f;
     for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, 0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i]);
-    EXPECT_NEAR(kernels->support(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f), most, 1e-6f);
-    const std::size_t i = kernels->extreme(x.data(), y.data(), z.data(), x.size(), 0.3f, -0.7f, 0.2f);
+    EXPECT_NEAR(kernels->support({x.data(), y.data(), z.data(), x.size()}, 0.3f, -0.7f, 0.2f), most, 1e-6f);
+    const std::size_t i = kernels->extreme({x.data(), y.data(), z.data(), x.size()}, 0.3f, -0.7f, 0.2f);
     ASSERT_LT(i, x.size());
     EXPECT_NEAR(0.3f * x[i] - 0.7f * y[i] + 0.2f * z[i], most, 1e-6f);
   }

@@ -20,7 +20,7 @@ void rungeKutta(const RigidTree& tree, double h, ForwardState& state, Eigen::Vec
     const auto view = [](const Eigen::VectorXd& x) {
       return std::span<const double>(x.data(), static_cast<std::size_t>(x.size()));
     };
-    EXPECT_EQ(forwardDynamics(tree, view(at), view(v), {}, kGravity, {}, state,
+    EXPECT_EQ(forwardDynamics(tree, {view(at), view(v), {}}, {}, {kGravity, {}}, state,
                               {a.data(), static_cast<std::size_t>(a.size())}),
               -1);
     return a;
@@ -63,8 +63,8 @@ TEST(ForwardDynamics, UndoesInverseDynamics) {
     std::vector<Wrench> external(tree.bodies.size(), {Vector3d(3, -2, 1), Vector3d(-1, 4, 2)});
     ForwardState state;
     std::vector<double> tau(q.size()), back(q.size());
-    inverseDynamics(tree, q, qd, qdd, kGravity, external, state.tree, tau);
-    ASSERT_EQ(forwardDynamics(tree, q, qd, tau, kGravity, external, state, back), -1);
+    inverseDynamics(tree, {q, qd, qdd}, {kGravity, external}, state.tree, tau);
+    ASSERT_EQ(forwardDynamics(tree, {q, qd, {}}, tau, {kGravity, external}, state, back), -1);
     for (std::size_t k = 0; k < q.size(); ++k) EXPECT_NEAR(back[k], qdd[k], kInverse) << k;
   }
 }

@@ -23,7 +23,7 @@ std::vector<double> efforts(const Mechanism& m, std::span<const double> q, std::
   const RigidTree tree = makeRigidTree(m);
   TreeState state;
   std::vector<double> tau(static_cast<std::size_t>(m.dof), kNaN);
-  inverseDynamics(tree, q, qd, qdd, gravity_B, {}, state, tau);
+  inverseDynamics(tree, {q, qd, qdd}, {gravity_B, {}}, state, tau);
   return tau;
 }
 
@@ -97,7 +97,7 @@ TEST(InverseDynamics, TakesWhatWrenchesDoOffTheMotors) {
     TreeState state;
     MechanismState poses;
     std::vector<double> free(q.size()), pushed(q.size()), work(q.size(), 0.0), same(q.size(), 0.0);
-    inverseDynamics(tree, q, qd, qdd, kGravity, {}, state, free);
+    inverseDynamics(tree, {q, qd, qdd}, {kGravity, {}}, state, free);
     forward(m, q, poses);
     std::vector<Wrench> external(tree.bodies.size());
     for (std::size_t i = 0; i < m.frames.size(); ++i) {
@@ -109,7 +109,7 @@ TEST(InverseDynamics, TakesWhatWrenchesDoOffTheMotors) {
       addBodyEfforts(tree, state, body, p_B, w, same);
       if (body >= 0) external[static_cast<std::size_t>(body)] += aboutOrigin(w, p_B);
     }
-    inverseDynamics(tree, q, qd, qdd, kGravity, external, state, pushed);
+    inverseDynamics(tree, {q, qd, qdd}, {kGravity, external}, state, pushed);
     for (std::size_t k = 0; k < q.size(); ++k) {
       EXPECT_NEAR(free[k] - pushed[k], work[k], kExact * 1000);
       EXPECT_NEAR(same[k], work[k], kExact * 1000);
@@ -136,7 +136,7 @@ TEST(InverseDynamics, GivesThePowerThatEnergyGains) {
       return mechanicalEnergy(tree, at, rate, kGravity, state).total();
     };
     std::vector<double> tau(q.size());
-    inverseDynamics(tree, q, qd, qdd, kGravity, {}, state, tau);
+    inverseDynamics(tree, {q, qd, qdd}, {kGravity, {}}, state, tau);
     double power = 0.0, size = 1.0;
     for (std::size_t k = 0; k < q.size(); ++k) {
       power += tau[k] * qd[k];
@@ -152,10 +152,10 @@ TEST(InverseDynamics, HasGravityAndBiasAsItsParts) {
   TreeState state;
   std::vector<double> a(7), b(7);
   const std::vector<double> zeros(7, 0.0);
-  inverseDynamics(tree, q, zeros, zeros, kGravity, {}, state, a);
+  inverseDynamics(tree, {q, zeros, zeros}, {kGravity, {}}, state, a);
   gravityEfforts(tree, q, kGravity, state, b);
   EXPECT_EQ(a, b);
-  inverseDynamics(tree, q, qd, zeros, kGravity, {}, state, a);
+  inverseDynamics(tree, {q, qd, zeros}, {kGravity, {}}, state, a);
   biasEfforts(tree, q, qd, kGravity, state, b);
   EXPECT_EQ(a, b);
 }
@@ -164,12 +164,12 @@ TEST(InverseDynamics, AllocatesNothingInSteadyState) {
   const RigidTree tree = makeRigidTree(sevenAxisArm());
   std::vector<double> q(7, 0.1), qd(7, 0.2), tau(7), qdd(7);
   ForwardState state;
-  ASSERT_EQ(forwardDynamics(tree, q, qd, {}, kGravity, {}, state, qdd), -1);
+  ASSERT_EQ(forwardDynamics(tree, {q, qd, {}}, {}, {kGravity, {}}, state, qdd), -1);
   const testing::NoAlloc guard;
   for (int i = 0; i < 100; ++i) {
     q[3] += 0.01;
-    inverseDynamics(tree, q, qd, qdd, kGravity, {}, state.tree, tau);
-    forwardDynamics(tree, q, qd, tau, kGravity, {}, state, qdd);
+    inverseDynamics(tree, {q, qd, qdd}, {kGravity, {}}, state.tree, tau);
+    forwardDynamics(tree, {q, qd, {}}, tau, {kGravity, {}}, state, qdd);
   }
   EXPECT_EQ(guard.count(), 0);
 }

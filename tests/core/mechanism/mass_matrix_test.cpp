@@ -38,7 +38,7 @@ TEST(MassMatrix, HasNewtonEulersColumns) {
     std::vector<double> unit(p.q.size(), 0.0), column(p.q.size());
     for (std::size_t k = 0; k < unit.size(); ++k) {
       unit[k] = 1.0;
-      inverseDynamics(p.tree, p.q, {}, unit, Vector3d::Zero(), {}, p.state.tree, column);
+      inverseDynamics(p.tree, {p.q, {}, unit}, {Vector3d::Zero(), {}}, p.state.tree, column);
       unit[k] = 0.0;
       for (std::size_t i = 0; i < unit.size(); ++i)
         EXPECT_NEAR(M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)), column[i],
@@ -101,7 +101,7 @@ TEST(EffectiveMass, IsItsClosedForm) {
   std::vector<double> work(1);
   const Vector3d along_B = p.state.tree.bodies[0].R_B.col(2), across_B = p.state.tree.bodies[0].R_B.col(0);
   const auto at = [&](const Vector3d& n_B) {
-    return effectiveMass(p.tree, p.state.tree, p.state.mass, 0, -r * along_B, n_B, work);
+    return effectiveMass({p.tree, p.state.tree, p.state.mass}, 0, -r * along_B, n_B, work);
   };
   EXPECT_NEAR(at(across_B), mass * l * l / (r * r), kExact);
   EXPECT_NEAR(at((across_B + along_B).normalized()), 2 * mass * l * l / (r * r), 10 * kExact);
@@ -120,12 +120,12 @@ TEST(EffectiveMass, IsForceOverTheAccelerationThatItCauses) {
     const Transform X_BF = poseOfFrame(p.tree, p.state.tree, frame);
     const Vector3d p_B = X_BF * Vector3d(0.1, 0.2, -0.1);
     std::vector<double> work(p.q.size()), qdd(p.q.size());
-    const double mass = effectiveMass(p.tree, p.state.tree, p.state.mass, frame, p_B, n_B, work);
+    const double mass = effectiveMass({p.tree, p.state.tree, p.state.mass}, frame, p_B, n_B, work);
     // Push with 1 N at rest, without gravity.
     std::vector<Wrench> external(p.tree.bodies.size());
     const auto body = static_cast<std::size_t>(p.tree.frames[static_cast<std::size_t>(frame)].body);
     external[body] = aboutOrigin({n_B, Vector3d::Zero()}, p_B);
-    ASSERT_EQ(forwardDynamics(p.tree, p.q, {}, {}, Vector3d::Zero(), external, p.state, qdd), -1);
+    ASSERT_EQ(forwardDynamics(p.tree, {p.q, {}, {}}, {}, {Vector3d::Zero(), external}, p.state, qdd), -1);
     moveBodies(p.tree, qdd, p.state.tree);  // at rest, accelerations are the velocities of the rates qdd
     const TreeBodyState& s = p.state.tree.bodies[body];
     EXPECT_NEAR(mass * n_B.dot(s.velocity + s.omega.cross(p_B - s.p_B)), 1.0, 1e-9);

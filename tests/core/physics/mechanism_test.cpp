@@ -72,9 +72,9 @@ TEST_P(Mechanisms, MoveByForwardDynamics) {
         mechanism::aboutOrigin({R_BW * push.force, R_BW * push.torque}, X_WB.inverse() * p_W);
     auto middle = qd;
     for (std::size_t k = 0; k < qd.size(); ++k) middle[k] = 0.5 * (qd[k] + world.qd(robot)[k]);
-    ASSERT_EQ(
-        mechanism::forwardDynamics(tree, q, middle, tau, R_BW * mechanism::kGravity, external, state, qdd),
-        -1);
+    ASSERT_EQ(mechanism::forwardDynamics(tree, {q, middle, {}}, tau, {R_BW * mechanism::kGravity, external},
+                                         state, qdd),
+              -1);
     double size = 1.0;
     for (const double a : qdd) size = std::max(size, std::abs(a));
     for (std::size_t k = 0; k < q.size(); ++k) {

@@ -126,7 +126,9 @@ TEST(ForwardDynamicsOfOde, HasOurAccelerationsAtRest) {
       external[i] = mechanism::aboutOrigin(w, p_W);
     }
     std::vector<double> qdd(q.size());
-    ASSERT_EQ(mechanism::forwardDynamics(tree, q, rest, tau, mechanism::kGravity, external, state, qdd), -1);
+    ASSERT_EQ(
+        mechanism::forwardDynamics(tree, {q, rest, {}}, tau, {mechanism::kGravity, external}, state, qdd),
+        -1);
     ode.step(kStep, tau);
     for (std::size_t i = 0; i < q.size(); ++i)
       EXPECT_NEAR(ode.rate(i) / kStep, qdd[i], kAgreement * largest(qdd)) << i;
@@ -172,8 +174,8 @@ std::vector<double> integrated(const mechanism::RigidTree& tree, std::span<const
     std::vector<double> out(at.begin() + static_cast<std::ptrdiff_t>(n), at.end());
     out.resize(2 * n);
     const std::span<const double> all(at);
-    EXPECT_EQ(mechanism::forwardDynamics(tree, all.first(n), all.last(n), tau, mechanism::kGravity, {}, state,
-                                         std::span(out).last(n)),
+    EXPECT_EQ(mechanism::forwardDynamics(tree, {all.first(n), all.last(n), {}}, tau,
+                                         {mechanism::kGravity, {}}, state, std::span(out).last(n)),
               -1);
     return out;
   };

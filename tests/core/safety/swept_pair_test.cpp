@@ -58,7 +58,7 @@ TEST(SweptPair, OfTwoBallsIsTheClosedForm) {
     PoseSegment x(ball().bounding_sphere, at(a0), at(a1), duration);
     PoseSegment y(ball().bounding_sphere, at(b0), at(b1), duration);
     SweptScratch scratch;
-    const SweptResult r = sweptPair(ball(), x, ball(), y, duration, {.most_samples = 200}, scratch);
+    const SweptResult r = sweptPair({ball(), x}, {ball(), y}, duration, {.most_samples = 200}, scratch);
     // Nearest point to the origin of the line of the differences.
     const Vector3d from = a0 - b0, way = (a1 - b1) - from;
     const double s = std::clamp(-from.dot(way) / way.squaredNorm(), 0.0, 1.0);
@@ -79,14 +79,14 @@ TEST(SweptPair, SeesWhatJumpsThroughAPlate) {
   PoseSegment flying(ball().bounding_sphere, at({0.01, 0.02, 0.5}), at({0.0, 0.0, -0.5}), 1e-3);
   PoseSegment still(plate().bounding_sphere, Transform::Identity(), Transform::Identity(), 1e-3);
   SweptScratch scratch;
-  const SweptResult r = sweptPair(ball(), flying, plate(), still, 1e-3, {.hit = 0.0}, scratch);
+  const SweptResult r = sweptPair({ball(), flying}, {plate(), still}, 1e-3, {.hit = 0.0}, scratch);
   EXPECT_LT(r.upper, 0.0);
   EXPECT_LT(r.lower, 0.0);
   EXPECT_TRUE(r.done);
   EXPECT_LT(r.samples, 20);
   // Beside the plate, it is shown to pass.
   PoseSegment beside(ball().bounding_sphere, at({0.3, 0.0, 0.5}), at({0.3, 0.0, -0.5}), 1e-3);
-  const SweptResult past = sweptPair(ball(), beside, plate(), still, 1e-3, {}, scratch);
+  const SweptResult past = sweptPair({ball(), beside}, {plate(), still}, 1e-3, {}, scratch);
   EXPECT_TRUE(past.done);
   EXPECT_NEAR(past.upper, 0.05, 1e-3);
   EXPECT_GT(past.lower, 0.048);
@@ -101,7 +101,7 @@ TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
     PoseSegment y(plate().bounding_sphere, randomPose(seed + 2000, 0.2), randomPose(seed + 3000, 0.2),
                   duration);
     SweptScratch scratch;
-    const SweptResult r = sweptPair(rod(), x, plate(), y, duration,
+    const SweptResult r = sweptPair({rod(), x}, {plate(), y}, duration,
                                     {.tolerance = 2e-3, .hit = 0.0, .most_samples = 400}, scratch);
     samples += r.samples;
     query::PairMemory memory;
@@ -203,7 +203,7 @@ TEST(SweptPair, OfABrakingArmAndAPersonHoldsForEveryAdmissibleMotion) {
     UnknownMotion hand(at(p0), v0, bounds, duration);
     SweptScratch scratch;
     const SweptResult r =
-        sweptPair(rod(), link, ball(), hand, duration, {.tolerance = 5e-3, .most_samples = 200}, scratch);
+        sweptPair({rod(), link}, {ball(), hand}, duration, {.tolerance = 5e-3, .most_samples = 200}, scratch);
     ASSERT_TRUE(r.done);
     safe += r.lower > 0.0;
     for (int k = 0; k < 10; ++k) {
@@ -240,7 +240,7 @@ TEST(SweptPair, AllocatesNothing) {
   SweptScratch scratch;
   const structure::HapticStructure &of_arm = rod(), &of_hand = ball();  // built when they are asked for first
   const testing::NoAlloc guard;
-  const SweptResult r = sweptPair(of_arm, link, of_hand, hand, 0.5, {}, scratch);
+  const SweptResult r = sweptPair({of_arm, link}, {of_hand, hand}, 0.5, {}, scratch);
   EXPECT_EQ(guard.count(), 0);
   EXPECT_GT(r.samples, 1);
 }

@@ -205,7 +205,7 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
         result = queried(scene, pair);
         const auto& a = *scene.object(pair.a).spec.structure;
         const auto& b = *scene.object(pair.b).spec.structure;
-        rest.take(result, X_WA, X_WB, now[0], now[1], touchFrom(a, b, pair.options), pair.options.margin,
+        rest.take(result, {X_WA, now[0]}, {X_WB, now[1]}, touchFrom(a, b, pair.options), pair.options.margin,
                   1.0);
       }
       const double exact = (p[0] - p[1]).norm() - 0.2 - 0.21;
