@@ -1,0 +1,13 @@
+// abstand._engine: what `import abstand` loads.
+#include "app/python/bodies.hpp"
+#include "app/python/error_translation.hpp"
+
+PYBIND11_MODULE(_engine, module) {
+  module.doc() = "The engine of abstand: bodies, distances, contacts, mechanisms, people.";
+  abstand::python::translateErrors();
+  abstand::python::bindMeshes(module);
+  abstand::python::bindStructures(module);
+  abstand::python::bindQueries(module);
+  abstand::python::bindMechanisms(module);
+  abstand::python::bindHumans(module);
+}
