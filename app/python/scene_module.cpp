@@ -1,4 +1,10 @@
-// abstand._scene.
-#include <pybind11/pybind11.h>
+// abstand._scene: recordings and scenes, loaded when they are asked for.
+#include "app/python/error_translation.hpp"
+#include "app/python/scene_objects.hpp"
 
-PYBIND11_MODULE(_scene, module) { module.doc() = "Recordings and scenes."; }
+PYBIND11_MODULE(_scene, module) {
+  module.doc() = "Recordings and scenes of abstand.";
+  abstand::python::translateErrors();
+  abstand::python::bindRecordings(module);
+  abstand::python::bindScenes(module);
+}
