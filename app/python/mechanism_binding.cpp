@@ -115,7 +115,8 @@ int frameIndex(const RobotHandle& robot, py::handle frame) {
   return index;
 }
 
-py::array_t<double> jacobianOf(RobotHandle& robot, const JointRows& values, py::handle frame, int threads) {
+py::array_t<double> jacobianOf(RobotHandle& robot, const JointRows& values, const py::object& frame,
+                               int threads) {
   const Postures q(robot.mechanism(), values);
   const int index = frameIndex(robot, frame);
   auto out = rowsOf(q, {6, static_cast<py::ssize_t>(q.dof)});

@@ -31,7 +31,8 @@ Mesh meshOf(const Doubles& vertices, const Integers& triangles) {
   const auto p = vertices.unchecked<2>();
   for (py::ssize_t i = 0; i < p.shape(0); ++i) {
     raw.vertices.emplace_back(p(i, 0), p(i, 1), p(i, 2));
-    if (!(raw.vertices.back().cwiseAbs().maxCoeff() <= kFarthestVertex))
+    const Vector3d& v = raw.vertices.back();
+    if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kFarthestVertex)
       throw UsageError("vertices[" + std::to_string(i) + "]: found a number that is not finite or beyond " +
                        "1e6 m, expected metres");
   }

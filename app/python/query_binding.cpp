@@ -141,7 +141,8 @@ It belongs to the first pair that it is used with. One thread at a time.)doc")
   using namespace py::literals;
   module.def(
       "distance",
-      [](const Structure& a, const Structure& b, py::handle X_a, py::handle X_b, Memory* memory) {
+      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b,
+         Memory* memory) {
         Distance d;
         ask(a, b, X_a, X_b, {}, memory, d.result);
         return d;
@@ -149,7 +150,7 @@ It belongs to the first pair that it is used with. One thread at a time.)doc")
       "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "memory"_a = py::none(), kDistanceDoc);
   module.def(
       "contact",
-      [](const Structure& a, const Structure& b, py::handle X_a, py::handle X_b, double margin,
+      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, double margin,
          double stiffness, const std::string& law, Memory* memory) {
         Contact c;
         ask(a, b, X_a, X_b, contactOptions(margin, stiffness, law), memory, c.result);
@@ -159,13 +160,14 @@ It belongs to the first pair that it is used with. One thread at a time.)doc")
       "law"_a = "volume", "memory"_a = py::none(), kContactDoc);
   module.def(
       "distances",
-      [](const Structure& a, const Structure& b, py::handle X_a, py::handle X_b, int threads, bool warm,
+      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, int threads,
+         bool warm,
          py::object out) { return batch<Distances>(a, b, X_a, X_b, {}, threads, warm, std::move(out)); },
       "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "threads"_a = 1, "warm"_a = false,
       "out"_a = py::none(), kDistancesDoc);
   module.def(
       "contacts",
-      [](const Structure& a, const Structure& b, py::handle X_a, py::handle X_b, double margin,
+      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, double margin,
          double stiffness, const std::string& law, int threads, bool warm, py::object out) {
         return batch<Contacts>(a, b, X_a, X_b, contactOptions(margin, stiffness, law), threads, warm,
                                std::move(out));

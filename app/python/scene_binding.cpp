@@ -166,7 +166,7 @@ py::object runScene(SceneHandle& scene, const std::optional<std::vector<double>>
   return result;
 }
 
-void setPose(SceneHandle& scene, const std::string& name, py::handle X, double t, double reach) {
+void setPose(SceneHandle& scene, const std::string& name, const py::object& X, double t, double reach) {
   const PoseRows rows(X, "X");
   if (!rows.single()) throw UsageError("X: found many poses, expected one (4, 4)");
   rows.check();
