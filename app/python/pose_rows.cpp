@@ -14,14 +14,36 @@ constexpr double kFarthestPose = 1e6;
 
 using AnyDoubles = py::array_t<double, py::array::forcecast>;
 
+/// A NumPy array of this machine's doubles.
+bool isDoubles(PyObject* object) {
+  using namespace py::detail;
+  const npy_api& numpy = npy_api::get();
+  if (!numpy.PyArray_Check_(object)) return false;
+  const auto* descr = array_descriptor_proxy(array_proxy(object)->descr);
+  return descr->type_num == npy_api::NPY_DOUBLE_ && descr->byteorder == '=';
+}
+
 std::string shapeText(const py::array& array) {
   std::string text = "(";
   for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
+/// Surely a rigid transform: quick, and false for what is not a number.
+bool surelyRigid(const Eigen::Matrix4d& X) {
+  const Vector3d x = X.col(0).head<3>(), y = X.col(1).head<3>(), z = X.col(2).head<3>();
+  const auto off = [](double value, double wanted) { return (value - wanted) * (value - wanted); };
+  const double columns = off(x.dot(x), 1) + off(y.dot(y), 1) + off(z.dot(z), 1) +
+                         2 * (off(x.dot(y), 0) + off(y.dot(z), 0) + off(z.dot(x), 0));
+  const double last = off(X(3, 0), 0) + off(X(3, 1), 0) + off(X(3, 2), 0) + off(X(3, 3), 1);
+  // The sizes of R^T R - I and R R^T - I are the same to first order.
+  return columns <= 0.25 * kRigid * kRigid && last <= kRigid * kRigid && x.cross(y).dot(z) > 0.0 &&
+         X.col(3).head<3>().squaredNorm() <= kFarthestPose * kFarthestPose;
+}
+
 /// What is wrong with a pose, or null.
 const char* faultOf(const Eigen::Matrix4d& X) {
+  if (surelyRigid(X)) return nullptr;
   if (!X.allFinite()) return "numbers that are not finite";
   if (!((X.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() <= kRigid))
     return "a last row other than 0 0 0 1";
@@ -37,7 +59,7 @@ const char* faultOf(const Eigen::Matrix4d& X) {
 
 PoseRows::PoseRows(py::handle poses, const char* name) : name_(name) {
   if (poses.is_none()) return;
-  if (AnyDoubles::check_(poses)) {
+  if (isDoubles(poses.ptr())) {
     array_ = py::reinterpret_borrow<py::array>(poses);
   } else {
     array_ = AnyDoubles::ensure(poses);
@@ -64,6 +86,13 @@ PoseRows::PoseRows(py::handle poses, const char* name) : name_(name) {
 void PoseRows::read(std::size_t i, int rows, Eigen::Matrix4d& X) const noexcept {
   // The array may stand anywhere in memory, so its numbers may be unaligned.
   const char* pose = data_ + row_ * static_cast<py::ssize_t>(i);
+  if (across_ == sizeof(double) && down_ == 4 * across_) {
+    double numbers[16];
+    std::memcpy(numbers, pose, sizeof numbers);
+    X = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers);
+    if (rows < 4) X.row(3) << 0, 0, 0, 1;
+    return;
+  }
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < 4; ++c) std::memcpy(&X(r, c), pose + r * down_ + c * across_, sizeof(double));
 }
@@ -72,6 +101,17 @@ Transform PoseRows::operator[](std::size_t i) const noexcept {
   Transform X = Transform::Identity();
   if (data_ != nullptr) read(i, 3, X.matrix());
   return X;
+}
+
+Transform PoseRows::only() const {
+  if (!single_) throw UsageError(std::string(name_) + ": found many poses, expected one (4, 4)");
+  if (data_ == nullptr) return Transform::Identity();
+  Eigen::Matrix4d X;
+  read(0, 4, X);
+  if (const char* fault = faultOf(X))
+    throw UsageError(std::string(name_) + ": found " + fault + ", expected a rigid transform");
+  X.row(3) << 0, 0, 0, 1;
+  return Transform(X);
 }
 
 std::string PoseRows::rowName(std::size_t i) const {

@@ -23,6 +23,8 @@ class PoseRows {
   std::size_t size() const { return size_; }
   /// Of row i, or of the only one where single().
   Transform operator[](std::size_t i) const noexcept;
+  /// The only pose, checked. Throws UsageError.
+  Transform only() const;
   /// Throws UsageError that names the first row that is not finite, no rigid transform (within 1e-6) or
   /// farther than 1e6 m from the origin.
   void check() const;

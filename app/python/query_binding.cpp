@@ -1,5 +1,6 @@
 // abstand.distance, contact, distances, contacts.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/python/bodies.hpp"
@@ -30,17 +31,10 @@ query::PairOptions contactOptions(double margin, double stiffness, const std::st
   return options;
 }
 
-Transform onePose(py::handle pose, const char* name) {
-  const PoseRows rows(pose, name);
-  if (!rows.single()) throw UsageError(std::string(name) + ": found many poses, expected one (4, 4)");
-  rows.check();
-  return rows[0];
-}
-
 void ask(const Structure& a, const Structure& b, py::handle X_a, py::handle X_b,
          const query::PairOptions& options, Memory* memory, query::PairResult& result) {
   thread_local kernels::PairScratch scratch;
-  const Transform X_WA = onePose(X_a, "X_a"), X_WB = onePose(X_b, "X_b");
+  const Transform X_WA = PoseRows(X_a, "X_a").only(), X_WB = PoseRows(X_b, "X_b").only();
   if (memory == nullptr) {
     query::queryPair(*a.haptic, X_WA, *b.haptic, X_WB, options, scratch, result);
     return;
@@ -76,6 +70,30 @@ void askAll(const structure::HapticStructure& a, const structure::HapticStructur
       out.store(i, result);
     }
   });
+}
+
+/// s that a bare loop in C++ over the same queries takes, with nothing of Python in it: what
+/// tests/bench/python_overhead.py compares with.
+double loopSeconds(const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b,
+                   bool warm) {
+  const PoseRows rows_a(X_a, "X_a"), rows_b(X_b, "X_b");
+  std::vector<Transform> poses_a, poses_b;
+  for (std::size_t i = 0; i < commonSize(rows_a, rows_b); ++i) {
+    poses_a.push_back(rows_a[i]);
+    poses_b.push_back(rows_b[i]);
+  }
+  std::vector<query::PairResult> results(poses_a.size());
+  kernels::PairScratch scratch;
+  query::PairMemory memory;
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (i % kBlock == 0) memory = {};
+    if (warm)
+      query::queryPair(*a.haptic, poses_a[i], *b.haptic, poses_b[i], {}, memory, scratch, results[i]);
+    else
+      query::queryPair(*a.haptic, poses_a[i], *b.haptic, poses_b[i], {}, scratch, results[i]);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// The arrays to write into: those of `given`, or new ones.
@@ -132,6 +150,7 @@ constexpr const char* kContactsDoc =
 
 void bindQueries(py::module_& module) {
   bindResults(module);
+  module.def("_loop_seconds", &loopSeconds);
   py::class_<Memory>(module, "Memory", R"doc(What a pair of structures remembers from one query to the next.
 
 It belongs to the first pair that it is used with. One thread at a time.)doc")

@@ -167,9 +167,7 @@ py::object runScene(SceneHandle& scene, const std::optional<std::vector<double>>
 }
 
 void setPose(SceneHandle& scene, const std::string& name, const py::object& X, double t, double reach) {
-  const PoseRows rows(X, "X");
-  if (!rows.single()) throw UsageError("X: found many poses, expected one (4, 4)");
-  rows.check();
+  const Transform X_WB = PoseRows(X, "X").only();
   if (!std::isfinite(t)) throw UsageError("t: expected seconds");
   if (!(reach >= 0.0)) throw UsageError("reach: expected metres, 0 or more");
   const Turn turn(scene);
@@ -179,7 +177,7 @@ void setPose(SceneHandle& scene, const std::string& name, const py::object& X, d
   if (object == nullptr) throw UsageError("name: the scene has no object '" + name + "'");
   if (object->spec.group != "objects" || scene.session->posed(id))
     throw UsageError("name: '" + name + "' is moved by the scene, expected one of its `objects`");
-  s.setPose(id, rows[0], t);
+  s.setPose(id, X_WB, t);
   s.setPoseUncertainty(id, reach);
 }
 
