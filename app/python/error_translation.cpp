@@ -2,7 +2,6 @@
 
 #include "core/base/error.hpp"
 #include "core/base/write_error.hpp"
-#include "core/structure/build_progress.hpp"
 
 namespace abstand::python {
 namespace {
@@ -34,8 +33,6 @@ void translateErrors() {
       raise("UsageError", e.what());
     } catch (const WriteError& e) {
       raise("WriteError", e.what());
-    } catch (const structure::BuildCancelled&) {
-      PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
   });
 }

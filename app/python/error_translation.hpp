@@ -5,9 +5,8 @@
 
 namespace abstand::python {
 
-/// From now on ParseError, UsageError, WriteError and BuildCancelled that leave a function of this extension
-/// become abstand.ParseError, abstand.UsageError, abstand.WriteError and KeyboardInterrupt, with the same
-/// text.
+/// From now on ParseError, UsageError and WriteError that leave a function of this extension become
+/// abstand.ParseError, abstand.UsageError and abstand.WriteError, with the same text.
 void translateErrors();
 
 }  // namespace abstand::python

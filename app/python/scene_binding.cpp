@@ -67,7 +67,10 @@ std::unique_ptr<SceneHandle> openScene(const std::filesystem::path& path, const 
   if (args.cold) options.remember = false;
   const py::gil_scoped_release release;
   auto handle = std::make_unique<SceneHandle>();
-  handle->session = depth::openSession(scene_file::loadScene(path, {args.package_paths, true}), options);
+  buildInterruptibly([&](const structure::BuildMonitor& monitor) {
+    options.monitor = monitor;
+    handle->session = depth::openSession(scene_file::loadScene(path, {args.package_paths, true}), options);
+  });
   return handle;
 }
 

@@ -3,6 +3,7 @@
 #include "app/python/scene_objects.hpp"
 
 PYBIND11_MODULE(_scene, module) {
+  module.attr("__module__") = "abstand";
   module.doc() = "Recordings and scenes of abstand.";
   abstand::python::translateErrors();
   abstand::python::bindRecordings(module);

@@ -1,11 +1,9 @@
 // abstand.Structure.
 #include <pybind11/stl/filesystem.h>
 
-#include <chrono>
-#include <thread>
-
 #include "app/python/array_view.hpp"
 #include "app/python/bodies.hpp"
+#include "app/python/interrupt_check.hpp"
 #include "app/python/structure_file.hpp"
 #include "core/base/error.hpp"
 #include "core/store/structure_cache.hpp"
@@ -30,27 +28,14 @@ BuildArguments argumentsOf(double voxel, std::optional<double> spacing, int oute
   return {options, std::move(name), threads, cache};
 }
 
-/// Lets Ctrl-C end a build: the thread that began it asks Python now and then.
-structure::BuildMonitor interruptible() {
-  using Clock = std::chrono::steady_clock;
-  structure::BuildMonitor monitor;
-  monitor.cancelled = [caller = std::this_thread::get_id(),
-                       next = Clock::now() + std::chrono::milliseconds(100)]() mutable {
-    if (std::this_thread::get_id() != caller || Clock::now() < next) return false;
-    next = Clock::now() + std::chrono::milliseconds(100);
-    const py::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() == 0) return false;
-    PyErr_Clear();
-    return true;
-  };
-  return monitor;
-}
-
-Structure build(std::shared_ptr<const geometry::Surface> surface, const BuildArguments& args) {
+Structure build(const std::shared_ptr<const geometry::Surface>& surface, const BuildArguments& args) {
   store::StructureCache cache(args.cache ? store::userCacheFolder() : std::filesystem::path());
-  auto made = store::makeHapticStructure(cache, args.name, std::move(surface), args.options, args.threads,
-                                         interruptible());
-  return {std::move(made.structure), {}, {}};
+  std::shared_ptr<const structure::HapticStructure> made;
+  buildInterruptibly([&](const structure::BuildMonitor& monitor) {
+    made =
+        store::makeHapticStructure(cache, args.name, surface, args.options, args.threads, monitor).structure;
+  });
+  return {std::move(made), {}, {}};
 }
 
 /// (n, 3) float32 from three vectors, made once.

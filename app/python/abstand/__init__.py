@@ -41,27 +41,11 @@ _LATER = ("Recording", "Scene", "SceneRun", "StepResult", "read_recording")
 __all__ = [name for name in globals() if not name.startswith("_")] + list(_LATER)
 
 
-def _adopt(module, names):
-    for name in names:
-        thing = getattr(module, name)
-        if isinstance(thing, type) or callable(thing):
-            try:
-                thing.__module__ = __name__
-            except AttributeError:
-                pass
-
-
-from . import _engine  # noqa: E402
-
-_adopt(_engine, [name for name in __all__ if hasattr(_engine, name)])
-
-
 def __getattr__(name):
     if name not in _LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from . import _scene
 
-    _adopt(_scene, _LATER)
     for later in _LATER:
         globals()[later] = getattr(_scene, later)
     return globals()[name]
