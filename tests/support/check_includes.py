@@ -24,6 +24,7 @@ FENCES = [
     (r"libfreenect", r"tracking/depth/live/.*\.cpp"),
     (r"zlib", r"tracking/kinect/.*\.cpp"),
     (r"hdf5", r"app/run/.*\.cpp"),
+    (r"pybind11/", r"app/python/.*"),
 ]
 # Intrinsics and what the system brings.
 SYSTEM = re.compile(r"[a-z0-9_]+$|Eigen/|(immintrin|emmintrin|dlfcn|fcntl|poll|unistd|time)\.h$|(sys|arpa|netinet)/")

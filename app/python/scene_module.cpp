@@ -1,0 +1,11 @@
+// abstand._scene: recordings and scenes, loaded when they are asked for.
+#include "app/python/error_translation.hpp"
+#include "app/python/scene_objects.hpp"
+
+PYBIND11_MODULE(_scene, module) {
+  module.attr("__module__") = "abstand";
+  module.doc() = "Recordings and scenes of abstand.";
+  abstand::python::translateErrors();
+  abstand::python::bindRecordings(module);
+  abstand::python::bindScenes(module);
+}

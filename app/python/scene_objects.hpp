@@ -1,0 +1,13 @@
+// What abstand._scene is made of.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace abstand::python {
+
+namespace py = pybind11;
+
+void bindRecordings(py::module_& module);
+void bindScenes(py::module_& module);
+
+}  // namespace abstand::python
