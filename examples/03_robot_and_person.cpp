@@ -14,8 +14,8 @@ int main(int argc, char** argv) try {
   abstand::PersonOptions person;
   person.height = 1.80;                                                   // m
   person.recording = argc > 2 ? argv[2] : data / "scenes/hug_reach.bvh";  // units, axes and names found out
-  person.place << 0.9, 0.0, 0.0;                                          // m
-  person.yaw = 3.14159;                                                   // rad
+  person.place << 1.3, 0.0, 0.0;                                          // m
+  person.yaw = -1.5708;  // rad: the recording faces +y, the person now the arm
 
   abstand::SceneBuilder builder;
   builder.addRobot("arm", argc > 1 ? argv[1] : data / "robots/arm6/arm6.urdf", robot)
@@ -24,17 +24,22 @@ int main(int argc, char** argv) try {
   abstand::Scene scene(builder);
   for (const auto& remark : scene.remarks()) std::printf("%s\n", remark.c_str());
 
-  double least = std::numeric_limits<double>::infinity();
+  abstand::PairResult least;
+  least.distance = std::numeric_limits<double>::infinity();
+  double when = 0.0;
+  std::size_t nearest = 0;
   for (const double t : scene.frameTimes()) {
     scene.step(t);
     const std::size_t pair = *scene.nearest();
-    const abstand::PairResult r = scene.result(pair);
-    if (r.distance >= least) continue;
-    least = r.distance;
-    const auto [a, b] = scene.pairObjects(pair);
-    std::printf("%.2f s: %s and %s, %.3f m (never below %.3f m)\n", t, scene.objectName(a).c_str(),
-                scene.objectName(b).c_str(), r.distance, r.distance - r.bound);
+    if (scene.result(pair).distance >= least.distance) continue;
+    least = scene.result(pair);
+    when = t;
+    nearest = pair;
   }
+  const auto [a, b] = scene.pairObjects(nearest);
+  std::printf("nearest at %.2f s: %s and %s, %.3f m and never below %.3f m\n", when,
+              scene.objectName(a).c_str(), scene.objectName(b).c_str(), least.distance,
+              least.distance - least.bound);
 } catch (const std::exception& e) {
   std::fprintf(stderr, "%s\n", e.what());
   return 1;

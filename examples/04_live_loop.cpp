@@ -12,7 +12,7 @@ int main() try {
   using namespace abstand;
   using Clock = std::chrono::steady_clock;
   PersonOptions visitor;
-  visitor.place << 0.9, 0.0, 0.0;  // m
+  visitor.place << 1.2, 0.0, 0.0;  // m
   SceneBuilder builder;
   builder.addRobot("arm", dataDirectory() / "robots/arm6/arm6.urdf").addPerson("visitor", visitor);
   builder.setResolution(0.01, 0.01);
