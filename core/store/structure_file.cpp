@@ -260,7 +260,7 @@ auto readFrom(const std::filesystem::path& path, bool with_engine, const Read& r
     return read(readContent(in, size, with_engine));
   } catch (const ArchiveError& e) {
     throw ParseError({path.string()}, std::string(e.what()) + ", expected a whole structure file",
-                     "abstand build --structures-out writes them");
+                     "abstand build --out FOLDER writes them");
   } catch (const UsageError& e) {
     throw ParseError({path.string()}, e.what());
   }
