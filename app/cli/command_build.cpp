@@ -10,6 +10,7 @@
 #include "core/base/output_folder.hpp"
 #include "core/mesh_file/mesh_file.hpp"
 #include "core/store/structure_cache.hpp"
+#include "core/store/structure_file.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -61,6 +62,7 @@ void writeStructure(const structure::HapticStructure& s, OutputFolder& folder) {
     if (c == ':' || c == ',' || c == '/') c = '_';
   mesh_file::saveMesh(s.surface->mesh(kDrawingSagitta), folder.place(stem + ".stl"));
   writeShell(s.shell, folder.place(stem + ".shell.ply"));
+  store::saveStructure(s, folder.place(stem + ".structure"));
 }
 
 nlohmann::ordered_json structureJson(const store::MadeStructure& made, const Body& body) {
@@ -187,7 +189,8 @@ void addBuild(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
   command->add_option("--scale", args->scale, "metres a unit of the mesh files");
   line.output(
-      command->add_option("--out", args->out, "folder for the mesh (STL) and the pointshell (PLY) of each"),
+      command->add_option("--out", args->out,
+                          "folder for the mesh (STL), the pointshell (PLY) and the structure of each"),
       OutputKind::kFolder);
   command->add_flag(
       "--explain", args->explain,

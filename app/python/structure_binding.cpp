@@ -4,9 +4,9 @@
 #include "app/python/array_view.hpp"
 #include "app/python/bodies.hpp"
 #include "app/python/interrupt_check.hpp"
-#include "app/python/structure_file.hpp"
 #include "core/base/error.hpp"
 #include "core/store/structure_cache.hpp"
+#include "core/store/structure_file.hpp"
 
 namespace abstand::python {
 namespace {
@@ -143,19 +143,27 @@ void bindStructures(py::module_& module) {
            py::arg("threads") = 0, py::arg("cache") = false);
   type.def(
           "save",
-          [](const Structure& s, const std::filesystem::path& path) { saveStructure(*s.haptic, path); },
+          [](const Structure& s, const std::filesystem::path& path) {
+            store::saveStructure(*s.haptic, path);
+          },
           py::arg("path"), py::call_guard<py::gil_scoped_release>(),
           R"doc(Writes the structure with its surface to a file, whole or not at all. UsageError, WriteError.)doc")
       .def_static(
           "load",
-          [](const std::filesystem::path& path) {
-            return Structure{loadStructure(path), {}, {}};
+          [](const std::filesystem::path& path, bool trusted) {
+            if (trusted)
+              if (auto made = store::readStoredStructure(path)) return Structure{std::move(made), {}, {}};
+            const store::StoredBody body = store::readStoredBody(path);
+            store::StructureCache none{std::filesystem::path()};
+            return Structure{
+                store::makeHapticStructure(none, body.name, body.surface, body.options, 0).structure, {}, {}};
           },
-          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-          R"doc(The structure that save() wrote, with the same bits.
+          py::arg("path"), py::arg("trusted") = false, py::call_guard<py::gil_scoped_release>(),
+          R"doc(The structure that save() wrote, with the same bits (docs/structure-files.md).
 
-ParseError for a file that is none, damaged, or of another version of the engine. Load only files from people you trust: the
-checksum is against accidents.)doc")
+It is built from the body and the resolution in the file, which are checked, so the file may be anybody's. With `trusted` what
+the engine had in memory is taken as it stands, if this version of the engine wrote it: as fast as reading the file, for files of
+your own programs. ParseError for a file that is none or damaged.)doc")
       .def("__repr__", &describeStructure);
   bindProperties(type);
 }

@@ -172,15 +172,31 @@ template <class Body>
 void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) const {
   const auto* mesh = fields.find("mesh");
   const auto* shape_node = fields.find("shape");
-  if (!mesh == !shape_node)
+  const auto* structure = fields.find("structure");
+  if (structure && (mesh || shape_node))
+    throw ParseError(fields.keyPos("structure"), std::string("found `structure` beside `") +
+                                                     (mesh ? "mesh" : "shape") +
+                                                     "` in one body, expected one of them");
+  if (!structure && !mesh == !shape_node)
     throw ParseError(shape_node ? fields.keyPos("shape") : fields.pos(),
                      std::string("found ") + (mesh ? "both" : "neither") +
                          " `mesh` and `shape` in one body, expected one of them");
   if (mesh) body.mesh = existingFile(*mesh, "`mesh`", "a mesh");
   if (shape_node) body.shape = shape(*shape_node, file_);
-  if (shape_node && fields.find("scale"))
-    throw ParseError(fields.keyPos("scale"), "found `scale` beside `shape`, expected it beside a mesh only",
-                     "the sizes of a shape are in metres");
+  if (structure) {
+    body.structure = existingFile(*structure, "`structure`", "a structure file");
+    for (const char* key : {"voxel", "point", "outer_layers"})
+      if (fields.find(key))
+        throw ParseError(
+            fields.keyPos(key),
+            "found `" + std::string(key) + "` beside `structure`, expected it beside a mesh or a shape",
+            "the file of a structure says how fine it is");
+  }
+  if (!mesh && fields.find("scale"))
+    throw ParseError(fields.keyPos("scale"),
+                     std::string("found `scale` beside `") + (structure ? "structure" : "shape") +
+                         "`, expected it beside a mesh only",
+                     structure ? "" : "the sizes of a shape are in metres");
   body.scale = scale(fields);
 }
 
@@ -215,8 +231,8 @@ void placeLink(const config::YamlFields& fields, const mechanism::Mechanism& mec
 
 LinkDescription SceneBodyReader::link(const config::YamlNode& node, const mechanism::Mechanism& mechanism) {
   const config::YamlFields fields(node, file_, "a link",
-                                  {"name", "frame", "mesh", "scale", "shape", "pose", "held", "voxel",
-                                   "point", "outer_layers", "margin", "max_speed"});
+                                  {"name", "frame", "mesh", "scale", "shape", "structure", "pose", "held",
+                                   "voxel", "point", "outer_layers", "margin", "max_speed"});
   LinkDescription l;
   l.pos = fields.pos();
   l.name = newBody(fields);
@@ -405,8 +421,8 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
 
 ObjectDescription SceneBodyReader::object(const config::YamlNode& node) {
   const config::YamlFields fields(node, file_, "an object",
-                                  {"name", "mesh", "scale", "shape", "pose", "mass", "voxel", "point",
-                                   "outer_layers", "margin", "max_speed"});
+                                  {"name", "mesh", "scale", "shape", "structure", "pose", "mass", "voxel",
+                                   "point", "outer_layers", "margin", "max_speed"});
   ObjectDescription o;
   o.pos = fields.pos();
   o.name = newBody(fields);

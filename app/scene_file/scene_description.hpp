@@ -30,8 +30,9 @@ struct BodySettings {
 
 struct LinkDescription {
   std::string name;
-  std::string frame{"0"};      ///< name of the frame it moves with (in a .mech file its id); 0: the base
-  std::filesystem::path mesh;  ///< absolute; empty when a shape is given
+  std::string frame{"0"};           ///< name of the frame it moves with (in a .mech file its id); 0: the base
+  std::filesystem::path mesh;       ///< absolute; empty when a shape or a structure is given
+  std::filesystem::path structure;  ///< a file that holds one (docs/structure-files.md); empty: none
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
   std::optional<geometry::Shape> shape;
   /// Link in its frame: `pose`; without one, and with `pose: center`, that of the mechanism file's `link`
@@ -104,7 +105,7 @@ struct HumanDescription {
 
 struct ObjectDescription {
   std::string name;
-  std::filesystem::path mesh;
+  std::filesystem::path mesh, structure;  ///< as of a link
   Vector3d scale{Vector3d::Ones()};
   std::optional<geometry::Shape> shape;
   Transform X_WB{Transform::Identity()};

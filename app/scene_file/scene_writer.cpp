@@ -77,6 +77,7 @@ std::string scaleText(const Vector3d& scale) {
 template <class Body>
 std::string meshOrShape(const Body& body) {
   if (body.shape) return ", shape: " + std::visit(ShapeText{}, *body.shape);
+  if (!body.structure.empty()) return ", structure: " + scalar(body.structure.string());
   return ", mesh: " + scalar(body.mesh.string()) + ", scale: " + scaleText(body.scale);
 }
 

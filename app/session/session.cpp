@@ -40,7 +40,7 @@ Session::Session(scene_file::SceneDescription description, const SessionOptions&
   std::vector<Planned> plan;
   planMechanisms(plan);
   planHumans(plan, options);
-  planObjects(plan);
+  planObjects(plan, options);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
   scene::QueryCulling& culling = description_.culling;
   culling.rest = options.rest.value_or(culling.rest);
@@ -78,6 +78,14 @@ structure::HapticOptions Session::hapticOptions(const scene_file::BodySettings& 
   return o;
 }
 
+/// Of a link or an object.
+template <class Body>
+StructureLibrary::Key Session::request(const Body& body, const structure::HapticOptions& options) {
+  if (!body.structure.empty()) return library_.requestStored(body.structure);
+  if (body.shape) return library_.request(*body.shape, options);
+  return library_.request(body.mesh, body.scale, options);
+}
+
 void Session::planMechanisms(std::vector<Planned>& plan) {
   for (const auto& d : description_.mechanisms) {
     mechanisms_.push_back(std::make_unique<MechanismDriver>(d));
@@ -88,8 +96,7 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
       scene_file::BodySettings settings = link.settings;
       settings.fillFrom(d.settings);
       const structure::HapticOptions options = hapticOptions(settings);
-      const auto key = link.shape ? library_.request(*link.shape, options)
-                                  : library_.request(link.mesh, link.scale, options);
+      const auto key = request(link, options);
       plan.push_back({link.name, d.name, key, settings.margin.value_or(description_.defaults.margin),
                       settings.max_speed, driver->motion() ? kInfinity : 0.0,
                       [driver, i](ObjectId id) { driver->bind(i, id); }});
@@ -135,11 +142,11 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
   }
 }
 
-void Session::planObjects(std::vector<Planned>& plan) {
+void Session::planObjects(std::vector<Planned>& plan, const SessionOptions& options) {
   for (const auto& d : description_.objects) {
-    const structure::HapticOptions options = hapticOptions(d.settings);
+    const auto made = options.made.find(d.name);
     const auto key =
-        d.shape ? library_.request(*d.shape, options) : library_.request(d.mesh, d.scale, options);
+        made != options.made.end() ? library_.take(made->second) : request(d, hapticOptions(d.settings));
     plan.push_back({d.name, "objects", key, d.settings.margin.value_or(description_.defaults.margin),
                     d.settings.max_speed, d.mass ? kInfinity : 0.0,
                     [this, X_WB = d.X_WB](ObjectId id) { scene_.setPose(id, X_WB, 0.0); }});

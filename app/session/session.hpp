@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -20,6 +21,8 @@ struct SessionOptions {
   double person_speed{1.0};         ///< people move this much faster than recorded
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
+  /// Of objects by name, instead of what the scene says of their geometry.
+  std::map<std::string, std::shared_ptr<const structure::HapticStructure>> made;
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
   structure::BuildMonitor monitor;  ///< of the structures; its word is the name of one
   /// Hears how many structures there will be, before the first is looked for or built.
@@ -96,7 +99,9 @@ class Session {
   };
   void planMechanisms(std::vector<Planned>& plan);
   void planHumans(std::vector<Planned>& plan, const SessionOptions& options);
-  void planObjects(std::vector<Planned>& plan);
+  void planObjects(std::vector<Planned>& plan, const SessionOptions& options);
+  template <class Body>
+  StructureLibrary::Key request(const Body& body, const structure::HapticOptions& options);
   void selectAndAddPairs();
   void bindPoses(const std::filesystem::path& file);
   void setSpeeds(const std::vector<Planned>& plan);

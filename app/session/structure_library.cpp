@@ -9,6 +9,7 @@
 #include "core/base/number.hpp"
 #include "core/base/parallel.hpp"
 #include "core/mesh_file/mesh_file.hpp"
+#include "core/store/structure_file.hpp"
 
 namespace abstand::session {
 namespace {
@@ -119,6 +120,19 @@ StructureLibrary::Key StructureLibrary::request(const std::filesystem::path& mes
     body = std::make_shared<Body>(Body{std::move(loaded.mesh), nullptr, std::move(doubt)});
   }
   return add(identity, mesh.stem().string(), body, options);
+}
+
+StructureLibrary::Key StructureLibrary::requestStored(const std::filesystem::path& file) {
+  store::StoredBody stored = store::readStoredBody(file);
+  const std::string identity = "structure:" + file.string();
+  auto& body = bodies_[identity];
+  if (!body) body = std::make_shared<Body>(Body{{}, std::move(stored.surface), {}});
+  return add(identity, std::move(stored.name), body, stored.options);
+}
+
+StructureLibrary::Key StructureLibrary::take(std::shared_ptr<const structure::HapticStructure> made) {
+  entries_.push_back({made->name, nullptr, made->options, made});
+  return entries_.size() - 1;
 }
 
 void StructureLibrary::makeSurfaces(int threads) {

@@ -31,6 +31,12 @@ class StructureLibrary {
   Key request(const std::filesystem::path& mesh, const Vector3d& scale,
               const structure::HapticOptions& options);
 
+  /// A file of a structure, which says itself how fine it is; anybody's (structure_file.hpp). Reads the body
+  /// at once. Throws ParseError.
+  Key requestStored(const std::filesystem::path& file);
+  /// One that is there already.
+  Key take(std::shared_ptr<const structure::HapticStructure> made);
+
   /// On `threads` threads (0: all cores); the result does not depend on the number. Throws UsageError for a
   /// mesh without area and for options that do not fit a body, and BuildCancelled.
   void build(int threads = 0, const structure::BuildMonitor& monitor = {});

@@ -9,9 +9,14 @@ std::filesystem::path dataFolder() {
   if (const char* set = std::getenv("ABSTAND_DATA"); set != nullptr && *set != '\0') return set;
   std::error_code ec;
   const fs::path source{ABSTAND_SOURCE_DATA_FOLDER};
-  if (fs::is_directory(source, ec)) return source;
+  if (!source.empty() && fs::is_directory(source, ec)) return source;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec);
-  return program.parent_path().parent_path() / "share" / "abstand";
+  fs::path beside = program.parent_path().parent_path() / "share" / "abstand";
+  // A program that uses the library may be anywhere.
+  if (fs::path installed{ABSTAND_INSTALLED_DATA_FOLDER};
+      !fs::is_directory(beside, ec) && fs::is_directory(installed, ec))
+    return installed;
+  return beside;
 }
 
 }  // namespace abstand

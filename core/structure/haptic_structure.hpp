@@ -51,8 +51,8 @@ struct HapticStructure {
   template <class Archive>
   void archive(Archive& ar) {
     ar(options, voxelmap, near_field, far_field, support, parts, shell, tree, mass_properties.volume,
-       mass_properties.com, mass_properties.inertia, com, bounding_sphere.centre, bounding_sphere.radius,
-       grid, surface_voxels, solid_voxels, triangles, build_ms);
+       mass_properties.com, mass_properties.inertia, com, pieces, bounding_sphere.centre,
+       bounding_sphere.radius, grid, surface_voxels, solid_voxels, triangles, build_ms);
   }
 };
 

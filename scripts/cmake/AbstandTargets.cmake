@@ -35,17 +35,25 @@ else()
   target_compile_options(abstand_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
-# abstand_library(NAME [sources] [LINKS libraries of the project]): a static library that others link as abstand::NAME.
+# abstand_library(NAME [sources] [LINKS libraries of the project]): a library that others link as abstand::NAME; static unless
+# BUILD_SHARED_LIBS says otherwise. A facade's headers are those of include/, which are all that is installed.
 function(abstand_library name)
   cmake_parse_arguments(L "" "" "LINKS" ${ARGN})
-  add_library(abstand_${name} STATIC ${L_UNPARSED_ARGUMENTS})
+  add_library(abstand_${name} ${L_UNPARSED_ARGUMENTS})
   add_library(abstand::${name} ALIAS abstand_${name})
-  target_include_directories(abstand_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_include_directories(abstand_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  if(name MATCHES "^facade_")
+    target_include_directories(abstand_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  endif()
   target_compile_features(abstand_${name} PUBLIC cxx_std_20)
-  # For the Python module and for shared libraries.
-  set_target_properties(abstand_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # Position-independent for the Python module; no macro for shared libraries, as precompiled headers must fit all of them. Until
+  # 1.0 the second number of the version counts for the binary interface.
+  set_target_properties(abstand_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   list(TRANSFORM L_LINKS PREPEND abstand::)
-  target_link_libraries(abstand_${name} PUBLIC ${L_LINKS} Eigen3::Eigen Threads::Threads PRIVATE abstand_flags)
+  target_link_libraries(abstand_${name} PUBLIC ${L_LINKS} Eigen3::Eigen Threads::Threads
+    PRIVATE $<BUILD_INTERFACE:abstand_flags>)
   if(name STREQUAL engine)
     target_precompile_headers(abstand_engine PRIVATE ${abstand_common_headers})
   elseif(NOT name STREQUAL ui)
@@ -78,7 +86,7 @@ function(abstand_group_sources directory)
   get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    if(NOT type MATCHES "^(STATIC_LIBRARY|EXECUTABLE)$")
+    if(NOT type MATCHES "^(STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE)$")
       continue()
     endif()
     get_target_property(sources ${target} SOURCES)

@@ -55,6 +55,12 @@ def check_file(root, path, allowed):
     if re.search(r"std::(cout|ofstream)\b", text):
         errors.append(f"{name}: outputs go through core/base/output_file and core/base/standard_output")
     for own, other in re.findall(r'^#include (?:"([^"]+)"|<([^>]+)>)', text, re.M):
+        if own.startswith("abstand/"):
+            if not (root / "include" / own).exists():
+                errors.append(f"{name}: {own} is not in include/")
+            elif not module.endswith("facade"):
+                errors.append(f"{name}: {own} stays within the facades and who uses the library")
+            continue
         if own:
             target = own.rpartition("/")[0]
             if not (root / own).exists():
@@ -74,6 +80,15 @@ def check_file(root, path, allowed):
     return errors
 
 
+def check_public(root):
+    """What is wrong with the public headers: they know each other, Eigen and the C++ library."""
+    headers = sorted((root / "include").rglob("*"))
+    return [f"{p.relative_to(root)}: a public header may not include {own or other}"
+            for p in headers if p.is_file()
+            for own, other in re.findall(r'^#include (?:"([^"]+)"|<([^>]+)>)', p.read_text(), re.M)
+            if not re.match(r"abstand/[a-z_]+\.hpp$", own) and not re.match(r"[a-z0-9_]+$|Eigen/", other)]
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     allowed, errors = modules(pathlib.Path(__file__).parent / "modules.txt")
@@ -82,6 +97,7 @@ def main():
     errors += [f"{m} is not in tests/support/modules.txt" for m in sorted(folders - set(allowed))]
     errors += [f"tests/support/modules.txt: {m} has no sources" for m in sorted(set(allowed) - folders)]
     errors += [f"{f}/README.md is missing" for f in sorted(folders) if not (root / f / "README.md").exists()]
+    errors += check_public(root)
     for path in files:
         errors += check_file(root, path, allowed)
     print("\n".join(errors) or f"{len(files)} files of {len(folders)} modules follow the order")

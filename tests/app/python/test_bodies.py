@@ -1,4 +1,5 @@
 """Meshes, shapes and structures."""
+import itertools
 import os
 import tempfile
 import unittest
@@ -107,9 +108,9 @@ class Structures(unittest.TestCase):
             abstand.capsule(0.05, 0.1))]
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "body.structure")
-            for body in [self.ball, self.link, *shapes]:
+            for body, trusted in itertools.product([self.ball, self.link, *shapes], (False, True)):
                 body.save(path)
-                loaded = abstand.Structure.load(path)
+                loaded = abstand.Structure.load(path, trusted=trusted)
                 self.assertEqual(loaded.name, body.name)
                 for name in ("points", "normals", "areas", "centre_of_mass"):
                     np.testing.assert_array_equal(getattr(loaded, name), getattr(body, name))

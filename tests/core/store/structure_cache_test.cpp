@@ -94,6 +94,23 @@ TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
   EXPECT_TRUE(cache.takeWarnings().empty());
 }
 
+TEST(StructureCache, KnowsThePiecesOfABody) {
+  ScratchFolder folder;
+  StructureCache cache(folder.path());
+  // Two balls as one body. One of them lies within another body, away from its points.
+  geometry::TriangleMesh mesh = geometry::tessellate(kBall, 2e-3);
+  const geometry::TriangleMesh other = mesh;
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vector3d& p : other.vertices) mesh.vertices.push_back(p + Vector3d::UnitX());
+  for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const std::shared_ptr<const geometry::Surface> balls = geometry::makeSurface(mesh);
+  const MadeStructure built = makeHapticStructure(cache, "balls", balls, kCoarse, 1);
+  const MadeStructure found = makeHapticStructure(cache, "balls", balls, kCoarse, 1);
+  ASSERT_TRUE(found.cached);
+  EXPECT_EQ(built.structure->pieces.size(), 2u);
+  EXPECT_EQ(found.structure->pieces, built.structure->pieces);
+}
+
 TEST(StructureCache, GivesTheSameSurface) {
   ScratchFolder folder;
   StructureCache cache(folder.path());

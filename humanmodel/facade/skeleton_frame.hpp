@@ -1,0 +1,12 @@
+// Public skeletons to canonical ones and back.
+#pragma once
+
+#include "abstand/skeleton.hpp"
+#include "humanmodel/joints.hpp"
+
+namespace abstand::facade {
+
+humanmodel::SkeletonFrame frameOf(const Skeleton& skeleton);
+Skeleton skeletonOf(const humanmodel::SkeletonFrame& frame);
+
+}  // namespace abstand::facade
