@@ -73,6 +73,7 @@ std::vector<double> Scene::frameTimes() const { return impl_->session.frameTimes
 const std::vector<std::string>& Scene::remarks() const { return impl_->session.remarks(); }
 
 void Scene::step(double t) { impl_->session.step(t); }
+void Scene::startCold() { impl_->scene().startCold(); }
 
 bool Scene::moveObject(std::size_t object, const Pose& X_WB, double t) {
   impl_->object(object);

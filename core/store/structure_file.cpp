@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 
 #include "core/base/error.hpp"
@@ -248,7 +249,20 @@ Content readContent(std::istream& in, std::uint64_t size, bool with_engine) {
   return content;
 }
 
-/// Opens a file, and says in one line what is wrong with it.
+/// Says in one line what is wrong with a file.
+template <class Read>
+auto readStream(std::istream& in, std::uint64_t size, const std::string& name, bool with_engine,
+                const Read& read) {
+  try {
+    return read(readContent(in, size, with_engine));
+  } catch (const ArchiveError& e) {
+    throw ParseError({name}, std::string(e.what()) + ", expected a whole structure file",
+                     "abstand build --out FOLDER writes them");
+  } catch (const UsageError& e) {
+    throw ParseError({name}, e.what());
+  }
+}
+
 template <class Read>
 auto readFrom(const std::filesystem::path& path, bool with_engine, const Read& read) {
   std::error_code ec;
@@ -256,14 +270,15 @@ auto readFrom(const std::filesystem::path& path, bool with_engine, const Read& r
   std::ifstream in(path, std::ios::binary);
   if (ec || !in) throw ParseError({path.string()}, "cannot be read, expected a structure file");
   noteInput(path);
-  try {
-    return read(readContent(in, size, with_engine));
-  } catch (const ArchiveError& e) {
-    throw ParseError({path.string()}, std::string(e.what()) + ", expected a whole structure file",
-                     "abstand build --out FOLDER writes them");
-  } catch (const UsageError& e) {
-    throw ParseError({path.string()}, e.what());
-  }
+  return readStream(in, size, path.string(), with_engine, read);
+}
+
+StoredBody checkedBody(Content content) {
+  StoredBody body;
+  body.options = optionsOf(*content.options);
+  body.name = content.body->name.substr(0, kMaxNameBytes);
+  body.surface = surfaceOf(std::move(*content.body));
+  return body;
 }
 
 }  // namespace
@@ -302,14 +317,11 @@ void saveStructure(const structure::HapticStructure& structure, const std::files
   out.commit();
 }
 
-StoredBody readStoredBody(const std::filesystem::path& path) {
-  return readFrom(path, false, [](Content content) {
-    StoredBody body;
-    body.options = optionsOf(*content.options);
-    body.name = content.body->name.substr(0, kMaxNameBytes);
-    body.surface = surfaceOf(std::move(*content.body));
-    return body;
-  });
+StoredBody readStoredBody(const std::filesystem::path& path) { return readFrom(path, false, checkedBody); }
+
+StoredBody parseStoredBody(std::string_view content, const std::string& name) {
+  std::istringstream in{std::string(content)};
+  return readStream(in, content.size(), name, false, checkedBody);
 }
 
 std::shared_ptr<const structure::HapticStructure> readStoredStructure(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/store/structure_cache.hpp"
 
@@ -22,6 +23,8 @@ void saveStructure(const structure::HapticStructure& structure, const std::files
 /// The body alone; a structure is built from it, or found in a cache. Everything is checked, so the file may
 /// be anybody's. Throws ParseError. Any thread.
 StoredBody readStoredBody(const std::filesystem::path& file);
+/// The same for the content of a file; `name` goes into errors.
+StoredBody parseStoredBody(std::string_view content, const std::string& name);
 
 /// With what the engine had in memory, as it stands: for files of the user's own, as nothing protects from
 /// one that somebody forged. Null where another version of the engine wrote it. Throws ParseError. Any

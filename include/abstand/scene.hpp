@@ -100,9 +100,11 @@ class Scene {
   /// What a user should know of files that were read, a sentence each.
   const std::vector<std::string>& remarks() const;
 
-  /// Everything as recorded at time t (s), then all pairs. The same as the program `abstand run` at that
-  /// frame. No allocation after the first.
+  /// Everything as recorded at time t (s), then all pairs. Pairs start from their last answer: beyond 0.1 m a
+  /// distance may exceed the smallest one by 0.2 %, within its bound. No allocation after the first.
   void step(double t);
+  /// The next step() or query() asks every pair from its poses alone; `abstand run` does so every 128 frames.
+  void startCold();
 
   /// Live: puts a body; t (s) rises. False, and the body keeps its pose and counts as rejected, for a pose
   /// that is not finite or no rotation.

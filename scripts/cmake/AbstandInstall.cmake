@@ -81,6 +81,10 @@ abstand_pkg_config(abstand-mechanism "Kinematics of robots in URDF and tables" "
 abstand_pkg_config(abstand-human "People of fourteen parts" "facade_human;humanmodel" REQUIRES abstand-engine)
 
 # Programs, their data and what is said of them.
+if(BUILD_SHARED_LIBS)
+  file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(abstand PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
+endif()
 install(TARGETS abstand RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/abstand COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program

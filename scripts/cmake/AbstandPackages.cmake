@@ -3,6 +3,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME abstand)
 set(CPACK_PACKAGE_VENDOR "Abstand")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "distances and contact between people and robots")
 set(CPACK_PACKAGE_CONTACT "Abstand developers <developers@abstand.example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -21,35 +22,34 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME abstand)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS assimp-testmodels)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "abstand-studio, libfreenect0.5")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "distances and contact between people and robots
- Tells robotics labs and safety engineers, in numbers with stated error bounds,
- how close a person came to a robot, how hard a touch would have been, and which
- safety margin would have been right. An analysis tool, not a safety function.
- .
- This package holds the command line program, robots, scenes and joint maps.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Tells robotics labs and safety engineers, in numbers with stated error
+bounds, how close a person came to a robot, how hard a touch would have
+been, and which safety margin would have been right. An analysis tool, not
+a safety function.
+.
+This package holds the command line program, robots, scenes and joint maps.")
 set(CPACK_DEBIAN_STUDIO_PACKAGE_NAME abstand-studio)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "abstand ${same_version}, libgl1-mesa-dri")
-set(CPACK_COMPONENT_STUDIO_DESCRIPTION "distances and contact between people and robots - desktop program
- Shows people and robots in three dimensions with distances, force arrows and
- live plots.")
+set(CPACK_COMPONENT_STUDIO_DESCRIPTION "The desktop program: people and robots in three dimensions with their
+distances, force arrows and live plots.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libabstand-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "abstand ${same_version}, libassimp-dev, libconsole-bridge-dev, libeigen3-dev, libqhull-dev, \
 liburdfdom-dev, libyaml-cpp-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libhdf5-dev, libode-dev, libopencv-calib3d-dev, libopencv-core-dev, libopencv-imgcodecs-dev, \
 libopencv-imgproc-dev, libpcl-dev")
-set(CPACK_COMPONENT_DEV_DESCRIPTION "distances and contact between people and robots - library
- Headers, static libraries and examples: distance of two bodies with a certified
- bound, contact forces, kinematics of robots, people from recordings, scenes.
- .
- The component Scene needs the recommended packages.")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "The library: distance of two bodies with a certified bound, contact
+forces, kinematics of robots, people from recordings, and scenes of them.
+.
+Headers, static libraries and examples. The component Scene needs the
+recommended packages.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-abstand)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "abstand ${same_version}, python3, python3-numpy")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "distances and contact between people and robots - Python module
- The engine, robots, people and scenes for Python 3, with NumPy arrays.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module: the engine, robots, people and scenes with arrays of
+NumPy.")
 
 # Only what has files becomes a package.
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)

@@ -50,7 +50,7 @@ function(abstand_library name)
   # Position-independent for the Python module; no macro for shared libraries, as precompiled headers must fit all of them. Until
   # 1.0 the second number of the version counts for the binary interface.
   set_target_properties(abstand_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    INSTALL_RPATH "$ORIGIN" VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   list(TRANSFORM L_LINKS PREPEND abstand::)
   target_link_libraries(abstand_${name} PUBLIC ${L_LINKS} Eigen3::Eigen Threads::Threads
     PRIVATE $<BUILD_INTERFACE:abstand_flags>)

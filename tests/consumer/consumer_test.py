@@ -80,7 +80,8 @@ def main():
             expect(said == version, f"pkg-config says version {said}")
             flags = shlex.split(run("pkg-config", "--cflags", "--libs", "abstand-engine", env=pc))
             run("c++", "-std=c++20", place / "examples/01_distance.cpp", "-o", place / "by_pkg_config", *flags, env=env)
-            run(place / "by_pkg_config")
+            libraries = next(prefix.rglob("libabstand_engine.*")).parent
+            run(place / "by_pkg_config", env=dict(env, LD_LIBRARY_PATH=str(libraries)))
         print("\n".join(out.values()))
 
 

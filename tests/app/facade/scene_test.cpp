@@ -72,6 +72,16 @@ TEST(LibraryScene, FromAFileAndFromPartsAreTheSame) {
     }
   }
   EXPECT_EQ(parts.jointValues(0), robot.q);
+  // From nothing but the poses, whatever was asked before.
+  Scene warm(builder, options), cold(builder, options);
+  for (const double t : {0.0, 1.0, 2.0}) {
+    cold.startCold();
+    cold.step(t);
+    if (t == 2.0) warm.startCold();
+    warm.step(t);
+  }
+  for (std::size_t i = 0; i < cold.pairs(); ++i)
+    EXPECT_EQ(cold.result(i).distance, warm.result(i).distance);
 }
 
 TEST(LibraryScene, LiveIsAsRecorded) {
