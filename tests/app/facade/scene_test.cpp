@@ -80,8 +80,7 @@ TEST(LibraryScene, FromAFileAndFromPartsAreTheSame) {
     if (t == 2.0) warm.startCold();
     warm.step(t);
   }
-  for (std::size_t i = 0; i < cold.pairs(); ++i)
-    EXPECT_EQ(cold.result(i).distance, warm.result(i).distance);
+  for (std::size_t i = 0; i < cold.pairs(); ++i) EXPECT_EQ(cold.result(i).distance, warm.result(i).distance);
 }
 
 TEST(LibraryScene, LiveIsAsRecorded) {
