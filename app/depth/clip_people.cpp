@@ -61,10 +61,10 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
   human.recording.file = file;
   tracking::Recording recording = tracking::openRecording(file);
   const std::optional<double> legs = tracking::statureOfLegs(recording.frames);
-  human.height = height.value_or(legs.value_or(human.height));
+  human.body.height = height.value_or(legs.value_or(human.body.height));
   if (height && legs) {
     tracking::RecordingOptions options;
-    options.units = human.recording.units = formatDouble(recording.report.scale * *height / *legs);
+    options.units = human.recording.options.units = formatDouble(recording.report.scale * *height / *legs);
     recording = tracking::openRecording(file, options);
   }
   for (const humanmodel::SkeletonFrame& f : recording.frames) {
@@ -77,7 +77,7 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
                                   Vector3d(middle.x(), middle.y(), 0.0));
     break;
   }
-  const std::vector<double> lowest = lowestSkin(recording, human.height);
+  const std::vector<double> lowest = lowestSkin(recording, human.body.height);
   if (!lowest.empty()) human.recording.place_xyz.z() = -tracking::quantile(lowest, 0.1);
 
   scene_file::SceneDescription scene;

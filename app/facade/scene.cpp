@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "app/depth/open_session.hpp"
 #include "app/facade/scene_parts.hpp"
-#include "app/session/session.hpp"
 #include "core/base/error.hpp"
 #include "core/facade/structure_impl.hpp"
 #include "humanmodel/facade/skeleton_frame.hpp"
@@ -23,12 +23,12 @@ ObjectId objectId(std::size_t i) { return ObjectId(static_cast<std::uint32_t>(i)
 }  // namespace
 
 struct Scene::Impl {
-  session::Session session;
+  std::unique_ptr<session::Session> session;
 
-  scene::Scene& scene() { return session.scene(); }
+  scene::Scene& scene() { return session->scene(); }
   const scene::Object& object(std::size_t i) { return scene().objects().at(i); }
   const scene::Pair& pair(std::size_t i) { return scene().pairs().at(i); }
-  session::MechanismDriver& robot(std::size_t i) { return *session.mechanisms().at(i); }
+  session::MechanismDriver& robot(std::size_t i) { return *session->mechanisms().at(i); }
 
   /// What of a list for all joint values belongs to this robot.
   std::span<const double> of(std::size_t i, std::span<const double> all) {
@@ -45,13 +45,13 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Scene Scene::load(const std::filesystem::path& file, const SceneOptions& options) {
   return Scene(std::unique_ptr<Impl>(
-      new Impl{session::Session(scene_file::loadScene(file), sessionOptions(options))}));
+      new Impl{depth::openSession(scene_file::loadScene(file), sessionOptions(options))}));
 }
 
 Scene::Scene(const SceneBuilder& builder, const SceneOptions& options) {
   session::SessionOptions o = sessionOptions(options);
   o.made = builder.impl().made;
-  impl_.reset(new Impl{session::Session(builder.impl().described(), o)});
+  impl_.reset(new Impl{depth::openSession(builder.impl().described(), o)});
 }
 
 std::size_t Scene::objects() const { return impl_->scene().objectCount(); }
@@ -66,13 +66,13 @@ std::pair<std::size_t, std::size_t> Scene::pairObjects(std::size_t pair) const {
   const scene::Pair& p = impl_->pair(pair);
   return {p.a.index(), p.b.index()};
 }
-std::size_t Scene::robots() const { return impl_->session.mechanisms().size(); }
-std::size_t Scene::people() const { return impl_->session.humans().size(); }
+std::size_t Scene::robots() const { return impl_->session->mechanisms().size(); }
+std::size_t Scene::people() const { return impl_->session->humans().size(); }
 int Scene::dof(std::size_t robot) const { return impl_->robot(robot).dof(); }
-std::vector<double> Scene::frameTimes() const { return impl_->session.frameTimes(); }
-const std::vector<std::string>& Scene::remarks() const { return impl_->session.remarks(); }
+std::vector<double> Scene::frameTimes() const { return impl_->session->frameTimes(); }
+const std::vector<std::string>& Scene::remarks() const { return impl_->session->remarks(); }
 
-void Scene::step(double t) { impl_->session.step(t); }
+void Scene::step(double t) { impl_->session->step(t); }
 void Scene::startCold() { impl_->scene().startCold(); }
 
 bool Scene::moveObject(std::size_t object, const Pose& X_WB, double t) {
@@ -91,13 +91,13 @@ void Scene::moveRobot(std::size_t robot, std::span<const double> q, double t) {
 }
 
 void Scene::movePerson(std::size_t person, const Skeleton& skeleton) {
-  impl_->session.humans().at(person)->follow(facade::frameOf(skeleton), impl_->scene());
+  impl_->session->humans().at(person)->follow(facade::frameOf(skeleton), impl_->scene());
 }
 
 void Scene::query(double t) {
-  for (const auto& human : impl_->session.humans()) human->widen(t, impl_->scene());
+  for (const auto& human : impl_->session->humans()) human->widen(t, impl_->scene());
   impl_->scene().step();
-  impl_->session.sumEfforts();
+  impl_->session->sumEfforts();
 }
 
 PairResult Scene::result(std::size_t pair) const { return facade::resultOf(impl_->pair(pair).result); }
@@ -123,7 +123,7 @@ Vector3d Scene::force(std::size_t object) const { return impl_->object(object).c
 Vector3d Scene::torque(std::size_t object) const { return impl_->object(object).contact.torque; }
 std::vector<double> Scene::jointEfforts(std::size_t robot) const {
   impl_->robot(robot);
-  const auto efforts = impl_->of(robot, impl_->session.jointEfforts());
+  const auto efforts = impl_->of(robot, impl_->session->jointEfforts());
   return {efforts.begin(), efforts.end()};
 }
 std::vector<double> Scene::jointValues(std::size_t robot) const { return impl_->robot(robot).q(); }

@@ -62,13 +62,10 @@ SceneBuilder& SceneBuilder::addRobot(const std::string& name, const std::filesys
   m.settings.margin = options.margin;
   scene_file::RobotLinks links =
       scene_file::robotLinks(robot, name, robot_file::GeometryUse::kCollision, {.folders = options.packages});
-  m.links = std::move(links.links);
-  m.missing = std::move(links.missing);
   m.frames_with_geometry = scene_file::framesWithGeometry(robot, {}).size();
   auto& remarks = impl_->description.remarks;
   remarks.insert(remarks.end(), robot.warnings.begin(), robot.warnings.end());
-  remarks.insert(remarks.end(), links.remarks.begin(), links.remarks.end());
-  if (!m.missing.empty()) remarks.push_back(scene_file::missingBodiesText(m));
+  scene_file::takeLinks(std::move(links), m, remarks);
   impl_->description.mechanisms.push_back(std::move(m));
   return *this;
 }
@@ -79,7 +76,7 @@ SceneBuilder& SceneBuilder::addPerson(const std::string& name, const PersonOptio
     throw UsageError("found a place that is not finite for '" + name + "', expected numbers");
   scene_file::HumanDescription human;
   human.name = name;
-  human.height = options.height;
+  human.body.height = options.height;
   human.settings.margin = options.margin;
   human.recording.file = options.recording;
   human.recording.place_xyz = options.place;

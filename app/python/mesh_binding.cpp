@@ -14,9 +14,8 @@ namespace {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-// Part of the diagonal within which vertices are the same, and m beyond which none may be; as for mesh files.
+// Part of the diagonal within which vertices are the same, as for mesh files.
 constexpr double kSameVertex = 1e-6;
-constexpr double kFarthestVertex = 1e6;
 
 void needRowsOfThree(const py::array& array, const char* name) {
   if (array.ndim() != 2 || array.shape(1) != 3)
@@ -32,7 +31,7 @@ Mesh meshOf(const Doubles& vertices, const Integers& triangles) {
   for (py::ssize_t i = 0; i < p.shape(0); ++i) {
     raw.vertices.emplace_back(p(i, 0), p(i, 1), p(i, 2));
     const Vector3d& v = raw.vertices.back();
-    if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kFarthestVertex)
+    if (!v.allFinite() || v.cwiseAbs().maxCoeff() > mesh_file::kFarthestVertex)
       throw UsageError("vertices[" + std::to_string(i) + "]: found a number that is not finite or beyond " +
                        "1e6 m, expected metres");
   }
@@ -72,16 +71,13 @@ ShapeBody valid(const geometry::Shape& shape) {
   return {shape};
 }
 
-struct Dimensions {
-  py::tuple operator()(const geometry::Sphere& s) const { return py::make_tuple(s.radius); }
-  py::tuple operator()(const geometry::Ellipsoid& s) const { return of(s.semi_axes); }
-  py::tuple operator()(const geometry::Cuboid& s) const { return of(s.size); }
-  py::tuple operator()(const geometry::Cylinder& s) const { return py::make_tuple(s.radius, s.length); }
-  py::tuple operator()(const geometry::Capsule& s) const { return py::make_tuple(s.radius, s.length); }
-  static py::tuple of(const Vector3d& v) { return py::make_tuple(v.x(), v.y(), v.z()); }
-};
-
-py::tuple dimensionsOf(const ShapeBody& s) { return std::visit(Dimensions{}, s.shape); }
+py::tuple dimensionsOf(const ShapeBody& s) {
+  constexpr std::size_t kCounts[] = {1, 3, 3, 2, 2};
+  const Vector3d v = geometry::dimensionsOf(s.shape);
+  py::tuple out(kCounts[s.shape.index()]);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = v[static_cast<Eigen::Index>(i)];
+  return out;
+}
 
 std::string describeShape(const ShapeBody& s) {
   return "abstand." + std::string(geometry::shapeName(s.shape)) +

@@ -151,12 +151,8 @@ void bindStructures(py::module_& module) {
       .def_static(
           "load",
           [](const std::filesystem::path& path, bool trusted) {
-            if (trusted)
-              if (auto made = store::readStoredStructure(path)) return Structure{std::move(made), {}, {}};
-            const store::StoredBody body = store::readStoredBody(path);
             store::StructureCache none{std::filesystem::path()};
-            return Structure{
-                store::makeHapticStructure(none, body.name, body.surface, body.options, 0).structure, {}, {}};
+            return Structure{store::loadStructure(path, trusted, none, 0), {}, {}};
           },
           py::arg("path"), py::arg("trusted") = false, py::call_guard<py::gil_scoped_release>(),
           R"doc(The structure that save() wrote, with the same bits (docs/structure-files.md).

@@ -36,23 +36,30 @@ std::vector<std::vector<PairId>> liveGroups(const session::Session& session) {
   return groups;
 }
 
+/// A cycle in lock step: seconds that `step` and taking its results took.
+template <class Step>
+double measured(PassState& state, Step step) {
+  if (state.summary.profile) state.summary.profile->begin();
+  const auto begin = Clock::now();
+  step();
+  state.takeRenewed();
+  state.watchPoses();
+  const double worked = since(begin);
+  if (state.summary.profile) state.summary.profile->end(worked);
+  add(state.session.scene().counts(), state.summary.work);
+  return worked;
+}
+
 /// A step of the session a frame; cold starts at the beginnings of blocks (kColdStart).
 class LockStep : public CycleSource {
  public:
   LockStep(PassState& state, std::size_t first) : state_(state), frame_(first) {}
 
   void frame(double t, const CycleDone& done) override {
-    scene::Scene& scene = state_.session.scene();
-    if (state_.summary.profile) state_.summary.profile->begin();
-    const auto begin = Clock::now();
-    if (frame_++ % kColdStart == 0) scene.startCold();
-    state_.session.step(t);
-    state_.takeRenewed();
-    state_.watchPoses();
-    const double worked = since(begin);
-    if (state_.summary.profile) state_.summary.profile->end(worked);
-    add(scene.counts(), state_.summary.work);
-    done(t, worked);
+    done(t, measured(state_, [&] {
+           if (frame_++ % kColdStart == 0) state_.session.scene().startCold();
+           state_.session.step(t);
+         }));
   }
   const std::vector<PairId>& renewed() const override { return state_.session.scene().renewed(); }
 
@@ -72,14 +79,7 @@ class LoopInLockStep : public CycleSource {
     // The cycle nearest to the frame is the last one before it.
     while (loop_.time() <= t + 0.5 * loop::ClosedLoop::kStep) {
       const double at = loop_.time();
-      if (state_.summary.profile) state_.summary.profile->begin();
-      const auto begin = Clock::now();
-      loop_.step();
-      state_.takeRenewed();
-      state_.watchPoses();
-      const double worked = since(begin);
-      if (state_.summary.profile) state_.summary.profile->end(worked);
-      add(state_.session.scene().counts(), state_.summary.work);
+      const double worked = measured(state_, [&] { loop_.step(); });
       ++state_.summary.cycles;
       done(at, worked);
     }

@@ -167,4 +167,11 @@ std::string missingBodiesText(const MechanismDescription& mechanism) {
          joined(reasons) + "); name the links that have none on purpose under `bodiless`";
 }
 
+void takeLinks(RobotLinks links, MechanismDescription& mechanism, std::vector<std::string>& remarks) {
+  mechanism.links = std::move(links.links);
+  mechanism.missing = std::move(links.missing);
+  if (!mechanism.missing.empty()) remarks.push_back(missingBodiesText(mechanism));
+  remarks.insert(remarks.end(), links.remarks.begin(), links.remarks.end());
+}
+
 }  // namespace abstand::scene_file

@@ -32,4 +32,7 @@ std::vector<std::string> framesWithGeometry(const robot_file::Robot& robot,
 /// "14 of 16 links of kuka have no body: a, b, ... (found no file ...); ...", or empty where none is missing.
 std::string missingBodiesText(const MechanismDescription& mechanism);
 
+/// Gives the links to their mechanism, and what is to say of them to `remarks`.
+void takeLinks(RobotLinks links, MechanismDescription& mechanism, std::vector<std::string>& remarks);
+
 }  // namespace abstand::scene_file

@@ -11,14 +11,11 @@
 
 namespace abstand::scene_file {
 
-/// Voxels, points and layers: as HapticOptions::validate, but with the place in the file.
-inline constexpr config::YamlRange kVoxelRange{1e-5, 10.0, "m"};
-inline constexpr config::YamlRange kMarginRange{0.0, 10.0, "m"};
-inline constexpr int kMaxOuterLayers = 10000;
 /// All pairs of more bodies would not fit into memory.
 inline constexpr std::size_t kMaxBodies = 1000;
 
-/// Reads bodies one after the other and keeps their names apart.
+/// Reads bodies one after the other and keeps their names apart. Robots are read in scene_robot_reader.cpp,
+/// people in scene_person_reader.cpp.
 class SceneBodyReader {
  public:
   /// `folder`: what relative paths are relative to. The file's name and `packages` must outlive the reader.
@@ -45,6 +42,7 @@ class SceneBodyReader {
   LinkDescription link(const config::YamlNode& node, const mechanism::Mechanism& mechanism);
   control::ReactionDescription reaction(const config::YamlNode& node, int dof) const;
   RecordingDescription recording(const config::YamlNode& node);
+  void readPart(const std::string& name, const config::YamlNode& node, HumanDescription& h) const;
   std::string newName(const config::YamlFields& fields, std::set<std::string>& taken, const char* kind);
   std::string newBody(const config::YamlFields& fields);
   void addBody(std::string name, const SourcePos& pos);
@@ -61,8 +59,5 @@ class SceneBodyReader {
   std::vector<std::string> remarks_;
   std::vector<DroppedPair> dropped_;
 };
-
-/// Parts of a person, in the order of scene files.
-const std::vector<std::string>& humanPartNames();
 
 }  // namespace abstand::scene_file

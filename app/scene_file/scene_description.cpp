@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/scene_file/body_fields.hpp"
 #include "app/scene_file/scene_body_reader.hpp"
 #include "core/base/text_file.hpp"
 #include "core/config/yaml_reader.hpp"

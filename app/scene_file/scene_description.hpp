@@ -15,6 +15,8 @@
 #include "core/robot_file/mesh_reference.hpp"
 #include "core/scene/query_culling.hpp"
 #include "core/structure/haptic_options.hpp"
+#include "humanmodel/human_model.hpp"
+#include "tracking/recording/recording.hpp"
 
 namespace abstand::scene_file {
 
@@ -69,12 +71,8 @@ struct MechanismDescription {
 };
 
 struct RecordingDescription {
-  std::filesystem::path file;  ///< empty: stands in the rest pose
-  std::string format{"auto"}, units{"auto"}, up{"auto"};
-  double rate{0.0};                      ///< Hz; 0: what the file says
-  std::string mirror{"none"};            ///< "none", "axes" or "sides"
-  std::filesystem::path joint_map;       ///< empty: the best of the shipped ones
-  std::string marker_set{"auto"};        ///< "auto", "none" or a file
+  std::filesystem::path file;            ///< empty: stands in the rest pose
+  tracking::RecordingOptions options;    ///< how the file is understood
   Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
   double place_yaw{0.0};                 ///< rad, about world z
   /// Depth images that show the scene's robots and objects where the scene has them: they are cut out.
@@ -83,22 +81,12 @@ struct RecordingDescription {
   SourcePos pos;
 };
 
-/// Overrides of one part: key ("contour", "length", "breadth", "depth", "margin", "voxel", "point",
-/// "max_speed") -> value.
-struct HumanPartDescription {
-  std::map<std::string, double> numbers;
-  std::optional<std::string> shape;
-};
-
 struct HumanDescription {
   std::string name;
-  double height{1.75};
-  std::optional<double> mass;
-  std::optional<std::string> sex;  ///< "f" or "m"
-  std::string preset{"anthropometric"};
+  humanmodel::HumanOptions body;
   BodySettings settings;
-  bool follow_lengths{false};  ///< `lengths: recording`
-  std::map<std::string, HumanPartDescription> parts;
+  bool follow_lengths{false};                          ///< `lengths: recording`
+  std::map<humanmodel::BodyPart, BodySettings> parts;  ///< what a part sets for itself
   RecordingDescription recording;
   SourcePos pos;
 };

@@ -112,32 +112,52 @@ std::string mechanismText(const MechanismDescription& m) {
 /// What is left to the file and the program has no key.
 std::string recordingText(const RecordingDescription& r) {
   std::string said;
-  if (r.rate > 0.0) said += ", rate: " + formatDouble(r.rate);
-  if (r.mirror != "none") said += ", mirror: " + r.mirror;
-  if (!r.joint_map.empty()) said += ", joint_map: " + scalar(r.joint_map.string());
-  if (r.marker_set != "auto") said += ", marker_set: " + scalar(r.marker_set);
+  if (r.options.rate > 0.0) said += ", rate: " + formatDouble(r.options.rate);
+  if (r.options.mirror != "none") said += ", mirror: " + r.options.mirror;
+  if (!r.options.joint_map.empty()) said += ", joint_map: " + scalar(r.options.joint_map.string());
+  if (r.options.marker_set != "auto") said += ", marker_set: " + scalar(r.options.marker_set);
   if (r.cut_things) said += ", cut_things: true";
-  return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.format) +
-         ", units: " + (parseDouble(r.units) ? r.units : scalar(r.units)) + ", up: " + scalar(r.up) + said +
-         ", place: {xyz: " + vector(r.place_xyz) + ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
+  return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.options.format) +
+         ", units: " + (parseDouble(r.options.units) ? r.options.units : scalar(r.options.units)) +
+         ", up: " + scalar(r.options.up) + said + ", place: {xyz: " + vector(r.place_xyz) +
+         ", yaw: " + formatDouble(r.place_yaw) + "}}\n";
 }
 
-std::string partText(const HumanPartDescription& part) {
+/// In the order of the keys.
+std::string partText(const humanmodel::PartOverride& sizes, const BodySettings& own) {
   std::string s;
-  for (const auto& [key, value] : part.numbers)
-    s += (s.empty() ? "" : ", ") + key + ": " + formatDouble(value);
-  if (part.shape) s += (s.empty() ? "shape: " : ", shape: ") + *part.shape;
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    if (value) s += (s.empty() ? "" : ", ") + std::string(key) + ": " + formatDouble(*value);
+  };
+  add("breadth", sizes.breadth);
+  add("contour", sizes.contour);
+  add("depth", sizes.depth);
+  add("length", sizes.length);
+  add("margin", own.margin);
+  add("max_speed", own.max_speed);
+  add("point", own.point);
+  add("voxel", own.voxel);
+  if (sizes.shape) s += (s.empty() ? "shape: " : ", shape: ") + *sizes.shape;
   return "{" + s + "}";
 }
 
 std::string humanText(const HumanDescription& h) {
-  std::string s = "  - name: " + scalar(h.name) + "\n    height: " + formatDouble(h.height) + "\n";
-  if (h.mass) s += "    mass: " + formatDouble(*h.mass) + "\n";
-  if (h.sex) s += "    sex: " + *h.sex + "\n";
-  s += "    preset: " + h.preset + "\n    lengths: " + (h.follow_lengths ? "recording" : "model") + "\n";
+  const humanmodel::HumanOptions& body = h.body;
+  std::string s = "  - name: " + scalar(h.name) + "\n    height: " + formatDouble(body.height) + "\n";
+  if (body.mass) s += "    mass: " + formatDouble(*body.mass) + "\n";
+  if (body.sex) s += std::string("    sex: ") + (*body.sex == humanmodel::Sex::kFemale ? "f" : "m") + "\n";
+  s += std::string("    preset: ") +
+       (body.preset == humanmodel::HumanPreset::kThesis ? "thesis" : "anthropometric") +
+       "\n    lengths: " + (h.follow_lengths ? "recording" : "model") + "\n";
   s += settings(h.settings, "    ", "\n");
-  if (!h.parts.empty()) s += "    parts:\n";
-  for (const auto& [name, part] : h.parts) s += "      " + name + ": " + partText(part) + "\n";
+  std::map<std::string_view, std::string> parts;
+  for (const auto& [part, own] : h.parts) {
+    const auto sizes = body.overrides.find(part);
+    parts[humanmodel::partName(part)] =
+        partText(sizes == body.overrides.end() ? humanmodel::PartOverride() : sizes->second, own);
+  }
+  if (!parts.empty()) s += "    parts:\n";
+  for (const auto& [name, text] : parts) s += "      " + std::string(name) + ": " + text + "\n";
   return h.recording.file.empty() ? s : s + recordingText(h.recording);
 }
 

@@ -11,41 +11,11 @@
 namespace abstand::session {
 namespace {
 
-humanmodel::HumanOptions optionsOf(const scene_file::HumanDescription& d) {
-  humanmodel::HumanOptions o;
-  o.height = d.height;
-  o.mass = d.mass;
-  if (d.sex) o.sex = *d.sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
-  o.preset =
-      d.preset == "thesis" ? humanmodel::HumanPreset::kThesis : humanmodel::HumanPreset::kAnthropometric;
-  for (const auto& [name, part] : d.parts) {
-    const auto id = humanmodel::parsePart(name);
-    ABSTAND_CHECK(id.has_value());
-    humanmodel::PartOverride& p = o.overrides[*id];
-    const auto take = [&, &numbers = part.numbers](const char* key, std::optional<double>& into) {
-      if (const auto it = numbers.find(key); it != numbers.end()) into = it->second;
-    };
-    take("length", p.length);
-    take("contour", p.contour);
-    take("breadth", p.breadth);
-    take("depth", p.depth);
-    p.shape = part.shape;
-  }
-  return o;
-}
-
 std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescription& d,
                                                const tracking::KnownThings& known) {
   if (d.recording.file.empty()) return std::nullopt;
-  tracking::RecordingOptions o;
-  o.format = d.recording.format;
-  o.units = d.recording.units;
-  o.up = d.recording.up;
-  o.rate = d.recording.rate;
-  o.mirror = d.recording.mirror;
-  o.joint_map = d.recording.joint_map;
-  o.marker_set = d.recording.marker_set;
-  tracking::Recording recording = tracking::openAnyRecording(d.recording.file, o, std::nullopt, known);
+  tracking::Recording recording =
+      tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, known);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
@@ -57,7 +27,7 @@ std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescriptio
 
 humanmodel::HumanModel modelOf(const scene_file::HumanDescription& d,
                                const std::optional<tracking::Recording>& recording) {
-  humanmodel::HumanOptions options = optionsOf(d);
+  humanmodel::HumanOptions options = d.body;
   try {
     if (d.follow_lengths && recording) options = humanmodel::withRecordingLengths(options, recording->frames);
     return humanmodel::makeHuman(options);

@@ -114,14 +114,9 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
     const int first = static_cast<int>(plan.size());
     for (const humanmodel::HumanPart& part : driver->model().parts) {
       const std::string part_name{humanmodel::partName(part.part)};
-      scene_file::BodySettings settings = d.settings;
-      if (const auto it = d.parts.find(part_name); it != d.parts.end()) {
-        const auto& numbers = it->second.numbers;
-        if (const auto n = numbers.find("margin"); n != numbers.end()) settings.margin = n->second;
-        if (const auto n = numbers.find("voxel"); n != numbers.end()) settings.voxel = n->second;
-        if (const auto n = numbers.find("point"); n != numbers.end()) settings.point = n->second;
-        if (const auto n = numbers.find("max_speed"); n != numbers.end()) settings.max_speed = n->second;
-      }
+      scene_file::BodySettings settings;
+      if (const auto own = d.parts.find(part.part); own != d.parts.end()) settings = own->second;
+      settings.fillFrom(d.settings);
       plan.push_back({d.name + "/" + part_name, d.name, library_.request(part.shape, hapticOptions(settings)),
                       settings.margin.value_or(description_.defaults.margin), settings.max_speed,
                       driver->recording() ? kHandSpeed : 0.0,

@@ -1,5 +1,7 @@
 #include "abstand/mesh.hpp"
 
+#include <iterator>
+
 #include "core/facade/structure_impl.hpp"
 #include "core/mesh_file/mesh_file.hpp"
 
@@ -27,29 +29,19 @@ Shape Shape::capsule(double radius, double length) { return {Kind::kCapsule, {ra
 namespace abstand::facade {
 
 geometry::Shape shapeOf(const Shape& shape) {
-  const Vector3d& v = shape.sizes();
-  switch (shape.kind()) {
-    case Shape::Kind::kSphere:
-      return geometry::Sphere{v.x()};
-    case Shape::Kind::kEllipsoid:
-      return geometry::Ellipsoid{v};
-    case Shape::Kind::kCuboid:
-      return geometry::Cuboid{v};
-    case Shape::Kind::kCylinder:
-      return geometry::Cylinder{v.x(), v.y()};
-    case Shape::Kind::kCapsule:
-      break;
-  }
-  return geometry::Capsule{v.x(), v.y()};
+  return geometry::shapeOf(static_cast<std::size_t>(shape.kind()), shape.sizes()).value();
 }
 
 Shape shapeOf(const geometry::Shape& shape) {
-  if (const auto* s = std::get_if<geometry::Sphere>(&shape)) return Shape::sphere(s->radius);
-  if (const auto* s = std::get_if<geometry::Ellipsoid>(&shape)) return Shape::ellipsoid(s->semi_axes);
-  if (const auto* s = std::get_if<geometry::Cuboid>(&shape)) return Shape::cuboid(s->size);
-  if (const auto* s = std::get_if<geometry::Cylinder>(&shape)) return Shape::cylinder(s->radius, s->length);
-  const auto& capsule = std::get<geometry::Capsule>(shape);
-  return Shape::capsule(capsule.radius, capsule.length);
+  const Vector3d v = geometry::dimensionsOf(shape);
+  using Make = Shape (*)(const Vector3d&);
+  constexpr Make kMakers[] = {[](const Vector3d& d) { return Shape::sphere(d.x()); },
+                              [](const Vector3d& d) { return Shape::ellipsoid(d); },
+                              [](const Vector3d& d) { return Shape::cuboid(d); },
+                              [](const Vector3d& d) { return Shape::cylinder(d.x(), d.y()); },
+                              [](const Vector3d& d) { return Shape::capsule(d.x(), d.y()); }};
+  static_assert(std::size(kMakers) == std::variant_size_v<geometry::Shape>);
+  return kMakers[shape.index()](v);
 }
 
 Mesh meshOf(geometry::TriangleMesh mesh) { return {std::move(mesh.vertices), std::move(mesh.triangles), {}}; }

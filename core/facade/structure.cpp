@@ -62,11 +62,8 @@ Structure Structure::build(const Shape& shape, const StructureOptions& options, 
 }
 
 Structure Structure::load(const std::filesystem::path& file, Origin origin, int threads, bool with_cache) {
-  if (origin == Origin::kOwn)
-    if (auto made = store::readStoredStructure(file)) return shared(std::move(made));
-  store::StoredBody body = store::readStoredBody(file);
   store::StructureCache cache = cacheFor(with_cache);
-  return shared(store::makeHapticStructure(cache, body.name, body.surface, body.options, threads).structure);
+  return shared(store::loadStructure(file, origin == Origin::kOwn, cache, threads));
 }
 
 void Structure::save(const std::filesystem::path& file) const { store::saveStructure(*impl_->made, file); }

@@ -82,6 +82,34 @@ double carlsonG(Vector3d v) {
 
 std::string_view shapeName(const Shape& shape) { return kSpellings[shape.index()].name; }
 
+Vector3d dimensionsOf(const Shape& shape) {
+  struct Dimensions {
+    Vector3d operator()(const Sphere& s) const { return {s.radius, 0.0, 0.0}; }
+    Vector3d operator()(const Ellipsoid& s) const { return s.semi_axes; }
+    Vector3d operator()(const Cuboid& s) const { return s.size; }
+    Vector3d operator()(const Cylinder& s) const { return {s.radius, s.length, 0.0}; }
+    Vector3d operator()(const Capsule& s) const { return {s.radius, s.length, 0.0}; }
+  };
+  return std::visit(Dimensions{}, shape);
+}
+
+std::optional<Shape> shapeOf(std::size_t kind, const Vector3d& v) {
+  switch (kind) {
+    case 0:
+      return Sphere{v.x()};
+    case 1:
+      return Ellipsoid{v};
+    case 2:
+      return Cuboid{v};
+    case 3:
+      return Cylinder{v.x(), v.y()};
+    case 4:
+      return Capsule{v.x(), v.y()};
+    default:
+      return std::nullopt;
+  }
+}
+
 void validate(const Shape& shape) {
   std::visit(Overload{[&](const Sphere& s) { checkDimension(shape, "radius", s.radius); },
                       [&](const Ellipsoid& s) {

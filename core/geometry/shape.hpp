@@ -32,6 +32,12 @@ using Shape = std::variant<Sphere, Ellipsoid, Cuboid, Cylinder, Capsule>;
 /// "sphere", "ellipsoid", "cuboid", "cylinder" or "capsule".
 std::string_view shapeName(const Shape& shape);
 
+/// The dimensions (m) in the order of the members, at most three; the rest is 0.
+Vector3d dimensionsOf(const Shape& shape);
+/// The way back; `kind` is the shape's place in the variant, from 0. nullopt for a kind that is none. The
+/// shape may still be invalid.
+std::optional<Shape> shapeOf(std::size_t kind, const Vector3d& dimensions);
+
 /// Limits of a shape's dimensions, m. They keep squares, areas and inertias far from overflow.
 inline constexpr double kMinDimension = 1e-6;
 inline constexpr double kMaxDimension = 1e6;

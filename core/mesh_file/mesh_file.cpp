@@ -19,9 +19,6 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
-/// m. Beyond it, squares and volumes lose the digits that distances need.
-constexpr double kFarthest = 1e6;
-
 /// Part of the diagonal within which vertices are the same: ten steps of single precision.
 constexpr double kSamePoint = 1e-6;
 
@@ -88,10 +85,10 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
   geometry::Bounds box;
   for (auto& v : raw.vertices) {
     v *= scale;
-    if (!(v.cwiseAbs().maxCoeff() <= kFarthest))
+    if (!(v.cwiseAbs().maxCoeff() <= kFarthestVertex))
       throw ParseError({name},
                        "found a coordinate of " + formatDouble(v.cwiseAbs().maxCoeff()) +
-                           " m, expected at most " + formatDouble(kFarthest) + " m",
+                           " m, expected at most " + formatDouble(kFarthestVertex) + " m",
                        "scale: 0.001 if the file is in millimetres");
   }
   for (std::size_t t = 0; t < raw.triangles.size(); ++t)

@@ -9,6 +9,9 @@
 
 namespace abstand::mesh_file {
 
+/// Largest coordinate of a vertex, m. Beyond it, squares and volumes lose the digits that distances need.
+inline constexpr double kFarthestVertex = 1e6;
+
 struct LoadedMesh {
   geometry::TriangleMesh mesh;  ///< metres, welded, no degenerate triangle
   MeshReport report;
@@ -28,8 +31,8 @@ struct LoadedMesh {
 /// own; such a file must stand alone, whatever it refers to.
 ///
 /// Throws ParseError with the file's name for anything that gives no triangle, for coordinates that are not
-/// finite or beyond 1e6 m, and for a file larger than 512 MiB; UsageError for a scale that is not finite and
-/// positive.
+/// finite or beyond kFarthestVertex, and for a file larger than 512 MiB; UsageError for a scale that is not
+/// finite and positive.
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale = 1.0);
 
 /// loadMesh for the content of a file: `format` is the extension without the point ("stl"), `name` goes

@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/input_log.hpp"
 #include "core/base/output_file.hpp"
+#include "core/mesh_file/mesh_file.hpp"
 #include "core/store/engine_fingerprint.hpp"
 #include "core/store/structure_archive.hpp"
 
@@ -21,8 +22,6 @@ constexpr std::array<char, 8> kFileMagic{'A', 'B', 'S', 'T', 'S', 'T', 'R', '\n'
 constexpr std::uint32_t kFileVersion = 1;
 constexpr Tag kBodyTag{'B', 'O', 'D', 'Y'}, kOptionsTag{'O', 'P', 'T', 'S'}, kPointsTag{'P', 'N', 'T', 'S'},
     kVoxelsTag{'V', 'O', 'X', 'L'}, kEngineTag{'E', 'N', 'G', 'N'}, kEndTag{'E', 'N', 'D', ' '};
-// m, as of mesh files.
-constexpr double kFarthestVertex = 1e6;
 constexpr std::size_t kMaxNameBytes = 1000;
 
 struct FileHead {
@@ -109,36 +108,18 @@ BodySection bodyOf(const structure::HapticStructure& s) {
     return body;
   }
   body.kind = static_cast<std::uint8_t>(1 + shape->index());
-  if (const auto* sphere = std::get_if<geometry::Sphere>(shape)) body.sizes.x() = sphere->radius;
-  if (const auto* e = std::get_if<geometry::Ellipsoid>(shape)) body.sizes = e->semi_axes;
-  if (const auto* c = std::get_if<geometry::Cuboid>(shape)) body.sizes = c->size;
-  if (const auto* c = std::get_if<geometry::Cylinder>(shape)) body.sizes = {c->radius, c->length, 0.0};
-  if (const auto* c = std::get_if<geometry::Capsule>(shape)) body.sizes = {c->radius, c->length, 0.0};
+  body.sizes = geometry::dimensionsOf(*shape);
   return body;
 }
 
-geometry::Shape shapeOf(const BodySection& body) {
-  const Vector3d& v = body.sizes;
-  switch (body.kind) {
-    case 1:
-      return geometry::Sphere{v.x()};
-    case 2:
-      return geometry::Ellipsoid{v};
-    case 3:
-      return geometry::Cuboid{v};
-    case 4:
-      return geometry::Cylinder{v.x(), v.y()};
-    case 5:
-      return geometry::Capsule{v.x(), v.y()};
-    default:
-      throw ArchiveError("holds a body of an unknown kind");
-  }
-}
-
 std::shared_ptr<const geometry::Surface> surfaceOf(BodySection body) {
-  if (body.kind != 0) return geometry::makeSurface(shapeOf(body));
+  if (body.kind != 0) {
+    const auto shape = geometry::shapeOf(body.kind - 1u, body.sizes);
+    if (!shape) throw ArchiveError("holds a body of an unknown kind");
+    return geometry::makeSurface(*shape);
+  }
   for (const Vector3d& p : body.vertices)
-    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex))
+    if (!(p.cwiseAbs().maxCoeff() <= mesh_file::kFarthestVertex))
       throw ArchiveError("holds a vertex that is not finite or beyond 1e6 m");
   return geometry::makeSurface(geometry::TriangleMesh{std::move(body.vertices), std::move(body.triangles)});
 }
@@ -336,6 +317,15 @@ std::shared_ptr<const structure::HapticStructure> readStoredStructure(const std:
     structure->support.setShape(*structure->surface);
     return structure;
   });
+}
+
+std::shared_ptr<const structure::HapticStructure> loadStructure(const std::filesystem::path& path,
+                                                                bool trusted, StructureCache& cache,
+                                                                int threads) {
+  if (trusted)
+    if (auto structure = readStoredStructure(path)) return structure;
+  const StoredBody body = readStoredBody(path);
+  return makeHapticStructure(cache, body.name, body.surface, body.options, threads).structure;
 }
 
 }  // namespace abstand::store

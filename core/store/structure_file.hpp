@@ -31,4 +31,10 @@ StoredBody parseStoredBody(std::string_view content, const std::string& name);
 /// thread.
 std::shared_ptr<const structure::HapticStructure> readStoredStructure(const std::filesystem::path& file);
 
+/// The structure of a file: as the engine had it in memory, where the file is `trusted` and of this version
+/// of the engine, else built from the body, or found in `cache`. Throws ParseError.
+std::shared_ptr<const structure::HapticStructure> loadStructure(const std::filesystem::path& file,
+                                                                bool trusted, StructureCache& cache,
+                                                                int threads);
+
 }  // namespace abstand::store

@@ -114,28 +114,30 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
 
   ASSERT_EQ(s.humans.size(), 2u);
   const auto& h = s.humans[0];
-  EXPECT_EQ(h.height, 1.8);
-  EXPECT_EQ(h.mass, 72.5);
-  EXPECT_EQ(h.sex, "f");
-  EXPECT_EQ(h.preset, "thesis");
+  EXPECT_EQ(h.body.height, 1.8);
+  EXPECT_EQ(h.body.mass, 72.5);
+  EXPECT_EQ(h.body.sex, humanmodel::Sex::kFemale);
+  EXPECT_EQ(h.body.preset, humanmodel::HumanPreset::kThesis);
   EXPECT_TRUE(h.follow_lengths);
   EXPECT_EQ(h.settings.margin, 0.1);
   ASSERT_EQ(h.parts.size(), 3u);
-  EXPECT_EQ(h.parts.at("hand_left").numbers,
-            (std::map<std::string, double>{{"margin", 0.15}, {"contour", 0.24}}));
-  EXPECT_EQ(h.parts.at("torso").shape, "cuboid");
+  EXPECT_EQ(h.parts.at(humanmodel::BodyPart::kHandLeft).margin, 0.15);
+  EXPECT_FALSE(h.parts.at(humanmodel::BodyPart::kHandLeft).voxel);
+  EXPECT_EQ(h.body.overrides.at(humanmodel::BodyPart::kHandLeft).contour, 0.24);
+  EXPECT_FALSE(h.body.overrides.at(humanmodel::BodyPart::kHandLeft).length);
+  EXPECT_EQ(h.body.overrides.at(humanmodel::BodyPart::kTorso).shape, "cuboid");
   EXPECT_EQ(h.recording.file, path("boxing.bvh"));
-  EXPECT_EQ(h.recording.format, "bvh");
-  EXPECT_EQ(h.recording.units, "0.056444");
-  EXPECT_EQ(h.recording.up, "-y");
-  EXPECT_EQ(h.recording.rate, 60.0);
-  EXPECT_EQ(h.recording.mirror, "axes");
-  EXPECT_EQ(h.recording.joint_map, path("own.map"));
-  EXPECT_EQ(h.recording.marker_set, path("own.markers"));
+  EXPECT_EQ(h.recording.options.format, "bvh");
+  EXPECT_EQ(h.recording.options.units, "0.056444");
+  EXPECT_EQ(h.recording.options.up, "-y");
+  EXPECT_EQ(h.recording.options.rate, 60.0);
+  EXPECT_EQ(h.recording.options.mirror, "axes");
+  EXPECT_EQ(h.recording.options.joint_map, path("own.map"));
+  EXPECT_EQ(h.recording.options.marker_set, path("own.markers"));
   EXPECT_EQ(h.recording.place_xyz, Vector3d(0.9, 0, 0.1));
   EXPECT_EQ(h.recording.place_yaw, 3.14);
   EXPECT_TRUE(s.humans[1].recording.file.empty());
-  EXPECT_EQ(s.humans[1].preset, "anthropometric");
+  EXPECT_EQ(s.humans[1].body.preset, humanmodel::HumanPreset::kAnthropometric);
 
   ASSERT_EQ(s.objects.size(), 5u);
   EXPECT_EQ(s.objects[0].mesh, path("table.obj"));
@@ -156,7 +158,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(s.threads[1].size(), 2u);
   EXPECT_EQ(arm.links[1].settings.max_speed, 1.25);
   EXPECT_EQ(s.mechanisms[1].settings.max_speed, 0.5);
-  EXPECT_EQ(h.parts.at("torso").numbers.at("max_speed"), 1.6);
+  EXPECT_EQ(h.parts.at(humanmodel::BodyPart::kTorso).max_speed, 1.6);
   EXPECT_EQ(s.culling.rest, 0.01);
   EXPECT_EQ(s.culling.horizon, 2.5);
   EXPECT_EQ(s.culling.budget, 0.0005);
@@ -262,26 +264,32 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
   for (std::size_t i = 0; i < a.humans.size(); ++i) {
     const auto &h = a.humans[i], &g = b.humans[i];
     EXPECT_EQ(h.name, g.name);
-    EXPECT_EQ(h.height, g.height);
-    EXPECT_EQ(h.mass, g.mass);
-    EXPECT_EQ(h.sex, g.sex);
-    EXPECT_EQ(h.preset, g.preset);
+    EXPECT_EQ(h.body.height, g.body.height);
+    EXPECT_EQ(h.body.mass, g.body.mass);
+    EXPECT_EQ(h.body.sex, g.body.sex);
+    EXPECT_EQ(h.body.preset, g.body.preset);
     EXPECT_EQ(h.follow_lengths, g.follow_lengths);
     expectSame(h.settings, g.settings);
     ASSERT_EQ(h.parts.size(), g.parts.size());
-    for (const auto& [name, part] : h.parts) {
-      ASSERT_TRUE(g.parts.count(name)) << name;
-      EXPECT_EQ(part.numbers, g.parts.at(name).numbers);
-      EXPECT_EQ(part.shape, g.parts.at(name).shape);
+    for (const auto& [part, own] : h.parts) {
+      SCOPED_TRACE(humanmodel::partName(part));
+      ASSERT_TRUE(g.parts.count(part));
+      expectSame(own, g.parts.at(part));
+      const humanmodel::PartOverride &p = h.body.overrides.at(part), &q = g.body.overrides.at(part);
+      EXPECT_EQ(p.length, q.length);
+      EXPECT_EQ(p.contour, q.contour);
+      EXPECT_EQ(p.breadth, q.breadth);
+      EXPECT_EQ(p.depth, q.depth);
+      EXPECT_EQ(p.shape, q.shape);
     }
     EXPECT_EQ(h.recording.file, g.recording.file);
-    EXPECT_EQ(h.recording.format, g.recording.format);
-    EXPECT_EQ(h.recording.units, g.recording.units);
-    EXPECT_EQ(h.recording.up, g.recording.up);
-    EXPECT_EQ(h.recording.rate, g.recording.rate);
-    EXPECT_EQ(h.recording.mirror, g.recording.mirror);
-    EXPECT_EQ(h.recording.joint_map, g.recording.joint_map);
-    EXPECT_EQ(h.recording.marker_set, g.recording.marker_set);
+    EXPECT_EQ(h.recording.options.format, g.recording.options.format);
+    EXPECT_EQ(h.recording.options.units, g.recording.options.units);
+    EXPECT_EQ(h.recording.options.up, g.recording.options.up);
+    EXPECT_EQ(h.recording.options.rate, g.recording.options.rate);
+    EXPECT_EQ(h.recording.options.mirror, g.recording.options.mirror);
+    EXPECT_EQ(h.recording.options.joint_map, g.recording.options.joint_map);
+    EXPECT_EQ(h.recording.options.marker_set, g.recording.options.marker_set);
     EXPECT_EQ(h.recording.cut_things, g.recording.cut_things);
     EXPECT_EQ(h.recording.place_xyz, g.recording.place_xyz);
     EXPECT_EQ(h.recording.place_yaw, g.recording.place_yaw);

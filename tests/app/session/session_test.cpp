@@ -158,7 +158,7 @@ TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
   for (const scene::Object& o : plain.scene().objects()) EXPECT_EQ(o.max_speed, kInfinity) << o.spec.name;
   options.rest = 0.5;
   scene_file::SceneDescription said = scene;
-  said.humans.at(0).parts["hand_left"].numbers["max_speed"] = 3.5;
+  said.humans.at(0).parts[humanmodel::BodyPart::kHandLeft].max_speed = 3.5;
   said.mechanisms.at(0).settings.max_speed = 1.25;
   session::Session resting(said, options);
   const std::string person = said.humans[0].name;

@@ -40,7 +40,7 @@ class TwoPeople : public ::testing::Test {
     for (auto& object : scene.objects) box(object);
     for (auto& human : scene.humans)
       for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-        human.parts[std::string(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)))].shape = "cuboid";
+        human.body.overrides[static_cast<humanmodel::BodyPart>(i)].shape = "cuboid";
     return open(std::move(scene), 1);
   }
 

@@ -1,0 +1,104 @@
+#include "app/scene_file/body_fields.hpp"
+#include "app/scene_file/scene_body_reader.hpp"
+#include "core/base/number.hpp"
+
+namespace abstand::scene_file {
+namespace {
+
+constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
+constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr config::YamlRange kPartRange{0.0, 10.0, "m", true};
+constexpr config::YamlRange kRateRange{0.0, 1e6, "Hz", true};
+
+/// The names of humanmodel::BodyPart, in its order.
+const std::vector<std::string>& bodyPartNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      all.emplace_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace
+
+RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
+  const config::YamlFields fields(
+      node, file_, "`recording`",
+      {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place", "cut_things"});
+  RecordingDescription r;
+  tracking::RecordingOptions& o = r.options;
+  r.pos = fields.pos();
+  r.file = existingFile(fields.need("file"), "`file`", "a recording");
+  o.format = fields.text("format").value_or(o.format);
+  if (const auto* units = fields.find("units")) {
+    if (units->kind == config::YamlNode::Kind::kScalar && parseDouble(units->text))
+      config::yamlNumber(*units, file_, "`units`", kScaleRange);
+    o.units = config::yamlText(*units, file_, "`units`");
+  }
+  o.up = fields.choice("up", {"auto", "x", "y", "z", "-x", "-y", "-z"}).value_or(o.up);
+  o.rate = fields.number("rate", kRateRange).value_or(o.rate);
+  o.mirror = fields.choice("mirror", {"none", "axes", "sides"}).value_or(o.mirror);
+  if (const auto* map = fields.find("joint_map"))
+    o.joint_map = existingFile(*map, "`joint_map`", "a joint map");
+  if (const auto* set = fields.find("marker_set")) {
+    o.marker_set = config::yamlText(*set, file_, "`marker_set`");
+    if (o.marker_set != "auto" && o.marker_set != "none")
+      o.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
+  }
+  r.cut_things = readFlag(fields, "cut_things");
+  if (const auto* place = fields.find("place")) {
+    const config::YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
+    r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);
+    r.place_yaw = p.number("yaw", kAngleRange).value_or(0.0);
+  }
+  return r;
+}
+
+void SceneBodyReader::readPart(const std::string& name, const config::YamlNode& node,
+                               HumanDescription& h) const {
+  const config::YamlFields fields(
+      node, file_, "the part `" + name + "`",
+      {"contour", "length", "breadth", "depth", "shape", "margin", "voxel", "point", "max_speed"});
+  const humanmodel::BodyPart part = humanmodel::parsePart(name).value();
+  humanmodel::PartOverride& sizes = h.body.overrides[part];
+  sizes.length = fields.number("length", kPartRange);
+  sizes.contour = fields.number("contour", kPartRange);
+  sizes.breadth = fields.number("breadth", kPartRange);
+  sizes.depth = fields.number("depth", kPartRange);
+  sizes.shape = fields.choice("shape", {"ellipsoid", "cuboid"});
+  h.parts[part] = readSettings(fields);
+}
+
+HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
+  const config::YamlFields fields(node, file_, "a human",
+                                  {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
+                                   "voxel", "point", "outer_layers", "margin", "max_speed"});
+  HumanDescription h;
+  h.pos = fields.pos();
+  h.name = newName(fields, groups_, "group");
+  for (const auto& part : bodyPartNames()) {
+    std::string body = h.name + "/" + part;
+    if (!body_names_.insert(body).second)
+      throw ParseError(fields.pos(fields.need("name")),
+                       "found the body `" + body + "` a second time, expected another name for the human");
+    addBody(std::move(body), h.pos);
+  }
+  h.body.height = fields.number("height", kHeightRange).value_or(h.body.height);
+  h.body.mass = fields.number("mass", kMassRange);
+  if (const auto sex = fields.choice("sex", {"f", "m"}))
+    h.body.sex = *sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
+  if (fields.choice("preset", {"anthropometric", "thesis"}) == "thesis")
+    h.body.preset = humanmodel::HumanPreset::kThesis;
+  h.follow_lengths = fields.choice("lengths", {"model", "recording"}).value_or("model") == "recording";
+  h.settings = readSettings(fields);
+  if (const auto* parts = fields.find("parts")) {
+    const config::YamlFields known(*parts, file_, "`parts`", bodyPartNames());
+    for (std::size_t i = 0; i < parts->keys.size(); ++i) readPart(parts->keys[i].text, parts->items[i], h);
+  }
+  if (const auto* node_recording = fields.find("recording")) h.recording = recording(*node_recording);
+  return h;
+}
+
+}  // namespace abstand::scene_file
