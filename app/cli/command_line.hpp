@@ -73,6 +73,7 @@ void addRun(CLI::App& root, CommandLine& line);
 void addServe(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
 void addTune(CLI::App& root, CommandLine& line);
+void addMerge(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);
 

@@ -1,47 +1,29 @@
 // abstand tune: what safety margins would have done over recordings, and which are proposed.
-#include <cmath>
+#include <cstdlib>
 
 #include "app/cli/command_line.hpp"
-#include "app/cli/reservation_texts.hpp"
+#include "app/cli/tune_arguments.hpp"
 #include "app/cli/tune_texts.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/depth/open_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
+#include "core/base/write_error.hpp"
 
 namespace abstand::cli {
 namespace {
 
-constexpr std::size_t kMaxMargins = 100000;
-
 struct TuneArguments {
-  std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time;
+  std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time, out, shard;
   std::vector<std::string> recordings;
+  int jobs{1};
   bool cut_things{false};
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
 
-/// "from:to:step" or one number; m, rising.
-std::vector<double> marginList(const std::string& text) {
-  std::vector<double> numbers;
-  std::string rest = text;
-  for (auto colon = rest.find(':'); colon != std::string::npos; colon = rest.find(':')) {
-    numbers.push_back(numberWithin(rest.substr(0, colon), "--margins", 0.0, 10.0, "m"));
-    rest = rest.substr(colon + 1);
-  }
-  numbers.push_back(numberWithin(rest, "--margins", 0.0, 10.0, "m"));
-  if (numbers.size() == 1) return numbers;
-  if (numbers.size() != 3 || !(numbers[2] > 0.0) || numbers[1] < numbers[0])
-    throw UsageError("--margins: found '" + text + "', expected FROM:TO:STEP in metres, or one margin");
-  const double steps = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9);
-  if (steps >= static_cast<double>(kMaxMargins))
-    throw UsageError("--margins: found more than " + std::to_string(kMaxMargins) +
-                     " margins, expected fewer");
-  std::vector<double> list;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i)
-    list.push_back(numbers[0] + static_cast<double>(i) * numbers[2]);
-  return list;
+double restartTime(const std::string& text) {
+  return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
 }
 
 tune::TuneOptions optionsOf(const TuneArguments& args) {
@@ -52,44 +34,59 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
   if (!args.deceleration.empty())
     o.pass.braking.deceleration =
         numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
-  if (!args.restart_time.empty())
-    o.restart_time = numberWithin(args.restart_time, "--restart-time", 0.0, 1e4, "s");
+  o.restart_time = restartTime(args.restart_time);
   return o;
 }
 
-tune::TunedRecording tuneOne(const CommandLine& line, const TuneArguments& args,
-                             const scene_file::SceneDescription& scene, const std::string& recording,
-                             const tune::TuneOptions& options) {
-  session::SessionOptions session_options;
-  session_options.recording = recording;
-  session_options.cut_things = args.cut_things;
-  session_options.cache = line.cache;
-  session_options.monitor = buildMonitor(line);
-  args.warm_start.apply(session_options);
+session::SessionOptions sessionOptions(const CommandLine& line, const TuneArguments& args,
+                                       const std::string& recording) {
+  session::SessionOptions options;
+  options.recording = recording;
+  options.cut_things = args.cut_things;
+  options.cache = line.cache;
+  args.warm_start.apply(options);
   // Nothing is left out, whatever the scene allows.
-  session_options.rest = 0.0;
-  session_options.horizon = session_options.budget = kInfinity;
-  const auto session = depth::openSession(scene, session_options);
-  const std::string name = recording.empty() ? args.scene : recording;
-  run::RunOptions run;
-  run.progress = progressBar(line, name);
-  run.interrupted = interrupted;
-  return tune::tuneRecording(*session, options, run, name);
+  options.rest = 0.0;
+  options.horizon = options.budget = kInfinity;
+  return options;
 }
 
-/// A recording that cannot be read does not stop the others.
-TuneAnswer tuneAll(const CommandLine& line, const TuneArguments& args,
-                   const scene_file::SceneDescription& scene, const tune::TuneOptions& options) {
+/// The runs that the arguments name.
+std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
+  if (tune::isPlan(args.scene)) {
+    if (!args.recordings.empty())
+      throw UsageError(
+          "--recordings: found beside a plan, expected one of them: a plan names its recordings");
+    return tune::loadPlan(args.scene);
+  }
+  std::vector<tune::PlanItem> items;
+  for (const std::string& recording : args.recordings)
+    items.push_back({args.scene, recording, {}, 1.0, {}, recording});
+  if (items.empty()) items.push_back({args.scene, {}, {}, 1.0, {}, args.scene});
+  return items;
+}
+
+/// One run after the other, in this process; nothing is kept. A recording that cannot be read does not stop
+/// the others.
+TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
+                    const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
   TuneAnswer answer;
-  std::vector<std::string> recordings = args.recordings;
-  if (recordings.empty()) recordings.emplace_back();
-  for (const std::string& recording : recordings) {
+  answer.options = options;
+  for (const tune::PlanItem& item : items) {
     try {
-      answer.recordings.push_back(tuneOne(line, args, scene, recording, options));
+      scene_file::SceneDescription scene = scene_file::loadScene(item.scene, args.packages);
+      item.apply(scene);
+      session::SessionOptions session_options = sessionOptions(line, args, item.recording.string());
+      session_options.monitor = buildMonitor(line);
+      const auto session = depth::openSession(std::move(scene), session_options);
+      run::RunOptions run;
+      run.progress = progressBar(line, item.name);
+      run.interrupted = interrupted;
+      answer.recordings.push_back(tune::tuneRecording(*session, options, run, item.name));
       answer.interrupted = answer.recordings.back().interrupted;
     } catch (const ParseError& e) {
-      if (recordings.size() == 1) throw;
-      answer.failed.push_back({recording, e.what()});
+      if (items.size() == 1) throw;
+      answer.failed.push_back({item.name, e.what()});
     } catch (const structure::BuildCancelled&) {
       answer.interrupted = true;
     } catch (const Interrupted&) {
@@ -97,24 +94,109 @@ TuneAnswer tuneAll(const CommandLine& line, const TuneArguments& args,
     }
     if (answer.interrupted) break;
   }
+  std::stable_sort(answer.recordings.begin(), answer.recordings.end(),
+                   [](const auto& a, const auto& b) { return a.recording < b.recording; });
   return answer;
+}
+
+/// In processes of their own, with a result file each.
+TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line, const TuneArguments& args,
+                    const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
+  tune::StudyOptions study;
+  study.tune = options;
+  study.folder = folder;
+  study.jobs = args.jobs;
+  study.settings = std::string(args.cut_things ? "cut_things " : "") + (args.warm_start.cold ? "cold " : "") +
+                   args.warm_start.tolerance;
+  study.shard = shardOf(args.shard);
+  study.interrupted = interrupted;
+  study.progress = progressBar(line, "tune");
+  study.load = [&](const std::filesystem::path& scene) {
+    return scene_file::loadScene(scene, args.packages);
+  };
+  study.open = [&](scene_file::SceneDescription scene, const std::filesystem::path& recording) {
+    session::SessionOptions session_options = sessionOptions(line, args, recording.string());
+    session_options.threads = 1;
+    session_options.monitor.cancelled = interrupted;
+    return depth::openSession(std::move(scene), session_options);
+  };
+  const tune::StudyReport report = tune::runStudy(items, study);
+  TuneAnswer answer;
+  answer.failed = report.failed;
+  answer.interrupted = report.interrupted;
+  answer.made = report.made;
+  answer.kept = report.kept;
+  answer.options = options;
+  if (report.made + report.kept > 0) {
+    answer.recordings = tune::mergeResults({folder}).recordings;
+  }
+  return answer;
+}
+
+/// Removes what it made.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "abstand-tune-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw WriteError(name, errno);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ec;
+    std::filesystem::remove_all(path_, ec);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+int finish(const CommandLine& line, TuneAnswer& answer, const std::vector<double>& margins) {
+  for (const auto& failed : answer.failed) line.warn(failed.recording + ": " + failed.error);
+  if (answer.recordings.empty()) {
+    if (answer.interrupted) return kInterrupted;
+    throw ParseError({}, "found no recording that could be run, expected one");
+  }
+  answer.table = tune::marginTable(answer.recordings, margins, answer.options);
+  line.print(tuneJson(answer), tuneText(answer));
+  if (answer.interrupted) return kInterrupted;
+  return answer.failed.empty() ? kDone : kPartly;
 }
 
 int runTune(const CommandLine& line, const TuneArguments& args) {
   const tune::TuneOptions options = optionsOf(args);
   const std::vector<double> margins = marginList(args.margins);
-  const scene_file::SceneDescription scene = scene_file::loadScene(args.scene, args.packages);
-  TuneAnswer answer = tuneAll(line, args, scene, options);
-  for (const auto& [recording, error] : answer.failed) line.warn(error);
-  if (answer.recordings.empty()) {
-    if (answer.interrupted) return kInterrupted;
-    throw UsageError("found no recording that could be read, expected one");
+  const std::vector<tune::PlanItem> items = itemsOf(args);
+  TuneAnswer answer;
+  if (!args.out.empty()) {
+    answer = tuneInto(args.out, line, args, items, options);
+  } else if (args.jobs > 1) {
+    const TemporaryFolder folder;
+    answer = tuneInto(folder.path(), line, args, items, options);
+  } else {
+    if (!args.shard.empty())
+      throw UsageError("--shard: found without --out, expected a folder that keeps the results");
+    answer = tuneHere(line, args, items, options);
   }
-  answer.options = options;
-  answer.table = tune::marginTable(answer.recordings, margins, options);
-  line.print(tuneJson(answer), tuneText(answer));
-  if (answer.interrupted) return kInterrupted;
-  return answer.failed.empty() ? kDone : kPartly;
+  return finish(line, answer, margins);
+}
+
+struct MergeArguments {
+  std::vector<std::string> folders;
+  std::string margins{"0:0.5:0.05"}, restart_time;
+};
+
+int runMerge(const CommandLine& line, const MergeArguments& args) {
+  const std::vector<double> margins = marginList(args.margins);
+  TuneAnswer answer;
+  tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
+  answer.recordings = std::move(merged.recordings);
+  answer.options = merged.options;
+  answer.options.restart_time = restartTime(args.restart_time);
+  answer.kept = answer.recordings.size();
+  return finish(line, answer, margins);
 }
 
 }  // namespace
@@ -124,7 +206,8 @@ void addTune(CLI::App& root, CommandLine& line) {
                              "what safety margins would have done over recordings; which are proposed",
                              "abstand tune cell.yaml --recordings reach.bvh walk.bvh --margins 0:0.4:0.02");
   auto args = std::make_shared<TuneArguments>();
-  command->add_option("SCENE", args->scene, "scene file")->required();
+  command->add_option("SCENE", args->scene, "scene file, or a plan of many runs (docs/margins.md)")
+      ->required();
   command->add_option("--recordings", args->recordings,
                       "recordings of people, each beside the scene's robots");
   command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
@@ -139,10 +222,28 @@ void addTune(CLI::App& root, CommandLine& line) {
   command->add_flag(
       "--cut-things", args->cut_things,
       "the depth images show the scene's robots and objects where the scene has them: they are cut out");
+  command->add_option("--out", args->out,
+                      "folder that keeps a result file for each run; what is there is not run again");
+  command->add_option("--jobs", args->jobs, "runs at once, each in a process of its own (default: 1)")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--shard", args->shard,
+                      "I/N: the I-th of N parts of the runs; /N: I from SLURM_ARRAY_TASK_ID or PARALLEL_SEQ");
   addWarmStart(*command, args->warm_start);
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runTune(line, *args); }; });
+}
+
+void addMerge(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "merge",
+                             "the answer of tune from results that were made before, in any number of parts",
+                             "abstand merge results --margins 0:0.4:0.02");
+  auto args = std::make_shared<MergeArguments>();
+  command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
+  command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
+  command->add_option("--restart-time", args->restart_time,
+                      "s, from the end of an intrusion until the robot goes on (default: 0)");
+  command->callback([&line, args] { line.run = [&line, args] { return runMerge(line, *args); }; });
 }
 
 }  // namespace abstand::cli

@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
   cli::addServe(app, line);
   cli::addCheck(app, line);
   cli::addTune(app, line);
+  cli::addMerge(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);
   try {

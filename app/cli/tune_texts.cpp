@@ -93,6 +93,8 @@ Json tuneJson(const TuneAnswer& answer) {
                            {"reservations", reservationsJson(r.reservations)}});
   j["failed"] = Json::array();
   for (const auto& f : answer.failed) j["failed"].push_back({{"recording", f.recording}, {"error", f.error}});
+  if (answer.made || answer.kept)
+    j["results"] = {{"made", answer.made.value_or(0)}, {"kept", answer.kept.value_or(0)}};
   j["margins"] = Json::array();
   j["curve"] = Json::array();
   for (const tune::MarginRow& row : answer.table.rows) {

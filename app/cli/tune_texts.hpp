@@ -5,17 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "app/tune/margin_table.hpp"
+#include "app/tune/study.hpp"
 
 namespace abstand::cli {
 
 struct TuneAnswer {
   tune::TuneOptions options;
   std::vector<tune::TunedRecording> recordings;
-  struct Failed {
-    std::string recording, error;
-  };
-  std::vector<Failed> failed;
+  std::vector<tune::FailedRun> failed;
+  std::optional<std::size_t> made, kept;  ///< result files, where there are any
   tune::MarginTable table;
   bool interrupted{false};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/base/error.hpp"
@@ -74,11 +75,11 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}});
   std::map<std::size_t, std::uint16_t> link_index;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    part_of_pair_.push_back(static_cast<std::size_t>(std::distance(there.begin(), there.find(parts[p]))));
+    const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(parts[p])));
     const std::size_t link = window_.pairs()[p].link;
     const auto [at, fresh] = link_index.try_emplace(link, static_cast<std::uint16_t>(result_.links.size()));
     if (fresh) result_.links.push_back(session.scene().objects()[link].spec.name);
-    link_of_pair_.push_back(at->second);
+    result_.pairs.push_back({part, at->second});
   }
   const std::size_t all = session.scene().pairs().size();
   limits_.assign(all, -kInfinity);
@@ -111,6 +112,7 @@ void DistancePass::settle() {
   while (!window_.empty() && braking_.ofFirst(braking_of_first_)) {
     const auto& frames = window_.frames();
     take(frames.front(), frames.size() > 1 ? &frames[1] : nullptr);
+    if (options_.on_frame) options_.on_frame(frames.front(), result_);
     window_.drop();
   }
 }
@@ -128,11 +130,11 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     part.link.push_back(0);
   }
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
-    PartClearance& part = result_.parts[part_of_pair_[p]];
+    PartClearance& part = result_.parts[result_.pairs[p].part];
     if (frame.clearance[p] < part.track.clearance[i] || part.track.clearance[i] == kInfinity) {
       part.track.clearance[i] = frame.clearance[p];
       part.uncertainty[i] = frame.uncertainty[p];
-      part.link[i] = link_of_pair_[p];
+      part.link[i] = result_.pairs[p].link;
       part.distance[i] = frame.distance[p];
       part.bound[i] = frame.bound[p];
     }

@@ -1,7 +1,7 @@
 // One pass over a recording, from which every question about margins is answered.
 #pragma once
 
-#include <map>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,9 +11,13 @@
 
 namespace abstand::tune {
 
+struct PassResult;
+
 struct PassOptions {
   BrakingOptions braking;
   double limit{0.0};  ///< m, MarginOptions::limit
+  /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
+  std::function<void(const WindowFrame&, const PassResult&)> on_frame;
 };
 
 /// What a body part did in a pass. Lists of `track`: one entry a frame.
@@ -30,6 +34,10 @@ struct PartClearance {
 struct PassResult {
   std::vector<PartClearance> parts;  ///< in the order of the body
   std::vector<std::string> links;    ///< names of the robots' links
+  struct PairOfNames {
+    std::uint16_t part, link;  ///< indices into `parts` and `links`
+  };
+  std::vector<PairOfNames> pairs;  ///< in the order of WindowFrame's lists
   long swept_queries{0}, braking_queries{0};
 };
 
@@ -53,8 +61,6 @@ class DistancePass {
   run::SweptCheck swept_;
   MotionWindow window_;
   BrakingClearance braking_;
-  std::vector<std::size_t> part_of_pair_;
-  std::vector<std::uint16_t> link_of_pair_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
   PassResult result_;
 };

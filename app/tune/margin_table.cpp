@@ -16,10 +16,26 @@ std::vector<std::string> partsOf(const std::vector<TunedRecording>& recordings) 
   return parts;
 }
 
-const PartClearance* find(const TunedRecording& recording, const std::string& part) {
-  for (const PartClearance& p : recording.pass.parts)
-    if (p.part == part) return &p;
-  return nullptr;
+/// A part from the first frame on that a margin can be judged from.
+struct JudgedPart {
+  const TunedRecording* recording;
+  std::size_t index;  ///< of the recording
+  const PartClearance* part;
+  std::size_t first;
+  margin::ClearanceTrack track;
+};
+
+std::vector<JudgedPart> judgedParts(const std::vector<TunedRecording>& recordings, const std::string& name,
+                                    const margin::MarginOptions& options) {
+  std::vector<JudgedPart> judged;
+  for (std::size_t i = 0; i < recordings.size(); ++i)
+    for (const PartClearance& p : recordings[i].pass.parts) {
+      if (p.part != name) continue;
+      const std::size_t first = margin::firstJudgedFrame(p.track, options);
+      if (first < p.track.frames())
+        judged.push_back({&recordings[i], i, &p, first, margin::from(p.track, first)});
+    }
+  return judged;
 }
 
 /// Rounded up; a margin has to be above `needed`.
@@ -27,25 +43,23 @@ double roundedUp(double needed) {
   return std::isinf(needed) ? needed : (std::floor(needed / kMillimetre) + 1.0) * kMillimetre;
 }
 
-ProposedMargin propose(const std::vector<TunedRecording>& recordings, const std::string& part,
+ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string& part,
                        const margin::MarginOptions& options) {
   ProposedMargin proposed;
   proposed.part = part;
   double most = 0.0;
-  for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const PartClearance* clearance = find(recordings[i], part);
-    if (!clearance || clearance->track.frames() == 0) continue;
-    const margin::SafeMargin safe = margin::smallestSafeMargin(clearance->track, options);
+  for (const JudgedPart& j : judged) {
+    const margin::SafeMargin safe = margin::smallestSafeMargin(j.track, options);
     proposed.needed.push_back(safe.margin);
     if (!safe.decided || (proposed.decided_by && !(safe.margin > most))) continue;
     most = safe.margin;
-    const std::size_t before = safe.frame > 0 ? safe.frame - 1 : 0;
-    proposed.decided_by = {i,
-                           clearance->track.t[safe.frame],
-                           recordings[i].pass.links[clearance->link[safe.frame]],
-                           clearance->track.clearance[before],
-                           clearance->bound[before],
-                           clearance->uncertainty[before],
+    const std::size_t told = j.first + safe.frame, before = told > j.first ? told - 1 : told;
+    proposed.decided_by = {j.index,
+                           j.part->track.t[told],
+                           j.recording->pass.links[j.part->link[told]],
+                           j.part->track.clearance[before],
+                           j.part->bound[before],
+                           j.part->uncertainty[before],
                            safe.sampling};
   }
   proposed.margin = proposed.decided_by ? roundedUp(most) : 0.0;
@@ -65,15 +79,14 @@ void addRows(const std::string& part, const std::vector<const margin::ClearanceT
 }
 
 /// Frame by frame the nearest of all parts, from where each of them can be judged.
-margin::ClearanceTrack wholeBody(const TunedRecording& recording) {
-  std::size_t frames = recording.frames;
-  for (const PartClearance& p : recording.pass.parts) frames = std::min(frames, p.track.frames());
-  std::vector<margin::ClearanceTrack> cut;
-  for (const PartClearance& p : recording.pass.parts)
-    cut.push_back(margin::from(p.track, p.track.frames() - frames));
+margin::ClearanceTrack wholeBody(const TunedRecording& recording, const margin::MarginOptions& options) {
   std::vector<const margin::ClearanceTrack*> tracks;
-  for (const margin::ClearanceTrack& track : cut) tracks.push_back(&track);
-  return margin::leastOf(tracks);
+  std::size_t first = 0;
+  for (const PartClearance& p : recording.pass.parts) {
+    tracks.push_back(&p.track);
+    first = std::max(first, margin::firstJudgedFrame(p.track, options));
+  }
+  return margin::from(margin::leastOf(tracks), first);
 }
 
 }  // namespace
@@ -83,14 +96,14 @@ MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std
   MarginTable table;
   const margin::MarginOptions judged = options.margins();
   for (const std::string& part : partsOf(recordings)) {
+    const std::vector<JudgedPart> parts = judgedParts(recordings, part, judged);
     std::vector<const margin::ClearanceTrack*> tracks;
-    for (const TunedRecording& r : recordings)
-      if (const PartClearance* p = find(r, part); p && p->track.frames() > 0) tracks.push_back(&p->track);
+    for (const JudgedPart& p : parts) tracks.push_back(&p.track);
     addRows(part, tracks, margins, judged, table.rows);
-    table.proposed.push_back(propose(recordings, part, judged));
+    table.proposed.push_back(propose(parts, part, judged));
   }
   std::vector<margin::ClearanceTrack> bodies;
-  for (const TunedRecording& r : recordings) bodies.push_back(wholeBody(r));
+  for (const TunedRecording& r : recordings) bodies.push_back(wholeBody(r, judged));
   std::vector<const margin::ClearanceTrack*> tracks;
   for (const margin::ClearanceTrack& body : bodies)
     if (body.frames() > 0) tracks.push_back(&body);

@@ -21,6 +21,8 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
     const double uncertainty = scene.pairUncertainty(p.id);
     now.distance.push_back(r.distance);
     now.bound.push_back(r.bound);
+    now.on_part.push_back(p.part_is_a ? r.witness_a : r.witness_b);
+    now.on_link.push_back(p.part_is_a ? r.witness_b : r.witness_a);
     const double clearance = r.distance - r.bound - uncertainty;
     // What is no number is not known.
     now.clearance.push_back(std::isnan(clearance) ? -kInfinity : clearance);

@@ -24,10 +24,11 @@ struct WatchedPair {
 struct WindowFrame {
   double t{0.0};
   std::vector<Transform> X_WB;
-  std::vector<double> q;                ///< of all robots, one after the other
-  std::vector<double> distance, bound;  ///< m, of pairs
-  std::vector<double> clearance;        ///< m, of pairs: distance - bound - uncertainty
-  std::vector<double> uncertainty;      ///< m, of pairs
+  std::vector<double> q;                   ///< of all robots, one after the other
+  std::vector<double> distance, bound;     ///< m, of pairs
+  std::vector<Vector3d> on_part, on_link;  ///< m, world, of pairs: the nearest points
+  std::vector<double> clearance;           ///< m, of pairs: distance - bound - uncertainty
+  std::vector<double> uncertainty;         ///< m, of pairs
   std::vector<double> between;  ///< to next: m, of pairs: certified least distance, without uncertainty
   std::vector<safety::PoseSegment> motion;  ///< to next, of objects
   std::vector<double> speed;                ///< to next: m/s, of objects, of the fastest point

@@ -7,23 +7,11 @@
 namespace abstand::tune {
 namespace {
 
-template <class T>
-void dropFirst(std::vector<T>& list, std::size_t count) {
-  list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
-}
-
-/// s left out.
-double dropUnjudged(PartClearance& part, const margin::MarginOptions& options) {
-  const std::size_t first = margin::firstJudgedFrame(part.track, options);
+/// s at the beginning in which nothing can be judged.
+double unjudged(const margin::ClearanceTrack& track, const margin::MarginOptions& options) {
+  const std::size_t first = margin::firstJudgedFrame(track, options);
   if (first == 0) return 0.0;
-  const double begin = part.track.t.front(),
-               left_out = first < part.track.frames() ? part.track.t[first] - begin : part.track.duration();
-  part.track = margin::from(part.track, first);
-  dropFirst(part.distance, first);
-  dropFirst(part.bound, first);
-  dropFirst(part.uncertainty, first);
-  dropFirst(part.link, first);
-  return left_out;
+  return first < track.frames() ? track.t[first] - track.t.front() : track.duration();
 }
 
 }  // namespace
@@ -46,8 +34,8 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.pass = pass.finish();
   const margin::ClearanceTrack& any = tuned.pass.parts.front().track;
   if (any.frames() > 0) tuned.t0 = any.t.front(), tuned.t1 = any.t.back();
-  for (PartClearance& part : tuned.pass.parts)
-    tuned.unjudged = std::max(tuned.unjudged, dropUnjudged(part, options.margins()));
+  for (const PartClearance& part : tuned.pass.parts)
+    tuned.unjudged = std::max(tuned.unjudged, unjudged(part.track, options.margins()));
   return tuned;
 }
 

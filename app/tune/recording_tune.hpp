@@ -14,7 +14,7 @@ struct TuneOptions {
   margin::MarginOptions margins() const { return {pass.limit, restart_time}; }
 };
 
-/// What all later questions need of a recording; begins at the first frame that a margin can be judged from.
+/// What all later questions need of a recording.
 struct TunedRecording {
   std::string recording;  ///< file, or the scene's name where people follow its own
   std::size_t frames{0};

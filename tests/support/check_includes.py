@@ -23,7 +23,7 @@ FENCES = [
     (r"pcl/", r"tracking/depth/people/floor_consensus\.cpp"),
     (r"libfreenect", r"tracking/depth/live/.*\.cpp"),
     (r"zlib", r"tracking/kinect/.*\.cpp"),
-    (r"hdf5", r"app/run/.*\.cpp"),
+    (r"hdf5", r"app/hdf5/.*"),
     (r"pybind11/", r"app/python/.*"),
 ]
 # Intrinsics and what the system brings.

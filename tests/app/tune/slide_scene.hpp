@@ -21,8 +21,8 @@ struct SlideSpeeds {
 
 /// The person stands at the origin and may come along -x; the ball of 50 mm comes along +x at the height of
 /// the trunk.
-inline std::unique_ptr<session::Session> openSlide(const ScratchFolder& folder, const SlideSpeeds& speeds,
-                                                   const std::string& folder_of = "") {
+inline std::filesystem::path writeSlide(const ScratchFolder& folder, const SlideSpeeds& speeds,
+                                        const std::string& name = "") {
   folder.write("slide.mech",
                "units\nlength m\nangle degrees\nend_units\nmapping\ndof 0 1\nend_mapping\nchain\n"
                "frame 1 0 90 d 0\nend_chain\n");
@@ -36,8 +36,8 @@ inline std::unique_ptr<session::Session> openSlide(const ScratchFolder& folder, 
     for (auto& p : f.p) p.x() -= speeds.person * std::min(f.t, speeds.stops_at);
     recording.frames.push_back(f);
   }
-  tracking::writeSkeletonCsv(folder.path() / ("person" + folder_of + ".csv"), recording);
-  const auto scene = folder.write("slide.yaml", R"(abstand: 1
+  tracking::writeSkeletonCsv(folder.path() / ("person" + name + ".csv"), recording);
+  return folder.write("slide.yaml", R"(abstand: 1
 defaults: {voxel: 0.02, point: 0.02, outer_layers: 1}
 mechanisms:
   - name: slide
@@ -46,8 +46,12 @@ mechanisms:
     motion: go.csv
     links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.05}}}]
 humans: [{name: person, height: 1.75, recording: {file: person)" +
-                                                    folder_of + R"(.csv}}]
+                                        name + R"(.csv}}]
 )");
+}
+
+inline std::unique_ptr<session::Session> openSlide(const ScratchFolder& folder, const SlideSpeeds& speeds) {
+  const std::filesystem::path scene = writeSlide(folder, speeds);
   session::SessionOptions options;
   options.threads = 1;
   options.cache = false;

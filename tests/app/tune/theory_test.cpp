@@ -33,7 +33,9 @@ TEST_P(TuneTheory, TheSmallestSafeMarginIsWhatBodiesNeedUntilTheRobotRests) {
   const Theory& theory = GetParam();
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, theory.speeds);
-  const TuneOptions options{{theory.braking, theory.limit}, 0.0};
+  TuneOptions options;
+  options.pass.braking = theory.braking;
+  options.pass.limit = theory.limit;
   const TunedRecording tuned = tuneRecording(*session, options, {}, "slide");
   const PartClearance* torso = nullptr;
   for (const PartClearance& p : tuned.pass.parts)

@@ -1,0 +1,85 @@
+#include "app/cli/tune_arguments.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+
+namespace abstand::cli {
+namespace {
+
+constexpr std::size_t kMaxMargins = 100000;
+constexpr double kMaxShards = 1e6;
+
+/// A whole number from `least` on, or nothing.
+std::optional<std::size_t> whole(const std::string& text, double least) {
+  const auto value = parseDouble(text);
+  if (!value || *value != std::floor(*value) || *value < least || *value > kMaxShards) return std::nullopt;
+  return static_cast<std::size_t>(*value);
+}
+
+std::optional<std::size_t> environment(const char* name) {
+  const char* text = std::getenv(name);
+  return text ? whole(text, 0.0) : std::nullopt;
+}
+
+/// Index from 0 of this task among many.
+std::optional<std::size_t> taskIndex() {
+  if (const auto task = environment("SLURM_ARRAY_TASK_ID")) {
+    const std::size_t first = environment("SLURM_ARRAY_TASK_MIN").value_or(0);
+    return *task >= first ? std::optional(*task - first) : std::nullopt;
+  }
+  const auto sequence = environment("PARALLEL_SEQ");
+  return sequence && *sequence > 0 ? std::optional(*sequence - 1) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> marginList(const std::string& text) {
+  std::vector<double> numbers;
+  std::string rest = text;
+  for (auto colon = rest.find(':'); colon != std::string::npos; colon = rest.find(':')) {
+    numbers.push_back(numberWithin(rest.substr(0, colon), "--margins", 0.0, 10.0, "m"));
+    rest = rest.substr(colon + 1);
+  }
+  numbers.push_back(numberWithin(rest, "--margins", 0.0, 10.0, "m"));
+  if (numbers.size() == 1) return numbers;
+  if (numbers.size() != 3 || !(numbers[2] > 0.0) || numbers[1] < numbers[0])
+    throw UsageError("--margins: found '" + text + "', expected FROM:TO:STEP in metres, or one margin");
+  // An end that lies on a step but for rounding is taken.
+  const double steps = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9);
+  if (steps >= static_cast<double>(kMaxMargins))
+    throw UsageError("--margins: found more than " + std::to_string(kMaxMargins) +
+                     " margins, expected fewer");
+  std::vector<double> list;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i)
+    list.push_back(numbers[0] + static_cast<double>(i) * numbers[2]);
+  return list;
+}
+
+tune::Shard shardOf(const std::string& text) {
+  if (text.empty()) {
+    const auto count = environment("SLURM_ARRAY_TASK_COUNT");
+    const auto index = taskIndex();
+    if (count && *count > 1 && index && *index < *count) return {*index, *count};
+    return {};
+  }
+  const auto slash = text.find('/');
+  const auto count = slash == std::string::npos ? std::nullopt : whole(text.substr(slash + 1), 1.0);
+  if (!count) throw UsageError("--shard: found '" + text + "', expected I/N with I from 1 to N, or /N");
+  if (slash == 0) {
+    const auto index = taskIndex();
+    if (!index || *index >= *count)
+      throw UsageError("--shard: found '" + text +
+                       "' and no SLURM_ARRAY_TASK_ID or PARALLEL_SEQ that fits, expected I/N");
+    return {*index, *count};
+  }
+  const auto number = whole(text.substr(0, slash), 1.0);
+  if (!number || *number > *count)
+    throw UsageError("--shard: found '" + text + "', expected I/N with I from 1 to N, or /N");
+  return {*number - 1, *count};
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,148 @@
+#include "app/hdf5/table_reader.hpp"
+
+#include "app/hdf5/file_seal.hpp"
+#include "app/hdf5/hdf5_handle.hpp"
+#include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
+#include "core/math/transform.hpp"
+
+namespace abstand::hdf5 {
+namespace {
+
+constexpr std::size_t kMaxTableBytes = std::size_t{2} << 30;
+constexpr std::size_t kMaxTextBytes = 100000;
+constexpr std::size_t kMaxTexts = 100000;
+
+}  // namespace
+
+std::size_t Extents::width() const {
+  std::size_t width = 1;
+  for (const std::size_t n : row) width *= n;
+  return width;
+}
+
+struct TableReader::Impl {
+  std::string file;
+  Handle handle;
+
+  [[noreturn]] void fail(const std::string& what) const { throw ParseError({file}, what); }
+
+  Handle attribute(const std::string& name) const {
+    Handle a(H5Aopen(handle.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+    if (!a) fail("found no attribute `" + name + "`, expected a file that abstand wrote");
+    const Handle space(H5Aget_space(a.get()), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space.get()) != 1)
+      fail("found a list in the attribute `" + name + "`, expected one value");
+    return a;
+  }
+  template <class T>
+  T number(const std::string& name, hid_t as, H5T_class_t expected) const {
+    const Handle a = attribute(name);
+    const Handle type(H5Aget_type(a.get()), H5Tclose);
+    T value{};
+    if (H5Tget_class(type.get()) != expected || H5Aread(a.get(), as, &value) < 0)
+      fail("found no number in the attribute `" + name + "`, expected one");
+    return value;
+  }
+  Handle set(const std::string& name) const {
+    Handle s(H5Dopen2(handle.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!s) fail("found no table `" + name + "`, expected a file that abstand wrote");
+    return s;
+  }
+  Extents extents(const Handle& s, const std::string& name) const {
+    const Handle space(H5Dget_space(s.get()), H5Sclose);
+    const int rank = H5Sget_simple_extent_ndims(space.get());
+    if (rank < 1 || rank > 4)
+      fail("found " + std::to_string(rank) + " dimensions in `" + name + "`, expected 1 to 4");
+    std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
+    H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
+    Extents extents{dims.front(), {dims.begin() + 1, dims.end()}};
+    double numbers = 1.0;
+    for (const hsize_t n : dims) numbers *= static_cast<double>(n);
+    if (numbers * sizeof(double) > static_cast<double>(kMaxTableBytes))
+      fail("found more than 2 GiB in `" + name + "`, expected less");
+    return extents;
+  }
+};
+
+TableReader::TableReader(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
+  startLibrary();
+  impl_->file = file.string();
+  noteInput(file);
+  std::error_code ec;
+  if (!std::filesystem::is_regular_file(file, ec)) impl_->fail("no such file, expected a readable file");
+  if (const std::string broken = brokenSeal(file); !broken.empty()) impl_->fail(broken);
+  impl_->handle = Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!impl_->handle) impl_->fail("found no HDF5 file, or a damaged one, expected one that abstand wrote");
+}
+
+TableReader::~TableReader() = default;
+
+long long TableReader::integer(const std::string& attribute) const {
+  return impl_->number<long long>(attribute, H5T_NATIVE_LLONG, H5T_INTEGER);
+}
+
+double TableReader::number(const std::string& attribute) const {
+  return impl_->number<double>(attribute, H5T_NATIVE_DOUBLE, H5T_FLOAT);
+}
+
+std::string TableReader::text(const std::string& name) const {
+  const Handle a = impl_->attribute(name);
+  const Handle type(H5Aget_type(a.get()), H5Tclose);
+  const std::size_t size = H5Tget_size(type.get());
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 || size > kMaxTextBytes)
+    impl_->fail("found no text in the attribute `" + name + "`, expected one");
+  std::string value(size + 1, '\0');
+  if (H5Aread(a.get(), type.get(), value.data()) < 0)
+    impl_->fail("the attribute `" + name + "` cannot be read");
+  return value.c_str();
+}
+
+std::vector<std::string> TableReader::texts(const std::string& name) const {
+  const Handle s = impl_->set(name);
+  const Extents extents = impl_->extents(s, name);
+  const Handle type(H5Dget_type(s.get()), H5Tclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) <= 0 || !extents.row.empty() ||
+      extents.rows > kMaxTexts)
+    impl_->fail("found no list of texts in `" + name + "`, expected one");
+  const Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(text.get(), H5T_VARIABLE);
+  std::vector<char*> pointers(extents.rows, nullptr);
+  if (extents.rows > 0 && H5Dread(s.get(), text.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()) < 0)
+    impl_->fail("`" + name + "` is damaged");
+  std::vector<std::string> values;
+  for (char* p : pointers) values.emplace_back(p ? p : "");
+  const Handle space(H5Dget_space(s.get()), H5Sclose);
+  H5Dvlen_reclaim(text.get(), space.get(), H5P_DEFAULT, pointers.data());
+  return values;
+}
+
+Extents TableReader::extents(const std::string& name) const { return impl_->extents(impl_->set(name), name); }
+
+std::vector<double> TableReader::table(const std::string& name, std::size_t rows, std::size_t width) const {
+  const Handle s = impl_->set(name);
+  const Extents extents = impl_->extents(s, name);
+  if (extents.rows != rows || extents.width() != width)
+    impl_->fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(extents.width()) +
+                " numbers in `" + name + "`, expected " + std::to_string(rows) + " of " +
+                std::to_string(width));
+  const Handle type(H5Dget_type(s.get()), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    impl_->fail("found no numbers in `" + name + "`, expected some");
+  std::vector<double> values(rows * width);
+  if (!values.empty() &&
+      H5Dread(s.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    impl_->fail("`" + name + "` is damaged");
+  if (kind == H5T_INTEGER && H5Aexists(s.get(), "step") > 0) {
+    double step = 0.0;
+    const Handle a(H5Aopen(s.get(), "step", H5P_DEFAULT), H5Aclose);
+    if (H5Aread(a.get(), H5T_NATIVE_DOUBLE, &step) < 0 || !(step > 0.0))
+      impl_->fail("found a bad `step` of `" + name + "`, expected a positive number");
+    const double none = H5Tget_size(type.get()) == 2 ? -32768.0 : -2147483648.0;
+    for (double& v : values) v = v == none ? kNaN : v * step;
+  }
+  return values;
+}
+
+}  // namespace abstand::hdf5

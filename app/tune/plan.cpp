@@ -1,0 +1,161 @@
+#include "app/tune/plan.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/number.hpp"
+#include "core/base/text_file.hpp"
+#include "core/config/yaml_reader.hpp"
+
+namespace abstand::tune {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
+constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr config::YamlRange kPlanSpeedRange{0.0, 100.0, "", true};
+constexpr std::size_t kMaxItems = 1000000;
+
+/// Reads one plan; paths are relative to its folder.
+class PlanReader {
+ public:
+  explicit PlanReader(const fs::path& path) : file_(path.string()), folder_(path.parent_path()) {}
+
+  std::vector<PlanItem> read(const std::string& text) {
+    const config::YamlNode root = config::parseYaml(text, file_);
+    const config::YamlFields fields(root, file_, "the plan",
+                                    {"abstand_plan", "scenes", "recordings", "people", "speeds", "programs"});
+    const config::YamlNode& version = fields.need("abstand_plan");
+    if (version.kind != config::YamlNode::Kind::kScalar || version.text != "1")
+      throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
+                                                " for `abstand_plan`, expected format version 1");
+    fields.need("scenes");
+    const std::vector<fs::path> scenes = files(fields, "scenes", "a scene file");
+    std::vector<fs::path> recordings = files(fields, "recordings", "a recording");
+    if (recordings.empty()) recordings.emplace_back();
+    std::vector<PersonVariant> people = peopleOf(fields);
+    std::vector<double> speeds = speedsOf(fields);
+    const auto programs = programsOf(fields);
+    const double all = static_cast<double>(scenes.size()) * static_cast<double>(recordings.size()) *
+                       static_cast<double>(people.size()) * static_cast<double>(speeds.size()) *
+                       static_cast<double>(programs.size());
+    if (all > static_cast<double>(kMaxItems))
+      throw ParseError(fields.pos(), "found more than a million runs in the plan, expected fewer");
+    std::vector<PlanItem> items;
+    for (const fs::path& scene : scenes)
+      for (std::size_t program = 0; program < programs.size(); ++program)
+        for (const fs::path& recording : recordings)
+          for (const PersonVariant& person : people)
+            for (const double speed : speeds) {
+              PlanItem item{scene, recording, person, speed, programs[program], ""};
+              item.name = nameOf(item, scenes.size() > 1, programs.size() > 1 ? program + 1 : 0);
+              if (!names_.insert(item.name).second)
+                throw ParseError(fields.pos(), "found the run `" + item.name + "` twice, expected each once");
+              items.push_back(std::move(item));
+            }
+    return items;
+  }
+
+ private:
+  fs::path fileOf(const config::YamlNode& node, const char* label, const char* expected) const {
+    const fs::path path = (folder_ / config::yamlText(node, file_, label)).lexically_normal();
+    std::error_code ec;
+    if (!fs::is_regular_file(path, ec))
+      throw ParseError({file_, node.line, node.column},
+                       "found no file " + path.string() + " for " + label + ", expected " + expected);
+    return path;
+  }
+  std::vector<fs::path> files(const config::YamlFields& fields, const char* key, const char* expected) const {
+    std::vector<fs::path> list;
+    for (const config::YamlNode& node : fields.list(key))
+      list.push_back(fileOf(node, ("`" + std::string(key) + "`").c_str(), expected));
+    return list;
+  }
+  std::vector<PersonVariant> peopleOf(const config::YamlFields& fields) const {
+    std::vector<PersonVariant> people;
+    for (const config::YamlNode& node : fields.list("people")) {
+      const config::YamlFields p(node, file_, "a person", {"height", "mass", "sex"});
+      PersonVariant person{p.number("height", kHeightRange), p.number("mass", kMassRange), {}};
+      if (const auto sex = p.choice("sex", {"f", "m"}))
+        person.sex = *sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
+      people.push_back(person);
+    }
+    if (people.empty()) people.emplace_back();
+    return people;
+  }
+  std::vector<double> speedsOf(const config::YamlFields& fields) const {
+    std::vector<double> speeds;
+    for (const config::YamlNode& node : fields.list("speeds"))
+      speeds.push_back(config::yamlNumber(node, file_, "`speeds`", kPlanSpeedRange));
+    if (speeds.empty()) speeds.push_back(1.0);
+    return speeds;
+  }
+  std::vector<std::map<std::string, fs::path>> programsOf(const config::YamlFields& fields) const {
+    std::vector<std::map<std::string, fs::path>> programs;
+    for (const config::YamlNode& node : fields.list("programs")) {
+      if (node.kind != config::YamlNode::Kind::kMap)
+        throw ParseError(
+            {file_, node.line, node.column},
+            "found " + config::yamlFound(node) + " for a program, expected {MECHANISM: motion.csv}");
+      std::map<std::string, fs::path> motions;
+      for (std::size_t i = 0; i < node.keys.size(); ++i)
+        motions[node.keys[i].text] = fileOf(node.items[i], "a motion", "a CSV of joint values");
+      programs.push_back(std::move(motions));
+    }
+    if (programs.empty()) programs.emplace_back();
+    return programs;
+  }
+  static std::string nameOf(const PlanItem& item, bool with_scene, std::size_t program) {
+    std::string name = (item.recording.empty() ? item.scene : item.recording).string();
+    if (with_scene && !item.recording.empty()) name += " in " + item.scene.filename().string();
+    if (program > 0) name += ", program " + std::to_string(program);
+    if (item.person.height) name += ", height " + formatDouble(*item.person.height);
+    if (item.person.mass) name += ", mass " + formatDouble(*item.person.mass);
+    if (item.person.sex)
+      name += std::string(", ") + (*item.person.sex == humanmodel::Sex::kFemale ? "f" : "m");
+    if (item.speed != 1.0) name += ", speed " + formatDouble(item.speed);
+    return name;
+  }
+
+  std::string file_;
+  fs::path folder_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+void PlanItem::apply(scene_file::SceneDescription& description) const {
+  for (auto& human : description.humans) {
+    if (person.height) human.body.height = *person.height;
+    if (person.mass) human.body.mass = person.mass;
+    if (person.sex) human.body.sex = person.sex;
+    human.recording.speed *= speed;
+  }
+  for (const auto& [mechanism, motion] : motions) {
+    const auto it = std::find_if(description.mechanisms.begin(), description.mechanisms.end(),
+                                 [&, &wanted = mechanism](const auto& m) { return m.name == wanted; });
+    if (it == description.mechanisms.end())
+      throw UsageError(description.file.string() + ": found no mechanism `" + mechanism +
+                       "`, expected the one of the program");
+    it->motion = motion;
+  }
+}
+
+std::vector<PlanItem> loadPlan(const fs::path& file) {
+  return PlanReader(file).read(readFile(file, config::kMaxYamlBytes));
+}
+
+bool isPlan(const fs::path& file) {
+  std::error_code ec;
+  if (!fs::is_regular_file(file, ec)) return false;
+  try {
+    const config::YamlNode root = config::parseYaml(readFile(file, config::kMaxYamlBytes), file.string());
+    return std::any_of(root.keys.begin(), root.keys.end(),
+                       [](const auto& key) { return key.text == "abstand_plan"; });
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace abstand::tune

@@ -1,0 +1,213 @@
+#include "app/tune/result_file.hpp"
+
+#include <array>
+
+#include "app/hdf5/table_reader.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/text_file.hpp"
+#include "core/store/structure_cache.hpp"
+
+namespace abstand::tune {
+namespace {
+
+constexpr long long kFormat = 1;
+constexpr double kDistanceStep = 1e-5;  // m
+constexpr double kPointStep = 1e-3;     // m
+// m: nearest points of pairs that are farther apart are left out.
+constexpr double kPointsWithin = 0.5;
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxNames = 10000;
+
+/// Of one part, in the order in which the file has them.
+const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
+                                "bound",     "uncertainty", "link"};
+constexpr std::size_t kColumnCount = std::size(kColumns);
+
+void addFile(ContentHash& hash, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  const std::string content = readFile(file, kMaxFileBytes);
+  hash.add(content.size());
+  hash.add(content.data(), content.size());
+}
+
+void addText(ContentHash& hash, const std::string& text) {
+  hash.add(text.size());
+  hash.add(text.data(), text.size());
+}
+
+/// One line, its fields between tabs; times and shares that do not apply are empty.
+std::string reservationLine(const run::Reservation& r) {
+  const auto number = [](const std::optional<double>& v) { return v ? formatDouble(*v) : std::string(); };
+  return r.kind + "\t" + std::to_string(static_cast<int>(r.fails)) + "\t" + number(r.t0) + "\t" +
+         number(r.t1) + "\t" + number(r.share) + "\t" + r.text;
+}
+
+run::Reservation reservationOf(const std::string& line, const std::string& file) {
+  std::array<std::string, 6> fields;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i + 1 < fields.size(); ++i) {
+    const auto tab = line.find('\t', begin);
+    if (tab == std::string::npos)
+      throw ParseError({file}, "found a damaged reservation, expected six fields");
+    fields[i] = line.substr(begin, tab - begin);
+    begin = tab + 1;
+  }
+  fields.back() = line.substr(begin);
+  const auto fails = parseDouble(fields[1]);
+  if (!fails || !(*fails >= 0.0 && *fails <= static_cast<double>(scene::Severity::kAlways)))
+    throw ParseError({file}, "found a reservation of an unknown kind, expected one of this version");
+  return {fields[0],
+          fields[5],
+          parseDouble(fields[2]),
+          parseDouble(fields[3]),
+          parseDouble(fields[4]),
+          static_cast<scene::Severity>(static_cast<int>(*fails)),
+          ""};
+}
+
+/// One list of a part as a column of a row-major table.
+std::vector<double> column(const std::vector<double>& table, std::size_t frames, std::size_t width,
+                           std::size_t at) {
+  std::vector<double> list(frames);
+  for (std::size_t i = 0; i < frames; ++i) list[i] = table[i * width + at];
+  return list;
+}
+
+}  // namespace
+
+ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
+                     const TuneOptions& options, const std::string& settings) {
+  ContentHash hash;
+  addText(hash, settings);
+  hash.add(kFormat);
+  hash.add(store::engineFingerprint());
+  addText(hash, scene_file::describeScene(scene));
+  for (const auto& m : scene.mechanisms) {
+    addFile(hash, m.file);
+    addFile(hash, m.motion);
+    for (const auto& link : m.links) addFile(hash, link.mesh), addFile(hash, link.structure);
+  }
+  for (const auto& o : scene.objects) addFile(hash, o.mesh), addFile(hash, o.structure);
+  for (const auto& h : scene.humans) {
+    if (recording.empty()) addFile(hash, h.recording.file);
+    addFile(hash, h.recording.options.joint_map);
+    hash.add(h.recording.speed);  // no key of a scene file
+  }
+  addFile(hash, recording);
+  const auto& braking = options.pass.braking;
+  for (const double v : {options.pass.limit, braking.reaction_time, braking.deceleration}) hash.add(v);
+  return hash.value();
+}
+
+ResultWriter::ResultWriter(const std::filesystem::path& file, const ContentKey& key) : out_(file) {
+  out_.attribute("abstand_result", kFormat);
+  out_.attribute("key", key.hex());
+  out_.attribute("engine", std::to_string(store::engineFingerprint()));
+  out_.attribute("units", std::string("m, s"));
+}
+
+void ResultWriter::begin(const PassResult& names) {
+  begun_ = true;
+  std::vector<std::string> parts;
+  for (const PartClearance& p : names.parts) parts.push_back(p.part);
+  out_.texts("parts", parts);
+  out_.texts("links", names.links);
+  std::vector<int> pairs;
+  for (const auto& p : names.pairs) pairs.insert(pairs.end(), {p.part, p.link});
+  out_.integers("pairs", pairs, 2);
+  using hdf5::Storage;
+  distance_ = out_.table("distance", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
+  bound_ = out_.table("bound", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
+  points_ = out_.table("points", {names.pairs.size(), 6}, Storage::kSteps16, kPointStep);
+}
+
+void ResultWriter::frame(const WindowFrame& frame, const PassResult& names) {
+  if (!begun_) begin(names);
+  out_.add(distance_, frame.distance);
+  for (std::size_t p = 0; p < frame.distance.size(); ++p) {
+    // Rounded down as all are; so it is a step too small before.
+    out_.add(bound_, frame.bound[p] + kDistanceStep);
+    const bool near = frame.distance[p] < kPointsWithin;
+    for (const Vector3d* point : {&frame.on_part[p], &frame.on_link[p]})
+      for (int i = 0; i < 3; ++i) out_.add(points_, near ? (*point)[i] : kNaN);
+  }
+  out_.endRow();
+}
+
+void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& options) {
+  if (!begun_) begin(tuned.pass);
+  out_.attribute("recording", tuned.recording);
+  out_.attribute("frames", static_cast<long long>(tuned.frames));
+  out_.attribute("t0", tuned.t0);
+  out_.attribute("t1", tuned.t1);
+  out_.attribute("unjudged", tuned.unjudged);
+  out_.attribute("limit", options.pass.limit);
+  out_.attribute("reaction_time", options.pass.braking.reaction_time);
+  out_.attribute("deceleration", options.pass.braking.deceleration);
+  std::vector<std::string> reservations;
+  for (const run::Reservation& r : tuned.reservations) reservations.push_back(reservationLine(r));
+  out_.texts("reservations", reservations);
+  // The rows of the pairs are complete; what follows has its own.
+  out_.nextTables();
+  const std::size_t t = out_.table("t", {});
+  const std::size_t parts = out_.table("part_values", {tuned.pass.parts.size(), kColumnCount});
+  out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
+  for (std::size_t i = 0; i < tuned.pass.parts.front().track.frames(); ++i) {
+    out_.add(t, tuned.pass.parts.front().track.t[i]);
+    for (const PartClearance& p : tuned.pass.parts)
+      for (const double v : {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
+                             p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i])})
+        out_.add(parts, v);
+    out_.endRow();
+  }
+  out_.commit();
+}
+
+StoredResult readResult(const std::filesystem::path& file) {
+  const hdf5::TableReader in(file);
+  const auto fail = [&](const std::string& what) { throw ParseError({file.string()}, what); };
+  if (const long long format = in.integer("abstand_result"); format != kFormat)
+    fail("found a result of format " + std::to_string(format) + ", expected " + std::to_string(kFormat) +
+         ": it was written by another version");
+  StoredResult stored;
+  stored.key = in.text("key");
+  stored.engine = in.text("engine");
+  TunedRecording& tuned = stored.tuned;
+  tuned.recording = in.text("recording");
+  tuned.t0 = in.number("t0");
+  tuned.t1 = in.number("t1");
+  tuned.unjudged = in.number("unjudged");
+  stored.options.pass.limit = in.number("limit");
+  stored.options.pass.braking = {in.number("reaction_time"), in.number("deceleration")};
+  for (const std::string& text : in.texts("reservations"))
+    tuned.reservations.push_back(reservationOf(text, file.string()));
+  const std::vector<std::string> parts = in.texts("parts");
+  tuned.pass.links = in.texts("links");
+  if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
+      tuned.pass.links.size() > kMaxNames)
+    fail("found no parts or no links, expected some");
+  const std::size_t frames = in.extents("t").rows;
+  tuned.frames = frames;
+  const std::vector<double> t = in.table("t", frames, 1);
+  const std::size_t width = parts.size() * kColumnCount;
+  const std::vector<double> values = in.table("part_values", frames, width);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
+    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}};
+    for (const double link : list(6)) {
+      if (!(link >= 0.0 && link < static_cast<double>(tuned.pass.links.size())))
+        fail("found the number of a link that is not among the links");
+      part.link.push_back(static_cast<std::uint16_t>(link));
+    }
+    try {
+      margin::validate(part.track);
+    } catch (const UsageError& e) {
+      fail(e.what());
+    }
+    tuned.pass.parts.push_back(std::move(part));
+  }
+  return stored;
+}
+
+}  // namespace abstand::tune

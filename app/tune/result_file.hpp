@@ -1,0 +1,45 @@
+// The result of a recording in a file of its own.
+#pragma once
+
+#include <filesystem>
+
+#include "app/hdf5/table_writer.hpp"
+#include "app/tune/recording_tune.hpp"
+#include "core/base/content_hash.hpp"
+
+namespace abstand::tune {
+
+/// What a result depends on: program, scene, recording, options and whatever else `settings` says. Results
+/// with one key are the same.
+ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
+                     const TuneOptions& options, const std::string& settings);
+
+/// Writes a result while its recording is run (docs/margins.md, "Result files"): distances of all pairs frame
+/// by frame, then what the parts did. The file appears at commit(), whole, or not at all.
+class ResultWriter {
+ public:
+  /// Throws WriteError.
+  ResultWriter(const std::filesystem::path& file, const ContentKey& key);
+  /// Of PassOptions::on_frame. Throws WriteError.
+  void frame(const WindowFrame& frame, const PassResult& names);
+  void commit(const TunedRecording& tuned, const TuneOptions& options);
+
+ private:
+  void begin(const PassResult& names);
+
+  hdf5::TableWriter out_;
+  bool begun_{false};
+  std::size_t distance_{0}, bound_{0}, points_{0};
+};
+
+struct StoredResult {
+  TunedRecording tuned;
+  TuneOptions options;
+  std::string key;     ///< ContentKey::hex()
+  std::string engine;  ///< which version of the engine made it
+};
+
+/// Throws ParseError for what is no such file, or is damaged.
+StoredResult readResult(const std::filesystem::path& file);
+
+}  // namespace abstand::tune

@@ -1,0 +1,140 @@
+#include "app/tune/study.hpp"
+
+#include <algorithm>
+
+#include "app/tune/job_pool.hpp"
+#include "app/tune/result_file.hpp"
+#include "core/base/error.hpp"
+#include "core/base/input_log.hpp"
+#include "core/base/interrupt.hpp"
+#include "core/base/write_error.hpp"
+
+namespace abstand::tune {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path resultFile(const fs::path& folder, const ContentKey& key) {
+  return folder / "results" / (key.hex() + ".h5");
+}
+
+/// A whole result of this key; what is damaged is made again.
+bool isThere(const fs::path& file) {
+  std::error_code ec;
+  if (!fs::exists(file, ec)) return false;
+  // It is replaced where it is damaged, and so no input.
+  const InputLogPause pause;
+  try {
+    readResult(file);
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+/// Ends a job that has nothing to do.
+struct ResultIsThere : std::exception {
+  const char* what() const noexcept override { return "the result is there"; }
+};
+
+/// In a process of its own. Throws ResultIsThere.
+void makeResult(const PlanItem& item, const StudyOptions& options) {
+  scene_file::SceneDescription scene = options.load(item.scene);
+  item.apply(scene);
+  const ContentKey key = resultKey(scene, item.recording, options.tune, options.settings);
+  const fs::path file = resultFile(options.folder, key);
+  if (isThere(file)) throw ResultIsThere();
+  const auto session = options.open(std::move(scene), item.recording);
+  ResultWriter writer(file, key);
+  TuneOptions tune = options.tune;
+  tune.pass.on_frame = [&](const WindowFrame& frame, const PassResult& names) { writer.frame(frame, names); };
+  run::RunOptions run;
+  run.interrupted = options.interrupted;
+  const TunedRecording tuned = tuneRecording(*session, tune, run, item.name);
+  if (tuned.interrupted) throw Interrupted();
+  writer.commit(tuned, tune);
+}
+
+bool sameOptions(const TuneOptions& a, const TuneOptions& b) {
+  return a.pass.limit == b.pass.limit && a.pass.braking.reaction_time == b.pass.braking.reaction_time &&
+         a.pass.braking.deceleration == b.pass.braking.deceleration;
+}
+
+}  // namespace
+
+StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& options) {
+  std::vector<const PlanItem*> mine;
+  for (std::size_t i = options.shard.index; i < items.size(); i += options.shard.count)
+    mine.push_back(&items[i]);
+  std::error_code ec;
+  fs::create_directories(options.folder / "results", ec);
+  if (ec) throw WriteError((options.folder / "results").string(), ec.value());
+  StudyReport report;
+  std::vector<std::optional<std::string>> errors(mine.size());
+  std::size_t done = 0;
+  const std::string there = ResultIsThere().what();
+  const bool all = runJobs(
+      mine.size(), options.jobs, [&](std::size_t i) { makeResult(*mine[i], options); },
+      [&](const JobEnd& end) {
+        ++done;
+        if (end.good)
+          ++report.made;
+        else if (end.message == there)
+          ++report.kept;
+        else
+          errors[end.job] = end.message;
+        if (options.progress) options.progress(done, mine.size());
+      });
+  const std::string interrupted = Interrupted().what();
+  report.interrupted = !all;
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    if (!errors[i]) continue;
+    if (*errors[i] == interrupted)
+      report.interrupted = true;
+    else
+      report.failed.push_back({mine[i]->name, *errors[i]});
+  }
+  return report;
+}
+
+MergedResults mergeResults(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> files;
+  for (const fs::path& folder : folders) {
+    std::error_code ec;
+    const fs::path results = fs::is_directory(folder / "results", ec) ? folder / "results" : folder;
+    for (const auto& entry : fs::directory_iterator(results, ec))
+      if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    if (ec) throw UsageError(folder.string() + ": " + ec.message() + ", expected a folder of results");
+  }
+  if (files.empty()) throw UsageError("found no results (*.h5), expected some in the folders");
+  std::sort(files.begin(), files.end());
+  struct Kept {
+    StoredResult stored;
+    fs::path file;
+  };
+  std::vector<Kept> kept;
+  for (const fs::path& file : files) {
+    StoredResult stored = readResult(file);
+    // The same result of two shards counts once.
+    if (std::any_of(kept.begin(), kept.end(), [&](const Kept& k) { return k.stored.key == stored.key; }))
+      continue;
+    if (!kept.empty() && !sameOptions(kept.front().stored.options, stored.options))
+      throw ParseError({file.string()}, "found a result with other options than in " +
+                                            kept.front().file.string() +
+                                            ", expected the same limit, reaction time and deceleration");
+    if (!kept.empty() && kept.front().stored.engine != stored.engine)
+      throw ParseError({file.string()}, "found a result of another version than " +
+                                            kept.front().file.string() + ", expected results of one version");
+    kept.push_back({std::move(stored), file});
+  }
+  std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {
+    return std::tie(a.stored.tuned.recording, a.stored.key) <
+           std::tie(b.stored.tuned.recording, b.stored.key);
+  });
+  MergedResults merged;
+  merged.options = kept.front().stored.options;
+  for (Kept& k : kept) merged.recordings.push_back(std::move(k.stored.tuned));
+  return merged;
+}
+
+}  // namespace abstand::tune

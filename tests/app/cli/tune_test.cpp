@@ -1,0 +1,177 @@
+// abstand tune and merge as a user runs them.
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/app/program.hpp"
+#include "tests/app/tune/slide_scene.hpp"
+
+namespace abstand::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seven people who come at a ball on a rail, each at a speed of their own.
+class Tune : public Cli {
+ protected:
+  static constexpr int kPeople = 7;
+  Tune() {
+    ::setenv("ABSTAND_CACHE", (folder_.path() / "cache").c_str(), 1);
+    for (int i = 0; i < kPeople; ++i) {
+      writeSlide(folder_, {.robot = 0.5, .person = 0.1 * i, .seconds = 2.5}, std::to_string(i));
+      recordings_ += " " + (folder_.path() / ("person" + std::to_string(i) + ".csv")).string();
+    }
+    scene_ = (folder_.path() / "slide.yaml").string();
+  }
+  std::string out(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::size_t results(const std::string& folder) const {
+    std::error_code ec;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(out(folder) + "/results", ec))
+      count += entry.path().extension() == ".h5";
+    return count;
+  }
+  /// Without what differs from place to place.
+  static std::string answerOf(json j) {
+    j.erase("results");
+    return j.dump(1);
+  }
+
+  std::string scene_, recordings_;
+};
+
+TEST_F(Tune, AnswersTheSameInAnyNumberOfPartsAndProcesses) {
+  const std::string common = " --margins 0:0.6:0.1 --reaction-time 0.2";
+  const json whole = runJson("tune " + scene_ + " --recordings" + recordings_ + common);
+  EXPECT_EQ(whole["recordings"], kPeople);
+  const std::string expected = answerOf(whole);
+  for (const int shards : {1, 2, 7}) {
+    const std::string folder = "shards" + std::to_string(shards);
+    for (int i = shards; i >= 1; --i)
+      EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + common + " --out " + out(folder) +
+                    " --jobs " + std::to_string(shards) + " --shard " + std::to_string(i) + "/" +
+                    std::to_string(shards))
+                    .code,
+                0);
+    EXPECT_EQ(results(folder), kPeople);
+    EXPECT_EQ(answerOf(runJson("merge " + out(folder) + " --margins 0:0.6:0.1")), expected) << shards;
+  }
+}
+
+TEST_F(Tune, ProposesWhatTheFastestPersonNeeds) {
+  const json j =
+      runJson("tune " + scene_ + " --recordings" + recordings_ + " --reaction-time 0.2 --deceleration 1000");
+  const json* torso = nullptr;
+  for (const json& p : j["proposed"])
+    if (p["part"] == "torso") torso = &p;
+  ASSERT_TRUE(torso);
+  // 0.5 m/s of the ball and 0.6 m/s of the person for 0.2 s, and a frame of 10 ms at most.
+  EXPECT_GT((*torso)["margin"], 0.22);
+  EXPECT_LT((*torso)["margin"], 0.22 + 0.011 + 0.002);
+  EXPECT_NE((*torso)["decided_by"]["recording"].get<std::string>().find("person6.csv"), std::string::npos);
+  EXPECT_EQ((*torso)["decided_by"]["link"], "ball");
+  EXPECT_EQ((*torso)["confidence"]["recordings"], kPeople);
+  EXPECT_NEAR((*torso)["confidence"]["unseen_share"], 1.0 - std::pow(0.05, 1.0 / kPeople), 1e-12);
+}
+
+TEST_F(Tune, GoesOnWhereItWasKilledAndMakesWhatIsDamagedAgain) {
+  const std::string command = "tune " + scene_ + " --recordings" + recordings_ + " --out " + out("results");
+  const std::string expected = answerOf(runJson("tune " + scene_ + " --recordings" + recordings_));
+  EXPECT_EQ(
+      run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("results") + " --shard 1/2")
+          .code,
+      0);
+  const std::size_t first = results("results");
+  EXPECT_EQ(first, 4u);
+  // One of them is cut short, as by a machine that lost its power.
+  fs::path damaged;
+  for (const auto& entry : fs::directory_iterator(out("results") + "/results")) damaged = entry.path();
+  fs::resize_file(damaged, fs::file_size(damaged) / 2);
+  const Answer cut = run("merge " + out("results"));
+  EXPECT_EQ(cut.code, 3);
+  EXPECT_NE(cut.err.find(damaged.filename().string()), std::string::npos) << cut.err;
+  EXPECT_NE(cut.err.find("checksum"), std::string::npos) << cut.err;
+  const json again = runJson(command);
+  EXPECT_EQ(again["results"]["kept"], first - 1);
+  EXPECT_EQ(again["results"]["made"], kPeople - (first - 1));
+  EXPECT_EQ(answerOf(again), expected);
+}
+
+TEST_F(Tune, KilledInTheMiddleLeavesNoHalfResult) {
+  const std::string program = "'" ABSTAND_PROGRAM "' tune " + scene_ + " --recordings" + recordings_ +
+                              " --out " + out("killed") + " --quiet";
+  // -9 in the middle of its work, wherever that is.
+  const std::string command = "timeout -s KILL 0.3 sh -c \"" + program + "\" >/dev/null 2>&1; exit 0";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  // Copies of the killed process may live a moment longer.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const json done = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("killed"));
+  EXPECT_EQ(done["results"]["made"].get<int>() + done["results"]["kept"].get<int>(), kPeople);
+  EXPECT_EQ(answerOf(done), answerOf(runJson("tune " + scene_ + " --recordings" + recordings_)));
+}
+
+TEST_F(Tune, ABadRecordingStopsNoOther) {
+  write("bad.csv", "no recording\n");
+  for (const std::string more : {"", " --jobs 2"}) {
+    const Answer a =
+        run("tune " + scene_ + " --recordings" + recordings_ + " " + out("bad.csv") + " --json" + more);
+    EXPECT_EQ(a.code, 5) << a.err;
+    const json j = json::parse(a.out, nullptr, false);
+    EXPECT_EQ(j["recordings"], kPeople);
+    ASSERT_EQ(j["failed"].size(), 1u);
+    EXPECT_NE(j["failed"][0]["recording"].get<std::string>().find("bad.csv"), std::string::npos);
+    EXPECT_NE(a.err.find("bad.csv"), std::string::npos);
+  }
+  const Answer alone = run("tune " + scene_ + " --recordings " + out("bad.csv"));
+  EXPECT_EQ(alone.code, 3);
+}
+
+TEST_F(Tune, RunsAPlan) {
+  write("plan.yaml",
+        "abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person2.csv]\n"
+        "people: [{height: 1.6, sex: f}, {height: 1.9}]\nspeeds: [1, 1.5]\n");
+  const json j = runJson("tune " + out("plan.yaml") + " --jobs 2");
+  EXPECT_EQ(j["recordings"], 8);
+  EXPECT_NE(j["inputs"][0]["recording"].get<std::string>().find("height 1.6, f"), std::string::npos)
+      << j["inputs"][0];
+}
+
+TEST_F(Tune, SaysWhereAPlanIsWrong) {
+  const auto expect = [&](const std::string& plan, const std::string& said) {
+    write("plan.yaml", plan);
+    const Answer a = run("tune " + out("plan.yaml"));
+    EXPECT_EQ(a.code, 3) << plan;
+    EXPECT_NE(a.err.find(said), std::string::npos) << a.err;
+    EXPECT_NE(a.err.find("plan.yaml:"), std::string::npos) << a.err;
+  };
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [gone.csv]\n", "gone.csv");
+  expect("abstand_plan: 2\nscenes: [slide.yaml]\n", "format version 1");
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecording: [person1.csv]\n", "recordings");
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\nspeeds: [0]\n", "speeds");
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person1.csv]\n", "twice");
+}
+
+TEST_F(Tune, RefusesWhatMakesNoSense) {
+  for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 1/2",
+                                  "--jobs 0", "--reaction-time -1", "--deceleration 0", "--limit -0.1"})
+    EXPECT_EQ(run("tune " + scene_ + " " + wrong).code, 2) << wrong;
+  for (const std::string wrong : {"0/2", "3/2", "1", "/2"})
+    EXPECT_EQ(run("tune " + scene_ + " --out " + out("x") + " --shard " + wrong).code, 2) << wrong;
+  EXPECT_EQ(run("merge " + out("nothing")).code, 2);
+}
+
+TEST_F(Tune, RefusesToMergeResultsOfDifferentOptions) {
+  EXPECT_EQ(
+      run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("a") + " --shard 1/7").code, 0);
+  EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("a") +
+                " --shard 2/7 --reaction-time 0.3")
+                .code,
+            3)
+      << "what the folder holds is merged for the answer";
+  const Answer a = run("merge " + out("a"));
+  EXPECT_EQ(a.code, 3);
+  EXPECT_NE(a.err.find("other options"), std::string::npos) << a.err;
+}
+
+}  // namespace
+}  // namespace abstand::testing
