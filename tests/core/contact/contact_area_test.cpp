@@ -6,6 +6,7 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/bumpy_meshes.hpp"
 #include "tests/support/random_pose.hpp"
+#include "tests/support/structures.hpp"
 
 namespace abstand::contact {
 namespace {
@@ -164,6 +165,22 @@ TEST(ContactArea, IsWhatRaysSeeOfABumpyBall) {
   // Half a pitch along the patch's rim of some 0.4 m, at random sides, and its square root.
   EXPECT_NEAR(a.area, area, 0.01 * area);
   EXPECT_NEAR(a.volume, volume, 0.01 * volume);
+}
+
+TEST(ContactArea, IsThatOfThePointshellWhereItHasManyPoints) {
+  // A point stands for an area a; seen along the approach it is a times the cosine of its normal, which
+  // points inwards. Some 900 points in the cap; those at its rim count whole or not at all.
+  const geometry::Shape ball = geometry::Sphere{0.1};
+  const auto& shell = testing::structureOf(ball, structure::FieldKind::kMixed).shell;
+  const double x = 0.04;
+  double area = 0.0, volume = 0.0;
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    const double depth = shell.point(i).z() - 0.1 + x, projected = -shell.normal(i).z() * shell.area[i];
+    if (depth > 0.0) area += projected, volume += projected * depth;
+  }
+  const ContactArea exact = areaOf(ball, {0, 0, 0.1}, {0, 0, 1}, x);
+  EXPECT_NEAR(exact.area, area, 0.02 * area);
+  EXPECT_NEAR(exact.volume, volume, 0.02 * volume);
 }
 
 TEST(ContactArea, CountsWhatLiesBehindOnce) {

@@ -163,6 +163,16 @@ TEST(ContactLimitsFile, FindsANumberOfAWrongColumnByItsEnergy) {
   EXPECT_EQ(errorOf(changed("name: chest", "    energy: {j: 1.568, source: computed}\n", "")), "no error");
 }
 
+TEST(ContactLimitsFile, SurvivesBrokenText) {
+  const std::string text = readFile(shippedFile());
+  for (std::size_t i = 0; i < text.size(); i += 13) {
+    std::string broken = text;
+    broken[i] = "0-:{[x\n\x01"[i % 8];
+    errorOf(broken);  // any other exception than ParseError ends the test
+    EXPECT_NE(errorOf(text.substr(0, i)), "no error") << i;
+  }
+}
+
 TEST(ContactLimitsFile, RefusesWhatIsNoTable) {
   EXPECT_THAT(errorOf(""), HasSubstr("t.yaml"));
   EXPECT_THAT(errorOf("[1, 2]"), HasSubstr("expected a map"));
