@@ -72,6 +72,7 @@ void addTrack(CLI::App& root, CommandLine& line);
 void addRun(CLI::App& root, CommandLine& line);
 void addServe(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
+void addTune(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);
 

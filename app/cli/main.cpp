@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
   cli::addRun(app, line);
   cli::addServe(app, line);
   cli::addCheck(app, line);
+  cli::addTune(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);
   try {

@@ -152,6 +152,8 @@ TEST_F(DocsExamples, RunAsTheyAreWritten) {
   for (const Example& e : allExamples()) {
     const Plan plan = planOf(e.command);
     if (plan.not_run) continue;
+    // The help of the commands, whose files are inventions; that its options are right is tested above.
+    if (begins(e.where, "reference.md:")) continue;
     if (e.command.find(".c3d") != std::string::npos && !exists(folder_.path() / "gait.c3d")) continue;
     // Placeholders of the text, like CLIP.
     if (e.command.find("CLIP") != std::string::npos) continue;

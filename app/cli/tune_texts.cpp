@@ -1,0 +1,140 @@
+#include "app/cli/tune_texts.hpp"
+
+#include <cmath>
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/reservation_texts.hpp"
+
+namespace abstand::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// null for what is not known or infinite.
+Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+Json orNull(const std::optional<double>& v) { return v ? finite(*v) : Json(nullptr); }
+
+Json rowJson(const tune::MarginRow& row) {
+  const margin::MarginOutcome& o = row.outcome;
+  return {{"part", row.part},
+          {"margin", row.margin},
+          {"stops", o.stops},
+          {"stopped_share", o.stoppedShare()},
+          {"false_stops", o.false_stops},
+          {"missed_stops", o.missed_stops},
+          {"unseen", o.unseen},
+          {"min_distance", finite(o.min_clearance)},
+          {"lead_time", orNull(o.lead_time)}};
+}
+
+Json proposedJson(const TuneAnswer& answer, const tune::ProposedMargin& p) {
+  Json j{{"part", p.part}, {"margin", finite(p.margin)}};
+  if (const auto& d = p.decided_by) {
+    j["decided_by"] = {
+        {"recording", answer.recordings[d->recording].recording}, {"t", d->t}, {"link", d->link}};
+    j["uncertainty"] = {
+        {"bound", finite(d->bound)}, {"pose", finite(d->pose)}, {"sampling", finite(d->sampling)}};
+  } else {
+    j["decided_by"] = nullptr;
+    j["uncertainty"] = nullptr;
+  }
+  j["confidence"] = {{"level", 0.95}, {"recordings", p.needed.size()}, {"unseen_share", p.unseen_share}};
+  Json& fit = j["confidence"]["gumbel"];
+  if (p.fit)
+    fit = {{"location", p.fit->location},
+           {"scale", p.fit->scale},
+           {"misfit", p.fit->misfit},
+           {"margin_95", p.fit->quantile(0.95)},
+           {"margin_99", p.fit->quantile(0.99)}};
+  else
+    fit = nullptr;
+  return j;
+}
+
+double secondsOf(const TuneAnswer& answer) {
+  double seconds = 0.0;
+  for (const auto& r : answer.recordings) seconds += r.seconds();
+  return seconds;
+}
+
+std::size_t framesOf(const TuneAnswer& answer) {
+  std::size_t frames = 0;
+  for (const auto& r : answer.recordings) frames += r.frames;
+  return frames;
+}
+
+std::string proposedText(const TuneAnswer& answer, const tune::ProposedMargin& p) {
+  if (std::isinf(p.margin)) return format("%-14s none would do\n", p.part.c_str());
+  if (!p.decided_by) return format("%-14s      0 mm  no stop was ever needed\n", p.part.c_str());
+  const auto& d = *p.decided_by;
+  return format(
+      "%-14s %6.0f mm  decided by %s at %.3f s, %s; of it bound %.1f, pose %.1f, one frame %.1f mm\n",
+      p.part.c_str(), 1e3 * p.margin, answer.recordings[d.recording].recording.c_str(), d.t, d.link.c_str(),
+      1e3 * d.bound, 1e3 * d.pose, 1e3 * d.sampling);
+}
+
+}  // namespace
+
+Json tuneJson(const TuneAnswer& answer) {
+  const tune::TuneOptions& o = answer.options;
+  Json j{
+      {"recordings", answer.recordings.size()}, {"frames", framesOf(answer)}, {"seconds", secondsOf(answer)}};
+  j["assumed"] = {{"limit", o.pass.limit},
+                  {"reaction_time", o.pass.braking.reaction_time},
+                  {"deceleration", o.pass.braking.deceleration},
+                  {"restart_time", o.restart_time}};
+  j["inputs"] = Json::array();
+  for (const auto& r : answer.recordings)
+    j["inputs"].push_back({{"recording", r.recording},
+                           {"frames", r.frames},
+                           {"seconds", r.seconds()},
+                           {"not_judged", r.unjudged},
+                           {"reservations", reservationsJson(r.reservations)}});
+  j["failed"] = Json::array();
+  for (const auto& f : answer.failed) j["failed"].push_back({{"recording", f.recording}, {"error", f.error}});
+  j["margins"] = Json::array();
+  j["curve"] = Json::array();
+  for (const tune::MarginRow& row : answer.table.rows) {
+    j["margins"].push_back(rowJson(row));
+    j["curve"].push_back({{"part", row.part},
+                          {"margin", row.margin},
+                          {"stopped_share", row.outcome.stoppedShare()},
+                          {"missed_stops", row.outcome.missed_stops}});
+  }
+  j["proposed"] = Json::array();
+  for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));
+  j["interrupted"] = answer.interrupted;
+  return j;
+}
+
+std::string tuneText(const TuneAnswer& answer) {
+  const tune::TuneOptions& o = answer.options;
+  std::string text = format(
+      "%zu recordings, %zu frames, %.1f s; reaction time %.0f ms, deceleration %.3g rad/s^2 "
+      "or m/s^2, limit %.1f mm\n\n",
+      answer.recordings.size(), framesOf(answer), secondsOf(answer), 1e3 * o.pass.braking.reaction_time,
+      o.pass.braking.deceleration, 1e3 * o.pass.limit);
+  for (const auto& r : answer.recordings)
+    if (r.unjudged > 0.0)
+      text += format("%s: begins with the person too near or not seen; the first %.2f s were not judged\n",
+                     r.recording.c_str(), r.unjudged);
+  text += format("%-14s %8s %6s %8s %7s %7s %12s\n", tune::kWholeBody, "margin", "stops", "stopped", "false",
+                 "missed", "min distance");
+  for (const tune::MarginRow& row : answer.table.rows) {
+    if (row.part != tune::kWholeBody) continue;
+    const margin::MarginOutcome& m = row.outcome;
+    text += format("%-14s %5.0f mm %6ld %6.1f %% %7ld %7ld %9.1f mm\n", "", 1e3 * row.margin, m.stops,
+                   100.0 * m.stoppedShare(), m.false_stops, m.missed_stops, 1e3 * m.min_clearance);
+  }
+  text += "\nsmallest margins that would have missed no stop:\n";
+  for (const auto& p : answer.table.proposed) text += proposedText(answer, p);
+  const auto& p = answer.table.proposed.front();
+  text += format(
+      "95 %% confidence: at most %.1f %% of unseen recordings of the same kind break one of these margins\n",
+      100.0 * p.unseen_share);
+  for (const auto& r : answer.recordings) text += reservationsText(r.reservations);
+  return text;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,147 @@
+#include "app/tune/distance_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/error.hpp"
+#include "humanmodel/body_part.hpp"
+
+namespace abstand::tune {
+namespace {
+
+struct Watch {
+  std::vector<WatchedPair> pairs;
+  std::vector<humanmodel::BodyPart> parts;  ///< of each pair
+};
+
+/// Pairs of people's parts with robots' links.
+Watch watchOf(const session::Session& session) {
+  const scene::Scene& scene = session.scene();
+  std::map<std::uint32_t, humanmodel::BodyPart> part_of;
+  std::map<std::uint32_t, std::size_t> robot_of;
+  for (const auto& human : session.humans())
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
+      const auto part = static_cast<humanmodel::BodyPart>(i);
+      if (const auto object = human->object(part))
+        part_of[static_cast<std::uint32_t>(object->index())] = part;
+    }
+  for (std::size_t r = 0; r < session.mechanisms().size(); ++r)
+    for (const auto& link : session.mechanisms()[r]->links())
+      if (link.object) robot_of[static_cast<std::uint32_t>(link.object->index())] = r;
+  Watch watch;
+  for (std::size_t i = 0; i < scene.pairs().size(); ++i) {
+    const scene::Pair& pair = scene.pairs()[i];
+    const auto a = static_cast<std::uint32_t>(pair.a.index()), b = static_cast<std::uint32_t>(pair.b.index());
+    const bool part_is_a = part_of.count(a) > 0;
+    const auto part = part_of.find(part_is_a ? a : b);
+    const auto robot = robot_of.find(part_is_a ? b : a);
+    if (part == part_of.end() || robot == robot_of.end()) continue;
+    watch.pairs.push_back(
+        {PairId(static_cast<std::uint32_t>(i)), part->first, robot->first, robot->second, part_is_a});
+    watch.parts.push_back(part->second);
+  }
+  return watch;
+}
+
+void validate(const PassOptions& options) {
+  const auto need = [](bool good, const char* what) {
+    if (!good) throw UsageError(std::string("found ") + what);
+  };
+  need(std::isfinite(options.braking.reaction_time) && options.braking.reaction_time >= 0.0 &&
+           options.braking.reaction_time <= 10.0,
+       "a reaction time outside of 0 to 10 s");
+  need(std::isfinite(options.braking.deceleration) && options.braking.deceleration > 0.0,
+       "a deceleration that is not positive, expected rad/s^2 or m/s^2");
+  need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
+}
+
+}  // namespace
+
+DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
+    : session_(session),
+      options_(options),
+      swept_(session.scene()),
+      window_(session, watchOf(session).pairs, options.braking),
+      braking_(session, window_, options.limit) {
+  validate(options);
+  if (window_.pairs().empty())
+    throw UsageError(session.description().file.string() +
+                     ": found no pair of a person and a robot, expected one: margins are for them");
+  const std::vector<humanmodel::BodyPart> parts = watchOf(session).parts;
+  const std::set<humanmodel::BodyPart> there(parts.begin(), parts.end());
+  for (const humanmodel::BodyPart part : there)
+    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}});
+  std::map<std::size_t, std::uint16_t> link_index;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    part_of_pair_.push_back(static_cast<std::size_t>(std::distance(there.begin(), there.find(parts[p]))));
+    const std::size_t link = window_.pairs()[p].link;
+    const auto [at, fresh] = link_index.try_emplace(link, static_cast<std::uint16_t>(result_.links.size()));
+    if (fresh) result_.links.push_back(session.scene().objects()[link].spec.name);
+    link_of_pair_.push_back(at->second);
+  }
+  const std::size_t all = session.scene().pairs().size();
+  limits_.assign(all, -kInfinity);
+  uncertainty_.assign(all, 0.0);
+}
+
+void DistancePass::frame(double t, const std::vector<query::PairResult>& results) {
+  // Between frames only touches have to be told from none; of other pairs nothing is asked.
+  for (const WatchedPair& p : window_.pairs()) {
+    const double now = session_.scene().pairUncertainty(p.id);
+    limits_[p.id.index()] = options_.limit + std::max(now, uncertainty_[p.id.index()]);
+    uncertainty_[p.id.index()] = now;
+  }
+  const std::span<const run::SweptCheck::Between> between = swept_.frame(t, results, limits_);
+  between_.clear();
+  for (const auto& b : between) between_.push_back(b.lower);
+  window_.add(t, results, between_);
+  settle();
+}
+
+PassResult DistancePass::finish() {
+  window_.finish();
+  settle();
+  result_.swept_queries = swept_.queries();
+  result_.braking_queries = braking_.queries();
+  return std::move(result_);
+}
+
+void DistancePass::settle() {
+  while (!window_.empty() && braking_.ofFirst(braking_of_first_)) {
+    const auto& frames = window_.frames();
+    take(frames.front(), frames.size() > 1 ? &frames[1] : nullptr);
+    window_.drop();
+  }
+}
+
+void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
+  const std::size_t i = result_.parts.front().track.frames();
+  for (PartClearance& part : result_.parts) {
+    part.track.t.push_back(frame.t);
+    part.track.clearance.push_back(kInfinity);
+    part.track.between.push_back(kInfinity);
+    part.track.braking.push_back(kInfinity);
+    part.distance.push_back(kInfinity);
+    part.bound.push_back(0.0);
+    part.uncertainty.push_back(0.0);
+    part.link.push_back(0);
+  }
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    PartClearance& part = result_.parts[part_of_pair_[p]];
+    if (frame.clearance[p] < part.track.clearance[i] || part.track.clearance[i] == kInfinity) {
+      part.track.clearance[i] = frame.clearance[p];
+      part.uncertainty[i] = frame.uncertainty[p];
+      part.link[i] = link_of_pair_[p];
+      part.distance[i] = frame.distance[p];
+      part.bound[i] = frame.bound[p];
+    }
+    part.track.braking[i] = std::min(part.track.braking[i], braking_of_first_[p]);
+    // A person who touches a robot that stands is no matter of margins.
+    if (!next || frame.speed[window_.pairs()[p].link] == 0.0) continue;
+    const double uncertainty = std::max(frame.uncertainty[p], next->uncertainty[p]);
+    part.track.between[i] = std::min(part.track.between[i], frame.between[p] - uncertainty);
+  }
+}
+
+}  // namespace abstand::tune

@@ -1,0 +1,62 @@
+// One pass over a recording, from which every question about margins is answered.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/run/swept_check.hpp"
+#include "app/tune/braking_clearance.hpp"
+#include "core/margin/clearance_track.hpp"
+
+namespace abstand::tune {
+
+struct PassOptions {
+  BrakingOptions braking;
+  double limit{0.0};  ///< m, MarginOptions::limit
+};
+
+/// What a body part did in a pass. Lists of `track`: one entry a frame.
+struct PartClearance {
+  std::string part;  ///< "hand_left"; of several people the nearest one's
+  margin::ClearanceTrack track;
+  std::vector<double> distance;     ///< m, measured, of the pair with the least clearance
+  std::vector<double> bound;        ///< m, of that pair
+  std::vector<double> uncertainty;  ///< m, of that pair: what is not known of the person's pose
+  std::vector<std::uint16_t> link;  ///< of that pair, index into PassResult::links
+};
+
+/// Margin-independent: distances do not depend on margins.
+struct PassResult {
+  std::vector<PartClearance> parts;  ///< in the order of the body
+  std::vector<std::string> links;    ///< names of the robots' links
+  long swept_queries{0}, braking_queries{0};
+};
+
+/// Hears every frame of a run in lock step (RunOptions::on_cycle) and needs a second of frames in memory
+/// beside what it gives. Pairs of people's parts with robots' links count, others do not. One thread.
+class DistancePass {
+ public:
+  /// Throws UsageError for options that are not allowed, and for a scene without such a pair.
+  DistancePass(const session::Session& session, const PassOptions& options);
+
+  void frame(double t, const std::vector<query::PairResult>& results);
+  /// After the last frame.
+  PassResult finish();
+
+ private:
+  void settle();
+  void take(const WindowFrame& frame, const WindowFrame* next);
+
+  const session::Session& session_;
+  PassOptions options_;
+  run::SweptCheck swept_;
+  MotionWindow window_;
+  BrakingClearance braking_;
+  std::vector<std::size_t> part_of_pair_;
+  std::vector<std::uint16_t> link_of_pair_;
+  std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
+  PassResult result_;
+};
+
+}  // namespace abstand::tune

@@ -1,0 +1,74 @@
+#include "app/tune/motion_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::tune {
+
+MotionWindow::MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
+                           const BrakingOptions& options)
+    : session_(session), pairs_(std::move(pairs)), options_(options) {}
+
+void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
+                       std::span<const double> between) {
+  const scene::Scene& scene = session_.scene();
+  WindowFrame now;
+  now.t = t;
+  for (const scene::Object& o : scene.objects()) now.X_WB.push_back(o.X_WB);
+  for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());
+  for (const WatchedPair& p : pairs_) {
+    const query::PairResult& r = results[p.id.index()];
+    const double uncertainty = scene.pairUncertainty(p.id);
+    now.distance.push_back(r.distance);
+    now.bound.push_back(r.bound);
+    const double clearance = r.distance - r.bound - uncertainty;
+    // What is no number is not known.
+    now.clearance.push_back(std::isnan(clearance) ? -kInfinity : clearance);
+    now.uncertainty.push_back(uncertainty);
+  }
+  if (!frames_.empty()) {
+    WindowFrame& last = frames_.back();
+    const double duration = t - last.t;
+    for (std::size_t i = 0; i < now.X_WB.size(); ++i) {
+      const auto& sphere = scene.objects()[i].spec.structure->bounding_sphere;
+      last.motion.emplace_back(sphere, last.X_WB[i], now.X_WB[i], duration);
+      last.speed.push_back(last.motion.back().speed(0.0, duration));
+    }
+    for (const WatchedPair& p : pairs_) last.between.push_back(between[p.id.index()]);
+    std::size_t first = 0;
+    for (const auto& m : session_.mechanisms()) {
+      double longest = 0.0;
+      for (std::size_t j = first; j < first + m->q().size(); ++j)
+        longest = std::max(longest, std::abs(now.q[j] - last.q[j]) / duration / options_.deceleration);
+      first += m->q().size();
+      last.braking_time.push_back(longest);
+    }
+  }
+  frames_.push_back(std::move(now));
+}
+
+std::size_t MotionWindow::indexAt(double t) const {
+  const auto after = std::upper_bound(frames_.begin(), frames_.end(), t,
+                                      [](double x, const WindowFrame& f) { return x < f.t; });
+  return after == frames_.begin() ? 0 : static_cast<std::size_t>(after - frames_.begin()) - 1;
+}
+
+std::optional<Halt> MotionWindow::haltOfFirst(std::size_t robot) const {
+  Halt halt{options_.reaction_time, 0.0};
+  const double begin = frames_.front().t + halt.reaction;
+  // The path may grow faster while the robot brakes; so much longer it brakes, until nothing faster comes.
+  for (;;) {
+    const double end = begin + 0.5 * halt.braking;
+    // The frame behind it says how fast the path goes there.
+    if (frames_.back().t <= end && !finished_) return std::nullopt;
+    double longest = 0.0;
+    for (std::size_t k = indexAt(begin); k + 1 < frames_.size() && frames_[k].t <= end; ++k)
+      longest = std::max(longest, frames_[k].braking_time[robot]);
+    if (longest <= halt.braking) break;
+    halt.braking = longest;
+  }
+  if (frames_.back().t < frames_.front().t + halt.duration() && !finished_) return std::nullopt;
+  return halt;
+}
+
+}  // namespace abstand::tune

@@ -1,0 +1,69 @@
+// The last frames of a pass, and what happens between them.
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "app/session/session.hpp"
+#include "app/tune/halt.hpp"
+#include "core/safety/body_motion.hpp"
+
+namespace abstand::tune {
+
+/// A pair of a person's part and a robot's link.
+struct WatchedPair {
+  PairId id;
+  std::size_t part{0}, link{0};  ///< objects of the scene
+  std::size_t robot{0};          ///< mechanism of the session
+  bool part_is_a{false};
+};
+
+/// One frame; lists for pairs are in the order of the watched ones, lists for objects in that of the scene.
+/// What is named "to next" holds until the next frame and is filled when that one comes.
+struct WindowFrame {
+  double t{0.0};
+  std::vector<Transform> X_WB;
+  std::vector<double> q;                ///< of all robots, one after the other
+  std::vector<double> distance, bound;  ///< m, of pairs
+  std::vector<double> clearance;        ///< m, of pairs: distance - bound - uncertainty
+  std::vector<double> uncertainty;      ///< m, of pairs
+  std::vector<double> between;  ///< to next: m, of pairs: certified least distance, without uncertainty
+  std::vector<safety::PoseSegment> motion;  ///< to next, of objects
+  std::vector<double> speed;                ///< to next: m/s, of objects, of the fastest point
+  std::vector<double> braking_time;         ///< to next: s, of robots, from the speed of the path to rest
+};
+
+/// A window over the frames of a recording. One thread.
+class MotionWindow {
+ public:
+  MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
+               const BrakingOptions& options);
+
+  /// `between`: of the scene's pairs, from the last frame to this one (SweptCheck); empty in the first frame.
+  void add(double t, const std::vector<query::PairResult>& results, std::span<const double> between);
+  void drop() { frames_.pop_front(); }
+  /// No frame comes any more.
+  void finish() { finished_ = true; }
+
+  bool empty() const { return frames_.empty(); }
+  bool finished() const { return finished_; }
+  const std::deque<WindowFrame>& frames() const { return frames_; }
+  std::deque<WindowFrame>& frames() { return frames_; }
+  const std::vector<WatchedPair>& pairs() const { return pairs_; }
+  /// Number of the last frame at or before time `t`; the first one for earlier times.
+  std::size_t indexAt(double t) const;
+
+  /// How the robot comes to rest that is told to stop at the oldest frame. Nothing where frames are missing
+  /// that are still to come.
+  std::optional<Halt> haltOfFirst(std::size_t robot) const;
+
+ private:
+  const session::Session& session_;
+  std::vector<WatchedPair> pairs_;
+  BrakingOptions options_;
+  std::deque<WindowFrame> frames_;
+  bool finished_{false};
+};
+
+}  // namespace abstand::tune

@@ -1,0 +1,35 @@
+// One recording run through a scene for its margins.
+#pragma once
+
+#include "app/run/run_scene.hpp"
+#include "app/tune/distance_pass.hpp"
+#include "core/margin/margin_outcome.hpp"
+
+namespace abstand::tune {
+
+struct TuneOptions {
+  PassOptions pass;
+  double restart_time{0.0};  ///< s, MarginOptions::restart_time
+
+  margin::MarginOptions margins() const { return {pass.limit, restart_time}; }
+};
+
+/// What all later questions need of a recording; begins at the first frame that a margin can be judged from.
+struct TunedRecording {
+  std::string recording;  ///< file, or the scene's name where people follow its own
+  std::size_t frames{0};
+  double t0{0.0}, t1{0.0};  ///< s, first and last frame
+  double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
+  PassResult pass;          ///< tracks begin at the first judged frame of their part
+  std::vector<run::Reservation> reservations;
+  bool interrupted{false};
+
+  double seconds() const { return t1 - t0; }
+};
+
+/// Runs the session over its frames, in lock step, and without reactions: as recorded. `run`: progress and
+/// interrupts are taken from it. Throws UsageError.
+TunedRecording tuneRecording(session::Session& session, const TuneOptions& options,
+                             const run::RunOptions& run, const std::string& name);
+
+}  // namespace abstand::tune

@@ -1,0 +1,51 @@
+// What a safety margin would have done over a recording.
+#pragma once
+
+#include <optional>
+
+#include "core/margin/clearance_track.hpp"
+
+namespace abstand::margin {
+
+struct MarginOptions {
+  /// m: a clearance at or below it while the robot moves is what margins are to prevent; 0: touching.
+  double limit{0.0};
+  double restart_time{0.0};  ///< s, from the end of an intrusion until the robot goes on
+};
+
+/// Throws UsageError.
+void validate(const MarginOptions& options);
+
+/// A stretch of frames in which the clearance was below the margin. The robot is told to stop at `begin`.
+struct Intrusion {
+  std::size_t begin{0}, end{0};     ///< first frame inside, first frame outside again (or number of frames)
+  double min_clearance{0.0};        ///< m, at the frames and between them, had the robot not stopped
+  double braking{0.0};              ///< m, ClearanceTrack::braking at `begin`
+  bool false_stop{false};           ///< certainly never at the limit, even without a stop
+  bool missed{false};               ///< not certain to stay above the limit until the robot is at rest
+  std::optional<double> lead_time;  ///< s, from `begin` to the first clearance at the limit without a stop
+};
+
+/// Counts over one or more recordings. "Missed" and "false" are decided on certified clearances: what is not
+/// known counts as missed, and as no false stop.
+struct MarginOutcome {
+  long stops{0}, false_stops{0}, missed_stops{0};
+  /// Touches between two frames that both lay outside the margin: nobody was told to stop. In missed_stops
+  /// too.
+  long unseen{0};
+  double stopped_time{0.0}, time{0.0};  ///< s
+  double min_clearance{kInfinity};      ///< m, while the robot moved, with the stops; certified
+  std::optional<double> lead_time;      ///< s, the shortest
+
+  double stoppedShare() const { return time > 0.0 ? stopped_time / time : 0.0; }
+  void add(const MarginOutcome& other);
+};
+
+/// Intrusions into `margin` (m), in order of time.
+std::vector<Intrusion> intrusions(const ClearanceTrack& track, double margin, const MarginOptions& options);
+
+/// Each stop is judged by itself: until the margin is broken, robot and person are in step with the
+/// recording, and after the intrusion they are again.
+MarginOutcome outcome(const ClearanceTrack& track, double margin, const MarginOptions& options);
+
+}  // namespace abstand::margin
