@@ -1,0 +1,19 @@
+// The part of a surface above a height that hangs together.
+#pragma once
+
+#include "core/contact/contact_surface.hpp"
+
+namespace abstand::contact {
+
+struct ConnectedTriangles {
+  std::vector<std::uint32_t> triangles;  ///< indices into the mesh
+  std::uint32_t foremost{0};             ///< the highest vertex
+};
+
+/// The triangles that are reached from the vertex `start` over vertices at or above `level` (m). `points` are
+/// the mesh's vertices with their height as z. Two vertices are connected where a triangle has both; a
+/// triangle belongs to any of its own.
+ConnectedTriangles connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points,
+                                  std::uint32_t start, double level);
+
+}  // namespace abstand::contact

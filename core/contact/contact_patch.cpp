@@ -1,0 +1,110 @@
+#include "core/contact/contact_patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/connected_triangles.hpp"
+#include "core/contact/curved_pieces.hpp"
+
+namespace abstand::contact {
+namespace {
+
+class PatchSearch {
+ public:
+  PatchSearch(const ContactSurface& surface, const ContactPlace& place, double x)
+      : surface_{surface}, x_{x}, radius_{place.body_radius} {
+    const Vector3d u_B = place.n_B.unitOrthogonal(), v_B = place.n_B.cross(u_B);
+    Matrix3d R_PB;
+    R_PB << u_B.transpose(), v_B.transpose(), place.n_B.transpose();
+    points_.reserve(surface.mesh().vertices.size());
+    for (const Vector3d& p_B : surface.mesh().vertices) points_.push_back(R_PB * (p_B - place.p_B));
+    const ContactSurface::Nearest contact = surface.nearest(place.p_B);
+    contact_height_ = place.n_B.dot(contact.point - place.p_B);
+    start_ = *std::max_element(corners(contact.triangle).begin(), corners(contact.triangle).end(),
+                               [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
+  }
+
+  ContactPatch search() {
+    ConnectedTriangles patch = connectedAbove(surface_, points_, start_, contact_height_ - x_);
+    const double top = height(patch.foremost);
+    if (top > contact_height_) patch = connectedAbove(surface_, points_, patch.foremost, top - x_);
+    ContactPatch result;
+    result.body_radius = radius_;
+    result.foremost_B = surface_.mesh().vertices[patch.foremost];
+    result.offset = top - contact_height_;
+    std::vector<PatchTriangle> pieces;
+    for (const std::uint32_t t : patch.triangles) pieces.push_back(triangle(t));
+    if (!divideForCurve({radius_, x_, contact_height_ - x_}, pieces)) return result;
+    result.floor = topOf(pieces, top) - x_;
+    for (const PatchTriangle& piece : pieces) addFront(piece, result);
+    addBacks(top - x_, result);
+    return result;
+  }
+
+ private:
+  const std::array<std::uint32_t, 3>& corners(std::uint32_t t) const { return surface_.mesh().triangles[t]; }
+  double height(std::uint32_t vertex) const { return points_[vertex].z(); }
+  PatchTriangle triangle(std::uint32_t t) const {
+    return {points_[corners(t)[0]], points_[corners(t)[1]], points_[corners(t)[2]]};
+  }
+
+  /// Not below the height of the foremost point of the body, seen from the curved person.
+  double topOf(const std::vector<PatchTriangle>& pieces, double flat_top) const {
+    if (std::isinf(radius_)) return flat_top;
+    double top = contact_height_;
+    for (const PatchTriangle& piece : pieces)
+      for (const Vector3d& c : piece)
+        top = std::max(top, c.z() - c.head<2>().squaredNorm() / (2.0 * radius_));
+    return std::min(flat_top, top + kPieceError * x_);
+  }
+
+  /// Keeps what lies deeper than 0. Depth is concave over a piece, so the straight cut stays within.
+  static PatchPolygon deep(const PatchTriangle& t, const ContactPatch& patch) {
+    PatchPolygon polygon;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d &a = corner(t, i), &b = corner(t, i + 1);
+      const double da = patch.depth(a), db = patch.depth(b);
+      if (da >= 0.0) polygon.add(a);
+      if ((da >= 0.0) != (db >= 0.0)) polygon.add(a + da / (da - db) * (b - a));
+    }
+    return polygon;
+  }
+
+  static void addFront(const PatchTriangle& piece, ContactPatch& patch) {
+    const PatchPolygon polygon = deep(piece, patch);
+    if (polygon.count >= 3 && polygon.area() > 0.0) patch.front.push_back(polygon);
+  }
+
+  void addBacks(double level, ContactPatch& patch) const {
+    for (std::uint32_t t = 0; t < surface_.mesh().triangles.size(); ++t) {
+      const PatchTriangle c = triangle(t);
+      if (std::max({c[0].z(), c[1].z(), c[2].z()}) < level) continue;
+      PatchPolygon polygon;
+      for (const Vector3d& corner : c) polygon.add(corner);
+      if (polygon.area() < 0.0) patch.back.push_back(polygon);
+    }
+  }
+
+  const ContactSurface& surface_;
+  double x_, radius_;
+  std::vector<Vector3d> points_;  ///< of the mesh: u, v, height
+  double contact_height_{0.0};
+  std::uint32_t start_{0};
+};
+
+}  // namespace
+
+double PatchPolygon::area() const {
+  double twice = 0.0;
+  for (int i = 1; i + 1 < count; ++i) {
+    const Vector3d a = corner(i) - corner(0), b = corner(i + 1) - corner(0);
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
+ContactPatch contactPatch(const ContactSurface& surface, const ContactPlace& place, double x) {
+  return PatchSearch(surface, place, x).search();
+}
+
+}  // namespace abstand::contact

@@ -1,0 +1,18 @@
+// Area and volume of a patch as the person sees it.
+#pragma once
+
+#include "core/contact/contact_patch.hpp"
+
+namespace abstand::contact {
+
+struct PatchExtent {
+  double area{0.0};    ///< m^2
+  double volume{0.0};  ///< m^3
+};
+
+/// The extent of the patch's front without what lies behind other surface. Between two sheets that both face
+/// the person there is one that faces away, as the body is closed; what lies behind such a sheet is left out.
+/// Where several hide the same place it is taken off as often: never more than the true extent.
+PatchExtent visibleExtent(const ContactPatch& patch);
+
+}  // namespace abstand::contact

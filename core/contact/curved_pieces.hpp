@@ -1,0 +1,33 @@
+// Triangles divided until they follow a round person.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/math/transform.hpp"
+
+namespace abstand::contact {
+
+/// Corners: u and v across the approach, from the contact point, and the height along it, m.
+using PatchTriangle = std::array<Vector3d, 3>;
+
+inline const Vector3d& corner(const PatchTriangle& t, int i) { return t[static_cast<std::size_t>(i % 3)]; }
+
+/// How far a piece departs from the curve, as a share of the indentation: a triangle with edges up to l
+/// departs from a parabola of radius R by l^2 / (6 R) at most, and l^2 <= kPieceShare R x.
+inline constexpr double kPieceShare = 0.1, kPieceError = kPieceShare / 6.0;
+
+/// More pieces than a sensible patch has (some hundred to some thousand).
+inline constexpr std::size_t kMaxPieces = 400'000;
+
+/// A person rounded as height = rho^2 / (2 radius), m.
+struct CurvedPerson {
+  double radius, indentation;
+  double lowest;  ///< pieces that are lower than this everywhere, less the curve, are left out
+};
+
+/// Divides the triangles; those of a flat person (infinite radius) stay as they are. False, with `pieces` in
+/// no particular state, where it takes more than kMaxPieces.
+bool divideForCurve(const CurvedPerson& person, std::vector<PatchTriangle>& pieces);
+
+}  // namespace abstand::contact
