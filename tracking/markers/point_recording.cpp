@@ -5,11 +5,11 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
 #include "humanmodel/part_reach.hpp"
 #include "tracking/markers/marker_recording.hpp"
 #include "tracking/recording/conversion.hpp"
-#include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/joint_map.hpp"
 
 namespace abstand::tracking {
@@ -101,7 +101,7 @@ double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
   if (steps.empty()) return 0.0;
-  const double median = quantile(std::move(steps), 0.5);
+  const double median = nearestQuantile(std::move(steps), 0.5);
   return median > 0.0 ? 1.0 / median : 0.0;
 }
 

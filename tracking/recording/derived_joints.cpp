@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.hpp"
+#include "core/math/quantile.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -47,7 +47,7 @@ double medianLength(const humanmodel::SkeletonFrame& rest,
   for (const auto i : sampleIndices(frames.size()))
     if (has(frames[i], a, b)) lengths.push_back((frames[i][b] - frames[i][a]).norm());
   if (lengths.empty() && has(rest, a, b)) lengths.push_back((rest[b] - rest[a]).norm());
-  return lengths.empty() ? kNaN : quantile(lengths, 0.5);
+  return nearestQuantile(std::move(lengths), 0.5);
 }
 
 /// The cosine of the angle at b on the way from a over b to c, in the median frame; NaN where there is none.
@@ -60,7 +60,7 @@ double medianCosine(const std::vector<humanmodel::SkeletonFrame>& frames, humanm
     const double cosine = direction(f[a], f[b]).dot(direction(f[b], f[c]));
     if (std::isfinite(cosine)) cosines.push_back(cosine);
   }
-  return cosines.empty() ? kNaN : quantile(cosines, 0.5);
+  return nearestQuantile(std::move(cosines), 0.5);
 }
 
 /// Applies a rule to the rest pose and to every frame.
@@ -77,13 +77,6 @@ std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t most) {
   const std::size_t n = std::min(count, most);
   for (std::size_t i = 0; i < n; ++i) indices.push_back(i * count / n);
   return indices;
-}
-
-double quantile(std::vector<double> values, double q) {
-  ABSTAND_CHECK(!values.empty());
-  const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
 }
 
 std::vector<std::string> deriveJoints(humanmodel::SkeletonFrame& rest,
