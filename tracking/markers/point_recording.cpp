@@ -181,8 +181,8 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
   // Solving markers settles both: a guess is one all the same.
-  recording.report.units_guessed = !facts.unit && text::lowerCase(options.units) == "auto";
-  recording.report.up_guessed = !facts.up && text::lowerCase(options.up) == "auto";
+  recording.report.units.guessed = !facts.unit && text::lowerCase(options.units) == "auto";
+  recording.report.up.guessed = !facts.up && text::lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())
