@@ -4,8 +4,11 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/tune_arguments.hpp"
 #include "app/cli/tune_texts.hpp"
+#include "app/cli/version.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/depth/open_session.hpp"
+#include "app/report/moment_picture.hpp"
+#include "app/report/tune_report.hpp"
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/base/write_error.hpp"
@@ -17,10 +20,10 @@ namespace {
 
 struct TuneArguments {
   std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time, near,
-      contact_limits, out, shard;
-  std::vector<std::string> recordings;
+      contact_limits, segment, report, out, shard;
+  std::vector<std::string> recordings, separation;
   int jobs{1};
-  bool cut_things{false};
+  bool cut_things{false}, worst_phase{false};
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
@@ -40,6 +43,25 @@ double restartTime(const std::string& text) {
   return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
 }
 
+/// KEY=VALUE each.
+void takeSeparation(const std::vector<std::string>& texts, safety::SeparationOptions& options) {
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    std::string known;
+    bool found = false;
+    safety::SeparationOptions::eachNumber(
+        options, [&](const char* key, double& value, const config::NumberRule&) {
+          known += (known.empty() ? "" : ", ") + std::string(key);
+          if (equals == std::string::npos || text.substr(0, equals) != key) return;
+          value = number(text.substr(equals + 1), "--separation " + text.substr(0, equals));
+          found = true;
+        });
+    if (!found)
+      throw UsageError("--separation: found '" + text + "', expected KEY=VALUE with a key of " + known);
+  }
+  options.validate();
+}
+
 tune::TuneOptions optionsOf(const TuneArguments& args) {
   tune::TuneOptions o;
   if (!args.limit.empty()) o.pass.limit = numberWithin(args.limit, "--limit", 0.0, 10.0, "m");
@@ -49,6 +71,7 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
     o.pass.braking.deceleration =
         numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
   if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
+  takeSeparation(args.separation, o.pass.separation);
   o.restart_time = restartTime(args.restart_time);
   o.pass.contact = std::make_shared<const contact::ContactLimits>(
       contact::loadContactLimits(args.contact_limits.empty() ? contact::defaultContactLimits()
@@ -87,9 +110,9 @@ std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
 
 /// One run after the other, in this process; nothing is kept. A recording that cannot be read does not stop
 /// the others.
-TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
-                    const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
-  TuneAnswer answer;
+tune::TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
+                          const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
+  tune::TuneAnswer answer;
   answer.options = options;
   for (const tune::PlanItem& item : items) {
     try {
@@ -103,6 +126,14 @@ TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
       run.interrupted = interrupted;
       answer.recordings.push_back(tune::tuneRecording(*session, options, run, item.name));
       answer.interrupted = answer.recordings.back().interrupted;
+      if (args.worst_phase && !answer.interrupted) {
+        tune::WorstPhaseOptions phases;
+        phases.enough = options.pass.limit;
+        phases.interrupted = interrupted;
+        phases.progress = progressBar(line, "worst phase");
+        answer.worst_phases.push_back({item.name, tune::worstPhases(*session, phases)});
+        answer.interrupted = interrupted();
+      }
     } catch (const ParseError& e) {
       if (items.size() == 1) throw;
       answer.failed.push_back({item.name, e.what()});
@@ -119,8 +150,9 @@ TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
 }
 
 /// In processes of their own, with a result file each.
-TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line, const TuneArguments& args,
-                    const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
+tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line,
+                          const TuneArguments& args, const std::vector<tune::PlanItem>& items,
+                          const tune::TuneOptions& options) {
   tune::StudyOptions study;
   study.tune = options;
   study.folder = folder;
@@ -140,7 +172,7 @@ TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line
     return depth::openSession(std::move(scene), session_options);
   };
   const tune::StudyReport report = tune::runStudy(items, study);
-  TuneAnswer answer;
+  tune::TuneAnswer answer;
   answer.failed = report.failed;
   answer.interrupted = report.interrupted;
   answer.made = report.made;
@@ -172,23 +204,70 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-int finish(const CommandLine& line, TuneAnswer& answer, const std::vector<double>& margins) {
+/// A drawing of a moment; none where the run cannot be opened again.
+std::string pictureOf(const CommandLine& line, const TuneArguments& args,
+                      const std::vector<tune::PlanItem>& items, const tune::TunedRecording& recording,
+                      const tune::Approach& approach) {
+  const auto item =
+      std::find_if(items.begin(), items.end(), [&](const auto& i) { return i.name == recording.recording; });
+  if (item == items.end()) return {};
+  scene_file::SceneDescription scene = scene_file::loadScene(item->scene, args.packages);
+  item->apply(scene);
+  const auto session =
+      depth::openSession(std::move(scene), sessionOptions(line, args, item->recording.string()));
+  session->step(approach.t);
+  // Of several people the one whose part is nearest to the link.
+  std::string part;
+  double least = kInfinity;
+  ObjectId link{0};
+  const std::string& link_name = recording.pass.links[approach.link];
+  if (!session->scene().find(link_name, &link)) return {};
+  for (const PairId id : session->scene().pairsOf(link)) {
+    const scene::Pair& pair = session->scene().pairs()[id.index()];
+    const std::string& name = session->scene().object(pair.a == link ? pair.b : pair.a).spec.name;
+    const std::string& wanted = recording.pass.parts[approach.part].part;
+    const bool is_part = name.size() > wanted.size() && name.ends_with("/" + wanted);
+    if (is_part && pair.result.distance < least) part = name, least = pair.result.distance;
+  }
+  return report::momentPicture(*session, {part, link_name});
+}
+
+struct Asked {
+  std::vector<double> margins;
+  double segment{1.0};  ///< s
+  std::string report, command;
+  std::function<std::string(const tune::TunedRecording&, const tune::Approach&)> picture{};
+};
+
+int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked) {
   for (const auto& failed : answer.failed) line.warn(failed.recording + ": " + failed.error);
   if (answer.recordings.empty()) {
     if (answer.interrupted) return kInterrupted;
     throw ParseError({}, "found no recording that could be run, expected one");
   }
-  answer.table = tune::marginTable(answer.recordings, margins, answer.options);
+  answer.table = tune::marginTable(answer.recordings, asked.margins, answer.options);
+  answer.speeds = tune::speedTable(answer.recordings, asked.segment);
+  if (!asked.report.empty())
+    report::writeTuneReport(answer, {kVersion, asked.command, asked.picture}, asked.report);
   line.print(tuneJson(answer), tuneText(answer));
   if (answer.interrupted) return kInterrupted;
   return answer.failed.empty() ? kDone : kPartly;
 }
 
+double segmentLength(const std::string& text) {
+  return text.empty() ? 1.0 : numberWithin(text, "--segment", 0.01, 1e4, "s");
+}
+
 int runTune(const CommandLine& line, const TuneArguments& args) {
   const tune::TuneOptions options = optionsOf(args);
-  const std::vector<double> margins = marginList(args.margins);
+  Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, args.scene};
   const std::vector<tune::PlanItem> items = itemsOf(args);
-  TuneAnswer answer;
+  asked.picture = [&](const tune::TunedRecording& r, const tune::Approach& a) {
+    return pictureOf(line, args, items, r, a);
+  };
+  tune::TuneAnswer answer;
+  if (args.worst_phase && (!args.out.empty() || args.jobs > 1))
+    throw UsageError("--worst-phase: found beside --out or --jobs, expected one of them");
   if (!args.out.empty()) {
     answer = tuneInto(args.out, line, args, items, options);
   } else if (args.jobs > 1) {
@@ -199,23 +278,23 @@ int runTune(const CommandLine& line, const TuneArguments& args) {
       throw UsageError("--shard: found without --out, expected a folder that keeps the results");
     answer = tuneHere(line, args, items, options);
   }
-  return finish(line, answer, margins);
+  return finish(line, answer, asked);
 }
 
 struct MergeArguments {
   std::vector<std::string> folders;
-  std::string margins{"0:0.5:0.05"}, restart_time;
+  std::string margins{"0:0.5:0.05"}, restart_time, segment, report;
 };
 
 int runMerge(const CommandLine& line, const MergeArguments& args) {
-  const std::vector<double> margins = marginList(args.margins);
-  TuneAnswer answer;
+  const Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, "merged results"};
+  tune::TuneAnswer answer;
   tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
   answer.recordings = std::move(merged.recordings);
   answer.options = merged.options;
   answer.options.restart_time = restartTime(args.restart_time);
   answer.kept = answer.recordings.size();
-  return finish(line, answer, margins);
+  return finish(line, answer, asked);
 }
 
 }  // namespace
@@ -238,6 +317,12 @@ void addTune(CLI::App& root, CommandLine& line) {
                       "rad/s^2 or m/s^2, of every joint on its path (default: 5)");
   command->add_option("--restart-time", args->restart_time,
                       "s, from the end of an intrusion until the robot goes on (default: 0)");
+  command->add_option(
+      "--separation", args->separation,
+      "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");
+  command->add_option("--segment", args->segment,
+                      "s: stretches of the program that get a speed each (default: 1)");
+  line.output(command->add_option("--report", args->report, "HTML page for people, to be signed"));
   command->add_option("--near", args->near, "m: approaches below this clearance are listed (default: 0.2)");
   command->add_option("--contact-limits", args->contact_limits,
                       "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
@@ -265,6 +350,9 @@ void addMerge(CLI::App& root, CommandLine& line) {
   command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
   command->add_option("--restart-time", args->restart_time,
                       "s, from the end of an intrusion until the robot goes on (default: 0)");
+  command->add_option("--segment", args->segment,
+                      "s: stretches of the program that get a speed each (default: 1)");
+  line.output(command->add_option("--report", args->report, "HTML page for people, to be signed"));
   command->callback([&line, args] { line.run = [&line, args] { return runMerge(line, *args); }; });
 }
 

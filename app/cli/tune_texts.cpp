@@ -32,7 +32,7 @@ Json rowJson(const tune::MarginRow& row) {
           {"lead_time", orNull(o.lead_time)}};
 }
 
-Json proposedJson(const TuneAnswer& answer, const tune::ProposedMargin& p) {
+Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
   Json j{{"part", p.part}, {"margin", finite(p.margin)}};
   if (const auto& d = p.decided_by) {
     j["decided_by"] = {
@@ -56,25 +56,12 @@ Json proposedJson(const TuneAnswer& answer, const tune::ProposedMargin& p) {
   return j;
 }
 
-/// The approaches of all recordings, nearest first.
-struct Ranked {
-  const tune::TunedRecording* recording;
-  const tune::Approach* approach;
-};
-std::vector<Ranked> rankedApproaches(const TuneAnswer& answer) {
-  std::vector<Ranked> ranked;
-  for (const auto& r : answer.recordings)
-    for (const auto& a : r.pass.approaches) ranked.push_back({&r, &a});
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
-    return a.approach->clearance < b.approach->clearance;
-  });
-  return ranked;
-}
-
 /// null: excluded or not judged.
 Json contactJson(const tune::ContactShare& c) {
   if (c.region.empty()) return nullptr;
-  return {{"region", c.region},
+  return {{"t", c.t},
+          {"closing_speed", c.closing},
+          {"region", c.region},
           {"excluded", c.excluded},
           {"force", finite(c.force)},
           {"energy", finite(c.energy)},
@@ -83,7 +70,7 @@ Json contactJson(const tune::ContactShare& c) {
           {"pressure_share", c.excluded ? Json(nullptr) : finite(c.pressure_share)}};
 }
 
-Json approachJson(const Ranked& r) {
+Json approachJson(const tune::RankedApproach& r) {
   const tune::Approach& a = *r.approach;
   const double closing = a.motion.closing();
   return {
@@ -101,38 +88,135 @@ Json approachJson(const Ranked& r) {
       {"contact", contactJson(a.contact)}};
 }
 
-std::string approachesText(const TuneAnswer& answer) {
-  const std::vector<Ranked> ranked = rankedApproaches(answer);
+std::string separationText(const tune::TuneAnswer& answer) {
+  double scale = 1.0;
+  std::size_t slowed = 0;
+  for (const tune::SpeedSegment& s : answer.speeds) {
+    scale = std::min(scale, s.speed_scale);
+    slowed += s.speed_scale < 1.0;
+  }
+  if (slowed == 0) return "\nspeed and separation: the protective distance was kept throughout\n";
+  const double permitted = tune::cycleTime(answer.speeds);
+  return format(
+             "\nspeed and separation (ISO/TS 15066:2016): kept with %zu of %zu segments slowed down, to %.0f "
+             "%% at least; ",
+             slowed, answer.speeds.size(), 100.0 * scale) +
+         (std::isinf(permitted) ? "somewhere the robot would have had to stand\n"
+                                : format("the program would take %.1f s instead of %.1f s\n", permitted,
+                                         answer.speeds.back().t1 - answer.speeds.front().t0));
+}
+
+std::string approachesText(const tune::TuneAnswer& answer) {
+  const std::vector<tune::RankedApproach> ranked = tune::rankedApproaches(answer);
   std::string text =
       format("\nnearest approaches (%zu below %.0f mm):\n", ranked.size(), 1e3 * answer.options.pass.near);
   for (std::size_t i = 0; i < std::min(ranked.size(), kTextApproaches); ++i) {
     const tune::Approach& a = *ranked[i].approach;
     const tune::TunedRecording& r = *ranked[i].recording;
-    text += format("%8.1f mm  %s to %s at %.3f s, closing at %.2f m/s", 1e3 * a.clearance,
-                   r.pass.parts[a.part].part.c_str(), r.pass.links[a.link].c_str(), a.t, a.motion.closing());
-    if (a.contact.excluded)
-      text += "; contact there is excluded";
-    else if (!a.contact.region.empty() && a.motion.closing() > 0.0)
-      text += format("; a contact then: %.0f N (%.0f %% of the limit of %s)", a.contact.force,
-                     100.0 * a.contact.share, a.contact.region.c_str());
+    text += format("%8.1f mm  %s to %s at %.3f s", 1e3 * a.clearance, r.pass.parts[a.part].part.c_str(),
+                   r.pass.links[a.link].c_str(), a.t);
+    if (!a.contact.region.empty()) {
+      text += format("; hardest contact before, at %.2f m/s: ", a.contact.closing);
+      text += a.contact.excluded ? "excluded there"
+                                 : format("%.0f N, %.0f %% of the limit (%s)", a.contact.force,
+                                          100.0 * a.contact.share, a.contact.region.c_str());
+    }
     text += answer.recordings.size() > 1 ? ", " + r.recording + "\n" : "\n";
   }
   return text;
 }
 
-double secondsOf(const TuneAnswer& answer) {
+/// Of all recordings: how long a part's protective distance was broken, and the worst moment.
+Json separationJson(const tune::TuneAnswer& answer) {
+  Json rows = Json::array();
+  for (const tune::ProposedMargin& p : answer.table.proposed) {
+    double broken = 0.0;
+    const tune::TunedRecording* worst_in = nullptr;
+    const tune::SeparationMoment* worst = nullptr;
+    for (const auto& r : answer.recordings)
+      for (const auto& part : r.pass.parts) {
+        if (part.part != p.part) continue;
+        for (std::size_t i = 0; i + 1 < part.track.frames(); ++i)
+          if (part.separation.missing[i] > 0.0) broken += part.track.t[i + 1] - part.track.t[i];
+        const auto& w = part.separation.worst;
+        if (w && (!worst || w->needed.sum() - w->clearance > worst->needed.sum() - worst->clearance))
+          worst = &*w, worst_in = &r;
+      }
+    Json j{{"part", p.part}, {"broken_time", broken}, {"worst", nullptr}};
+    if (worst)
+      j["worst"] = {{"recording", worst_in->recording},
+                    {"t", worst->t},
+                    {"link", worst_in->pass.links[worst->link]},
+                    {"clearance", finite(worst->clearance)},
+                    {"needed", worst->needed.sum()},
+                    {"person", worst->needed.person},
+                    {"reaction", worst->needed.reaction},
+                    {"stopping", worst->needed.stopping},
+                    {"constant", worst->needed.constant},
+                    {"robot_speed", worst->robot_speed},
+                    {"permitted_speed", worst->permitted_speed}};
+    rows.push_back(std::move(j));
+  }
+  return rows;
+}
+
+Json speedsJson(const tune::TuneAnswer& answer) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < answer.speeds.size(); ++i) {
+    const tune::SpeedSegment& s = answer.speeds[i];
+    Json j{{"motion", "all robots"},       {"segment", i},         {"t0", s.t0}, {"t1", s.t1},
+           {"speed_scale", s.speed_scale}, {"limited_by", nullptr}};
+    if (s.limited_by)
+      j["limited_by"] = {{"recording", answer.recordings[s.limited_by->recording].recording},
+                         {"t", s.limited_by->t},
+                         {"part", s.limited_by->part}};
+    rows.push_back(std::move(j));
+  }
+  return rows;
+}
+
+Json worstPhasesJson(const tune::TuneAnswer& answer) {
+  Json rows = Json::array();
+  for (const auto& r : answer.worst_phases)
+    for (const tune::WorstPhase& w : r.parts)
+      rows.push_back({{"recording", r.recording},
+                      {"part", w.part},
+                      {"clearance", finite(w.lower)},
+                      {"distance", finite(w.distance)},
+                      {"link", w.link},
+                      {"t_person", w.t_person},
+                      {"t_robot", w.t_robot},
+                      {"phase", w.phase},
+                      {"not_seen", w.unseen},
+                      {"queries", w.queries}});
+  return rows;
+}
+
+std::string worstPhasesText(const tune::TuneAnswer& answer) {
+  std::string text;
+  for (const auto& r : answer.worst_phases) {
+    text += "\nworst phase of " + r.recording + ", certified:\n";
+    for (const tune::WorstPhase& w : r.parts)
+      text += format("%-24s %s %7.1f mm  to %s, person at %.3f s, program at %.3f s (phase %.3f s)\n",
+                     w.part.c_str(), w.lower <= answer.options.pass.limit ? "touches," : "        ",
+                     1e3 * w.lower, w.link.c_str(), w.t_person, w.t_robot, w.phase);
+  }
+  return text;
+}
+
+double secondsOf(const tune::TuneAnswer& answer) {
   double seconds = 0.0;
   for (const auto& r : answer.recordings) seconds += r.seconds();
   return seconds;
 }
 
-std::size_t framesOf(const TuneAnswer& answer) {
+std::size_t framesOf(const tune::TuneAnswer& answer) {
   std::size_t frames = 0;
   for (const auto& r : answer.recordings) frames += r.frames;
   return frames;
 }
 
-std::string proposedText(const TuneAnswer& answer, const tune::ProposedMargin& p) {
+std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
   if (std::isinf(p.margin)) return format("%-14s none would do\n", p.part.c_str());
   if (!p.decided_by) return format("%-14s      0 mm  no stop was ever needed\n", p.part.c_str());
   const auto& d = *p.decided_by;
@@ -144,7 +228,7 @@ std::string proposedText(const TuneAnswer& answer, const tune::ProposedMargin& p
 
 }  // namespace
 
-Json tuneJson(const TuneAnswer& answer) {
+Json tuneJson(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;
   Json j{
       {"recordings", answer.recordings.size()}, {"frames", framesOf(answer)}, {"seconds", secondsOf(answer)}};
@@ -173,16 +257,23 @@ Json tuneJson(const TuneAnswer& answer) {
                           {"missed_stops", row.outcome.missed_stops}});
   }
   j["approaches"] = Json::array();
-  for (const Ranked& r : rankedApproaches(answer)) j["approaches"].push_back(approachJson(r));
+  for (const tune::RankedApproach& r : tune::rankedApproaches(answer))
+    j["approaches"].push_back(approachJson(r));
   const std::string& stamp = answer.recordings.front().contact_limits;
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
+  if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
+  j["separation"] = separationJson(answer);
+  j["speeds"] = speedsJson(answer);
+  if (!answer.speeds.empty())
+    j["cycle_time"] = {{"as_recorded", answer.speeds.back().t1 - answer.speeds.front().t0},
+                       {"permitted", finite(tune::cycleTime(answer.speeds))}};
   j["proposed"] = Json::array();
   for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));
   j["interrupted"] = answer.interrupted;
   return j;
 }
 
-std::string tuneText(const TuneAnswer& answer) {
+std::string tuneText(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;
   std::string text = format(
       "%zu recordings, %zu frames, %.1f s; reaction time %.0f ms, deceleration %.3g rad/s^2 "
@@ -207,7 +298,7 @@ std::string tuneText(const TuneAnswer& answer) {
   text += format(
       "95 %% confidence: at most %.1f %% of unseen recordings of the same kind break one of these margins\n",
       100.0 * p.unseen_share);
-  text += approachesText(answer);
+  text += worstPhasesText(answer) + separationText(answer) + approachesText(answer);
   for (const auto& r : answer.recordings) text += reservationsText(r.reservations);
   return text;
 }

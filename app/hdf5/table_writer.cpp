@@ -78,10 +78,11 @@ struct Table {
 }  // namespace
 
 struct TableWriter::Impl {
-  explicit Impl(const std::filesystem::path& name) : file(name), out(name) {}
+  Impl(const std::filesystem::path& name, bool with_seal) : file(name), out(name), sealed(with_seal) {}
 
   std::filesystem::path file;
   OutputFile out;
+  bool sealed;
   Handle handle;
   std::vector<Table> tables;
   hsize_t pending{0};
@@ -125,10 +126,11 @@ struct TableWriter::Impl {
   }
 };
 
-TableWriter::TableWriter(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
+TableWriter::TableWriter(const std::filesystem::path& file, bool sealed)
+    : impl_(std::make_unique<Impl>(file, sealed)) {
   startLibrary();
   const Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  H5Pset_userblock(list.get(), kSealBytes);
+  if (sealed) H5Pset_userblock(list.get(), kSealBytes);
   impl_->handle =
       Handle(H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, list.get(), H5P_DEFAULT), H5Fclose);
   impl_->expect(static_cast<bool>(impl_->handle));
@@ -218,7 +220,7 @@ void TableWriter::finish() {
   impl_->flush();
   impl_->close();
   impl_->check();
-  seal(impl_->out.named());
+  if (impl_->sealed) seal(impl_->out.named());
   impl_->out.finish();
 }
 

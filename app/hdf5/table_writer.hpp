@@ -21,8 +21,8 @@ enum class Storage : std::uint8_t {
 /// the same bytes. One thread at a time uses the library in a process.
 class TableWriter {
  public:
-  /// Throws WriteError.
-  explicit TableWriter(const std::filesystem::path& file);
+  /// `sealed`: with a checksum in front (file_seal.hpp), which TableReader asks for. Throws WriteError.
+  explicit TableWriter(const std::filesystem::path& file, bool sealed = true);
   ~TableWriter();
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;

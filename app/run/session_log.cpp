@@ -8,7 +8,7 @@ constexpr long long kFormat = 1;
 }  // namespace
 
 SessionLog::SessionLog(const std::filesystem::path& file, const session::Session& session, bool live)
-    : out_(file) {
+    : out_(file, false) {
   const scene::Scene& scene = session.scene();
   const std::size_t pairs = scene.pairs().size(), joints = session.jointEfforts().size();
   out_.attribute("abstand", kFormat);

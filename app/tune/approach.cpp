@@ -36,25 +36,20 @@ ApproachJudge::ApproachJudge(const session::Session& session,
   }
 }
 
-ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t i,
-                                    bool with_mass) {
+ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t i) {
   ClosingMotion motion;
   motion.p_W = frame.on_link[i];
   const Vector3d between = frame.on_part[i] - frame.on_link[i];
   const double length = between.norm();
   // Inside each other the nearest points have changed sides.
   if (length > kNoDirection) motion.n_W = between / (frame.distance[i] < 0.0 ? -length : length);
+  const Transform X_LW = frame.X_WB[pair.link].inverse();
+  motion.p_L = X_LW * motion.p_W;
+  motion.n_L = X_LW.linear() * motion.n_W;
   if (!frame.motion.empty()) {
-    // Over a short time, so that turning bodies count with their present direction.
-    constexpr double kStep = 1e-4;
-    const auto velocity = [&](std::size_t object, const Vector3d& p_W) -> Vector3d {
-      safety::PoseSegment path = frame.motion[object];
-      return (path.pose(kStep) * (frame.X_WB[object].inverse() * p_W) - p_W) / kStep;
-    };
-    motion.robot_speed = velocity(pair.link, frame.on_link[i]).dot(motion.n_W);
-    motion.person_speed = -velocity(pair.part, frame.on_part[i]).dot(motion.n_W);
+    motion.robot_speed = frame.motion[pair.link].velocityAt(frame.on_link[i]).dot(motion.n_W);
+    motion.person_speed = -frame.motion[pair.part].velocityAt(frame.on_part[i]).dot(motion.n_W);
   }
-  if (with_mass) motion.robot_mass = robotMass(frame, pair, motion);
   return motion;
 }
 
@@ -72,10 +67,12 @@ double ApproachJudge::robotMass(const WindowFrame& frame, const WatchedPair& pai
                                   X_BW.linear() * motion.n_W, robot.work);
 }
 
-ContactShare ApproachJudge::contact(const ClosingMotion& motion, const WindowFrame& frame,
-                                    const WatchedPair& pair, const std::string& part) {
+ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, std::size_t link,
+                                    const std::string& part) {
   ContactShare share;
-  if (!limits_) return share;
+  share.t = t;
+  share.closing = motion.closing();
+  if (!limits_ || !(share.closing > 0.0)) return share;
   const contact::ContactMotion moves{motion.closing(),
                                      {motion.robot_mass, contact::RobotMassSource::kPosture},
                                      contact::ContactKind::kTransient};
@@ -87,13 +84,12 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, const WindowFra
   share.energy = worst.contact.energy;
   share.share = worst.contact.share;
   if (share.excluded || !(worst.contact.indentation > 0.0)) return share;
-  auto& surface = surfaces_[pair.link];
+  auto& surface = surfaces_[link];
   if (!surface)
-    surface = std::make_unique<contact::ContactSurface>(
-        *session_.scene().objects()[pair.link].spec.structure->surface);
-  const Transform X_LW = frame.X_WB[pair.link].inverse();
-  const contact::ContactArea area = contact::contactArea(
-      *surface, {X_LW * motion.p_W, X_LW.linear() * motion.n_W, worst.contact.indentation, kBodyRadius});
+    surface =
+        std::make_unique<contact::ContactSurface>(*session_.scene().objects()[link].spec.structure->surface);
+  const contact::ContactArea area =
+      contact::contactArea(*surface, {motion.p_L, motion.n_L, worst.contact.indentation, kBodyRadius});
   const contact::PredictedPressure pressure =
       contact::predictPressure(*worst.region, worst.contact, area, contact::ContactKind::kTransient);
   share.pressure = pressure.peak;

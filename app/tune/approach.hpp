@@ -20,12 +20,14 @@ struct ClosingMotion {
   double robot_mass{kInfinity};     ///< kg, effective at that point; infinite: a wall, or not known
   Vector3d p_W{Vector3d::Zero()};   ///< m, the nearest point on the link
   Vector3d n_W{Vector3d::UnitX()};  ///< unit vector from the link to the part
+  Vector3d p_L{Vector3d::Zero()}, n_L{Vector3d::UnitX()};  ///< the same in the link's frame
   double closing() const { return robot_speed + person_speed; }
 };
 
-/// A contact as it would have been with the speeds of this moment. Limits of the table's edition.
+/// A contact as it would have been with the speeds of a moment. Limits of the table's edition.
 struct ContactShare {
-  std::string region;  ///< of the table, the worst one of the part
+  double t{0.0}, closing{0.0};  ///< s; m/s: of the moment
+  std::string region;           ///< of the table, the worst one of the part
   bool excluded{false};
   double force{0.0}, energy{0.0};  ///< N, J
   double share{0.0};               ///< of the force limit; infinite where contact is excluded
@@ -33,7 +35,8 @@ struct ContactShare {
   double pressure_share{0.0};
 };
 
-/// A local minimum of a part's clearance.
+/// A local minimum of a part's clearance, where closing speeds are low, and the hardest contact that could
+/// have been on the way there: with the highest closing speed since the part came near or was nearest before.
 struct Approach {
   std::uint16_t part{0}, link{0};  ///< indices into PassResult
   double t{0.0}, distance{0.0}, clearance{0.0};
@@ -47,15 +50,15 @@ class ApproachJudge {
   /// Null for no table: contacts are not judged. The session must outlive it.
   ApproachJudge(const session::Session& session, std::shared_ptr<const contact::ContactLimits> limits);
 
-  /// Of a pair at `frame`, with the velocities to the next frame; at rest without one.
-  ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index, bool with_mass);
-  /// Of the part called `part`.
-  ContactShare contact(const ClosingMotion& motion, const WindowFrame& frame, const WatchedPair& pair,
-                       const std::string& part);
+  /// Of a pair (number `index`) at `frame`, with the velocities to the next frame; at rest without one.
+  /// Without the robot's mass.
+  static ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index);
+  /// ClosingMotion::robot_mass in the posture of the frame.
+  double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
+  /// Of the part called `part` with a link (number of its object) that moved so at time `t`.
+  ContactShare contact(const ClosingMotion& motion, double t, std::size_t link, const std::string& part);
 
  private:
-  double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
-
   struct Robot {
     mechanism::RigidTree tree;
     mechanism::TreeState state;

@@ -54,6 +54,7 @@ void validate(const PassOptions& options) {
        "a reaction time outside of 0 to 10 s");
   need(std::isfinite(options.braking.deceleration) && options.braking.deceleration > 0.0,
        "a deceleration that is not positive, expected rad/s^2 or m/s^2");
+  options.separation.validate();
   need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
 }
 
@@ -75,7 +76,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   const std::vector<humanmodel::BodyPart> parts = watchOf(session).parts;
   const std::set<humanmodel::BodyPart> there(parts.begin(), parts.end());
   for (const humanmodel::BodyPart part : there)
-    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}});
+    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}});
   std::map<std::size_t, std::uint16_t> link_index;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(parts[p])));
@@ -85,6 +86,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     result_.pairs.push_back({part, at->second});
   }
   nearest_.resize(result_.parts.size());
+  hardest_.resize(result_.parts.size());
   least_.assign(result_.parts.size(), kInfinity);
   const std::size_t all = session.scene().pairs().size();
   limits_.assign(all, -kInfinity);
@@ -135,6 +137,8 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     part.link.push_back(0);
     part.robot_speed.push_back(0.0);
     part.person_speed.push_back(0.0);
+    part.separation.missing.push_back(-kInfinity);
+    part.separation.speed_scale.push_back(1.0);
   }
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     PartClearance& part = result_.parts[result_.pairs[p].part];
@@ -152,8 +156,29 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     const double uncertainty = std::max(frame.uncertainty[p], next->uncertainty[p]);
     part.track.between[i] = std::min(part.track.between[i], frame.between[p] - uncertainty);
   }
+  watchSeparation(frame);
   lookAhead(next);
   for (std::size_t part = 0; part < result_.parts.size(); ++part) watchApproach(part, frame);
+}
+
+void DistancePass::watchSeparation(const WindowFrame& frame) {
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    const ClosingMotion motion = ApproachJudge::motion(frame, window_.pairs()[p], p);
+    takeSeparation(result_.parts[result_.pairs[p].part].separation,
+                   {frame.t,
+                    result_.pairs[p].link,
+                    frame.clearance[p],
+                    motion.robot_speed,
+                    motion.person_speed,
+                    {},
+                    0.0},
+                   options_.separation);
+  }
+  for (PartClearance& part : result_.parts) {
+    double &missing = part.separation.missing.back(), &scale = part.separation.speed_scale.back();
+    missing = wholeSpeed(missing);
+    scale = std::floor(scale / kSpeedStep) * kSpeedStep;
+  }
 }
 
 void DistancePass::lookAhead(const WindowFrame* next) {
@@ -171,16 +196,24 @@ void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
   const std::size_t p = nearest_[index];
   const WatchedPair& pair = window_.pairs()[p];
   const double clearance = part.track.clearance.back();
-  const bool told = clearance < options_.near && std::isfinite(clearance) && clearance < least_[index] &&
-                    clearance <= ahead_[index];
+  const bool near = clearance < options_.near && std::isfinite(clearance);
+  const bool told = near && clearance < least_[index] && clearance <= ahead_[index];
   least_[index] = clearance;
-  const ClosingMotion motion = judge_.motion(frame, pair, p, told);
+  ClosingMotion motion = ApproachJudge::motion(frame, pair, p);
   part.robot_speed.back() = wholeSpeed(motion.robot_speed);
   part.person_speed.back() = wholeSpeed(motion.person_speed);
-  if (told)
-    result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
-                                  part.distance.back(), clearance, motion,
-                                  judge_.contact(motion, frame, pair, part.part)});
+  std::optional<Hardest>& hardest = hardest_[index];
+  if (!near) hardest.reset();
+  if (near && (!hardest || motion.closing() > hardest->motion.closing())) {
+    motion.robot_mass = judge_.robotMass(frame, pair, motion);
+    hardest = {frame.t, pair.link, motion};
+  }
+  if (!told) return;
+  motion.robot_mass = judge_.robotMass(frame, pair, motion);
+  result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
+                                part.distance.back(), clearance, motion,
+                                judge_.contact(hardest->motion, hardest->t, hardest->link, part.part)});
+  hardest.reset();
 }
 
 }  // namespace abstand::tune

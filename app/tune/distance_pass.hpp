@@ -8,6 +8,7 @@
 #include "app/run/swept_check.hpp"
 #include "app/tune/approach.hpp"
 #include "app/tune/braking_clearance.hpp"
+#include "app/tune/separation.hpp"
 #include "core/margin/clearance_track.hpp"
 
 namespace abstand::tune {
@@ -19,6 +20,7 @@ struct PassOptions {
   double limit{0.0};                                      ///< m, MarginOptions::limit
   double near{0.2};                                       ///< m: approaches below this clearance are told
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
+  safety::SeparationOptions separation;
   /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
   std::function<void(const WindowFrame&, const PassResult&)> on_frame;
 };
@@ -33,6 +35,8 @@ struct PartClearance {
   std::vector<std::uint16_t> link;  ///< of that pair, index into PassResult::links
   /// m/s, of that pair: towards each other; whole steps of kSpeedStep, rounded up.
   std::vector<double> robot_speed, person_speed;
+  PartSeparation
+      separation;  ///< of all pairs of the part; numbers in whole steps of kSpeedStep, on the safe side
 };
 
 /// m/s. A power of two, so that files keep it exactly.
@@ -64,6 +68,7 @@ class DistancePass {
  private:
   void settle();
   void take(const WindowFrame& frame, const WindowFrame* next);
+  void watchSeparation(const WindowFrame& frame);
   void watchApproach(std::size_t part, const WindowFrame& frame);
   void lookAhead(const WindowFrame* next);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/content_hash.hpp"
+#include "core/base/text_file.hpp"
 #include "core/margin/safe_margin.hpp"
 
 namespace abstand::tune {
@@ -12,6 +14,19 @@ double unjudged(const margin::ClearanceTrack& track, const margin::MarginOptions
   const std::size_t first = margin::firstJudgedFrame(track, options);
   if (first == 0) return 0.0;
   return first < track.frames() ? track.t[first] - track.t.front() : track.duration();
+}
+
+/// Of all recordings that people follow.
+std::string contentOf(const session::Session& session) {
+  ContentHash hash;
+  bool any = false;
+  for (const auto& human : session.description().humans) {
+    if (human.recording.file.empty() || !std::filesystem::is_regular_file(human.recording.file)) continue;
+    const std::string content = readFile(human.recording.file);
+    hash.add(content.data(), content.size());
+    any = true;
+  }
+  return any ? hash.value().hex() : std::string();
 }
 
 }  // namespace
@@ -28,6 +43,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   const run::RunSummary summary = run::runScene(session, as_recorded);
   TunedRecording tuned;
   tuned.recording = name;
+  tuned.content = contentOf(session);
   tuned.frames = summary.frames;
   tuned.interrupted = summary.interrupted;
   tuned.reservations = summary.reservations;

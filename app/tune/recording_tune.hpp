@@ -17,6 +17,7 @@ struct TuneOptions {
 /// What all later questions need of a recording.
 struct TunedRecording {
   std::string recording;  ///< file, or the scene's name where people follow its own
+  std::string content;    ///< fingerprint of the recording's file; empty where there is none
   std::size_t frames{0};
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts

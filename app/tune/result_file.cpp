@@ -1,6 +1,8 @@
 #include "app/tune/result_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/hdf5/table_reader.hpp"
 #include "core/base/error.hpp"
@@ -23,20 +25,31 @@ constexpr std::size_t kMaxNames = 10000;
 const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
                                 "bound",     "uncertainty", "link"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
-/// Part, link, t, distance, clearance, speeds of robot and person, robot's mass, excluded, force, energy,
-/// share, pressure, its share.
-constexpr std::size_t kApproachColumns = 14;
-
-void addFile(ContentHash& hash, const std::filesystem::path& file) {
-  if (file.empty()) return;
-  const std::string content = readFile(file, kMaxFileBytes);
-  hash.add(content.size());
-  hash.add(content.data(), content.size());
-}
+/// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
+/// the hardest contact on the way, excluded, force, energy, share, pressure, its share.
+constexpr std::size_t kApproachColumns = 16;
+/// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
+constexpr std::size_t kSeparationColumns = 10;
 
 void addText(ContentHash& hash, const std::string& text) {
   hash.add(text.size());
   hash.add(text.data(), text.size());
+}
+
+void addFile(ContentHash& hash, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  if (std::error_code ec; std::filesystem::is_directory(file, ec)) {
+    // A recording of depth images.
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(file))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const auto& f : files) addText(hash, f.filename().string()), addFile(hash, f);
+    return;
+  }
+  const std::string content = readFile(file, kMaxFileBytes);
+  hash.add(content.size());
+  hash.add(content.data(), content.size());
 }
 
 /// One line, its fields between tabs; times and shares that do not apply are empty.
@@ -77,6 +90,19 @@ std::vector<double> column(const std::vector<double>& table, std::size_t frames,
   return list;
 }
 
+PartSeparation separationOf(std::vector<double> missing, std::vector<double> scale, const double* worst) {
+  for (double& v : missing)
+    if (std::isnan(v)) v = -kInfinity;
+  PartSeparation separation{std::move(missing), std::move(scale), {}};
+  if (std::isnan(worst[0])) return separation;
+  SeparationMoment m{worst[0], static_cast<std::uint16_t>(std::clamp(worst[1], 0.0, 65535.0)),
+                     worst[2], worst[3],
+                     worst[4], {worst[5], worst[6], worst[7], worst[8]},
+                     worst[9]};
+  separation.worst = m;
+  return separation;
+}
+
 std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t parts, std::size_t links,
                                    const std::string& file) {
   const std::size_t count = in.extents("approaches").rows;
@@ -96,7 +122,7 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
     approach.t = a[2], approach.distance = a[3], approach.clearance = a[4];
     approach.motion.robot_speed = a[5], approach.motion.person_speed = a[6],
     approach.motion.robot_mass = a[7];
-    approach.contact = {regions[i], a[8] != 0.0, a[9], a[10], a[11], a[12], a[13]};
+    approach.contact = {a[8], a[9], regions[i], a[10] != 0.0, a[11], a[12], a[13], a[14], a[15]};
     all.push_back(std::move(approach));
   }
   return all;
@@ -126,6 +152,8 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
   const auto& braking = options.pass.braking;
   for (const double v : {options.pass.limit, options.pass.near, braking.reaction_time, braking.deceleration})
     hash.add(v);
+  options.pass.separation.eachNumber(
+      options.pass.separation, [&](const char*, const double& v, const config::NumberRule&) { hash.add(v); });
   if (options.pass.contact) addText(hash, options.pass.contact->content.hex());
   return hash.value();
 }
@@ -177,6 +205,7 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.attribute("deceleration", options.pass.braking.deceleration);
   out_.attribute("near", options.pass.near);
   out_.attribute("contact_limits", tuned.contact_limits);
+  out_.attribute("content", tuned.content);
   std::vector<std::string> reservations;
   for (const run::Reservation& r : tuned.reservations) reservations.push_back(reservationLine(r));
   out_.texts("reservations", reservations);
@@ -184,6 +213,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.nextTables();
   const std::size_t t = out_.table("t", {});
   const std::size_t parts = out_.table("part_values", {tuned.pass.parts.size(), kColumnCount});
+  const std::size_t separation =
+      out_.table("part_separation", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
   const std::size_t speeds =
       out_.table("part_speeds", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
   out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
@@ -196,6 +227,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
     for (const PartClearance& p : tuned.pass.parts) {
       out_.add(speeds, p.robot_speed[i]);
       out_.add(speeds, p.person_speed[i]);
+      out_.add(separation, std::isinf(p.separation.missing[i]) ? kNaN : p.separation.missing[i]);
+      out_.add(separation, p.separation.speed_scale[i]);
     }
     out_.endRow();
   }
@@ -204,14 +237,27 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   const std::size_t approaches = out_.table("approaches", {kApproachColumns});
   for (const Approach& a : tuned.pass.approaches) {
     const ContactShare& c = a.contact;
-    for (const double v : {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance,
-                           a.clearance, a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass,
-                           c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share})
+    for (const double v :
+         {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance, a.clearance,
+          a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t, c.closing,
+          c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share})
       out_.add(approaches, v);
     out_.endRow();
     regions.push_back(c.region);
   }
   out_.texts("approach_regions", regions);
+  out_.nextTables();
+  const std::size_t worst = out_.table("worst_separation", {kSeparationColumns});
+  for (const PartClearance& p : tuned.pass.parts) {
+    SeparationMoment none;
+    none.t = kNaN;
+    const SeparationMoment m = p.separation.worst.value_or(none);
+    for (const double v :
+         {m.t, static_cast<double>(m.link), m.clearance, m.robot_speed, m.person_speed, m.needed.person,
+          m.needed.reaction, m.needed.stopping, m.needed.constant, m.permitted_speed})
+      out_.add(worst, v);
+    out_.endRow();
+  }
   out_.commit();
 }
 
@@ -232,6 +278,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.limit = in.number("limit");
   stored.options.pass.near = in.number("near");
   tuned.contact_limits = in.text("contact_limits");
+  tuned.content = in.text("content");
   stored.options.pass.braking = {in.number("reaction_time"), in.number("deceleration")};
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));
@@ -245,11 +292,18 @@ StoredResult readResult(const std::filesystem::path& file) {
   const std::vector<double> t = in.table("t", frames, 1);
   const std::size_t width = parts.size() * kColumnCount;
   const std::vector<double> values = in.table("part_values", frames, width);
+  const std::vector<double> separation = in.table("part_separation", frames, 2 * parts.size());
+  const std::vector<double> worst = in.table("worst_separation", parts.size(), kSeparationColumns);
   const std::vector<double> speeds = in.table("part_speeds", frames, 2 * parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
-    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}};
+    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}, {}};
     part.robot_speed = column(speeds, frames, 2 * parts.size(), 2 * p);
+    part.separation = separationOf(column(separation, frames, 2 * parts.size(), 2 * p),
+                                   column(separation, frames, 2 * parts.size(), 2 * p + 1),
+                                   worst.data() + p * kSeparationColumns);
+    if (part.separation.worst && part.separation.worst->link >= tuned.pass.links.size())
+      fail("found the number of a link that is not among the links");
     part.person_speed = column(speeds, frames, 2 * parts.size(), 2 * p + 1);
     for (const double link : list(6)) {
       if (!(link >= 0.0 && link < static_cast<double>(tuned.pass.links.size())))

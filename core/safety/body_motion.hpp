@@ -29,6 +29,8 @@ class PoseSegment final : public BodyMotion {
   Transform pose(double t) noexcept override;
   double slack(double) const noexcept override { return 0.0; }
   double speed(double, double) const noexcept override { return speed_; }
+  /// m/s, in the world, at t = 0, of the body's point that is at p_W then.
+  Vector3d velocityAt(const Vector3d& p_W) const noexcept;
 
  private:
   Transform X_0_;

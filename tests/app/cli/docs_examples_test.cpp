@@ -106,6 +106,10 @@ class DocsExamples : public Cli {
           "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nhumans:\n  - {name: operator, height: 1.75, "
           "recording: {file: a.bvh}}\nobjects:\n  - {name: ball, shape: {sphere: {radius: 0.1}}, "
           "pose: {xyz: [4, 4, 1]}}\npairs: {default: between_groups}\n");
+    write("plan.yaml", "abstand_plan: 1\nscenes: [scene_with_robot.yaml]\nrecordings: [a.bvh, b.bvh]\n");
+    write("scene_with_robot.yaml",
+          "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nmechanisms:\n  - {name: arm, file: robot.urdf}\n"
+          "humans:\n  - {name: operator, height: 1.75, recording: {file: a.bvh}}\n");
     write("kinect.yaml",
           "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n");
     write("points.csv", "cx,cy,cz,wx,wy,wz\n0,0,1,2,2,3\n1,0,1,2,1,3\n0,1,1,2,2,2\n0,0,2,3,2,3\n");

@@ -1,0 +1,109 @@
+#include "app/report/moment_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/report/svg_plot.hpp"
+#include "app/run/pair_class.hpp"
+
+namespace abstand::report {
+namespace {
+
+constexpr int kDirections = 48;                                          // of an outline
+constexpr double kViewWidth = 360.0, kViewHeight = 300.0, kEdge = 10.0;  // pixels
+// m around the nearest points that a drawing shows at least.
+constexpr double kMinHalfExtent = 0.6, kMaxHalfExtent = 1.3;
+
+/// Axes of a view in the world.
+struct View {
+  const char* title;
+  Vector3d right, up;
+};
+const View kViews[] = {{"from above", Vector3d::UnitX(), Vector3d::UnitY()},
+                       {"from the side", Vector3d::UnitX(), Vector3d::UnitZ()}};
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", v);
+  return text;
+}
+
+/// World to pixels.
+class Frame {
+ public:
+  Frame(const View& view, const Vector3d& centre, double half, double left)
+      : view_(view), centre_(centre), scale_((kViewHeight - 2.0 * kEdge) / (2.0 * half)), left_(left) {}
+  std::string at(const Vector3d& p) const {
+    const Vector3d d = p - centre_;
+    return number(left_ + 0.5 * kViewWidth + scale_ * view_.right.dot(d)) + "," +
+           number(0.5 * kViewHeight - scale_ * view_.up.dot(d));
+  }
+
+ private:
+  const View& view_;
+  Vector3d centre_;
+  double scale_, left_;
+};
+
+/// Corners of the body's convex outline in a view, in order.
+std::string outline(const scene::Object& object, const View& view, const Frame& frame) {
+  std::string points;
+  const Matrix3d R = object.X_WB.linear();
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kDirections;
+    const Vector3d n_W = std::cos(angle) * view.right + std::sin(angle) * view.up;
+    points += frame.at(object.X_WB * object.spec.structure->support.extreme(R.transpose() * n_W).point) + " ";
+  }
+  return points;
+}
+
+const char* styleOf(const session::Session& session, const scene::Object& object) {
+  const auto& scene = session.description();
+  const auto named = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& g) { return g.name == object.spec.group; });
+  };
+  if (named(scene.humans)) return "person";
+  return named(scene.mechanisms) ? "robot" : "thing";
+}
+
+}  // namespace
+
+std::string momentPicture(const session::Session& session, const MomentBodies& bodies) {
+  const scene::Scene& scene = session.scene();
+  ObjectId part{0}, link{0};
+  if (!scene.find(bodies.part, &part) || !scene.find(bodies.link, &link)) return {};
+  Vector3d on_part = scene.object(part).X_WB.translation(), on_link = scene.object(link).X_WB.translation();
+  for (const PairId id : scene.pairsOf(part)) {
+    const scene::Pair& pair = scene.pairs()[id.index()];
+    if (pair.a != link && pair.b != link) continue;
+    on_part = pair.a == part ? pair.result.witness_a : pair.result.witness_b;
+    on_link = pair.a == part ? pair.result.witness_b : pair.result.witness_a;
+  }
+  const Vector3d centre = 0.5 * (on_part + on_link);
+  const double half = std::clamp((on_part - on_link).norm() * 1.5, kMinHalfExtent, kMaxHalfExtent);
+  std::string svg = "<svg class=\"moment\" role=\"img\" viewBox=\"0 0 " + number(2.0 * kViewWidth) + " " +
+                    number(kViewHeight + 18.0) + "\" aria-label=\"" +
+                    escaped(bodies.part + " and " + bodies.link) + "\">\n";
+  for (int v = 0; v < 2; ++v) {
+    const View& view = kViews[v];
+    const double left = v * kViewWidth;
+    const Frame frame(view, centre, half, left);
+    const std::string clip = "clip" + std::to_string(v);
+    svg += "<clipPath id=\"" + clip + "\"><rect x=\"" + number(left + 2.0) + "\" y=\"0\" width=\"" +
+           number(kViewWidth - 4.0) + "\" height=\"" + number(kViewHeight) +
+           "\"/></clipPath>\n<g clip-path=\"url(#" + clip + ")\">\n";
+    for (const scene::Object& object : scene.objects()) {
+      const bool strong = object.spec.name == bodies.part || object.spec.name == bodies.link;
+      svg += "<polygon class=\"" + std::string(styleOf(session, object)) + (strong ? " strong" : "") +
+             "\" points=\"" + outline(object, view, frame) + "\"><title>" + escaped(object.spec.name) +
+             "</title></polygon>\n";
+    }
+    svg += "<polyline class=\"gap\" points=\"" + frame.at(on_part) + " " + frame.at(on_link) +
+           "\"/>\n</g>\n<text x=\"" + number(left + 8.0) + "\" y=\"" + number(kViewHeight + 13.0) + "\">" +
+           view.title + "; " + number(2.0 * half) + " m high</text>\n";
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace abstand::report
