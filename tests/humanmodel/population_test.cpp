@@ -36,11 +36,11 @@ TEST(Population, PercentilesAreThoseOfTheTable) {
     EXPECT_NEAR(massOfPercentile(row.percentile, Sex::kMale), row.man_kg, 100.0 * kRounding);
     EXPECT_NEAR(massOfPercentile(row.percentile, Sex::kFemale), row.woman_kg, 100.0 * kRounding);
   }
-  // Between the knots statures stay near the normal distribution of the same mean and deviation.
+  // Statures are nearly normal: the tables of percentiles and of means stay within 6 mm (women at 95 %).
   for (double p = 5.0; p <= 95.0; p += 1.0)
     for (const Sex sex : {Sex::kFemale, Sex::kMale}) {
       const StatureSpread s = statureSpread(sex);
-      EXPECT_NEAR(statureOfPercentile(p, sex), s.mean + s.deviation * normalScore(0.01 * p), 0.005) << p;
+      EXPECT_NEAR(statureOfPercentile(p, sex), s.mean + s.deviation * normalScore(0.01 * p), 0.006) << p;
     }
 }
 
