@@ -41,8 +41,7 @@ constexpr Pair kChestBreadth{.165, .166}, kWaistBreadth{.186, .184}, kHipBreadth
 constexpr Pair kChestDepth{.145, .152}, kWaistDepth{.136, .131}, kButtockDepth{.140, .143};
 constexpr Pair kHeadGirth{.327, .345}, kHeadBreadth{.088, .091}, kHeadDepth{.114, .117},
     kNeckGirth{.227, .203};
-constexpr Pair kForearmGirth{.177, .162}, kWristGirth{.100, .095}, kHandGirth{.121, .115},
-    kHandBreadth{.050, .048};
+constexpr Pair kForearmGirth{.177, .162}, kHandGirth{.121, .115}, kHandBreadth{.050, .048};
 constexpr Pair kCalfGirth{.224, .229};
 constexpr Pair kFootLength{.154, .151}, kFootBreadth{.058, .057}, kBallGirth{.144, .140};
 constexpr Pair kHeadAndNeck{.136, .143};  // stature less cervicale height
@@ -84,7 +83,6 @@ BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex) {
   m.neck_girth = share(kNeckGirth);
   m.biceps_girth = height * kBicepsGirth.at(bmi, sex);
   m.forearm_girth = share(kForearmGirth) * mild;
-  m.wrist_girth = share(kWristGirth);
   m.hand_girth = share(kHandGirth);
   m.hand_breadth = share(kHandBreadth);
   m.thigh_girth = height * kThighGirth.at(bmi, sex);

@@ -14,7 +14,7 @@ struct BodyMeasures {
   double chest_breadth, waist_breadth, hip_breadth;
   double chest_depth, waist_depth, buttock_depth;
   double head_girth, head_breadth, head_depth, neck_girth;
-  double biceps_girth, forearm_girth, wrist_girth, hand_girth, hand_breadth;
+  double biceps_girth, forearm_girth, hand_girth, hand_breadth;
   double thigh_girth, calf_girth;
   double foot_length, foot_breadth, ball_girth;
   double cervicale_height, acromial_height, crotch_height;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/quantile.hpp"
 #include "humanmodel/torso_frame.hpp"
 
 namespace abstand::humanmodel {
@@ -33,10 +34,7 @@ std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double q
     if (value && std::isfinite(*value)) found.push_back(*value);
   }
   if (found.empty()) return std::nullopt;
-  const auto rank = static_cast<std::size_t>(quantile * static_cast<double>(found.size()));
-  const auto wanted = found.begin() + static_cast<std::ptrdiff_t>(std::min(rank, found.size() - 1));
-  std::nth_element(found.begin(), wanted, found.end());
-  return *wanted;
+  return upperQuantile(std::move(found), quantile);
 }
 
 /// A quantile of the length of a bone; joints that coincide are not counted.

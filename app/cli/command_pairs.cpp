@@ -1,8 +1,8 @@
 // abstand pairs: which pairs of bodies can collide at all.
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "app/cli/command_line.hpp"
 #include "app/depth/open_session.hpp"
@@ -50,6 +50,86 @@ std::string srdfFor(const std::filesystem::path& file, const robot_file::Srdf& s
   return robot_file::mergedSrdfText(readFile(file, robot_file::kMaxRobotBytes), file.string(), srdf);
 }
 
+using CollisionPairs = std::vector<run::CollisionPair>;
+
+/// The list and the SRDF, both or none.
+void writePairs(const PairsArguments& args, const session::Session& session, const CollisionPairs& pairs) {
+  std::optional<OutputFile> list, srdf;
+  if (!args.out.empty()) list.emplace(args.out).stream() << run::pairsText(session, pairs, args.study);
+  if (!args.srdf.empty()) srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, run::srdfOf(session, pairs));
+  for (auto* file : {&list, &srdf})
+    if (*file) (*file)->finish();
+  for (auto* file : {&list, &srdf})
+    if (*file) (*file)->commit();
+}
+
+/// What is said of the pairs one by one.
+struct PairsReport {
+  std::map<std::string, int> counts{{"adjacent", 0}, {"never", 0},     {"always", 0},
+                                    {"user", 0},     {"sometimes", 0}, {"undecided", 0}};
+  int found_by_search{0};
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  std::string text;  ///< a line for each pair whose verdict rests on distances
+};
+
+void addToReport(const run::CollisionPair& p, const std::vector<scene::Object>& objects,
+                 PairsReport& report) {
+  const study::StudiedPair& s = p.study;
+  const std::string verdict = study::verdictName(s.verdict);
+  const std::string &a = objects[static_cast<std::size_t>(s.a)].spec.name,
+                    &b = objects[static_cast<std::size_t>(s.b)].spec.name;
+  ++report.counts[verdict];
+  report.found_by_search += s.by_search ? 1 : 0;
+  nlohmann::ordered_json row{{"verdict", verdict}, {"a", a}, {"b", b}};
+  if (s.samples > 0) {
+    row.update({{"distance", s.distance},
+                {"bound", s.bound},
+                {"samples", s.samples},
+                {"hits", s.hits},
+                {"by_search", s.by_search},
+                {"posture", p.posture}});
+    if (s.verdict != study::PairVerdict::kSometimes && s.verdict != study::PairVerdict::kUndecided)
+      report.text +=
+          format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
+  }
+  report.rows.push_back(std::move(row));
+}
+
+nlohmann::ordered_json pairsDocument(const PairsArguments& args, const session::Session& session,
+                                     const PairsReport& report, double study_ms) {
+  nlohmann::ordered_json document{{"bodies", session.scene().objects().size()},
+                                  {"pairs", report.rows.size()}};
+  for (const auto& [verdict, n] : report.counts) document[verdict] = n;
+  document.update({{"found_by_search", report.found_by_search},
+                   {"samples", args.study.samples},
+                   {"seed", args.study.seed},
+                   {"searches", args.study.searches},
+                   {"clearance", args.study.clearance},
+                   {"build_ms", session.buildMs()},
+                   {"study_ms", study_ms},
+                   {"list", report.rows},
+                   {"remarks", session.remarks()},
+                   {"interrupted", report.counts.at("undecided") > 0}});
+  return document;
+}
+
+std::string pairsSummary(const PairsArguments& args, const PairsReport& report, std::size_t bodies,
+                         double study_ms) {
+  const auto count = [&](const char* verdict) { return report.counts.at(verdict); };
+  std::string text = format(
+      "%zu bodies, %zu pairs: %d adjacent, %d never, %d always, %d user, %d sometimes (%d of them found by "
+      "search)\n"
+      "%ld samples, seed %llu; %.1f s\n",
+      bodies, report.rows.size(), count("adjacent"), count("never"), count("always"), count("user"),
+      count("sometimes"), report.found_by_search, args.study.samples,
+      static_cast<unsigned long long>(args.study.seed), 1e-3 * study_ms);
+  if (const int open = count("undecided"); open > 0) {
+    text += format("interrupted: %d %s undecided", open, open == 1 ? "pair is" : "pairs are");
+    text += args.out.empty() && args.srdf.empty() ? "\n" : ", nothing was written\n";
+  }
+  return text;
+}
+
 int runPairs(const CommandLine& line, PairsArguments& args) {
   number(args.voxel, "--voxel");
   if (!args.clearance.empty()) args.study.clearance = number(args.clearance, "--clearance");
@@ -65,75 +145,17 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
     throw UsageError("found a scene without a mechanism, expected at least one");
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto pairs = run::collisionPairs(session, args.study);
+  const CollisionPairs pairs = run::collisionPairs(session, args.study);
   const double study_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  // What is not known of some pairs is no list to check by.
-  const bool incomplete = std::any_of(pairs.begin(), pairs.end(), [](const run::CollisionPair& p) {
-    return p.study.verdict == study::PairVerdict::kUndecided;
-  });
-  std::optional<OutputFile> list, srdf;
-  if (!args.out.empty() && !incomplete)
-    list.emplace(args.out).stream() << run::pairsText(session, pairs, args.study);
-  if (!args.srdf.empty() && !incomplete)
-    srdf.emplace(args.srdf).stream() << srdfFor(args.srdf, run::srdfOf(session, pairs));
-  for (auto* file : {&list, &srdf})
-    if (*file) (*file)->finish();
-  for (auto* file : {&list, &srdf})
-    if (*file) (*file)->commit();
-
+  PairsReport report;
   const auto& objects = session.scene().objects();
-  std::map<std::string, int> counts{{"adjacent", 0}, {"never", 0},     {"always", 0},
-                                    {"user", 0},     {"sometimes", 0}, {"undecided", 0}};
-  auto rows = nlohmann::ordered_json::array();
-  std::string text;
-  int found_by_search = 0;
-  for (const auto& p : pairs) {
-    const study::StudiedPair& s = p.study;
-    const std::string verdict = study::verdictName(s.verdict);
-    const std::string &a = objects[static_cast<std::size_t>(s.a)].spec.name,
-                      &b = objects[static_cast<std::size_t>(s.b)].spec.name;
-    ++counts[verdict];
-    found_by_search += s.by_search ? 1 : 0;
-    nlohmann::ordered_json row{{"verdict", verdict}, {"a", a}, {"b", b}};
-    if (s.samples > 0) {
-      row.update({{"distance", s.distance},
-                  {"bound", s.bound},
-                  {"samples", s.samples},
-                  {"hits", s.hits},
-                  {"by_search", s.by_search},
-                  {"posture", p.posture}});
-      if (s.verdict != study::PairVerdict::kSometimes && s.verdict != study::PairVerdict::kUndecided)
-        text +=
-            format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
-    }
-    rows.push_back(std::move(row));
-  }
-  nlohmann::ordered_json document{{"bodies", objects.size()}, {"pairs", pairs.size()}};
-  for (const auto& [verdict, n] : counts) document[verdict] = n;
-  document.update({{"found_by_search", found_by_search},
-                   {"samples", args.study.samples},
-                   {"seed", args.study.seed},
-                   {"searches", args.study.searches},
-                   {"clearance", args.study.clearance},
-                   {"build_ms", session.buildMs()},
-                   {"study_ms", study_ms},
-                   {"list", rows},
-                   {"remarks", session.remarks()},
-                   {"interrupted", incomplete}});
-  text += format(
-      "%zu bodies, %zu pairs: %d adjacent, %d never, %d always, %d user, %d sometimes (%d of them found by "
-      "search)\n"
-      "%ld samples, seed %llu; %.1f s\n",
-      objects.size(), pairs.size(), counts["adjacent"], counts["never"], counts["always"], counts["user"],
-      counts["sometimes"], found_by_search, args.study.samples,
-      static_cast<unsigned long long>(args.study.seed), 1e-3 * study_ms);
-  if (incomplete) {
-    const int open = counts["undecided"];
-    text += format("interrupted: %d %s undecided", open, open == 1 ? "pair is" : "pairs are");
-    text += args.out.empty() && args.srdf.empty() ? "\n" : ", nothing was written\n";
-  }
-  line.print(document, text);
+  for (const run::CollisionPair& p : pairs) addToReport(p, objects, report);
+  // What is not known of some pairs is no list to check by.
+  const bool incomplete = report.counts.at("undecided") > 0;
+  if (!incomplete) writePairs(args, session, pairs);
+  line.print(pairsDocument(args, session, report, study_ms),
+             report.text + pairsSummary(args, report, objects.size(), study_ms));
   return incomplete ? kInterrupted : kDone;
 }
 

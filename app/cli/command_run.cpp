@@ -23,14 +23,14 @@ struct RunArguments {
 
 nlohmann::ordered_json skippingJson(const run::RunSummary& s) {
   auto breaches = nlohmann::ordered_json::array();
-  for (const auto& b : s.breaches)
+  for (const auto& b : s.breaches.listed)
     breaches.push_back({{"object", b.object}, {"t", b.t}, {"speed", b.speed}, {"bound", b.bound}});
   return {{"checked", s.work.checked},
           {"rested", s.work.rested},
           {"beyond_horizon", s.work.beyond},
           {"put_off", s.work.put_off},
           {"longest_wait_cycles", s.work.longest_wait},
-          {"breach_count", s.breach_count},
+          {"breach_count", s.breaches.count},
           {"breaches", breaches}};
 }
 
@@ -43,19 +43,22 @@ nlohmann::ordered_json timesJson(const scene::CycleStatistics& s) {
 }
 
 nlohmann::ordered_json summaryJson(const run::RunSummary& s, const session::Session& session) {
-  nlohmann::ordered_json j{
-      {"frames", s.frames},
-      {"objects", s.objects},
-      {"pairs", s.pairs},
-      {"cycle_us", {{"median", s.median_us}, {"p99", s.p99_us}, {"p999", s.p999_us}, {"max", s.max_us}}},
-      {"overruns", s.overruns},
-      {"period_us", run::RunSummary::kPeriodUs},
-      {"min_distance", extremeJson(s.min_distance)},
-      {"min_distance_by_class", byClassJson(s.min_distance_by_class)},
-      {"min_clearance", extremeJson(s.min_clearance)},
-      {"contacts", s.contacts},
-      {"peak_force", s.peak_force ? s.peak_force->value : 0.0},
-      {"peak_force_at", extremeJson(s.peak_force)}};
+  nlohmann::ordered_json j{{"frames", s.frames},
+                           {"objects", s.objects},
+                           {"pairs", s.pairs},
+                           {"cycle_us",
+                            {{"median", s.cycle_us.median},
+                             {"p99", s.cycle_us.p99},
+                             {"p999", s.cycle_us.p999},
+                             {"max", s.cycle_us.max}}},
+                           {"overruns", s.cycle_us.overruns},
+                           {"period_us", run::RunSummary::kPeriodUs},
+                           {"min_distance", extremeJson(s.min_distance)},
+                           {"min_distance_by_class", byClassJson(s.min_distance_by_class)},
+                           {"min_clearance", extremeJson(s.min_clearance)},
+                           {"contacts", s.contacts},
+                           {"peak_force", s.peak_force ? s.peak_force->value : 0.0},
+                           {"peak_force_at", extremeJson(s.peak_force)}};
   if (s.peak_force) j["peak_force_at"]["virtual"] = s.peak_force_apart;
   j["oldest_result"] = extremeJson(s.oldest_result);
   j["slowest_pair"] = nullptr;
@@ -92,8 +95,8 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
   std::string text = format("%zu frames, %zu objects, %zu pairs; structures %.0f ms, %.1f MB\n", s.frames,
                             s.objects, s.pairs, s.build_ms, static_cast<double>(s.memory_bytes) * 1e-6);
   if (s.cycles > 0) text += format("closed loop: %ld cycles of 1 ms\n", s.cycles);
-  text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.median_us,
-                 s.p99_us, s.p999_us, s.max_us, s.overruns);
+  text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.cycle_us.median,
+                 s.cycle_us.p99, s.cycle_us.p999, s.cycle_us.max, s.cycle_us.overruns);
   if (s.profile)
     text += timesText("  processor time of it", s.profile->work()) +
             timesText("  an empty loop as long", s.profile->empty()) +
@@ -121,10 +124,10 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
   if (s.work.rested + s.work.beyond + s.work.put_off > 0)
     text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
                    s.work.checked, s.work.rested, s.work.beyond, s.work.put_off);
-  if (s.breach_count > 0)
+  if (s.breaches.count > 0)
     text += format("faster than its max_speed: %s at %.3f s, %.2f m/s (bound %.2f); %ld stretches in all\n",
-                   s.breaches.front().object.c_str(), s.breaches.front().t, s.breaches.front().speed,
-                   s.breaches.front().bound, s.breach_count);
+                   s.breaches.listed.front().object.c_str(), s.breaches.listed.front().t,
+                   s.breaches.listed.front().speed, s.breaches.listed.front().bound, s.breaches.count);
   for (const auto& remark : session.remarks())
     if (std::none_of(s.reservations.begin(), s.reservations.end(),
                      [&](const run::Reservation& r) { return r.text == remark; }))

@@ -49,11 +49,11 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"rate", known(r.rate)},
           {"rate_reason", r.rate_reason},
           {"duration", r.duration},
-          {"units_guess", r.units_guess},
-          {"units_reason", r.units_reason},
+          {"units_guess", r.units.name},
+          {"units_reason", r.units.reason},
           {"scale", r.scale},
-          {"up", r.up},
-          {"up_reason", r.up_reason},
+          {"up", r.up.axis},
+          {"up_reason", r.up.reason},
           {"sides", r.sides},
           {"sides_reason", r.sides_reason},
           {"stature", known(r.stature)},
@@ -122,9 +122,9 @@ std::string reportText(const tracking::Recording& recording, const std::string& 
   std::string text = format("%s: %s, %zu frames %s, %.2f s\n", file.c_str(), r.format.c_str(),
                             recording.frames.size(), rate.c_str(), r.duration);
   text += "time: " + r.rate_reason + " (--rate)\n";
-  text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units_guess.c_str(), r.scale,
-                 r.units_reason.c_str());
-  text += format("up: %s: %s (--up)\n", r.up.c_str(), r.up_reason.c_str());
+  text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units.name.c_str(), r.scale,
+                 r.units.reason.c_str());
+  text += format("up: %s: %s (--up)\n", r.up.axis.c_str(), r.up.reason.c_str());
   text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
   text += r.stature > 0.0 ? format("stature: %.3f m\n", r.stature) : "stature: not known\n";
   text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) + " (--joint-map)\n";

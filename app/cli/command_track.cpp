@@ -58,11 +58,15 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
   return runLiveTrack(line, own);
 }
 
-int runTrack(const CommandLine& line, const TrackArguments& args) {
-  tracking::DepthStreamOptions stream_options;
-  stream_options.camera = args.camera;
-  if (!args.rate.empty()) stream_options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
-  stream_options.mirror = args.mirror;
+tracking::DepthStreamOptions streamOptions(const TrackArguments& args) {
+  tracking::DepthStreamOptions options;
+  options.camera = args.camera;
+  if (!args.rate.empty()) options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
+  options.mirror = args.mirror;
+  return options;
+}
+
+tracking::ClipTrackerOptions trackerOptions(const CommandLine& line, const TrackArguments& args) {
   tracking::ClipTrackerOptions options;
   if (!args.height.empty()) options.person.height = positive(args.height, "--height", 0.5, 2.5);
   options.person.fit_body = !args.usual_body;
@@ -70,16 +74,82 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
   options.person.away = awayOf(args.facing);
   options.progress = progressBar(line, "images");
   options.interrupted = interrupted;
-  std::optional<OutputFolder> pictures;
-  if (!args.pictures.empty()) {
-    pictures.emplace(args.pictures);
-    options.watch = [&](const tracking::ClipMoment& moment) { draw(moment, *pictures); };
+  return options;
+}
+
+/// One person of a tracked recording.
+struct TrackedClip {
+  const tracking::ClipTrack& track;
+  const tracking::ClipPerson& person;
+  const tracking::DepthFacts& facts;
+  const tracking::Recording& recording;
+  double fps() const { return track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0; }
+};
+
+nlohmann::ordered_json trackedDocument(const TrackedClip& clip) {
+  const auto& [track, person, facts, recording] = clip;
+  nlohmann::ordered_json document{{"format", facts.format},
+                                  {"frames", track.images},
+                                  {"tracked", person.found},
+                                  {"lost", track.images - person.found},
+                                  {"fps", clip.fps()},
+                                  {"residual_mm", 1e3 * person.residual},
+                                  {"people", peopleJson(track)},
+                                  {"rate", facts.rate},
+                                  {"rate_reason", facts.rate_reason},
+                                  {"camera_reason", facts.camera_reason},
+                                  {"world", track.world},
+                                  {"notes", recording.report.notes},
+                                  {"warnings", recording.report.warnings},
+                                  {"interrupted", track.interrupted}};
+  addStature(document, person.stature);
+  addFacing(document, person.facing);
+  return document;
+}
+
+std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
+  const auto& [track, person, facts, recording] = clip;
+  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
+                            facts.format.c_str(), track.images, track.camera.width, track.camera.height);
+  text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
+  text += "world: " + track.world + "\n";
+  text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
+  text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
+  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
+  text += format("%.1f mm from the body on the mean, %.0f images a second of processor time\n",
+                 1e3 * person.residual, clip.fps());
+  text += tracking::facingReason(person.facing) + " (--facing)\n";
+  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+/// Tracks and writes what the options ask for.
+int trackStream(const CommandLine& line, const TrackArguments& args, tracking::DepthStream& stream,
+                const tracking::ClipTrackerOptions& options, std::optional<OutputFolder>& pictures) {
+  const tracking::ClipTrack track = tracking::trackClip(stream, options);
+  // Who was not found yet may be in the images that were not looked at.
+  const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
+  if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
+  if (track.people.empty())
+    throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
+  const tracking::Recording recording = tracking::recordingOf(track, stream.facts(), chosen);
+  std::optional<OutputFile> csv;
+  if (!args.out.empty()) {
+    tracking::writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
+    csv->finish();
   }
-  if (tracking::isLiveSource(args.depth.string())) {
-    const int code = live(line, args, stream_options, options);
-    if (pictures) pictures->commit();
-    return code;
-  }
+  if (pictures) pictures->commit();
+  if (csv) csv->commit();
+
+  const TrackedClip clip{track, track.people[chosen], stream.facts(), recording};
+  for (const std::string& warning : recording.report.warnings) line.warn(warning);
+  line.print(trackedDocument(clip), trackedText(args, clip));
+  return track.interrupted ? kInterrupted : kDone;
+}
+
+int trackRecording(const CommandLine& line, const TrackArguments& args,
+                   const tracking::DepthStreamOptions& stream_options, tracking::ClipTrackerOptions options,
+                   std::optional<OutputFolder>& pictures) {
   if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
     throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
   std::optional<depth::RobotView> robots;
@@ -95,54 +165,22 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
     throw UsageError(
         "--scene: found a recording that does not say how the camera stands, expected a camera file "
         "with T_WC (--camera)");
-  const tracking::ClipTrack track = tracking::trackClip(*stream, options);
-  // Who was not found yet may be in the images that were not looked at.
-  const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
-  if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
-  if (track.people.empty())
-    throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
-  const tracking::Recording recording = tracking::recordingOf(track, stream->facts(), chosen);
-  std::optional<OutputFile> csv;
-  if (!args.out.empty()) {
-    tracking::writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
-    csv->finish();
-  }
-  if (pictures) pictures->commit();
-  if (csv) csv->commit();
+  return trackStream(line, args, *stream, options, pictures);
+}
 
-  const tracking::ClipPerson& person = track.people[chosen];
-  const tracking::DepthFacts& facts = stream->facts();
-  const double fps = track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0;
-  nlohmann::ordered_json document{{"format", facts.format},
-                                  {"frames", track.images},
-                                  {"tracked", person.found},
-                                  {"lost", track.images - person.found},
-                                  {"fps", fps},
-                                  {"residual_mm", 1e3 * person.residual},
-                                  {"people", peopleJson(track)},
-                                  {"rate", facts.rate},
-                                  {"rate_reason", facts.rate_reason},
-                                  {"camera_reason", facts.camera_reason},
-                                  {"world", track.world},
-                                  {"notes", recording.report.notes},
-                                  {"warnings", recording.report.warnings},
-                                  {"interrupted", track.interrupted}};
-  addStature(document, person.stature);
-  addFacing(document, person.facing);
-  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
-                            facts.format.c_str(), track.images, track.camera.width, track.camera.height);
-  text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
-  text += "world: " + track.world + "\n";
-  text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
-  text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
-  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
-  text += format("%.1f mm from the body on the mean, %.0f images a second of processor time\n",
-                 1e3 * person.residual, fps);
-  text += tracking::facingReason(person.facing) + " (--facing)\n";
-  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
-  for (const std::string& warning : recording.report.warnings) line.warn(warning);
-  line.print(document, text);
-  return track.interrupted ? kInterrupted : kDone;
+int runTrack(const CommandLine& line, const TrackArguments& args) {
+  const tracking::DepthStreamOptions stream_options = streamOptions(args);
+  tracking::ClipTrackerOptions options = trackerOptions(line, args);
+  std::optional<OutputFolder> pictures;
+  if (!args.pictures.empty()) {
+    pictures.emplace(args.pictures);
+    options.watch = [&](const tracking::ClipMoment& moment) { draw(moment, *pictures); };
+  }
+  if (!tracking::isLiveSource(args.depth.string()))
+    return trackRecording(line, args, stream_options, options, pictures);
+  const int code = live(line, args, stream_options, options);
+  if (pictures) pictures->commit();
+  return code;
 }
 
 }  // namespace

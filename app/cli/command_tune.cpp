@@ -9,18 +9,32 @@
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
 #include "core/base/write_error.hpp"
+#include "core/contact/contact_limits_reader.hpp"
+#include "humanmodel/body_part.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct TuneArguments {
-  std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time, out, shard;
+  std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time, near,
+      contact_limits, out, shard;
   std::vector<std::string> recordings;
   int jobs{1};
   bool cut_things{false};
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
+
+/// Names of the model's parts, all of which a table of limits has to cover.
+const std::vector<std::string_view>& bodyParts() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      all.push_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
+    return all;
+  }();
+  return names;
+}
 
 double restartTime(const std::string& text) {
   return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
@@ -34,7 +48,12 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
   if (!args.deceleration.empty())
     o.pass.braking.deceleration =
         numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
+  if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
   o.restart_time = restartTime(args.restart_time);
+  o.pass.contact = std::make_shared<const contact::ContactLimits>(
+      contact::loadContactLimits(args.contact_limits.empty() ? contact::defaultContactLimits()
+                                                             : std::filesystem::path(args.contact_limits),
+                                 bodyParts()));
   return o;
 }
 
@@ -219,6 +238,9 @@ void addTune(CLI::App& root, CommandLine& line) {
                       "rad/s^2 or m/s^2, of every joint on its path (default: 5)");
   command->add_option("--restart-time", args->restart_time,
                       "s, from the end of an intrusion until the robot goes on (default: 0)");
+  command->add_option("--near", args->near, "m: approaches below this clearance are listed (default: 0.2)");
+  command->add_option("--contact-limits", args->contact_limits,
+                      "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
   command->add_flag(
       "--cut-things", args->cut_things,
       "the depth images show the scene's robots and objects where the scene has them: they are cut out");

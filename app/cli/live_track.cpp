@@ -46,11 +46,90 @@ LiveOutcome follow(tracking::LiveDepth& camera, tracking::LiveTracker& tracker, 
   return outcome;
 }
 
+/// Everything that the report of a followed person is made of.
+struct LiveReport {
+  const tracking::LiveDepth& camera;
+  const tracking::ClipTrack& track;
+  const tracking::ClipPerson& person;
+  const LiveOutcome& outcome;
+  const serve::SkeletonSender* sender;  ///< or null
+  std::string ended;                    ///< why the camera gives no more; empty: it still does
+  std::vector<std::string> warnings;
+};
+
+nlohmann::ordered_json liveDocument(const LiveReport& report) {
+  const tracking::DepthFacts& facts = report.camera.facts();
+  const tracking::ClipTrack& track = report.track;
+  const scene::CycleStatistics& latency = report.outcome.latency;
+  const double seconds = report.outcome.seconds;
+  const double rate = seconds > 0.0 ? static_cast<double>(track.images - 1) / seconds : 0.0;
+  nlohmann::ordered_json document{
+      {"format", facts.format},
+      {"frames", track.images},
+      {"tracked", report.person.found},
+      {"lost", track.images - report.person.found},
+      {"dropped", report.camera.dropped()},
+      {"fps", rate},
+      {"latency_ms",
+       {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
+      {"residual_mm", 1e3 * report.person.residual},
+      {"people", peopleJson(track)},
+      {"camera_reason", facts.camera_reason},
+      {"world", track.world},
+      {"notes", facts.notes},
+      {"ended", report.ended.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report.ended)}};
+  if (report.sender) {
+    document["sent"] = report.sender->sent();
+    document["unsent"] = report.sender->refused();
+    document["nameless"] = report.sender->nameless();
+  }
+  document["warnings"] = report.warnings;
+  addStature(document, report.person.stature);
+  addFacing(document, report.person.facing);
+  return document;
+}
+
+std::string liveText(const LiveReport& report, std::size_t chosen) {
+  const tracking::DepthFacts& facts = report.camera.facts();
+  const auto& [camera, track, person, outcome, sender, ended, warnings] = report;
+  std::string text =
+      format("%s: %zu images of %d x %d in %.1f s, %zu dropped for newer ones\n", facts.format.c_str(),
+             track.images, track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
+  text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
+  text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
+                 track.people.size(), static_cast<int>(chosen) + 1, person.found, 1e3 * person.residual);
+  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
+  text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
+                 1e3 * outcome.latency.median(), 1e3 * outcome.latency.p99(), 1e3 * outcome.latency.max());
+  if (sender)
+    text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
+                   sender->sent(), sender->refused(), sender->nameless());
+  text += tracking::facingReason(person.facing) + " (--facing)\n";
+  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+void printReport(const CommandLine& line, const LiveReport& report, const LiveTrackArguments& args) {
+  for (const std::string& warning : report.warnings) line.warn(warning);
+  const std::string text = liveText(report, args.chosen);
+  if (args.send != "-")
+    line.print(liveDocument(report), text);
+  else if (!line.quiet)
+    std::cerr << text;
+}
+
+/// Whoever reads standard output may end; what was tracked is kept all the same.
+void checkOutput(const CommandLine& line, const serve::SkeletonSender& sender) {
+  if (sender.isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
+  if (sender.outputError() != 0 && !sender.isClosed() && sender.outputError() != EINTR)
+    throw WriteError("standard output", sender.outputError());
+}
+
 }  // namespace
 
 int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
-  const bool to_stdout = args.send == "-";
-  if (to_stdout && line.json) throw UsageError("--send -: found with --json, expected one of them on stdout");
+  if (args.send == "-" && line.json)
+    throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
   tracking::LiveDepth camera(args.camera, args.stream);
@@ -80,54 +159,9 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (!args.out.empty())
     tracking::writeSkeletonCsv(args.out, tracking::recordingOf(track, facts, args.chosen));
 
-  const double rate = outcome.seconds > 0.0 ? static_cast<double>(track.images - 1) / outcome.seconds : 0.0;
-  const scene::CycleStatistics& latency = outcome.latency;
-  nlohmann::ordered_json document{
-      {"format", facts.format},
-      {"frames", track.images},
-      {"tracked", person.found},
-      {"lost", track.images - person.found},
-      {"dropped", camera.dropped()},
-      {"fps", rate},
-      {"latency_ms",
-       {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
-      {"residual_mm", 1e3 * person.residual},
-      {"people", peopleJson(track)},
-      {"camera_reason", facts.camera_reason},
-      {"world", track.world},
-      {"notes", facts.notes},
-      {"ended", ended.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(ended)}};
-  std::string text =
-      format("%s: %zu images of %d x %d in %.1f s, %zu dropped for newer ones\n", facts.format.c_str(),
-             track.images, track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
-  text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
-  text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
-                 track.people.size(), static_cast<int>(args.chosen) + 1, person.found, 1e3 * person.residual);
-  text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
-  text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
-                 1e3 * latency.median(), 1e3 * latency.p99(), 1e3 * latency.max());
-  if (sender) {
-    document["sent"] = sender->sent();
-    document["unsent"] = sender->refused();
-    document["nameless"] = sender->nameless();
-    text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
-                   sender->sent(), sender->refused(), sender->nameless());
-  }
-  const std::vector<std::string> warnings = tracking::trackWarnings(person);
-  document["warnings"] = warnings;
-  addStature(document, person.stature);
-  addFacing(document, person.facing);
-  text += tracking::facingReason(person.facing) + " (--facing)\n";
-  for (const std::string& note : facts.notes) text += "note: " + note + "\n";
-  for (const std::string& warning : warnings) line.warn(warning);
-  if (!to_stdout)
-    line.print(document, text);
-  else if (!line.quiet)
-    std::cerr << text;
-  if (sender && sender->isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
-  // Whoever reads standard output may end; what was tracked is kept all the same.
-  if (sender && sender->outputError() != 0 && !sender->isClosed() && sender->outputError() != EINTR)
-    throw WriteError("standard output", sender->outputError());
+  const serve::SkeletonSender* const sent_by = sender ? &*sender : nullptr;
+  printReport(line, {camera, track, person, outcome, sent_by, ended, tracking::trackWarnings(person)}, args);
+  if (sender) checkOutput(line, *sender);
   if (ended.empty()) return outcome.interrupted ? kInterrupted : kDone;
   std::cerr << end.what() << std::endl;
   return kPartly;

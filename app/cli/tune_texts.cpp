@@ -1,5 +1,6 @@
 #include "app/cli/tune_texts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
@@ -9,6 +10,9 @@ namespace abstand::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Approaches in the text for people; the JSON has all.
+constexpr std::size_t kTextApproaches = 10;
 
 /// null for what is not known or infinite.
 Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
@@ -50,6 +54,70 @@ Json proposedJson(const TuneAnswer& answer, const tune::ProposedMargin& p) {
   else
     fit = nullptr;
   return j;
+}
+
+/// The approaches of all recordings, nearest first.
+struct Ranked {
+  const tune::TunedRecording* recording;
+  const tune::Approach* approach;
+};
+std::vector<Ranked> rankedApproaches(const TuneAnswer& answer) {
+  std::vector<Ranked> ranked;
+  for (const auto& r : answer.recordings)
+    for (const auto& a : r.pass.approaches) ranked.push_back({&r, &a});
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+    return a.approach->clearance < b.approach->clearance;
+  });
+  return ranked;
+}
+
+/// null: excluded or not judged.
+Json contactJson(const tune::ContactShare& c) {
+  if (c.region.empty()) return nullptr;
+  return {{"region", c.region},
+          {"excluded", c.excluded},
+          {"force", finite(c.force)},
+          {"energy", finite(c.energy)},
+          {"share", finite(c.share)},
+          {"pressure", c.excluded ? Json(nullptr) : finite(c.pressure)},
+          {"pressure_share", c.excluded ? Json(nullptr) : finite(c.pressure_share)}};
+}
+
+Json approachJson(const Ranked& r) {
+  const tune::Approach& a = *r.approach;
+  const double closing = a.motion.closing();
+  return {
+      {"recording", r.recording->recording},
+      {"t", a.t},
+      {"part", r.recording->pass.parts[a.part].part},
+      {"link", r.recording->pass.links[a.link]},
+      {"distance", finite(a.distance)},
+      {"clearance", finite(a.clearance)},
+      {"closing_speed", finite(closing)},
+      {"robot_speed", a.motion.robot_speed},
+      {"person_speed", a.motion.person_speed},
+      {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? finite(a.clearance / closing) : Json(nullptr)},
+      {"robot_mass", finite(a.motion.robot_mass)},
+      {"contact", contactJson(a.contact)}};
+}
+
+std::string approachesText(const TuneAnswer& answer) {
+  const std::vector<Ranked> ranked = rankedApproaches(answer);
+  std::string text =
+      format("\nnearest approaches (%zu below %.0f mm):\n", ranked.size(), 1e3 * answer.options.pass.near);
+  for (std::size_t i = 0; i < std::min(ranked.size(), kTextApproaches); ++i) {
+    const tune::Approach& a = *ranked[i].approach;
+    const tune::TunedRecording& r = *ranked[i].recording;
+    text += format("%8.1f mm  %s to %s at %.3f s, closing at %.2f m/s", 1e3 * a.clearance,
+                   r.pass.parts[a.part].part.c_str(), r.pass.links[a.link].c_str(), a.t, a.motion.closing());
+    if (a.contact.excluded)
+      text += "; contact there is excluded";
+    else if (!a.contact.region.empty() && a.motion.closing() > 0.0)
+      text += format("; a contact then: %.0f N (%.0f %% of the limit of %s)", a.contact.force,
+                     100.0 * a.contact.share, a.contact.region.c_str());
+    text += answer.recordings.size() > 1 ? ", " + r.recording + "\n" : "\n";
+  }
+  return text;
 }
 
 double secondsOf(const TuneAnswer& answer) {
@@ -104,6 +172,10 @@ Json tuneJson(const TuneAnswer& answer) {
                           {"stopped_share", row.outcome.stoppedShare()},
                           {"missed_stops", row.outcome.missed_stops}});
   }
+  j["approaches"] = Json::array();
+  for (const Ranked& r : rankedApproaches(answer)) j["approaches"].push_back(approachJson(r));
+  const std::string& stamp = answer.recordings.front().contact_limits;
+  j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
   j["proposed"] = Json::array();
   for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));
   j["interrupted"] = answer.interrupted;
@@ -135,6 +207,7 @@ std::string tuneText(const TuneAnswer& answer) {
   text += format(
       "95 %% confidence: at most %.1f %% of unseen recordings of the same kind break one of these margins\n",
       100.0 * p.unseen_share);
+  text += approachesText(answer);
   for (const auto& r : answer.recordings) text += reservationsText(r.reservations);
   return text;
 }

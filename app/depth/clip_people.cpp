@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/math/quantile.hpp"
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
 
@@ -78,7 +79,7 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
     break;
   }
   const std::vector<double> lowest = lowestSkin(recording, *human.body.height);
-  if (!lowest.empty()) human.recording.place_xyz.z() = -tracking::quantile(lowest, 0.1);
+  if (!lowest.empty()) human.recording.place_xyz.z() = -nearestQuantile(lowest, 0.1);
 
   scene_file::SceneDescription scene;
   scene.file = file;

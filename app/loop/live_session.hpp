@@ -80,8 +80,6 @@ class LiveSession {
   bool send(const Command& command) { return commands_.push(command); }
   bool takeSnapshot(view::SceneSnapshot& out);
   void drainPlot(std::vector<view::PlotSample>& out) { plot_.drainInto(out); }
-  /// Plot samples that found no room.
-  long samplesLost() const { return samples_lost_.load(std::memory_order_relaxed); }
 
  private:
   struct Timing;
@@ -110,7 +108,6 @@ class LiveSession {
   SpscRing<Command, 256> commands_;
   TripleBuffer<view::SceneSnapshot> snapshots_;
   SpscRing<view::PlotSample, 16384> plot_;
-  std::atomic<long> samples_lost_{0};
   std::atomic<bool> stop_{false};
 
   // Loop thread only, once it runs.

@@ -34,7 +34,7 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
       hold_(description.reaction->hold),
       reaction_(driver, description, *description.reaction, scene, people),
       plan_(driver.motion() ? &*driver.motion() : nullptr, driver.home(), t),
-      tree_(mechanism::makeRigidTree(driver.mechanism())),
+      dynamics_{mechanism::makeRigidTree(driver.mechanism()), {}, {}},
       gravity_B_(driver.X_WB().linear().transpose() * mechanism::kGravity),
       limits_(mechanism::dofLimits(driver.mechanism())) {
   const auto n = static_cast<std::size_t>(driver.dof());
@@ -44,18 +44,19 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   // A plan that is faster than the robot begins at the robot's speed.
   for (std::size_t i = 0; i < n; ++i)
     qd_[i] = std::clamp(qd_[i], -limits_.limits()[i].velocity, limits_.limits()[i].velocity);
-  for (auto* v : {&qdd_, &torque_, &acceleration_, &hold_efforts_, &next_q_, &next_qd_, &applied_, &bias_})
+  for (auto* v : {&qdd_, &torque_, &applied_, &next_.q, &next_.qd, &scratch_.acceleration,
+                  &scratch_.hold_efforts, &scratch_.bias})
     v->assign(n, 0.0);
   limits_.look(t, q_, qd_, {}, {});
   if (description.reaction->admittance) {
     wanted_ = last_wanted_ = q_;
-    const bool weightless = std::any_of(tree_.bodies.begin(), tree_.bodies.end(),
+    const bool weightless = std::any_of(dynamics_.tree.bodies.begin(), dynamics_.tree.bodies.end(),
                                         [](const mechanism::TreeBody& body) { return body.mass == 0.0; });
     if (!weightless) limiter_.emplace(limits_.limits());
     return;
   }
   physics::MechanismOptions options;
-  options.solver = solverOf(tree_);
+  options.solver = solverOf(dynamics_.tree);
   try {
     number_ = world.addMechanism(driver.mechanism(), driver.X_WB(), options);
   } catch (const ParseError& e) {
@@ -94,9 +95,9 @@ void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
        reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
        scene);
 
-  mechanism::placeBodies(tree_, q_, tree_state_);
-  mechanism::massMatrix(tree_, tree_state_, mass_);
-  const control::ReactionOutput out = reaction_.update(mass_.M);
+  mechanism::placeBodies(dynamics_.tree, q_, dynamics_.state);
+  mechanism::massMatrix(dynamics_.tree, dynamics_.state, dynamics_.mass);
+  const control::ReactionOutput out = reaction_.update(dynamics_.mass.M);
   std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
   for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
   scale_ = out.speed_scale;
@@ -115,10 +116,11 @@ void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
 void ReactingRobot::drive(const control::ReactionOutput& out) {
   brake(out.brakes);
   if (braked_) return;
-  control::hold(hold_, plan_.now(), q_, qd_, acceleration_);
-  mechanism::inverseDynamics(tree_, {q_, qd_, acceleration_}, {gravity_B_, {}}, tree_state_, hold_efforts_);
+  control::hold(hold_, plan_.now(), q_, qd_, scratch_.acceleration);
+  mechanism::inverseDynamics(dynamics_.tree, {q_, qd_, scratch_.acceleration}, {gravity_B_, {}},
+                             dynamics_.state, scratch_.hold_efforts);
   for (std::size_t i = 0; i < q_.size(); ++i)
-    world_.setJointEffort(number_, static_cast<int>(i), hold_efforts_[i] + torque_[i]);
+    world_.setJointEffort(number_, static_cast<int>(i), scratch_.hold_efforts[i] + torque_[i]);
 }
 
 /// The next joint values: where plan and offset say, or, where the joints cannot be there in a cycle, on the
@@ -132,44 +134,47 @@ void ReactingRobot::position(const control::ReactionOutput& out, double h) {
     const double behind = last_wanted_[i] - q_[i];
     mechanism::DofLimits reach;
     reach.upper = std::abs(behind);
-    const double braking = limiter_ ? limiter_->braking(mass_, bias_, i) : limits_.limits()[i].acceleration;
-    next_qd_[i] = (wanted_[i] - last_wanted_[i]) / h +
+    const double braking =
+        limiter_ ? limiter_->braking(dynamics_.mass, scratch_.bias, i) : limits_.limits()[i].acceleration;
+    next_.qd[i] = (wanted_[i] - last_wanted_[i]) / h +
                   std::copysign(mechanism::velocityBounds(reach, 0.0, 0.0, braking, h).upper, behind);
   }
   limitPosition(h);
   for (std::size_t i = 0; i < q_.size(); ++i) {
-    next_q_[i] = q_[i] + h * next_qd_[i];
-    if (std::abs(next_q_[i] - wanted_[i]) < kThere) next_q_[i] = wanted_[i];
+    next_.q[i] = q_[i] + h * next_.qd[i];
+    if (std::abs(next_.q[i] - wanted_[i]) < kThere) next_.q[i] = wanted_[i];
   }
 }
 
 void ReactingRobot::limitPosition(double h) {
   const auto& limits = limits_.limits();
-  const bool weighed = limiter_ && mechanism::factor(mass_) < 0;
+  const bool weighed = limiter_ && mechanism::factor(dynamics_.mass) < 0;
   if (!weighed) {
     for (std::size_t i = 0; i < q_.size(); ++i) {
       const mechanism::VelocityBounds b =
           mechanism::velocityBounds(limits[i], q_[i], qd_[i], limits[i].acceleration, h);
-      next_qd_[i] = std::clamp(next_qd_[i], b.lower, b.upper);
+      next_.qd[i] = std::clamp(next_.qd[i], b.lower, b.upper);
     }
     return;
   }
   // What its motors would have to give, what they can, and where that leads.
-  for (std::size_t i = 0; i < q_.size(); ++i) acceleration_[i] = (next_qd_[i] - qd_[i]) / h;
-  mechanism::inverseDynamics(tree_, {q_, qd_, {}}, {gravity_B_, {}}, tree_state_, bias_);
-  mechanism::inverseDynamics(tree_, {q_, qd_, acceleration_}, {gravity_B_, {}}, tree_state_, hold_efforts_);
+  for (std::size_t i = 0; i < q_.size(); ++i) scratch_.acceleration[i] = (next_.qd[i] - qd_[i]) / h;
+  mechanism::inverseDynamics(dynamics_.tree, {q_, qd_, {}}, {gravity_B_, {}}, dynamics_.state, scratch_.bias);
+  mechanism::inverseDynamics(dynamics_.tree, {q_, qd_, scratch_.acceleration}, {gravity_B_, {}},
+                             dynamics_.state, scratch_.hold_efforts);
   bool able = true;
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const double most = limits[i].effort;
-    able = able && std::abs(hold_efforts_[i]) <= most;
-    hold_efforts_[i] = std::clamp(hold_efforts_[i], -most, most);
+    able = able && std::abs(scratch_.hold_efforts[i]) <= most;
+    scratch_.hold_efforts[i] = std::clamp(scratch_.hold_efforts[i], -most, most);
   }
   if (!able) {
-    for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] = h * (hold_efforts_[i] - bias_[i]);
-    mechanism::solveMass(mass_, next_qd_);
-    for (std::size_t i = 0; i < q_.size(); ++i) next_qd_[i] += qd_[i];
+    for (std::size_t i = 0; i < q_.size(); ++i)
+      next_.qd[i] = h * (scratch_.hold_efforts[i] - scratch_.bias[i]);
+    mechanism::solveMass(dynamics_.mass, next_.qd);
+    for (std::size_t i = 0; i < q_.size(); ++i) next_.qd[i] += qd_[i];
   }
-  limiter_->limit(mass_, {h, q_, qd_, bias_, hold_efforts_, next_qd_, applied_});
+  limiter_->limit(dynamics_.mass, {h, q_, qd_, scratch_.bias, scratch_.hold_efforts, next_.qd, applied_});
 }
 
 void ReactingRobot::brake(bool on) {
@@ -186,8 +191,8 @@ void ReactingRobot::brake(bool on) {
 }
 
 void ReactingRobot::follow() {
-  const std::span<const double> q = positioned() ? std::span<const double>(next_q_) : world_.q(number_);
-  const std::span<const double> qd = positioned() ? std::span<const double>(next_qd_) : world_.qd(number_);
+  const std::span<const double> q = positioned() ? std::span<const double>(next_.q) : world_.q(number_);
+  const std::span<const double> qd = positioned() ? std::span<const double>(next_.qd) : world_.qd(number_);
   for (std::size_t i = 0; i < qd_.size(); ++i) qdd_[i] = h_ > 0.0 ? (qd[i] - qd_[i]) / h_ : 0.0;
   if (!positioned()) {
     const std::span<const double> efforts = world_.mechanism(number_).appliedEfforts();

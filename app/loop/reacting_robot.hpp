@@ -74,6 +74,21 @@ class ReactingRobot {
   session::MechanismDriver& driver() const { return driver_; }
 
  private:
+  /// Of its links at the present joint values.
+  struct Dynamics {
+    mechanism::RigidTree tree;
+    mechanism::TreeState state;
+    mechanism::MassMatrix mass;
+  };
+  /// Joint values and speeds of the next cycle.
+  struct NextState {
+    std::vector<double> q, qd;
+  };
+  /// Of each joint, within a cycle; `bias`: the efforts that gravity and velocity need.
+  struct Scratch {
+    std::vector<double> acceleration, hold_efforts, bias;
+  };
+
   void look(double t, double h, std::span<const control::ReactionPair> pairs, const scene::Scene& scene);
   void drive(const control::ReactionOutput& out);
   void position(const control::ReactionOutput& out, double h);
@@ -85,15 +100,15 @@ class ReactingRobot {
   control::HoldOptions hold_;
   session::RobotReaction reaction_;
   MotionClock plan_;
-  mechanism::RigidTree tree_;
-  mechanism::TreeState tree_state_;
-  mechanism::MassMatrix mass_;
+  Dynamics dynamics_;
   Vector3d gravity_B_;
   int number_{-1};
   mechanism::JointLimitWatch limits_;
   std::optional<physics::JointLimiter> limiter_;  ///< of a position-controlled robot with masses
-  std::vector<double> q_, qd_, qdd_, torque_, acceleration_, hold_efforts_, next_q_, next_qd_;
-  std::vector<double> applied_, bias_, wanted_, last_wanted_;
+  std::vector<double> q_, qd_, qdd_, torque_, applied_;
+  NextState next_;                            ///< of a position-controlled robot
+  std::vector<double> wanted_, last_wanted_;  ///< the same: where plan and offset say
+  Scratch scratch_;
   double t_next_{0.0};  ///< s, of follow()
   double scale_{1.0};
   double h_{0.0};  ///< s, of the last cycle

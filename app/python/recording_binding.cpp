@@ -38,9 +38,9 @@ Recording read(const std::filesystem::path& path, const tracking::RecordingOptio
 py::dict factsOf(const tracking::RecordingReport& r) {
   using namespace py::literals;
   return py::dict("format"_a = r.format, "rate"_a = r.rate, "rate_reason"_a = r.rate_reason,
-                  "duration"_a = r.duration, "units"_a = r.units_guess, "units_reason"_a = r.units_reason,
-                  "units_guessed"_a = r.units_guessed, "scale"_a = r.scale, "up"_a = r.up,
-                  "up_reason"_a = r.up_reason, "up_guessed"_a = r.up_guessed, "sides"_a = r.sides,
+                  "duration"_a = r.duration, "units"_a = r.units.name, "units_reason"_a = r.units.reason,
+                  "units_guessed"_a = r.units.guessed, "scale"_a = r.scale, "up"_a = r.up.axis,
+                  "up_reason"_a = r.up.reason, "up_guessed"_a = r.up.guessed, "sides"_a = r.sides,
                   "sides_reason"_a = r.sides_reason, "stature"_a = r.stature, "joint_map"_a = r.joint_map,
                   "joints"_a = r.joints, "mapped"_a = r.mapped, "not_mapped"_a = r.not_mapped,
                   "missing_parts"_a = r.missing_parts, "frames_missing"_a = r.frames_missing,

@@ -6,17 +6,14 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand::run {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 1 << 20;
 
-std::string trimmed(const std::string& s) {
-  const auto first = s.find_first_not_of(" \t\r\"'");
-  const auto last = s.find_last_not_of(" \t\r\"'");
-  return first == std::string::npos ? "" : s.substr(first, last - first + 1);
-}
+std::string bare(std::string_view s) { return std::string(text::trimmed(s, " \t\r\"'")); }
 
 }  // namespace
 
@@ -28,11 +25,11 @@ void applyMargins(scene::Scene& scene, const std::filesystem::path& file) {
   for (std::string text; std::getline(in, text);) {
     ++line;
     text = text.substr(0, text.find('#'));
-    if (trimmed(text).empty()) continue;
+    if (bare(text).empty()) continue;
     const auto colon = text.rfind(':');
     if (colon == std::string::npos)
-      throw ParseError({file.string(), line, 1}, "found '" + trimmed(text) + "', expected NAME: METRES");
-    const std::string name = trimmed(text.substr(0, colon)), value = trimmed(text.substr(colon + 1));
+      throw ParseError({file.string(), line, 1}, "found '" + bare(text) + "', expected NAME: METRES");
+    const std::string name = bare(text.substr(0, colon)), value = bare(text.substr(colon + 1));
     ObjectId id(0);
     if (!scene.find(name, &id)) {
       const std::string near = nearestName(name, names);

@@ -166,18 +166,18 @@ void addRecording(const scene_file::HumanDescription& d, const session::HumanDri
                    {},
                    paired ? scene::Severity::kAlways : scene::Severity::kNote,
                    {}});
-  if (r.units_guessed)
+  if (r.units.guessed)
     out.push_back({"units_guess",
-                   file + ": the units are guessed (" + r.units_guess + ": " + r.units_reason +
+                   file + ": the units are guessed (" + r.units.name + ": " + r.units.reason +
                        "); say them as `units` in the scene",
                    {},
                    {},
                    {},
                    scene::Severity::kStrict,
                    {}});
-  if (r.up_guessed)
+  if (r.up.guessed)
     out.push_back({"up_guess",
-                   file + ": the axis that points up is guessed (" + r.up + ": " + r.up_reason +
+                   file + ": the axis that points up is guessed (" + r.up.axis + ": " + r.up.reason +
                        "); say it as `up` in the scene",
                    {},
                    {},

@@ -106,16 +106,14 @@ void runFirstCycle(session::Session& session, const Frames& frames, bool passes)
 }
 
 void addTimes(const scene::CycleStatistics& statistics, RunSummary& summary) {
-  summary.median_us = 1e6 * statistics.median();
-  summary.p99_us = 1e6 * statistics.p99();
-  summary.p999_us = 1e6 * statistics.p999();
-  summary.max_us = 1e6 * statistics.max();
-  summary.overruns = statistics.overruns();
+  summary.cycle_us = {1e6 * statistics.median(), 1e6 * statistics.p99(), 1e6 * statistics.p999(),
+                      1e6 * statistics.max(), statistics.overruns()};
 }
 
 void addBreaches(const scene::Scene& scene, double from, RunSummary& summary) {
   for (const scene::SpeedBreach& b : scene.speedWatch().listed())
-    if (b.t >= from) summary.breaches.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
+    if (b.t >= from)
+      summary.breaches.listed.push_back({scene.object(b.object).spec.name, b.t, b.speed, b.bound});
 }
 
 }  // namespace
@@ -145,7 +143,7 @@ RunSummary runScene(session::Session& session, const RunOptions& options) {
   }
   addTimes(statistics, summary);
   addBreaches(scene, frames.times.front(), summary);
-  summary.breach_count = scene.speedWatch().count() - breaches_before;
+  summary.breaches.count = scene.speedWatch().count() - breaches_before;
   for (std::size_t i = 0; i < state.stale.size(); ++i)
     if (state.stale[i]) summary.stale.push_back(scene.objects()[i].spec.name);
   return summary;

@@ -48,8 +48,11 @@ struct RunSummary {
     double t{0.0}, value{0.0};
   };
   std::size_t frames{0}, objects{0}, pairs{0};
-  double median_us{0.0}, p99_us{0.0}, p999_us{0.0}, max_us{0.0};
-  long overruns{0};  ///< cycles longer than kPeriodUs
+  /// How long cycles took, microseconds.
+  struct CycleTimes {
+    double median{0.0}, p99{0.0}, p999{0.0}, max{0.0};
+    long overruns{0};  ///< cycles longer than kPeriodUs
+  } cycle_us;
   std::optional<Extreme> min_distance;
   std::array<std::optional<Extreme>, kPairClasses.size()> min_distance_by_class;  ///< as kPairClasses
   /// The least distance less the reach of both bodies: how near they may have been; -infinity where a body
@@ -74,13 +77,16 @@ struct RunSummary {
     long checked{0}, rested{0}, beyond{0}, put_off{0};
     int longest_wait{0};  ///< cycles, of a pair put off
   } work;
-  struct Breach {
-    std::string object;
-    double t{0.0}, speed{0.0}, bound{0.0};
-  };
-  std::vector<Breach> breaches;  ///< the first stretches in which an object was faster than its max_speed
-  long breach_count{0};          ///< all of them
-  long cycles{0};                ///< of the closed loop; 0: there was none
+  /// Stretches in which an object was faster than its max_speed.
+  struct SpeedBreaches {
+    struct Breach {
+      std::string object;
+      double t{0.0}, speed{0.0}, bound{0.0};
+    };
+    std::vector<Breach> listed;  ///< the first ones
+    long count{0};               ///< all of them
+  } breaches;
+  long cycles{0};                              ///< of the closed loop; 0: there was none
   std::vector<loop::ReactionReport> robots;    ///< those that reacted
   std::vector<JointLimitReport> joint_limits;  ///< position, velocity, acceleration and effort limits broken
   std::optional<CycleProfile> profile;

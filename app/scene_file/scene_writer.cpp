@@ -9,7 +9,8 @@
 namespace abstand::scene_file {
 namespace {
 
-std::string inDoubleQuotes(const std::string& text) {
+/// A YAML scalar in double quotes.
+std::string escaped(const std::string& text) {
   std::string s = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') s += '\\';
@@ -30,7 +31,7 @@ std::string scalar(const std::string& text) {
   bool plain = !text.empty() && letter(text.front());
   for (const char c : text)
     plain = plain && (letter(c) || (c >= '0' && c <= '9') || c == '/' || c == '.' || c == '-');
-  return plain && text != "null" && text != "Null" && text != "NULL" ? text : inDoubleQuotes(text);
+  return plain && text != "null" && text != "Null" && text != "NULL" ? text : escaped(text);
 }
 
 std::string vector(const Vector3d& v) {

@@ -39,7 +39,6 @@ class PairControl {
   const std::string& name(int group) const;
   view::PairGroupState state(int group) const { return states_[static_cast<std::size_t>(group)]; }
   std::size_t size(int group) const { return sizes_[static_cast<std::size_t>(group)]; }  ///< pairs in it
-  int groupOf(PairId pair) const { return group_of_[pair.index()]; }
   std::size_t withoutGroup() const { return without_group_; }
   /// The group with this name, kNoGroup when there is none.
   int find(std::string_view name) const;

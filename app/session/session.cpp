@@ -130,8 +130,8 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
       const auto& report = r->report;
       const std::string stature =
           report.stature > 0.0 ? std::to_string(report.stature).substr(0, 4) + " m" : "not known";
-      remarks_.push_back(fileName(d.recording.file) + ": read as " + report.units_guess + ", " + report.up +
-                         " up, stature " + stature);
+      remarks_.push_back(fileName(d.recording.file) + ": read as " + report.units.name + ", " +
+                         report.up.axis + " up, stature " + stature);
       for (const auto& note : report.notes) remarks_.push_back(fileName(d.recording.file) + ": " + note);
     }
   }

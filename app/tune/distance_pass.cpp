@@ -57,6 +57,8 @@ void validate(const PassOptions& options) {
   need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
 }
 
+double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedStep; }
+
 }  // namespace
 
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
@@ -64,7 +66,8 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
       options_(options),
       swept_(session.scene()),
       window_(session, watchOf(session).pairs, options.braking),
-      braking_(session, window_, options.limit) {
+      braking_(session, window_, options.limit),
+      judge_(session, options.contact) {
   validate(options);
   if (window_.pairs().empty())
     throw UsageError(session.description().file.string() +
@@ -72,7 +75,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   const std::vector<humanmodel::BodyPart> parts = watchOf(session).parts;
   const std::set<humanmodel::BodyPart> there(parts.begin(), parts.end());
   for (const humanmodel::BodyPart part : there)
-    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}});
+    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}});
   std::map<std::size_t, std::uint16_t> link_index;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(parts[p])));
@@ -81,6 +84,8 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     if (fresh) result_.links.push_back(session.scene().objects()[link].spec.name);
     result_.pairs.push_back({part, at->second});
   }
+  nearest_.resize(result_.parts.size());
+  least_.assign(result_.parts.size(), kInfinity);
   const std::size_t all = session.scene().pairs().size();
   limits_.assign(all, -kInfinity);
   uncertainty_.assign(all, 0.0);
@@ -128,6 +133,8 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     part.bound.push_back(0.0);
     part.uncertainty.push_back(0.0);
     part.link.push_back(0);
+    part.robot_speed.push_back(0.0);
+    part.person_speed.push_back(0.0);
   }
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     PartClearance& part = result_.parts[result_.pairs[p].part];
@@ -136,6 +143,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
       part.uncertainty[i] = frame.uncertainty[p];
       part.link[i] = result_.pairs[p].link;
       part.distance[i] = frame.distance[p];
+      nearest_[result_.pairs[p].part] = p;
       part.bound[i] = frame.bound[p];
     }
     part.track.braking[i] = std::min(part.track.braking[i], braking_of_first_[p]);
@@ -144,6 +152,35 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     const double uncertainty = std::max(frame.uncertainty[p], next->uncertainty[p]);
     part.track.between[i] = std::min(part.track.between[i], frame.between[p] - uncertainty);
   }
+  lookAhead(next);
+  for (std::size_t part = 0; part < result_.parts.size(); ++part) watchApproach(part, frame);
+}
+
+void DistancePass::lookAhead(const WindowFrame* next) {
+  ahead_.assign(result_.parts.size(), kInfinity);
+  if (!next) return;
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    double& least = ahead_[result_.pairs[p].part];
+    least = std::min(least, next->clearance[p]);
+  }
+}
+
+/// Of equal clearances in a row the first one is the minimum.
+void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
+  PartClearance& part = result_.parts[index];
+  const std::size_t p = nearest_[index];
+  const WatchedPair& pair = window_.pairs()[p];
+  const double clearance = part.track.clearance.back();
+  const bool told = clearance < options_.near && std::isfinite(clearance) && clearance < least_[index] &&
+                    clearance <= ahead_[index];
+  least_[index] = clearance;
+  const ClosingMotion motion = judge_.motion(frame, pair, p, told);
+  part.robot_speed.back() = wholeSpeed(motion.robot_speed);
+  part.person_speed.back() = wholeSpeed(motion.person_speed);
+  if (told)
+    result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
+                                  part.distance.back(), clearance, motion,
+                                  judge_.contact(motion, frame, pair, part.part)});
 }
 
 }  // namespace abstand::tune

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/run/swept_check.hpp"
+#include "app/tune/approach.hpp"
 #include "app/tune/braking_clearance.hpp"
 #include "core/margin/clearance_track.hpp"
 
@@ -15,7 +16,9 @@ struct PassResult;
 
 struct PassOptions {
   BrakingOptions braking;
-  double limit{0.0};  ///< m, MarginOptions::limit
+  double limit{0.0};                                      ///< m, MarginOptions::limit
+  double near{0.2};                                       ///< m: approaches below this clearance are told
+  std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
   /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
   std::function<void(const WindowFrame&, const PassResult&)> on_frame;
 };
@@ -28,7 +31,12 @@ struct PartClearance {
   std::vector<double> bound;        ///< m, of that pair
   std::vector<double> uncertainty;  ///< m, of that pair: what is not known of the person's pose
   std::vector<std::uint16_t> link;  ///< of that pair, index into PassResult::links
+  /// m/s, of that pair: towards each other; whole steps of kSpeedStep, rounded up.
+  std::vector<double> robot_speed, person_speed;
 };
+
+/// m/s. A power of two, so that files keep it exactly.
+inline constexpr double kSpeedStep = 1.0 / 16384.0;
 
 /// Margin-independent: distances do not depend on margins.
 struct PassResult {
@@ -37,7 +45,8 @@ struct PassResult {
   struct PairOfNames {
     std::uint16_t part, link;  ///< indices into `parts` and `links`
   };
-  std::vector<PairOfNames> pairs;  ///< in the order of WindowFrame's lists
+  std::vector<PairOfNames> pairs;    ///< in the order of WindowFrame's lists
+  std::vector<Approach> approaches;  ///< in order of time
   long swept_queries{0}, braking_queries{0};
 };
 
@@ -55,6 +64,8 @@ class DistancePass {
  private:
   void settle();
   void take(const WindowFrame& frame, const WindowFrame* next);
+  void watchApproach(std::size_t part, const WindowFrame& frame);
+  void lookAhead(const WindowFrame* next);
 
   const session::Session& session_;
   PassOptions options_;
@@ -62,6 +73,10 @@ class DistancePass {
   MotionWindow window_;
   BrakingClearance braking_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
+  ApproachJudge judge_;
+  std::vector<std::size_t> nearest_;  ///< of each part: the pair with the least clearance in this frame
+  std::vector<double> least_,
+      ahead_;  ///< m, of each part: the least clearance of the last and the next frame
   PassResult result_;
 };
 

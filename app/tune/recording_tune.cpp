@@ -31,6 +31,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.frames = summary.frames;
   tuned.interrupted = summary.interrupted;
   tuned.reservations = summary.reservations;
+  if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();
   const margin::ClearanceTrack& any = tuned.pass.parts.front().track;
   if (any.frames() > 0) tuned.t0 = any.t.front(), tuned.t1 = any.t.back();

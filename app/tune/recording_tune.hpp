@@ -20,7 +20,8 @@ struct TunedRecording {
   std::size_t frames{0};
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
-  PassResult pass;          ///< tracks begin at the first judged frame of their part
+  PassResult pass;
+  std::string contact_limits;  ///< ContactLimits::stamp(); empty: contacts were not judged
   std::vector<run::Reservation> reservations;
   bool interrupted{false};
 

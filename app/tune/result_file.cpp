@@ -23,6 +23,9 @@ constexpr std::size_t kMaxNames = 10000;
 const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
                                 "bound",     "uncertainty", "link"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
+/// Part, link, t, distance, clearance, speeds of robot and person, robot's mass, excluded, force, energy,
+/// share, pressure, its share.
+constexpr std::size_t kApproachColumns = 14;
 
 void addFile(ContentHash& hash, const std::filesystem::path& file) {
   if (file.empty()) return;
@@ -74,6 +77,31 @@ std::vector<double> column(const std::vector<double>& table, std::size_t frames,
   return list;
 }
 
+std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t parts, std::size_t links,
+                                   const std::string& file) {
+  const std::size_t count = in.extents("approaches").rows;
+  const std::vector<double> v = in.table("approaches", count, kApproachColumns);
+  const std::vector<std::string> regions = in.texts("approach_regions");
+  if (regions.size() != count)
+    throw ParseError({file}, "found approaches without regions, expected one for each");
+  std::vector<Approach> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* a = v.data() + i * kApproachColumns;
+    if (!(a[0] >= 0.0 && a[0] < static_cast<double>(parts) && a[1] >= 0.0 &&
+          a[1] < static_cast<double>(links)))
+      throw ParseError({file}, "found an approach of a part or a link that is not there");
+    Approach approach;
+    approach.part = static_cast<std::uint16_t>(a[0]);
+    approach.link = static_cast<std::uint16_t>(a[1]);
+    approach.t = a[2], approach.distance = a[3], approach.clearance = a[4];
+    approach.motion.robot_speed = a[5], approach.motion.person_speed = a[6],
+    approach.motion.robot_mass = a[7];
+    approach.contact = {regions[i], a[8] != 0.0, a[9], a[10], a[11], a[12], a[13]};
+    all.push_back(std::move(approach));
+  }
+  return all;
+}
+
 }  // namespace
 
 ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
@@ -96,7 +124,9 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
   }
   addFile(hash, recording);
   const auto& braking = options.pass.braking;
-  for (const double v : {options.pass.limit, braking.reaction_time, braking.deceleration}) hash.add(v);
+  for (const double v : {options.pass.limit, options.pass.near, braking.reaction_time, braking.deceleration})
+    hash.add(v);
+  if (options.pass.contact) addText(hash, options.pass.contact->content.hex());
   return hash.value();
 }
 
@@ -145,6 +175,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.attribute("limit", options.pass.limit);
   out_.attribute("reaction_time", options.pass.braking.reaction_time);
   out_.attribute("deceleration", options.pass.braking.deceleration);
+  out_.attribute("near", options.pass.near);
+  out_.attribute("contact_limits", tuned.contact_limits);
   std::vector<std::string> reservations;
   for (const run::Reservation& r : tuned.reservations) reservations.push_back(reservationLine(r));
   out_.texts("reservations", reservations);
@@ -152,6 +184,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.nextTables();
   const std::size_t t = out_.table("t", {});
   const std::size_t parts = out_.table("part_values", {tuned.pass.parts.size(), kColumnCount});
+  const std::size_t speeds =
+      out_.table("part_speeds", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
   out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
   for (std::size_t i = 0; i < tuned.pass.parts.front().track.frames(); ++i) {
     out_.add(t, tuned.pass.parts.front().track.t[i]);
@@ -159,8 +193,25 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
       for (const double v : {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
                              p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i])})
         out_.add(parts, v);
+    for (const PartClearance& p : tuned.pass.parts) {
+      out_.add(speeds, p.robot_speed[i]);
+      out_.add(speeds, p.person_speed[i]);
+    }
     out_.endRow();
   }
+  out_.nextTables();
+  std::vector<std::string> regions;
+  const std::size_t approaches = out_.table("approaches", {kApproachColumns});
+  for (const Approach& a : tuned.pass.approaches) {
+    const ContactShare& c = a.contact;
+    for (const double v : {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance,
+                           a.clearance, a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass,
+                           c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share})
+      out_.add(approaches, v);
+    out_.endRow();
+    regions.push_back(c.region);
+  }
+  out_.texts("approach_regions", regions);
   out_.commit();
 }
 
@@ -179,6 +230,8 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.t1 = in.number("t1");
   tuned.unjudged = in.number("unjudged");
   stored.options.pass.limit = in.number("limit");
+  stored.options.pass.near = in.number("near");
+  tuned.contact_limits = in.text("contact_limits");
   stored.options.pass.braking = {in.number("reaction_time"), in.number("deceleration")};
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));
@@ -192,9 +245,12 @@ StoredResult readResult(const std::filesystem::path& file) {
   const std::vector<double> t = in.table("t", frames, 1);
   const std::size_t width = parts.size() * kColumnCount;
   const std::vector<double> values = in.table("part_values", frames, width);
+  const std::vector<double> speeds = in.table("part_speeds", frames, 2 * parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
-    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}};
+    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}};
+    part.robot_speed = column(speeds, frames, 2 * parts.size(), 2 * p);
+    part.person_speed = column(speeds, frames, 2 * parts.size(), 2 * p + 1);
     for (const double link : list(6)) {
       if (!(link >= 0.0 && link < static_cast<double>(tuned.pass.links.size())))
         fail("found the number of a link that is not among the links");
@@ -207,6 +263,7 @@ StoredResult readResult(const std::filesystem::path& file) {
     }
     tuned.pass.parts.push_back(std::move(part));
   }
+  tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass.links.size(), file.string());
   return stored;
 }
 

@@ -55,9 +55,10 @@ void makeResult(const PlanItem& item, const StudyOptions& options) {
   writer.commit(tuned, tune);
 }
 
-bool sameOptions(const TuneOptions& a, const TuneOptions& b) {
-  return a.pass.limit == b.pass.limit && a.pass.braking.reaction_time == b.pass.braking.reaction_time &&
-         a.pass.braking.deceleration == b.pass.braking.deceleration;
+bool sameOptions(const StoredResult& x, const StoredResult& y) {
+  const PassOptions &a = x.options.pass, &b = y.options.pass;
+  return a.limit == b.limit && a.near == b.near && a.braking.reaction_time == b.braking.reaction_time &&
+         a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
 }
 
 }  // namespace
@@ -118,10 +119,11 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
     // The same result of two shards counts once.
     if (std::any_of(kept.begin(), kept.end(), [&](const Kept& k) { return k.stored.key == stored.key; }))
       continue;
-    if (!kept.empty() && !sameOptions(kept.front().stored.options, stored.options))
-      throw ParseError({file.string()}, "found a result with other options than in " +
-                                            kept.front().file.string() +
-                                            ", expected the same limit, reaction time and deceleration");
+    if (!kept.empty() && !sameOptions(kept.front().stored, stored))
+      throw ParseError(
+          {file.string()},
+          "found a result with other options than in " + kept.front().file.string() +
+              ", expected the same limit, reaction time, deceleration and table of contact limits");
     if (!kept.empty() && kept.front().stored.engine != stored.engine)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");

@@ -30,6 +30,8 @@ double reach2(const std::array<Vector3d, 3>& t) {
   return 0.25 * a2 * b2 * c2 / (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm();
 }
 
+Four lanesAt(const std::vector<float>& v, std::size_t i) { return load(&v[i]); }
+
 }  // namespace
 
 /// Some of the sites, padded to whole lanes with ones that are far away. The arrays may be longer.
@@ -88,10 +90,128 @@ class Distinct {
 struct FarSites::Search {
   double spacing;
   std::size_t row, slice;
+  double reach2;
   std::vector<float> at_middle;
   std::array<List, 40> lists;  ///< one a depth
   std::size_t depth{0};
+
+  /// A block, and by how much (m^2) rounding may move the squared distances in it.
+  struct Box {
+    const Block& block;
+    Vector3d middle, half;
+    double slack;
+  };
+  /// Up to kLanes vertices along each axis: the first one's place in the block, how many rows and slices.
+  struct Tile {
+    const Block& block;
+    Vector3i at;
+    int rows, slices;
+  };
+  using TileValues = std::array<Four, static_cast<std::size_t>(kLanes* kLanes)>;
+
+  /// Of a list, by |p - v|^2 - |p|^2 at the middle p of a box.
+  struct NearestSite {
+    std::size_t index;
+    float value;
+  };
+  NearestSite nearestAtMiddle(const Box& box, const List& list);
+  void keepNear(const Box& box, const List& list, const NearestSite& nearest, List& kept) const;
+  TileValues nearestOf(const Tile& tile, const List& kept) const;
+  void write(const Tile& tile, const TileValues& nearest_of, double slack, float* values) const;
+  void measure(const Box& box, const List& kept, float* values) const;
 };
+
+/// Sets at_middle to the values of all sites of the list.
+FarSites::Search::NearestSite FarSites::Search::nearestAtMiddle(const Box& box, const List& list) {
+  const Vector3f c = -2.0f * box.middle.cast<float>();
+  at_middle.resize(list.size);
+  Four least = splat(kFar);
+  for (std::size_t i = 0; i < list.size; i += kLanes) {
+    const Four g = lanesAt(list.power, i) + c.x() * lanesAt(list.x, i) + c.y() * lanesAt(list.y, i) +
+                   c.z() * lanesAt(list.z, i);
+    storeFour(g, &at_middle[i]);
+    least = min(least, g);
+  }
+  const float nearest = leastOf(least);
+  const auto found = std::find(at_middle.begin(), at_middle.end(), nearest);
+  return {static_cast<std::size_t>(found - at_middle.begin()), nearest};
+}
+
+/// Those that may be nearest somewhere in the box.
+void FarSites::Search::keepNear(const Box& box, const List& list, const NearestSite& nearest,
+                                List& kept) const {
+  const Vector3f r = box.half.cast<float>();
+  kept.size = 0;
+  kept.makeRoom(list.size);
+  const auto& [w, value] = nearest;
+  const float wx = list.x[w], wy = list.y[w], wz = list.z[w],
+              limit = value + 2.0f * static_cast<float>(box.slack);
+  for (std::size_t i = 0; i < list.size; i += kLanes) {
+    const Four gain = 2.0f * (r.x() * abs(lanesAt(list.x, i) - wx) + r.y() * abs(lanesAt(list.y, i) - wy) +
+                              r.z() * abs(lanesAt(list.z, i) - wz));
+    const int near = bits(lanesAt(at_middle, i) - gain <= limit);
+    if (near == 0) continue;
+    for (std::size_t k = 0; k < kLanes; ++k)
+      kept.add(list.x[i + k], list.y[i + k], list.z[i + k], list.power[i + k], (near >> k & 1) != 0);
+  }
+  kept.pad();
+}
+
+/// The least |p - v|^2 - |p|^2 of each vertex p: four vertices of a row at once; from one to the next row the
+/// same is added.
+FarSites::Search::TileValues FarSites::Search::nearestOf(const Tile& tile, const List& kept) const {
+  const Vector3f first = -2.0f * (spacing * tile.block.first.cast<double>()).cast<float>();
+  const float step = -2.0f * static_cast<float>(spacing);
+  const Four along{0.0f, step, 2.0f * step, 3.0f * step};
+  const float x0 = first.x() + static_cast<float>(tile.at.x()) * step,
+              y0 = first.y() + static_cast<float>(tile.at.y()) * step,
+              z0 = first.z() + static_cast<float>(tile.at.z()) * step;
+  TileValues nearest_of;
+  nearest_of.fill(splat(kFar));
+  for (std::size_t s = 0; s < kept.size; ++s) {
+    const float x = kept.x[s], y = kept.y[s], z = kept.z[s];
+    Four of_slice = kept.power[s] + (x0 * x + y0 * y + z0 * z) + x * along;
+    for (int k = 0; k < tile.slices; ++k, of_slice += step * z) {
+      Four of_row = of_slice;
+      for (int j = 0; j < tile.rows; ++j, of_row += step * y) {
+        Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
+        best = min(best, of_row);
+      }
+    }
+  }
+  return nearest_of;
+}
+
+/// The distances that follow from nearestOf().
+void FarSites::Search::write(const Tile& tile, const TileValues& nearest_of, double slack,
+                             float* values) const {
+  const int columns = std::min(kLanes, tile.block.size.x() - tile.at.x());
+  for (int k = 0; k < tile.slices; ++k) {
+    for (int j = 0; j < tile.rows; ++j) {
+      const Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
+      float* out = values + static_cast<std::size_t>(tile.at.x()) +
+                   row * static_cast<std::size_t>(tile.at.y() + j) +
+                   slice * static_cast<std::size_t>(tile.at.z() + k);
+      for (int l = 0; l < columns; ++l) {
+        const Vector3d p = spacing * (tile.block.first + tile.at + Vector3i(l, j, k)).cast<double>();
+        const double d2 = p.squaredNorm() + double(best[l]) - reach2 - slack;
+        out[l] = d2 > 0.0 ? std::nextafter(static_cast<float>(std::sqrt(d2)), 0.0f) : 0.0f;
+      }
+    }
+  }
+}
+
+void FarSites::Search::measure(const Box& box, const List& kept, float* values) const {
+  const Vector3i& size = box.block.size;
+  for (int i = 0; i < size.x(); i += kLanes) {
+    for (int k = 0; k < size.z(); k += kLanes) {
+      for (int j = 0; j < size.y(); j += kLanes) {
+        const Tile tile{box.block, {i, j, k}, std::min(kLanes, size.y() - j), std::min(kLanes, size.z() - k)};
+        write(tile, nearestOf(tile, kept), box.slack, values);
+      }
+    }
+  }
+}
 
 FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most,
                    std::size_t most_sites) {
@@ -141,7 +261,7 @@ FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, d
 
 void FarSites::distances(const Block& block, double spacing, std::size_t row, std::size_t slice,
                          float* values) const {
-  Search search{spacing, row, slice, {}, {}, 0};
+  Search search{spacing, row, slice, reach2_, {}, {}, 0};
   List all;
   all.makeRoom(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i)
@@ -156,37 +276,10 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   const Vector3d middle = h * block.first.cast<double>() + half;
   const double middle2 = middle.squaredNorm();
   const double slack = kRounding * (radius2_ + 2.0 * std::sqrt(radius2_ * (middle2 + half.squaredNorm())));
+  const Search::Box box{block, middle, half, slack};
 
-  // |p - v|^2 - |p|^2 at the middle, and the nearest site there.
-  const Vector3f c = -2.0f * middle.cast<float>(), r = half.cast<float>();
-  const std::size_t n = list.size;
-  search.at_middle.resize(n);
-  const auto at = [](const std::vector<float>& v, std::size_t i) { return load(&v[i]); };
-  Four least = splat(kFar);
-  for (std::size_t i = 0; i < n; i += kLanes) {
-    const Four g = at(list.power, i) + c.x() * at(list.x, i) + c.y() * at(list.y, i) + c.z() * at(list.z, i);
-    storeFour(g, &search.at_middle[i]);
-    least = min(least, g);
-  }
-  const float nearest = leastOf(least);
-  const std::size_t w = static_cast<std::size_t>(
-      std::find(search.at_middle.begin(), search.at_middle.end(), nearest) - search.at_middle.begin());
-
-  // Those that may be nearest somewhere in the block.
   List& kept = search.lists[search.depth];
-  kept.size = 0;
-  kept.makeRoom(n);
-  const float wx = list.x[w], wy = list.y[w], wz = list.z[w],
-              limit = nearest + 2.0f * static_cast<float>(slack);
-  for (std::size_t i = 0; i < n; i += kLanes) {
-    const Four gain = 2.0f * (r.x() * abs(at(list.x, i) - wx) + r.y() * abs(at(list.y, i) - wy) +
-                              r.z() * abs(at(list.z, i) - wz));
-    const int near = bits(at(search.at_middle, i) - gain <= limit);
-    if (near == 0) continue;
-    for (std::size_t k = 0; k < kLanes; ++k)
-      kept.add(list.x[i + k], list.y[i + k], list.z[i + k], list.power[i + k], (near >> k & 1) != 0);
-  }
-  kept.pad();
+  search.keepNear(box, list, search.nearestAtMiddle(box, list), kept);
 
   const bool small = (block.size.array() <= (kept.size <= kFewSites ? kLargest : kSmallest).array()).all();
   if (!small && search.depth + 1 < search.lists.size()) {
@@ -204,47 +297,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
     --search.depth;
     return;
   }
-
-  // Four vertices of a row at once; from one to the next row the same is added.
-  const Vector3f first = -2.0f * (h * block.first.cast<double>()).cast<float>();
-  const float step = -2.0f * static_cast<float>(h);
-  const Four along{0.0f, step, 2.0f * step, 3.0f * step};
-  for (int i = 0; i < block.size.x(); i += kLanes) {
-    const float x0 = first.x() + static_cast<float>(i) * step;
-    for (int k0 = 0; k0 < block.size.z(); k0 += kLanes) {
-      for (int j0 = 0; j0 < block.size.y(); j0 += kLanes) {
-        const int nj = std::min(kLanes, block.size.y() - j0), nk = std::min(kLanes, block.size.z() - k0);
-        const float y0 = first.y() + static_cast<float>(j0) * step,
-                    z0 = first.z() + static_cast<float>(k0) * step;
-        std::array<Four, kLanes * kLanes> nearest_of;
-        nearest_of.fill(splat(kFar));
-        for (std::size_t s = 0; s < kept.size; ++s) {
-          const float x = kept.x[s], y = kept.y[s], z = kept.z[s];
-          Four slice = kept.power[s] + (x0 * x + y0 * y + z0 * z) + x * along;
-          for (int k = 0; k < nk; ++k, slice += step * z) {
-            Four row = slice;
-            for (int j = 0; j < nj; ++j, row += step * y) {
-              Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
-              best = min(best, row);
-            }
-          }
-        }
-        for (int k = 0; k < nk; ++k) {
-          for (int j = 0; j < nj; ++j) {
-            const Four& best = nearest_of[static_cast<std::size_t>(k * kLanes + j)];
-            float* out = values + static_cast<std::size_t>(i) +
-                         search.row * static_cast<std::size_t>(j0 + j) +
-                         search.slice * static_cast<std::size_t>(k0 + k);
-            for (int l = 0; l < std::min(kLanes, block.size.x() - i); ++l) {
-              const Vector3d p = h * (block.first + Vector3i(i + l, j0 + j, k0 + k)).cast<double>();
-              const double d2 = p.squaredNorm() + double(best[l]) - reach2_ - slack;
-              out[l] = d2 > 0.0 ? std::nextafter(static_cast<float>(std::sqrt(d2)), 0.0f) : 0.0f;
-            }
-          }
-        }
-      }
-    }
-  }
+  search.measure(box, kept, values);
 }
 
 }  // namespace abstand::field

@@ -25,10 +25,95 @@ constexpr double kLoss = 0.245;
 // More sites than these, and asking the surface itself is quicker.
 constexpr std::size_t kMaxDirectSites = 1000, kSitesPerTriangle = 30;
 
+Vector3d centreOf(const FarField::View& v) { return {v.centre[0], v.centre[1], v.centre[2]}; }
+Vector3d halfCellsOf(const FarField::View& v) { return {v.middle[0], v.middle[1], v.middle[2]}; }
+double spacingOf(const FarField::View& v, int level) { return 1.0 / double(v.inv_h[level]); }
+std::size_t rowOf(const FarField::View& v) { return static_cast<std::size_t>(v.n[0]); }
+std::size_t sliceOf(const FarField::View& v) { return rowOf(v) * static_cast<std::size_t>(v.n[1]); }
+std::size_t verticesOf(const FarField::View& v) { return sliceOf(v) * static_cast<std::size_t>(v.n[2]); }
+
+// Neighbouring slices of the vertices of one level.
+struct Slices {
+  int level, first, count;
+};
+
+// Of each level; without sites where too many would be needed, null for a shape.
+std::vector<std::unique_ptr<FarSites>> sitesOfLevels(const geometry::Surface& surface,
+                                                     const FarField::View& v, int threads) {
+  std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
+  if (surface.shape() != nullptr) return sites;
+  const geometry::TriangleMesh mesh = surface.mesh(0.0);
+  parallelFor(threads, sites.size(), [&](std::size_t level) {
+    sites[level] =
+        std::make_unique<FarSites>(mesh, centreOf(v), kLoss * spacingOf(v, static_cast<int>(level)),
+                                   kMaxDirectSites + kSitesPerTriangle * mesh.triangles.size());
+  });
+  return sites;
+}
+
+void measureFromSites(const FarSites& sites, const FarField::View& v, const Slices& slices, float* values) {
+  const Vector3i corner = -halfCellsOf(v).cast<int>();
+  const FarSites::Block block{corner + Vector3i(0, 0, slices.first), Vector3i(v.n[0], v.n[1], slices.count)};
+  sites.distances(block, spacingOf(v, slices.level), rowOf(v), sliceOf(v), values);
+}
+
+// Leaves out the vertices where the grid inside answers.
+void measureFromSurface(const geometry::Surface& surface, const FarField::View& v, const Slices& slices,
+                        float* values) {
+  const auto& [level, first, count] = slices;
+  const Vector3d centre = centreOf(v), half_cells = halfCellsOf(v);
+  const double spacing = spacingOf(v, level);
+  const float inner = level == 0 ? 0.0f : FarField::kRatio[level - 1] / FarField::kRatio[level];
+  const auto inside = [&](int at, int axis) {
+    return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
+  };
+  std::uint32_t hint = geometry::kNoHint;
+  for (int k = first; k < first + count; ++k) {
+    for (int j = 0; j < v.n[1]; ++j) {
+      for (int step = 0; step < v.n[0]; ++step) {
+        // Back and forth, so that the hint is always a neighbour's.
+        const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
+        if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
+        const Vector3d p = centre + spacing * (Vector3d(i, j, k) - half_cells);
+        const geometry::SurfacePoint nearest = surface.closest(p, hint);
+        hint = nearest.hint;
+        values[static_cast<std::size_t>(k - first) * sliceOf(v) + static_cast<std::size_t>(j) * rowOf(v) +
+               static_cast<std::size_t>(i)] =
+            std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
+      }
+    }
+  }
+}
+
+// m, at the vertices of all levels.
+std::vector<float> distancesAtVertices(const geometry::Surface& surface, const FarField::View& v,
+                                       int threads) {
+  std::vector<float> distance(verticesOf(v) * static_cast<std::size_t>(v.levels), 0.0f);
+  const std::vector<std::unique_ptr<FarSites>> sites = sitesOfLevels(surface, v, threads);
+  // Neighbouring slices together, as many as a search parts its grid into at least.
+  constexpr int kSlices = 8;
+  const int parts = (v.n[2] + kSlices - 1) / kSlices;
+  parallelFor(threads, static_cast<std::size_t>(v.levels * parts), [&](std::size_t task) {
+    const int level = static_cast<int>(task) / parts, first = static_cast<int>(task) % parts * kSlices;
+    const Slices slices{level, first, std::min(kSlices, v.n[2] - first)};
+    float* values = &distance[static_cast<std::size_t>(level * v.n[2] + first) * sliceOf(v)];
+    const FarSites* near = sites[static_cast<std::size_t>(level)].get();
+    if (near != nullptr && near->size() > 0)
+      measureFromSites(*near, v, slices, values);
+    else
+      measureFromSurface(surface, v, slices, values);
+  });
+  return distance;
+}
+
 }  // namespace
 
 FarField::FarField(const geometry::Surface& surface, double first_spacing, double reach, int threads) {
-  const geometry::Bounds body = surface.bounds();
+  layOut(surface.bounds(), first_spacing, reach);
+  keepQuanta(distancesAtVertices(surface, view_, threads));
+}
+
+void FarField::layOut(const geometry::Bounds& body, double first_spacing, double reach) {
   const double margin = kMargin * first_spacing;
   const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
   if (!((2.0 * half_cells.array() + 1.0).prod() <= kMaxVertices)) {
@@ -36,21 +121,18 @@ FarField::FarField(const geometry::Surface& surface, double first_spacing, doubl
   }
   View& v = view_;
   const Vector3d centre = body.centre();
-  std::size_t grid = 1;
   for (int k = 0; k < 3; ++k) {
     v.centre[k] = static_cast<float>(centre[k]);
     v.middle[k] = static_cast<float>(half_cells[k]);
     v.n[k] = 2 * static_cast<int>(half_cells[k]) + 1;
     v.inv_half[k] = static_cast<float>(1.0 / (half_cells[k] * first_spacing));
-    grid *= static_cast<std::size_t>(v.n[k]);
   }
-  const Vector3d stored_centre(v.centre[0], v.centre[1], v.centre[2]);
   const double least_half = half_cells.minCoeff() * first_spacing;
   v.levels = 1;
   while (v.levels < kMaxLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
     ++v.levels;
   v.outermost = kRatio[v.levels - 1];
-  v.ball = static_cast<float>((0.5 * body.extent()).norm() + (stored_centre - centre).norm()) *
+  v.ball = static_cast<float>((0.5 * body.extent()).norm() + (centreOf(v) - centre).norm()) *
            (1.0f + 4.0f * kEpsilon);
   for (int l = 0; l < kMaxLevels; ++l) {
     const int of = std::min(l, v.levels - 1);
@@ -61,58 +143,11 @@ FarField::FarField(const geometry::Surface& surface, double first_spacing, doubl
     v.rounding[l] = 16.0f * kEpsilon *
                     static_cast<float>(centre.cwiseAbs().maxCoeff() + half_cells.maxCoeff() * double(h));
   }
+}
 
-  std::vector<float> distance(grid * static_cast<std::size_t>(v.levels), 0.0f);
-  const auto rows = static_cast<std::size_t>(v.n[1]), row_size = static_cast<std::size_t>(v.n[0]);
-  const auto slice_size = rows * row_size;
-  const auto spacingOf = [&](int level) { return 1.0 / double(v.inv_h[level]); };
-  const Vector3i corner = -half_cells.cast<int>(), size(v.n[0], v.n[1], v.n[2]);
-
-  // Levels for which few points stand for the surface.
-  std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
-  if (surface.shape() == nullptr) {
-    const geometry::TriangleMesh mesh = surface.mesh(0.0);
-    parallelFor(threads, sites.size(), [&](std::size_t level) {
-      sites[level] =
-          std::make_unique<FarSites>(mesh, stored_centre, kLoss * spacingOf(static_cast<int>(level)),
-                                     kMaxDirectSites + kSitesPerTriangle * mesh.triangles.size());
-    });
-  }
-  // Neighbouring slices together, as many as a search parts its grid into at least.
-  constexpr int kSlices = 8;
-  const int parts = (v.n[2] + kSlices - 1) / kSlices;
-  parallelFor(threads, static_cast<std::size_t>(v.levels * parts), [&](std::size_t task) {
-    const int level = static_cast<int>(task) / parts, first = static_cast<int>(task) % parts * kSlices;
-    const int slices = std::min(kSlices, v.n[2] - first);
-    float* values = &distance[(static_cast<std::size_t>(level * v.n[2] + first)) * slice_size];
-    if (const FarSites* near = sites[static_cast<std::size_t>(level)].get();
-        near != nullptr && near->size() > 0) {
-      const FarSites::Block block{corner + Vector3i(0, 0, first), Vector3i(size.x(), size.y(), slices)};
-      near->distances(block, spacingOf(level), row_size, slice_size, values);
-      return;
-    }
-    const float inner = level == 0 ? 0.0f : kRatio[level - 1] / kRatio[level];
-    const auto inside = [&](int at, int axis) {
-      return std::abs(static_cast<float>(at) - v.middle[axis]) < inner * v.middle[axis] - kOverlap;
-    };
-    std::uint32_t hint = geometry::kNoHint;
-    for (int k = first; k < first + slices; ++k) {
-      for (int j = 0; j < v.n[1]; ++j) {
-        for (int step = 0; step < v.n[0]; ++step) {
-          // Back and forth, so that the hint is always a neighbour's.
-          const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
-          if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
-          const Vector3d p = stored_centre + spacingOf(level) * (Vector3d(i, j, k) - half_cells);
-          const geometry::SurfacePoint nearest = surface.closest(p, hint);
-          hint = nearest.hint;
-          values[static_cast<std::size_t>(k - first) * slice_size + static_cast<std::size_t>(j) * row_size +
-                 static_cast<std::size_t>(i)] =
-              std::nextafter(static_cast<float>(nearest.distance * (1.0 - kStored)), 0.0f);
-        }
-      }
-    }
-  });
-
+void FarField::keepQuanta(const std::vector<float>& distance) {
+  View& v = view_;
+  const std::size_t grid = verticesOf(v);
   values_.resize(distance.size());
   for (int l = 0; l < v.levels; ++l) {
     const float* from = &distance[grid * static_cast<std::size_t>(l)];

@@ -70,6 +70,9 @@ class FarField {
   static constexpr float kSummed = 24.0f * 0x1p-23f;
 
  private:
+  void layOut(const geometry::Bounds& body, double first_spacing, double reach);
+  void keepQuanta(const std::vector<float>& distance);
+
   View view_{};
   std::vector<std::uint16_t> values_;  ///< distances in quanta, rounded down
 };

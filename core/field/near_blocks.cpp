@@ -1,14 +1,20 @@
 // Which blocks of a near field carry samples.
 #include "core/field/near_blocks.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
 #include "core/base/parallel.hpp"
 #include "core/field/grid.hpp"
+#include "core/field/near_field.hpp"
 
 namespace abstand::field {
 namespace {
 
 // Blocks along an edge of the cubes that threads take.
 constexpr int kCubeBlocks = 8;
+constexpr double kMaxBytes = 2e9;
 
 double distanceToBox(const geometry::Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
@@ -108,6 +114,37 @@ std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const Bl
     Classifier(surface, grid, outer, inner, kinds).cube(kCubeBlocks * place, kCubeBlocks, halve, hint);
   });
   return kinds;
+}
+
+KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, const KeepLimits& limits,
+                      int threads) {
+  const std::size_t all = grid.blocks();
+  std::vector<BlockKind> kinds(all, BlockKind::kNear);
+  if (std::isfinite(limits.band))
+    kinds = classifyBlocks(surface, grid, limits.band, NearField::kInnerBand * grid.voxel, threads);
+  const auto inside = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kDeep));
+  const auto near = static_cast<double>(std::count(kinds.begin(), kinds.end(), BlockKind::kNear));
+  constexpr double kBlockBytes = NearField::kBlockValues * sizeof(std::int16_t);
+  const bool keeps_inside = (near + inside) * kBlockBytes <= static_cast<double>(limits.whole_inside);
+  if ((keeps_inside ? near + inside : near) * kBlockBytes > kMaxBytes) {
+    throw UsageError(
+        "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
+  }
+  KeptBlocks kept{grid,
+                  std::vector<std::uint32_t>(all, NearField::kNoBlock),
+                  {},
+                  keeps_inside,
+                  !keeps_inside && inside > 0.0};
+  for (std::size_t b = 0; b < all; ++b) {
+    if (kinds[b] == BlockKind::kOutside) continue;
+    if (kinds[b] == BlockKind::kDeep && !keeps_inside) {
+      kept.index[b] = NearField::kDeepBlock;
+      continue;
+    }
+    kept.index[b] = static_cast<std::uint32_t>(kept.blocks.size());
+    kept.blocks.push_back(static_cast<std::uint32_t>(b));
+  }
+  return kept;
 }
 
 }  // namespace abstand::field

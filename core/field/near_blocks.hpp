@@ -1,6 +1,7 @@
 // Which blocks of a near field carry samples.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct BlockGrid {
     return (std::size_t(place.z()) * size.y() + place.y()) * size.x() + place.x();
   }
   Vector3d corner(const Vector3i& place) const { return origin + kCells * voxel * place.cast<double>(); }
+  /// The far corner of the last block.
+  Vector3d end() const { return corner(placeOf(blocks() - 1)).array() + kCells * voxel; }
 };
 
 enum class BlockKind : std::uint8_t {
@@ -38,5 +41,25 @@ enum class BlockKind : std::uint8_t {
 /// same.
 std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const BlockGrid& grid, double outer,
                                       double inner, int threads);
+
+/// The blocks that carry samples.
+struct KeptBlocks {
+  BlockGrid grid;
+  /// Of each block of the grid: its number among `blocks`, or NearField::kNoBlock or kDeepBlock.
+  std::vector<std::uint32_t> index;
+  std::vector<std::uint32_t> blocks;  ///< of the grid, in its order
+  bool all_inside{false};             ///< those deep inside, too
+  bool any_deep{false};               ///< some are deep inside and not kept
+};
+
+/// As the parameters of NearField's constructor.
+struct KeepLimits {
+  double band;               ///< m
+  std::size_t whole_inside;  ///< bytes
+};
+
+/// Throws UsageError when the kept blocks would take more than 2 GB.
+KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, const KeepLimits& limits,
+                      int threads);
 
 }  // namespace abstand::field

@@ -200,77 +200,111 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   kept.resize(count);
 }
 
-void NearDistances::distances(const Block& block, const List& list, Nearest& nearest) const {
-  constexpr int kGroups = (kMaxSize + 3) / 4;
+/// The nearest features so far of a block's vertices, four vertices of a row together.
+class NearDistances::Candidates {
+ public:
+  /// `first`: of the vertices, about middle_; `h`: from one to the next.
+  Candidates(const Vector3i& size, const Vector3f& first, float h, float tolerance)
+      : nx_((size.x() + 3) / 4),
+        ny_(size.y()),
+        nz_(size.z()),
+        first_(first),
+        h_(h),
+        tolerance_(tolerance),
+        steps_{0.0f, h, 2.0f * h, 3.0f * h} {
+    for (int k = 0; k < nz_; ++k) {
+      for (int j = 0; j < ny_; ++j) {
+        for (int i = 0; i < nx_; ++i) best_[k][j][i] = {splat(kNoDistance), Four{}};
+      }
+    }
+  }
+
+  /// Over a face the distance is that to its plane.
+  void addFace(const HalfSpaces& m, Four slot) {
+    const Four far = splat(kNoDistance);
+    const Four first = m.x * first_.x() + m.y * first_.y() + m.z * first_.z() + m.offset;
+    const auto start = [&](int n, int i) -> Four {
+      return (first[n] + 4.0f * h_ * static_cast<float>(i) * m.x[n]) + m.x[n] * steps_;
+    };
+    const Four along_y = h_ * m.y, along_z = h_ * m.z;
+    for (int i = 0; i < nx_; ++i) {
+      Four e0 = start(0, i), e1 = start(1, i), e2 = start(2, i), s = start(3, i);
+      for (int k = 0; k < nz_; ++k) {
+        Four r0 = e0, r1 = e1, r2 = e2, rs = s;
+        for (int j = 0; j < ny_; ++j) {
+          const Four over = min(min(r0, r1), r2);
+          offer(best_[k][j][i], over >= -tolerance_ ? square(rs) : far, slot);
+          r0 += along_y[0], r1 += along_y[1], r2 += along_y[2], rs += along_y[3];
+        }
+        e0 += along_z[0], e1 += along_z[1], e2 += along_z[2], s += along_z[3];
+      }
+    }
+  }
+
+  /// An edge along the first of its half-spaces' normals, or a vertex: the ball's centre.
+  void addBall(const Ball& ball, const HalfSpaces& m, bool edge, Four slot) {
+    const Vector3f from = first_ - Vector3f::Map(ball.v);
+    const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = ball.v[3];
+    for (int i = 0; i < nx_; ++i) {
+      const Four x = from.x() + 4.0f * h_ * static_cast<float>(i) + steps_;
+      for (int k = 0; k < nz_; ++k) {
+        const float z = from.z() + h_ * static_cast<float>(k);
+        for (int j = 0; j < ny_; ++j) {
+          const float y = from.y() + h_ * static_cast<float>(j);
+          if (edge) {
+            const Four u = min(max(x * along[0] + (y * along[1] + z * along[2]), splat(-half)), splat(half));
+            offer(best_[k][j][i],
+                  square(x - u * along[0]) + square(y - u * along[1]) + square(z - u * along[2]), slot);
+          } else {
+            offer(best_[k][j][i], square(x) + (y * y + z * z), slot);
+          }
+        }
+      }
+    }
+  }
+
+  /// m^2; kNoDistance where no feature was offered.
+  float distance2(int i, int j, int k) const { return best_[k][j][i / 4].distance2[i % 4]; }
+  std::uint32_t slot(int i, int j, int k) const {
+    return std::bit_cast<std::uint32_t>(best_[k][j][i / 4].slot[i % 4]);
+  }
+
+ private:
   struct Best {
     Four distance2, slot;
   };
-  Best best[kMaxSize][kMaxSize][kGroups];
-  const int nx = (block.size.x() + 3) / 4, ny = block.size.y(), nz = block.size.z();
-  for (int k = 0; k < nz; ++k) {
-    for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) best[k][j][i] = {splat(kNoDistance), Four{}};
-    }
-  }
-  const Vector3f p0 = (place(block.first.cast<double>()) - middle_).cast<float>();
-  const auto h = static_cast<float>(spacing_);
-  const Four steps{0.0f, h, 2.0f * h, 3.0f * h};
-  const auto square = [](Four v) { return v * v; };
-  const auto offer = [](Best& b, Four distance2, Four slot) {
+  static Four square(Four v) { return v * v; }
+  static void offer(Best& b, Four distance2, Four slot) {
     b.slot = distance2 < b.distance2 ? slot : b.slot;
     b.distance2 = min(distance2, b.distance2);
-  };
+  }
+
+  static constexpr int kGroups = (kMaxSize + 3) / 4;
+  const int nx_, ny_, nz_;
+  const Vector3f first_;
+  const float h_, tolerance_;
+  const Four steps_;
+  Best best_[kMaxSize][kMaxSize][kGroups];
+};
+
+void NearDistances::distances(const Block& block, const List& list, Nearest& nearest) const {
+  const Vector3f first = (place(block.first.cast<double>()) - middle_).cast<float>();
+  Candidates candidates(block.size, first, static_cast<float>(spacing_), tolerance_);
   for (const std::uint32_t id : list) {
     const Feature& f = features_[id];
-    const Four slot = splat(std::bit_cast<float>(f.slot)), far = splat(kNoDistance);
-    const Vector3f from = p0 - Vector3f::Map(balls_[id].v);
+    const Four slot = splat(std::bit_cast<float>(f.slot));
     const HalfSpaces& m = half_spaces_[f.first];
-    if (f.kind == Kind::kFace) {
-      const Four first = m.x * p0.x() + m.y * p0.y() + m.z * p0.z() + m.offset;
-      const auto start = [&](int n, int i) -> Four {
-        return (first[n] + 4.0f * h * static_cast<float>(i) * m.x[n]) + m.x[n] * steps;
-      };
-      const Four along_y = h * m.y, along_z = h * m.z;
-      for (int i = 0; i < nx; ++i) {
-        Four e0 = start(0, i), e1 = start(1, i), e2 = start(2, i), s = start(3, i);
-        for (int k = 0; k < nz; ++k) {
-          Four r0 = e0, r1 = e1, r2 = e2, rs = s;
-          for (int j = 0; j < ny; ++j) {
-            const Four over = min(min(r0, r1), r2);
-            offer(best[k][j][i], over >= -tolerance_ ? square(rs) : far, slot);
-            r0 += along_y[0], r1 += along_y[1], r2 += along_y[2], rs += along_y[3];
-          }
-          e0 += along_z[0], e1 += along_z[1], e2 += along_z[2], s += along_z[3];
-        }
-      }
-      continue;
-    }
-    const bool edge = f.kind == Kind::kEdge;
-    const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = balls_[id].v[3];
-    for (int i = 0; i < nx; ++i) {
-      const Four x = from.x() + 4.0f * h * static_cast<float>(i) + steps;
-      for (int k = 0; k < nz; ++k) {
-        const float z = from.z() + h * static_cast<float>(k);
-        for (int j = 0; j < ny; ++j) {
-          const float y = from.y() + h * static_cast<float>(j);
-          if (edge) {
-            const Four u = min(max(x * along[0] + (y * along[1] + z * along[2]), splat(-half)), splat(half));
-            offer(best[k][j][i],
-                  square(x - u * along[0]) + square(y - u * along[1]) + square(z - u * along[2]), slot);
-          } else {
-            offer(best[k][j][i], square(x) + (y * y + z * z), slot);
-          }
-        }
-      }
-    }
+    if (f.kind == Kind::kFace)
+      candidates.addFace(m, slot);
+    else
+      candidates.addBall(balls_[id], m, f.kind == Kind::kEdge, slot);
   }
-  for (int k = 0; k < nz; ++k) {
-    for (int j = 0; j < ny; ++j) {
+  for (int k = 0; k < block.size.z(); ++k) {
+    for (int j = 0; j < block.size.y(); ++j) {
       for (int i = 0; i < block.size.x(); ++i) {
-        const Best& b = best[k][j][i / 4];
-        if (b.distance2[i % 4] < kNoDistance) {
-          nearest.distance[k][j][i] = std::sqrt(b.distance2[i % 4]);
-          nearest.slot[k][j][i] = std::bit_cast<std::uint32_t>(b.slot[i % 4]);
+        if (const float distance2 = candidates.distance2(i, j, k); distance2 < kNoDistance) {
+          nearest.distance[k][j][i] = std::sqrt(distance2);
+          nearest.slot[k][j][i] = candidates.slot(i, j, k);
         } else {
           const geometry::SurfacePoint found =
               surface_.closest(place((block.first + Vector3i(i, j, k)).cast<double>()));

@@ -58,6 +58,7 @@ class NearDistances {
     std::uint32_t slot;
     Kind kind;
   };
+  class Candidates;
   void addFace(std::uint32_t slot, const Vector3d (&corner)[3]);
   /// Half-spaces of the feature that is added next: its n-th one.
   void addHalfSpace(std::size_t n, const Vector3d& normal, const Vector3d& through);

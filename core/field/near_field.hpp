@@ -115,6 +115,13 @@ class NearField {
   /// Null where p is in no block and in no deep one.
   Cell anyCellOf(float px, float py, float pz) const;
   Cell deepCellOf(float px, float py, float pz) const;
+  /// What the samples have to be good for.
+  struct Precision {
+    double band, rounding;  ///< m
+  };
+  BlockGrid layOut();
+  void measure(const geometry::Surface& surface, const KeptBlocks& kept, const Precision& precision,
+               int threads);
   float steepest(int threads) const;
   void measureDeep(const geometry::Surface& surface, const BlockGrid& grid, double rounding, int threads);
 

@@ -41,10 +41,8 @@ void NearField::measureDeep(const geometry::Surface& surface, const BlockGrid& g
   for (const float d : distance) largest = std::max(largest, std::abs(d));
   deep_quantum_ = largest / kMaxQuanta;
   deep_.resize(distance.size());
-  std::transform(distance.begin(), distance.end(), deep_.begin(), [&](float d) {
-    const float quanta = d / deep_quantum_;
-    return static_cast<std::int16_t>(quanta + std::copysign(0.5f, quanta));
-  });
+  std::transform(distance.begin(), distance.end(), deep_.begin(),
+                 [&](float d) { return toQuanta(d, deep_quantum_); });
   deep_error_ =
       0.5 * kCubeDiagonal * kCells * grid.voxel + 0.5 * double(deep_quantum_) * kQuantized + rounding;
 }

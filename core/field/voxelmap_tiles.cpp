@@ -1,6 +1,8 @@
 // A large voxelmap, made tile by tile, so that time and memory go with the surface.
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/base/parallel.hpp"
 #include "core/field/packed_layers.hpp"
@@ -25,84 +27,150 @@ struct Tile {
   std::size_t surface_voxels{0}, solid_voxels{0};
 };
 
-}  // namespace
+// The boxes of a map. Tiles hold all corners of blocks, those at the far end of the grid included.
+struct TileLayout {
+  TileLayout(const VoxelGrid& of, const Vector3i& block_count, int outer_layers)
+      : grid(of),
+        solid{Vector3i::Constant(outer_layers), of.size.array() - 2 * outer_layers},
+        blocks{Vector3i::Zero(), block_count},
+        corners{Vector3i::Zero(), block_count.array() + 1},
+        tiles{Vector3i::Zero(), (corners.size.array() + kTileBlocks - 1) / kTileBlocks} {}
 
-void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, int threads) {
-  const Vector3i zero = Vector3i::Zero();
-  const VoxelBox blocks{zero, blocks_}, corners{zero, blocks_.array() + 1};
-  corner_steps_.assign(corners.count(), kMaxSteps);
-  const VoxelBox solid{Vector3i::Constant(outer_layers), grid.size.array() - 2 * outer_layers};
-  // Tiles hold all corners of blocks, those at the far end of the grid included.
-  const VoxelBox tiles{zero, (corners.size.array() + kTileBlocks - 1) / kTileBlocks};
-  const auto inTile = [&](std::size_t tile, const VoxelBox& all) {
+  // Those blocks or corners of blocks that belong to a tile.
+  VoxelBox inTile(std::size_t tile, const VoxelBox& all) const {
     return VoxelBox{kTileBlocks * tiles.place(tile), Vector3i::Constant(kTileBlocks)}.clippedTo(all);
-  };
-  std::vector<Tile> made(tiles.count());
-  parallelFor(threads, made.size(), [&](std::size_t at) {
-    Tile& tile = made[at];
-    const VoxelBox own{kTile * tiles.place(at), Vector3i::Constant(kTile)};
-    const VoxelBox seen{own.first.array() - kHalo, Vector3i::Constant(kTile + 2 * kHalo)};
-    const VoxelBox own_solid = own.clippedTo(solid), seen_solid = seen.clippedTo(solid);
-    const VoxelBox own_blocks = inTile(at, blocks);
-    const auto allFar = [&](bool inside) {
-      own_blocks.forEach([&](const Vector3i& b) {
-        block_index_[blocks.index(b)] = inside ? LayerView::kFarInside : LayerView::kFarOutside;
-      });
-      if (inside) tile.solid_voxels = own_solid.count();
-    };
+  }
 
-    if (seen_solid.count() == 0) return allFar(false);
-    const VoxelGrid part{grid.centre(seen_solid.first.x(), seen_solid.first.y(), seen_solid.first.z()),
-                         grid.voxel_size, seen_solid.size};
-    const Vector3d half = 0.5 * grid.voxel_size * (part.size.array() - 1).matrix().cast<double>();
-    const Vector3d middle = part.first_centre + half;
-    const geometry::SurfacePoint nearest = surface.closest(middle);
+  const VoxelGrid& grid;
+  VoxelBox solid;  // voxels without the outer layers
+  VoxelBox blocks, corners, tiles;
+};
+
+// Makes one tile; its blocks and corners in the tables that all tiles share are written by it alone.
+class TileMaker {
+ public:
+  TileMaker(const geometry::Surface& surface, const TileLayout& layout, std::size_t number)
+      : surface_(surface),
+        layout_(layout),
+        number_(number),
+        seen_{kTile * layout.tiles.place(number) - Vector3i::Constant(kHalo),
+              Vector3i::Constant(kTile + 2 * kHalo)},
+        seen_solid_(seen_.clippedTo(layout.solid)),
+        own_solid_(
+            VoxelBox{kTile * layout.tiles.place(number), Vector3i::Constant(kTile)}.clippedTo(layout.solid)) {
+  }
+
+  Tile make(std::vector<std::int32_t>& block_index, std::vector<std::int16_t>& corner_steps) {
+    Tile tile;
+    if (const std::optional<bool> inside = oneSide()) {
+      markBlocks(*inside, block_index);
+      if (*inside) tile.solid_voxels = own_solid_.count();
+      return tile;
+    }
+    findSteps();
+    countOwn(tile);
+    packBlocks(tile, block_index);
+    keepCorners(corner_steps);
+    return tile;
+  }
+
+ private:
+  // The part of the grid that it sees, without outer layers.
+  VoxelGrid part() const {
+    const Vector3i& first = seen_solid_.first;
+    return {layout_.grid.centre(first.x(), first.y(), first.z()), layout_.grid.voxel_size, seen_solid_.size};
+  }
+
+  // Where all voxels that it sees lie on one side of the surface: whether inside.
+  std::optional<bool> oneSide() const {
+    if (seen_solid_.count() == 0) return false;
+    const VoxelGrid grid = part();
+    const Vector3d half = 0.5 * grid.voxel_size * (grid.size.array() - 1).matrix().cast<double>();
+    const Vector3d middle = grid.first_centre + half;
+    const geometry::SurfacePoint nearest = surface_.closest(middle);
     // A voxel's diagonal more: a surface beside the box decides about none of its voxels.
     if (nearest.distance > half.norm() + kCubeDiagonal * grid.voxel_size)
-      return allFar(surface.inside(middle, nearest));
+      return surface_.inside(middle, nearest);
+    return std::nullopt;
+  }
 
-    std::vector<std::int8_t> side;
-    findSidesOfPart(surface, part, side);
-    std::vector<std::int16_t> steps(seen.count(), kMaxSteps);
-    bool any = false;
-    seen_solid.forEach([&](const Vector3i& v) {
-      if (side[seen_solid.index(v)] == kVoxelSurface) steps[seen.index(v)] = 0, any = true;
+  void markBlocks(bool inside, std::vector<std::int32_t>& block_index) const {
+    layout_.inTile(number_, layout_.blocks).forEach([&](const Vector3i& b) {
+      block_index[layout_.blocks.index(b)] = farBlock(inside);
     });
-    own_solid.forEach([&](const Vector3i& v) {
-      const std::int8_t s = side[seen_solid.index(v)];
+  }
+  static std::int32_t farBlock(bool inside) {
+    return inside ? LayerView::kFarInside : LayerView::kFarOutside;
+  }
+
+  void findSteps() {
+    findSidesOfPart(surface_, part(), side_);
+    steps_.assign(seen_.count(), kMaxSteps);
+    bool any = false;
+    seen_solid_.forEach([&](const Vector3i& v) {
+      if (side_[seen_solid_.index(v)] == kVoxelSurface) steps_[seen_.index(v)] = 0, any = true;
+    });
+    if (any) countSteps(seen_.size, 1, steps_);
+  }
+
+  void countOwn(Tile& tile) const {
+    own_solid_.forEach([&](const Vector3i& v) {
+      const std::int8_t s = side_[seen_solid_.index(v)];
       tile.surface_voxels += s == kVoxelSurface;
       tile.solid_voxels += s != kVoxelOutside;
     });
-    if (any) countSteps(seen.size, 1, steps);
+  }
 
-    const auto inside = [&](const Vector3i& v) {
-      const Vector3i at_v = v.cwiseMin(grid.size - Vector3i::Ones());
-      return seen_solid.contains(at_v) && side[seen_solid.index(at_v)] == kVoxelInside;
-    };
-    own_blocks.forEach([&](const Vector3i& b) {
+  bool inside(const Vector3i& v) const {
+    const Vector3i at = v.cwiseMin(layout_.grid.size - Vector3i::Ones());
+    return seen_solid_.contains(at) && side_[seen_solid_.index(at)] == kVoxelInside;
+  }
+
+  void packBlocks(Tile& tile, std::vector<std::int32_t>& block_index) const {
+    layout_.inTile(number_, layout_.blocks).forEach([&](const Vector3i& b) {
       const Vector3i first = kEdge * b;
       const VoxelBox block{first, Vector3i::Constant(kEdge)};
       std::int16_t least = kMaxSteps;
-      block.forEach([&](const Vector3i& v) { least = std::min(least, steps[seen.index(v)]); });
-      std::int32_t& index = block_index_[blocks.index(b)];
-      if (least > kExactSteps) {
-        index =
-            inside(first + Vector3i::Constant(kEdge / 2)) ? LayerView::kFarInside : LayerView::kFarOutside;
+      block.forEach([&](const Vector3i& v) { least = std::min(least, steps_[seen_.index(v)]); });
+      std::int32_t& index = block_index[layout_.blocks.index(b)];
+      if (least > Voxelmap::kExactSteps) {
+        index = farBlock(inside(first + Vector3i::Constant(kEdge / 2)));
         return;
       }
       index =
-          tile.layers.add([&](int i, int j, int k) { return steps[seen.index(first + Vector3i(i, j, k))]; },
+          tile.layers.add([&](int i, int j, int k) { return steps_[seen_.index(first + Vector3i(i, j, k))]; },
                           [&](int i, int j, int k) { return inside(first + Vector3i(i, j, k)); });
     });
-    inTile(at, corners).forEach([&](const Vector3i& c) {
-      const std::int16_t s = steps[seen.index(kEdge * c)];
-      if (s <= kHalo) corner_steps_[corners.index(c)] = s;
+  }
+
+  void keepCorners(std::vector<std::int16_t>& corner_steps) const {
+    layout_.inTile(number_, layout_.corners).forEach([&](const Vector3i& c) {
+      const std::int16_t s = steps_[seen_.index(kEdge * c)];
+      if (s <= kHalo) corner_steps[layout_.corners.index(c)] = s;
     });
+  }
+
+  const geometry::Surface& surface_;
+  const TileLayout& layout_;
+  const std::size_t number_;
+  const VoxelBox seen_, seen_solid_, own_solid_;  // voxels; seen with the halo
+  std::vector<std::int8_t> side_;                 // of seen_solid_
+  std::vector<std::int16_t> steps_;               // of seen_
+};
+
+}  // namespace
+
+void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, int threads) {
+  const TileLayout layout(grid, blocks_, outer_layers);
+  corner_steps_.assign(layout.corners.count(), kMaxSteps);
+  std::vector<Tile> made(layout.tiles.count());
+  parallelFor(threads, made.size(), [&](std::size_t at) {
+    made[at] = TileMaker(surface, layout, at).make(block_index_, corner_steps_);
   });
 
   // Farther away than the halo, the shortest way from a corner leads over one of the 26 corners about it: its
   // longest component is more than 16 steps, and whichever others are within 8 of that are shortened with it.
-  countSteps(corners.size, kEdge, corner_steps_);
+  countSteps(layout.corners.size, kEdge, corner_steps_);
 
   std::size_t kept = 0;
   for (const Tile& tile : made) kept += tile.layers.least_steps.size();
@@ -115,8 +183,8 @@ void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, i
     packed_.insert(packed_.end(), layers.packed.begin(), layers.packed.end());
     surface_voxels += made[t].surface_voxels;
     solid_voxels += made[t].solid_voxels;
-    inTile(t, blocks).forEach([&](const Vector3i& b) {
-      if (std::int32_t& index = block_index_[blocks.index(b)]; index >= 0) index += before;
+    layout.inTile(t, layout.blocks).forEach([&](const Vector3i& b) {
+      if (std::int32_t& index = block_index_[layout.blocks.index(b)]; index >= 0) index += before;
     });
   }
 }

@@ -162,6 +162,40 @@ class NearestSearch {
   NearestPoint nearest_{kNever, kNever, kNoPoint};
 };
 
+/// Forces and moments of points in contact, lane by lane, in the body frame of the field.
+struct WrenchLanes {
+  Float8 force[3], moment[3];
+
+  void clear() {
+    for (int k = 0; k < 3; ++k) force[k] = moment[k] = splat(0.0f);
+  }
+
+  /// Each point of the leaf is pushed along its normal by so much. Inlined: a call would spill the sums.
+  [[gnu::always_inline]] void add(const TreeView& tree, std::uint32_t first, Float8 push) {
+    const Point8 p = pointsAt(tree, first);
+    const float* m = tree.X_FP;
+    const Float8 a = load(tree.nx + first), b = load(tree.ny + first), c = load(tree.nz + first);
+    const auto along = [&](int r) {
+      return multiplyAdd(splat(m[4 * r]), a, multiplyAdd(splat(m[4 * r + 1]), b, splat(m[4 * r + 2]) * c)) *
+             push;
+    };
+    const Float8 fx = along(0), fy = along(1), fz = along(2);
+    force[0] = force[0] + fx;
+    force[1] = force[1] + fy;
+    force[2] = force[2] + fz;
+    moment[0] = moment[0] + (p.y * fz - p.z * fy);
+    moment[1] = moment[1] + (p.z * fx - p.x * fz);
+    moment[2] = moment[2] + (p.x * fy - p.y * fx);
+  }
+
+  void addTo(ContactSum& sum) const {
+    for (int k = 0; k < 3; ++k) {
+      sum.force[k] += sumOf(force[k]);
+      sum.moment[k] += sumOf(moment[k]);
+    }
+  }
+};
+
 /// Without kSearch, `nearest` is empty.
 template <class Lanes, bool kSearch>
 ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
@@ -171,7 +205,7 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
   ContactSum sum{};
   sum.nearest = kNoPoint;
   Float8 deepest = zero;
-  Float8 force[3], moment[3];  // of one family's leaves
+  WrenchLanes wrench;  // of one family's leaves
   float reach = limits.watch;
   NearestPoint nearest{kNever, limits.watch, kNoPoint};
   Float8 visited = splat(kNever), dropped = splat(kNever);  // below the true distances of points
@@ -190,22 +224,8 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
       return;
     }
     reach = limits.margin;
-    const Point8 p = pointsAt(tree, first);
     const Float8 depth = margin - s;
-    const Float8 push = select(touches, limits.by_area ? depth * area : depth, zero);
-    const float* m = tree.X_FP;
-    const Float8 a = load(tree.nx + first), b = load(tree.ny + first), c = load(tree.nz + first);
-    const auto along = [&](int r) {
-      return multiplyAdd(splat(m[4 * r]), a, multiplyAdd(splat(m[4 * r + 1]), b, splat(m[4 * r + 2]) * c)) *
-             push;
-    };
-    const Float8 fx = along(0), fy = along(1), fz = along(2);
-    force[0] = force[0] + fx;
-    force[1] = force[1] + fy;
-    force[2] = force[2] + fz;
-    moment[0] = moment[0] + (p.y * fz - p.z * fy);
-    moment[1] = moment[1] + (p.z * fx - p.x * fz);
-    moment[2] = moment[2] + (p.x * fy - p.y * fx);
+    wrench.add(tree, first, select(touches, limits.by_area ? depth * area : depth, zero));
     deepest = max(deepest, select(touches, depth, zero));
     sum.contacts += __builtin_popcount(static_cast<unsigned>(touching));
   };
@@ -233,13 +253,9 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
       if constexpr (kSearch) visited = min(visited, d.f);
     }
     const int before = sum.contacts;
-    for (int k = 0; k < 3; ++k) force[k] = moment[k] = zero;
+    wrench.clear();
     for (int i = 0; i < leaves; ++i) leaf(first[i], estimate[i]);
-    if (sum.contacts == before) continue;
-    for (int k = 0; k < 3; ++k) {
-      sum.force[k] += sumOf(force[k]);
-      sum.moment[k] += sumOf(moment[k]);
-    }
+    if (sum.contacts != before) wrench.addTo(sum);
   }
   sum.depth = -leastOf(zero - deepest);
   if (sum.contacts > 0) sum.nearest = kNoPoint;

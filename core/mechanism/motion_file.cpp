@@ -13,19 +13,15 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 /// Cells of one line, one after the other.
 class Cells {
  public:
   explicit Cells(std::string_view line) : line_(line) {}
   bool atEnd() const { return begin_ > line_.size(); }
   int column() const { return static_cast<int>(begin_) + 1; }
-  std::string_view peek() const { return trimmed(line_.substr(begin_, line_.find(',', begin_) - begin_)); }
+  std::string_view peek() const {
+    return text::trimmed(line_.substr(begin_, line_.find(',', begin_) - begin_));
+  }
   void advance() {
     const auto comma = line_.find(',', begin_);
     begin_ = comma == std::string_view::npos ? line_.size() + 1 : comma + 1;
@@ -80,7 +76,7 @@ MotionTable parseMotion(const std::string& text, const std::string& name, int do
     std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (trimmed(line).empty()) continue;
+    if (text::trimmed(line).empty()) continue;
 
     Cells cells(line);
     for (int i = 0; i <= dof; ++i) {

@@ -7,6 +7,13 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 40;
 
+std::string quoted(std::string_view found, char quote) {
+  std::string s(1, quote);
+  for (const char c : found.substr(0, kLongestQuote)) s += c >= ' ' && c <= '~' ? c : '?';
+  if (found.size() > kLongestQuote) s += "...";
+  return s + quote;
+}
+
 }  // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -16,11 +23,20 @@ std::string lowerCase(std::string_view text) {
   return s;
 }
 
-std::string inQuotes(std::string_view found) {
-  std::string s = "'";
-  for (const char c : found.substr(0, kLongestQuote)) s += c >= ' ' && c <= '~' ? c : '?';
-  return s + (found.size() > kLongestQuote ? "...'" : "'");
+std::string_view trimmed(std::string_view text, std::string_view blank) {
+  return trimmed(text, blank, blank);
 }
+
+std::string_view trimmed(std::string_view text, std::string_view leading, std::string_view trailing) {
+  const auto begin = text.find_first_not_of(leading);
+  if (begin == std::string_view::npos) return {};
+  text.remove_prefix(begin);
+  return text.substr(0, text.find_last_not_of(trailing) + 1);
+}
+
+std::string inQuotes(std::string_view found) { return quoted(found, '\''); }
+
+std::string inDoubleQuotes(std::string_view found) { return found.empty() ? "nothing" : quoted(found, '"'); }
 
 std::string rounded(double value, int digits) {
   char buffer[400];  // the largest double has 309 digits before the point

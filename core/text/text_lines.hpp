@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/math/transform.hpp"
+#include "core/text/message_text.hpp"
 
 namespace abstand::text {
 
@@ -24,14 +25,6 @@ inline std::string_view nextWord(std::string_view& rest) {
   const auto word = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return word;
-}
-
-/// At most 40 printable characters of `word`, in quotes, for an error.
-inline std::string inDoubleQuotes(std::string_view word) {
-  if (word.empty()) return "nothing";
-  std::string text = "\"";
-  for (const char c : word.substr(0, 40)) text += c >= ' ' && c < '\x7f' ? c : '?';
-  return text + (word.size() > 40 ? "...\"" : "\"");
 }
 
 /// The word as a number. Throws ParseError when it is none or not finite.

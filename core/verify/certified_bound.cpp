@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "core/base/parallel.hpp"
+#include "core/math/quantile.hpp"
 #include "core/verify/adversarial_poses.hpp"
 #include "core/verify/bound_judge.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
 namespace {
@@ -86,8 +86,8 @@ Table familyTable(const std::vector<Outcome>& outcomes, std::size_t field) {
     const auto used = collect(outcomes, field, &BoundAnswer::used, family);
     table.rows.push_back({familyName(static_cast<PoseFamily>(family)), std::to_string(number),
                           std::to_string(overlapping), std::to_string(swallowed), std::to_string(breaches),
-                          shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
-                          shortNumber(quantile(errors, 1.0)), shortNumber(quantile(used, 1.0))});
+                          shortNumber(lowerQuantile(errors, 0.5)), shortNumber(lowerQuantile(errors, 0.99)),
+                          shortNumber(lowerQuantile(errors, 1.0)), shortNumber(lowerQuantile(used, 1.0))});
   }
   return table;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/verify/statistics.hpp"
+#include "core/math/quantile.hpp"
 
 namespace abstand::verify {
 namespace {
@@ -55,9 +55,9 @@ void judge(CheckResult& result, const std::vector<double>& values, double limit)
       static_cast<std::size_t>(std::ranges::count_if(values, [limit](double v) { return !(v <= limit); }));
   std::vector<double> sound = values;
   std::erase_if(sound, [](double v) { return std::isnan(v); });
-  result.p50 = quantile(sound, 0.5);
-  result.p99 = quantile(sound, 0.99);
-  result.worst = quantile(sound, 1.0);
+  result.p50 = lowerQuantile(sound, 0.5);
+  result.p99 = lowerQuantile(sound, 0.99);
+  result.worst = lowerQuantile(sound, 1.0);
   result.passed = !values.empty() && result.breaches == 0;
 }
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/math/quantile.hpp"
 #include "core/math/random.hpp"
 #include "core/verify/brute_force.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
 namespace {
@@ -181,9 +181,9 @@ std::vector<CheckResult> checkClosedForms(const VerifyOptions& options) {
       std::vector<double> own;
       for (std::size_t i = 0; i < poses; ++i)
         if (cases[i] == k) own.push_back(errors[i]);
-      result.table.rows.push_back({kCases[k].name, std::to_string(own.size()),
-                                   shortNumber(quantile(own, 0.5)), shortNumber(quantile(own, 0.99)),
-                                   shortNumber(quantile(own, 1.0))});
+      result.table.rows.push_back(
+          {kCases[k].name, std::to_string(own.size()), shortNumber(lowerQuantile(own, 0.5)),
+           shortNumber(lowerQuantile(own, 0.99)), shortNumber(lowerQuantile(own, 1.0))});
     }
     results.push_back(std::move(result));
   }

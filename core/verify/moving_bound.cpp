@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "core/base/parallel.hpp"
+#include "core/math/quantile.hpp"
 #include "core/verify/adversarial_poses.hpp"
 #include "core/verify/bound_judge.hpp"
 #include "core/verify/check_tools.hpp"
-#include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
 namespace {
@@ -83,8 +83,8 @@ Table tableOf(const std::vector<BodyPath>& paths) {
     }
     table.rows.push_back({shortNumber(kStepSizes[s]), std::to_string(used.size()),
                           std::to_string(overlapping), std::to_string(breaches),
-                          shortNumber(quantile(errors, 0.5)), shortNumber(quantile(errors, 0.99)),
-                          shortNumber(quantile(errors, 1.0)), shortNumber(quantile(used, 1.0))});
+                          shortNumber(lowerQuantile(errors, 0.5)), shortNumber(lowerQuantile(errors, 0.99)),
+                          shortNumber(lowerQuantile(errors, 1.0)), shortNumber(lowerQuantile(used, 1.0))});
   }
   return table;
 }

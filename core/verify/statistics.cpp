@@ -1,21 +1,12 @@
 // Figures of many numbers.
 #include "core/verify/statistics.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/math/transform.hpp"
 
 namespace abstand::verify {
-
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return kNaN;
-  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
-  const std::size_t at = std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
 
 double rms(const std::vector<double>& values) {
   if (values.empty()) return kNaN;

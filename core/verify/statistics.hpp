@@ -5,9 +5,6 @@
 
 namespace abstand::verify {
 
-/// Smallest value that at least `part` (0 to 1) of the values do not exceed; NaN of none.
-double quantile(std::vector<double> values, double part);
-
 /// Root of the mean square; NaN of none.
 double rms(const std::vector<double>& values);
 

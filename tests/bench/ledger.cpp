@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/verify/statistics.hpp"
+#include "core/math/quantile.hpp"
 
 namespace abstand::bench {
 namespace {
@@ -130,11 +130,11 @@ void Ledger::printTimes(std::ostream& out) const {
       for (const Kind kind : kKinds) {
         const Row* row = find(s, work, kind);
         const auto times = row ? common(row->times, row->times) : std::vector<double>{};
-        const double median = verify::quantile(times, 0.5);
-        if (row) out << " " << digits(median) << " / " << digits(verify::quantile(times, 0.99));
+        const double median = lowerQuantile(times, 0.5);
+        if (row) out << " " << digits(median) << " / " << digits(lowerQuantile(times, 0.99));
         out << " |";
         if (kind == Kind::kAbstand) continue;
-        if (row) out << " " << digits(median / verify::quantile(common(ours->times, row->times), 0.5));
+        if (row) out << " " << digits(median / lowerQuantile(common(ours->times, row->times), 0.5));
         out << " |";
       }
       out << "\n";
@@ -157,10 +157,10 @@ void Ledger::printAccuracy(std::ostream& out) const {
       if (const Row* row = find(s, Work::kCollide, kind); row && contacts)
         forCommon(row->answers, contacts->answers, [&](const Answer& a, double truth) { t.add(a, truth); });
       if (e.pairs + t.pairs == 0) continue;
-      const auto near = [&](double part) { return digits(1e3 * verify::quantile(e.near, part)); };
+      const auto near = [&](double part) { return digits(1e3 * lowerQuantile(e.near, part)); };
       out << "| " << scenes_[s]->what << " | " << kindName(kind) << " | " << e.pairs << " | "
           << (e.near.empty() ? "" : near(0.5) + " / " + near(0.99) + " / " + near(1.0)) << " | "
-          << digits(100.0 * verify::quantile(e.far, 1.0)) << " | "
+          << digits(100.0 * lowerQuantile(e.far, 1.0)) << " | "
           << (kind == Kind::kAbstand ? std::to_string(e.breaches) : "") << " | " << t.pairs << " | "
           << t.missed << " of " << t.touching << " | " << t.invented << " |\n";
     }

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "core/base/error.hpp"
-#include "core/verify/statistics.hpp"
+#include "core/math/quantile.hpp"
 
 namespace abstand::bench {
 namespace {
@@ -81,8 +81,8 @@ void sideBySide(benchmark::State& state, SceneMaker make, Work work, Kind kind) 
     }
     state.SetIterationTime(sum);
   }
-  state.counters["median_us"] = verify::quantile(us, 0.5);
-  state.counters["p99_us"] = verify::quantile(us, 0.99);
+  state.counters["median_us"] = lowerQuantile(us, 0.5);
+  state.counters["p99_us"] = lowerQuantile(us, 0.99);
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ TEST_P(RealRecording, IsUnderstood) {
   EXPECT_EQ(report.joints.size() - static_cast<std::size_t>(ends), GetParam().joints);
   EXPECT_EQ(r.frames.size(), GetParam().frames);
   EXPECT_NEAR(report.rate, GetParam().rate, kRatePerRate * GetParam().rate);
-  EXPECT_EQ(report.units_guess, GetParam().units);
-  EXPECT_EQ(report.up, GetParam().up);
+  EXPECT_EQ(report.units.name, GetParam().units);
+  EXPECT_EQ(report.up.axis, GetParam().up);
   EXPECT_EQ(report.joint_map, GetParam().map);
   EXPECT_GE(report.stature, 1.4);
   EXPECT_LE(report.stature, 2.1);

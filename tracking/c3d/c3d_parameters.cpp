@@ -10,12 +10,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kHead = 4;  // bytes before the first record
-
-std::string trimmed(std::string_view s) {
-  while (!s.empty() && (s.back() == ' ' || s.back() == '\0')) s.remove_suffix(1);
-  while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
-  return std::string(s);
-}
+constexpr std::string_view kPadding(" \0", 2);
 
 std::string upperCase(std::string_view s) {
   std::string out(s);
@@ -41,7 +36,7 @@ C3dParameter readValues(const C3dBytes& bytes, std::size_t at) {
   if (type == -1) {
     const std::size_t length = dimensions > 0 ? bytes.u8(at + 2) : 1;
     for (std::size_t i = 0; length > 0 && i + length <= count; i += length)
-      out.texts.push_back(trimmed(bytes.text(first + i, length)));
+      out.texts.emplace_back(text::trimmed(bytes.text(first + i, length), " ", kPadding));
   } else {
     for (std::size_t i = 0; i < count; ++i)
       out.numbers.push_back(type == 1   ? bytes.u8(first + i)

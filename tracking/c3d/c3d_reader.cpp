@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number.hpp"
+#include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
@@ -176,8 +177,8 @@ void C3dReader::describe() {
     for (std::size_t i = 0; i < points_; ++i)
       if (const Point p = point(f, i); p.is_valid && p.residual > 0.0) residuals.push_back(p.residual);
   if (!residuals.empty())
-    facts_.notes.push_back("residuals: median " + text::rounded(quantile(residuals, 0.5), 2) + ", largest " +
-                           text::rounded(quantile(residuals, 1.0), 2) + " units");
+    facts_.notes.push_back("residuals: median " + text::rounded(nearestQuantile(residuals, 0.5), 2) +
+                           ", largest " + text::rounded(nearestQuantile(residuals, 1.0), 2) + " units");
 }
 
 bool C3dReader::next(PointFrame& frame) {

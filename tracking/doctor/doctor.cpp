@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/recording/derived_joints.hpp"
+#include "core/math/quantile.hpp"
 #include "tracking/recording/part_joints.hpp"
 
 namespace abstand::tracking {
@@ -17,10 +17,6 @@ constexpr double kMedianOfNormal = 0.6744897501960817;
 
 using Frames = std::vector<humanmodel::SkeletonFrame>;
 
-double medianOrNaN(std::vector<double> values) {
-  return values.empty() ? kNaN : quantile(std::move(values), 0.5);
-}
-
 BoneHealth examineBone(const Frames& frames, const PartJoints& part) {
   const humanmodel::Joint a = part.joints.front(), b = part.joints.back();
   std::vector<double> all;
@@ -28,11 +24,11 @@ BoneHealth examineBone(const Frames& frames, const PartJoints& part) {
     if (f.has(a) && f.has(b)) all.push_back((f[a] - f[b]).norm());
   BoneHealth bone{std::string(part.part)};
   if (all.empty()) return bone;
-  bone.length = quantile(all, 0.5);
-  bone.spread = quantile(all, 0.95) - quantile(all, 0.05);
+  bone.length = nearestQuantile(all, 0.5);
+  bone.spread = nearestQuantile(all, 0.95) - nearestQuantile(all, 0.05);
   const auto tenth = static_cast<std::ptrdiff_t>(std::max<std::size_t>(all.size() / 10, 1));
-  bone.drift =
-      quantile({all.end() - tenth, all.end()}, 0.5) - quantile({all.begin(), all.begin() + tenth}, 0.5);
+  bone.drift = nearestQuantile({all.end() - tenth, all.end()}, 0.5) -
+               nearestQuantile({all.begin(), all.begin() + tenth}, 0.5);
   return bone;
 }
 
@@ -58,7 +54,7 @@ JointHealth examineJoint(const Frames& frames, humanmodel::Joint j) {
     missing_before = health.missing;
   }
   health.jitter = jitterOf(frames, j);
-  const double speed = medianOrNaN(speedsOf(frames, j));
+  const double speed = nearestQuantile(speedsOf(frames, j), 0.5);
   health.speed = std::isfinite(speed) ? speed : 0.0;
   return health;
 }
@@ -96,7 +92,7 @@ double medianJitter(const Frames& frames) {
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     if (const double v = jitterOf(frames, static_cast<humanmodel::Joint>(j)); std::isfinite(v))
       values.push_back(v);
-  return medianOrNaN(std::move(values));
+  return nearestQuantile(std::move(values), 0.5);
 }
 
 FilterHealth tryFilter(const Frames& frames, double rate, double speed, Smoothing smoothing) {
@@ -110,7 +106,7 @@ FilterHealth tryFilter(const Frames& frames, double rate, double speed, Smoothin
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (frames[i].state[j] != humanmodel::JointState::kMissing)
         moved.push_back((frames[i].p[j] - after[i].p[j]).norm());
-  health.moved = moved.empty() ? 0.0 : quantile(std::move(moved), 0.99);
+  health.moved = moved.empty() ? 0.0 : nearestQuantile(std::move(moved), 0.99);
   if (smoothing == Smoothing::kOneEuro) {
     const OneEuro filter({}, rate);
     health.delay = filter.delay(speed);
@@ -131,7 +127,7 @@ double jitterOf(const Frames& frames, humanmodel::Joint j) {
     const Vector3d third = d[j] - 3.0 * c[j] + 3.0 * b[j] - a[j];
     for (int k = 0; k < 3; ++k) differences.push_back(std::abs(third[k]));
   }
-  return medianOrNaN(std::move(differences)) / (kMedianOfNormal * std::sqrt(kThirdDifference));
+  return nearestQuantile(std::move(differences), 0.5) / (kMedianOfNormal * std::sqrt(kThirdDifference));
 }
 
 DoctorReport examine(const Recording& recording) {
@@ -140,8 +136,8 @@ DoctorReport examine(const Recording& recording) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
   if (!steps.empty()) {
-    report.step = quantile(steps, 0.5);
-    report.longest_step = quantile(steps, 1.0);
+    report.step = nearestQuantile(steps, 0.5);
+    report.longest_step = nearestQuantile(steps, 1.0);
     report.uneven_steps = static_cast<std::size_t>(std::count_if(steps.begin(), steps.end(), [&](double s) {
       return std::abs(s - report.step) > kUneven * report.step;
     }));
@@ -159,7 +155,7 @@ DoctorReport examine(const Recording& recording) {
   for (std::size_t i = 1; i < frames.size(); ++i)
     if (isSwap(frames[i - 1], frames[i])) report.swaps.push_back(frames[i].t);
   if (report.step > 0.0 && !speeds.empty()) {
-    const double speed = quantile(speeds, 0.5);
+    const double speed = nearestQuantile(speeds, 0.5);
     for (const auto s : {Smoothing::kOneEuro, Smoothing::kButterworth, Smoothing::kButterworthBothWays})
       report.filters.push_back(tryFilter(frames, 1.0 / report.step, speed, s));
   }

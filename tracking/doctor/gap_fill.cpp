@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/quantile.hpp"
 #include "humanmodel/part_reach.hpp"
-#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -72,7 +72,7 @@ GapFill fillGaps(std::vector<humanmodel::SkeletonFrame>& frames, double longest)
     for (const auto& f : frames)
       if (f.has(kLimbs[b].first) && f.has(kLimbs[b].second))
         lengths.push_back((f[kLimbs[b].second] - f[kLimbs[b].first]).norm());
-    length[b] = lengths.empty() ? kNaN : quantile(std::move(lengths), 0.5);
+    length[b] = nearestQuantile(std::move(lengths), 0.5);
   }
 
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)

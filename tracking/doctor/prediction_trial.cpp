@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/math/quantile.hpp"
 #include "core/safety/motion_prediction.hpp"
-#include "tracking/recording/derived_joints.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -76,8 +76,8 @@ std::vector<PredictionTrial> tryPredictions(const Recording& recording, const sa
     trial.still_mean = mean(still[h]);
     trial.guess_mean = mean(guess[h]);
     trial.guess_most = *std::max_element(guess[h].begin(), guess[h].end());
-    trial.still_p95 = quantile(std::move(still[h]), 0.95);
-    trial.guess_p95 = quantile(std::move(guess[h]), 0.95);
+    trial.still_p95 = nearestQuantile(std::move(still[h]), 0.95);
+    trial.guess_p95 = nearestQuantile(std::move(guess[h]), 0.95);
   }
   return trials;
 }

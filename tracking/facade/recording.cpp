@@ -32,8 +32,8 @@ const Skeleton& Recording::at(double t) const {
 double Recording::duration() const { return impl_->recording.report.duration; }
 double Recording::stature() const { return impl_->recording.report.stature; }
 const std::string& Recording::format() const { return impl_->recording.report.format; }
-const std::string& Recording::units() const { return impl_->recording.report.units_guess; }
-const std::string& Recording::up() const { return impl_->recording.report.up; }
+const std::string& Recording::units() const { return impl_->recording.report.units.name; }
+const std::string& Recording::up() const { return impl_->recording.report.up.axis; }
 const std::vector<std::string>& Recording::warnings() const { return impl_->recording.report.warnings; }
 
 }  // namespace abstand

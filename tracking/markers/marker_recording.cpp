@@ -6,6 +6,7 @@
 
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
+#include "core/math/quantile.hpp"
 #include "tracking/markers/marker_solution.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
@@ -141,7 +142,7 @@ UnitChoice MarkerTrack::chooseUnitOf(const RecordingOptions& options) const {
     if (f.has(humanmodel::Joint::kPelvis) && f.has(humanmodel::Joint::kThorax))
       heights.push_back((f[humanmodel::Joint::kThorax] - f[humanmodel::Joint::kPelvis]).norm() / share);
   std::optional<double> stature;
-  if (!heights.empty()) stature = quantile(std::move(heights), 0.9);
+  if (!heights.empty()) stature = nearestQuantile(std::move(heights), 0.9);
   if (stature && !(*stature > 0.0)) stature.reset();
   return chooseUnit(options.units, stature);
 }

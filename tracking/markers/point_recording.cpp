@@ -5,11 +5,11 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
 #include "humanmodel/part_reach.hpp"
 #include "tracking/markers/marker_recording.hpp"
 #include "tracking/recording/conversion.hpp"
-#include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/joint_map.hpp"
 
 namespace abstand::tracking {
@@ -101,7 +101,7 @@ double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
   if (steps.empty()) return 0.0;
-  const double median = quantile(std::move(steps), 0.5);
+  const double median = nearestQuantile(std::move(steps), 0.5);
   return median > 0.0 ? 1.0 / median : 0.0;
 }
 
@@ -181,8 +181,8 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
   // Solving markers settles both: a guess is one all the same.
-  recording.report.units_guessed = !facts.unit && text::lowerCase(options.units) == "auto";
-  recording.report.up_guessed = !facts.up && text::lowerCase(options.up) == "auto";
+  recording.report.units.guessed = !facts.unit && text::lowerCase(options.units) == "auto";
+  recording.report.up.guessed = !facts.up && text::lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
+#include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
@@ -47,7 +48,7 @@ class Lengths {
       const Vector3d p_hips = 0.5 * ((*f)[humanmodel::Joint::kHipLeft] + (*f)[humanmodel::Joint::kHipRight]);
       drops.push_back((p_hips - (*f)[humanmodel::Joint::kPelvis]).dot(down.normalized()));
     }
-    return drops.empty() ? kNaN : quantile(drops, 0.5);
+    return nearestQuantile(std::move(drops), 0.5);
   }
 
  private:
@@ -55,7 +56,7 @@ class Lengths {
     std::vector<double> lengths;
     for (const auto* f : samples_)
       if (f->has(a) && f->has(b)) lengths.push_back(((*f)[a] - (*f)[b]).norm());
-    return lengths.empty() ? kNaN : quantile(lengths, q);
+    return nearestQuantile(std::move(lengths), q);
   }
 
   const humanmodel::SkeletonFrame& rest_;

@@ -220,13 +220,13 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
   add(unit.warning);
   add(up.warning);
-  report.units_guess = unit.name;
-  report.units_reason = unit.reason;
+  report.units.name = unit.name;
+  report.units.reason = unit.reason;
   report.scale = unit.scale;
-  report.up = up.axis;
-  report.up_reason = up.reason;
-  report.units_guessed = !raw.unit && text::lowerCase(options.units) == "auto";
-  report.up_guessed = !raw.up && text::lowerCase(options.up) == "auto";
+  report.up.axis = up.axis;
+  report.up.reason = up.reason;
+  report.units.guessed = !raw.unit && text::lowerCase(options.units) == "auto";
+  report.up.guessed = !raw.up && text::lowerCase(options.up) == "auto";
   report.stature = stature ? *stature * unit.scale : 0.0;
 
   Matrix3d R_WF = rotationToZUp(up.axis);

@@ -34,7 +34,4 @@ std::vector<std::string> deriveJoints(humanmodel::SkeletonFrame& rest,
 /// Evenly spaced indices below `count`, at most `most` of them, for estimates over a whole recording.
 std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t most = 200);
 
-/// The value below which a share `q` of the values lies. ABSTAND_CHECKs that there are any.
-double quantile(std::vector<double> values, double q);
-
 }  // namespace abstand::tracking

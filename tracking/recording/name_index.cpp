@@ -9,11 +9,7 @@ constexpr std::string_view kPlus = " + ";
 
 }  // namespace
 
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
-  while (!s.empty() && (s.back() == ' ' || s.back() == '\t' || s.back() == '\r')) s.remove_suffix(1);
-  return s;
-}
+std::string_view trimmed(std::string_view s) { return text::trimmed(s, " \t", " \t\r"); }
 
 std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos) {
   std::vector<std::string> out;

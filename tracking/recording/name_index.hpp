@@ -11,7 +11,7 @@
 
 namespace abstand::tracking {
 
-/// Without the blanks at both ends.
+/// Without the blanks at both ends, and without the end of a line with \r\n.
 std::string_view trimmed(std::string_view text);
 
 /// "A | B | C" as its names. Throws ParseError at `pos` for an empty one.

@@ -31,11 +31,17 @@ struct RecordingReport {
   double rate{0.0};         ///< Hz
   std::string rate_reason;  ///< where the rate and the times come from
   double duration{0.0};     ///< s, from the first frame to the last
-  std::string units_guess;  ///< e.g. "cm"; "free" where the person was scaled to a stature
-  std::string units_reason;
+  struct Units {
+    std::string name;  ///< e.g. "cm"; "free" where the person was scaled to a stature
+    std::string reason;
+    bool guessed{false};  ///< neither the file, its format nor the user says it
+  } units;
   double scale{1.0};  ///< metres per unit of the file
-  std::string up;     ///< "y"
-  std::string up_reason;
+  struct UpAxis {
+    std::string axis;  ///< "y"
+    std::string reason;
+    bool guessed{false};  ///< as units.guessed
+  } up;
   std::string sides;  ///< "agree", "mirrored" or "unknown": left and right against where the toes point
   std::string sides_reason;
   double stature{0.0};                                     ///< m, estimated from the bones; 0: not known
@@ -46,9 +52,8 @@ struct RecordingReport {
   std::vector<std::string> missing_parts;  ///< parts that this file cannot move
   /// Frames that the file claims or begins and does not hold: it was cut. At least so many.
   std::size_t frames_missing{0};
-  bool units_guessed{false}, up_guessed{false};  ///< neither the file, its format nor the user says it
-  double lowest_foot{kNaN};                      ///< m, z of it over all frames; NaN: no foot is known
-  std::size_t gaps{0};                           ///< frames in which a mapped joint is missing or not finite
+  double lowest_foot{kNaN};           ///< m, z of it over all frames; NaN: no foot is known
+  std::size_t gaps{0};                ///< frames in which a mapped joint is missing or not finite
   std::size_t swaps{0};               ///< turns of the hips by more than 90 degrees between two frames
   MarkerReport markers;               ///< of a file of markers that were solved
   std::vector<std::string> notes;     ///< about the file, nothing to worry about

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tracking/recording/derived_joints.hpp"
+#include "core/math/quantile.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -35,7 +35,7 @@ VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera
     }
   }
   if (heights.empty()) return {};
-  const double low = quantile(heights, kOutermost), top = quantile(heights, 1.0 - kOutermost);
+  const double low = nearestQuantile(heights, kOutermost), top = nearestQuantile(heights, 1.0 - kOutermost);
   const bool to_floor = low < kFeet;
   // Who is seen down to the feet stands on the floor, whose nearest pixels count as floor.
   return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut};
@@ -62,7 +62,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
   const auto is_upright = [](double h) {
     return h >= Stature::kShortestUpright && h <= Stature::kTallestUpright;
   };
-  const double seen = quantile(heights, 0.5) + kUnseen, top = quantile(tops, 0.5) + kUnseen;
+  const double seen = nearestQuantile(heights, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5) + kUnseen;
   if (2 * whole > images.size()) {
     stature.used = std::clamp(seen, Stature::kShortest, Stature::kTallest);
     if (is_upright(seen)) {

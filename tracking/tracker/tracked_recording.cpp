@@ -32,10 +32,10 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.rate = facts.rate;
   r.rate_reason = facts.rate_reason;
   r.duration = recording.frames.empty() ? 0.0 : recording.frames.back().t - recording.frames.front().t;
-  r.units_guess = "m";
-  r.units_reason = "of the depth camera: " + facts.camera_reason;
-  r.up = "z";
-  r.up_reason = track.world;
+  r.units.name = "m";
+  r.units.reason = "of the depth camera: " + facts.camera_reason;
+  r.up.axis = "z";
+  r.up.reason = track.world;
   r.sides = "agree";
   r.sides_reason = facingReason(tracked.facing);
   r.stature = tracked.stature.known() ? tracked.stature.used : 0.0;

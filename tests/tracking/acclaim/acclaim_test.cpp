@@ -158,8 +158,8 @@ TEST(Acclaim, ReadsACmuCapture) {
   const Recording r = openRecording(amc);
   EXPECT_EQ(r.report.format, "amc");
   EXPECT_EQ(r.frames.size(), 597u);
-  EXPECT_EQ(r.report.units_guess, "cmu");
-  EXPECT_EQ(r.report.up, "y");
+  EXPECT_EQ(r.report.units.name, "cmu");
+  EXPECT_EQ(r.report.up.axis, "y");
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_EQ(r.report.mapped.size(), 14u);
   EXPECT_EQ(r.report.joint_map, "CMU, Acclaim names");
@@ -184,8 +184,8 @@ TEST(Acclaim, AgreesWithCmuBvh) {
              bvh = testing::sharedData("mocap/bvh/cmu_12_01_walk_motionbuilder.bvh");
   if (!std::filesystem::exists(amc)) GTEST_SKIP() << amc;
   const Recording a = openRecording(amc), b = openRecording(bvh);
-  EXPECT_EQ(a.report.units_guess, b.report.units_guess);
-  EXPECT_EQ(a.report.up, b.report.up);
+  EXPECT_EQ(a.report.units.name, b.report.units.name);
+  EXPECT_EQ(a.report.up.axis, b.report.up.axis);
   EXPECT_NEAR(a.report.rate, b.report.rate, 0.01);
   EXPECT_NEAR(a.report.stature, b.report.stature, 0.25) << "two people";
   const auto share = [](const Recording& r, humanmodel::Joint i, humanmodel::Joint j) {

@@ -177,8 +177,8 @@ TEST_P(RealKinect, IsUnderstood) {
   EXPECT_EQ(r.report.format, GetParam().format);
   EXPECT_EQ(r.frames.size(), GetParam().frames);
   EXPECT_NEAR(r.report.rate, 30.0, 1.0) << "from whole milliseconds";
-  EXPECT_EQ(r.report.units_guess, GetParam().units);
-  EXPECT_EQ(r.report.up, "y");
+  EXPECT_EQ(r.report.units.name, GetParam().units);
+  EXPECT_EQ(r.report.up.axis, "y");
   EXPECT_EQ(r.report.mapped.size(), 14u);
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_GE(r.report.stature, 1.4);

@@ -58,8 +58,8 @@ TEST(MarkerRecording, UnitsAndUpAreFoundAndJointsAreCentres) {
   const auto m = testing::makeMarkers(1, 2.0, 50.0, 0.0005, 0.003);
   MemoryReader reader(m);
   const Recording r = readPoints(reader, "m", {});
-  EXPECT_EQ(r.report.units_guess, "mm");
-  EXPECT_EQ(r.report.up, "y");
+  EXPECT_EQ(r.report.units.name, "mm");
+  EXPECT_EQ(r.report.up.axis, "y");
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_EQ(r.report.markers.set, "Plug-in-Gait");
   EXPECT_THAT(r.report.missing_parts, IsEmpty());

@@ -42,10 +42,10 @@ TEST(Recording, GuessesUnitsAndSaysWhy) {
                         {1.0 / 0.0254, "inches", 0.0254},
                         {0.45 / 0.0254, "cmu", 0.0254 / 0.45}}) {
     const Recording r = read({.units_per_metre = c.units_per_metre});
-    EXPECT_EQ(r.report.units_guess, c.name);
+    EXPECT_EQ(r.report.units.name, c.name);
     EXPECT_DOUBLE_EQ(r.report.scale, c.scale);
     EXPECT_NEAR(r.report.stature, kSmallHumanStature, kRounding) << c.name;
-    EXPECT_THAT(r.report.units_reason, HasSubstr("an adult's stature"));
+    EXPECT_THAT(r.report.units.reason, HasSubstr("an adult's stature"));
     EXPECT_NEAR(heightOf(r, humanmodel::Joint::kPelvis), 0.95, kRounding);
     EXPECT_THAT(r.report.warnings, IsEmpty()) << c.name;
   }
@@ -53,7 +53,7 @@ TEST(Recording, GuessesUnitsAndSaysWhy) {
 
 TEST(Recording, ScalesToAStatureWhereNoUnitFits) {
   const Recording r = read({.units_per_metre = 22.0});
-  EXPECT_EQ(r.report.units_guess, "free");
+  EXPECT_EQ(r.report.units.name, "free");
   EXPECT_NEAR(r.report.stature, 1.75, kRounding);
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no usual unit")));
 }
@@ -71,8 +71,8 @@ TEST(Recording, FindsUpInEveryAxis) {
     const Matrix3d R_WF = rotationToZUp(axis);
     EXPECT_EQ(R_WF.determinant(), 1.0);
     const Recording r = read({.R_FW = R_WF.transpose()});
-    EXPECT_EQ(r.report.up, axis);
-    EXPECT_THAT(r.report.up_reason, HasSubstr("from feet to head"));
+    EXPECT_EQ(r.report.up.axis, axis);
+    EXPECT_THAT(r.report.up.reason, HasSubstr("from feet to head"));
     EXPECT_NEAR(heightOf(r, humanmodel::Joint::kPelvis), 0.95, kRounding) << axis;
     EXPECT_NEAR(heightOf(r, humanmodel::Joint::kHeadTop), 0.95 + 0.8, kRounding) << axis;
     EXPECT_GT(r.frames[0][humanmodel::Joint::kShoulderLeft].y(),
@@ -88,7 +88,7 @@ TEST(Recording, UpCanBeSaidAndALyingPersonIsPointedAt) {
   SmallHuman lying{.R_FW = rotationToZUp("y").transpose(), .pelvis_height = 0.1};
   lying.R_WB = Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()).toRotationMatrix();
   const Recording guessed = read(lying);
-  EXPECT_EQ(guessed.report.up, "z");
+  EXPECT_EQ(guessed.report.up.axis, "z");
   EXPECT_THAT(guessed.report.warnings, Contains(HasSubstr("give the axis if the person is lying")));
   EXPECT_NEAR(guessed.report.stature, kSmallHumanStature, kRounding);
   const Recording said = read(lying, {.up = "y"});

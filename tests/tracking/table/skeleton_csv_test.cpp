@@ -57,7 +57,7 @@ TEST(SkeletonCsv, ReadsWhatOthersWrite) {
   EXPECT_FALSE(r.frames[0].has(humanmodel::Joint::kPelvis));
   EXPECT_EQ(r.report.gaps, 1u);
   EXPECT_EQ(r.report.rate, 2.0);
-  EXPECT_EQ(r.report.up, "z");
+  EXPECT_EQ(r.report.up.axis, "z");
   const Recording turned =
       readSkeletonCsv("t,neck.x,neck.y,neck.z\n0,100,200,300\n", "t.csv", {.units = "cm", .up = "y"});
   EXPECT_LT((turned.frames[0][humanmodel::Joint::kNeck] - Vector3d(1, -3, 2)).norm(), 1e-12);

@@ -127,7 +127,7 @@ TEST(Trc, ReadsRealFiles) {
     EXPECT_EQ(r.report.joints.size(), c.markers) << c.file;
     EXPECT_EQ(r.frames.size(), c.frames) << c.file;
     EXPECT_EQ(r.report.rate, c.rate) << c.file;
-    EXPECT_EQ(r.report.units_guess, c.units) << c.file;
+    EXPECT_EQ(r.report.units.name, c.units) << c.file;
     EXPECT_GE(r.report.mapped.size(), c.parts) << c.file;
     if (!r.report.markers.set.empty()) continue;  // solved: its joints are centres
     EXPECT_THAT(r.report.warnings, Contains(::testing::AnyOf(HasSubstr("markers on the skin"),
@@ -141,7 +141,7 @@ TEST(Trc, MarkersMakeABody) {
   const auto file = testing::sharedData("mocap/trc/motek/T.trc");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);
-  EXPECT_EQ(r.report.up, "y");
+  EXPECT_EQ(r.report.up.axis, "y");
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_GT(r.report.stature, 1.4);
   EXPECT_LT(r.report.stature, 2.1);

@@ -1,0 +1,104 @@
+#include "app/tune/approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/contact_area.hpp"
+#include "core/contact/predicted_pressure.hpp"
+
+namespace abstand::tune {
+namespace {
+
+// m: nearest points that are nearer to each other than this have no direction.
+constexpr double kNoDirection = 1e-9;
+// m: the smallest radius of a person's part that presses; smaller than a finger's.
+constexpr double kBodyRadius = 0.02;
+
+}  // namespace
+
+ApproachJudge::ApproachJudge(const session::Session& session,
+                             std::shared_ptr<const contact::ContactLimits> limits)
+    : session_(session), limits_(std::move(limits)) {
+  std::size_t first = 0;
+  for (const auto& m : session.mechanisms()) {
+    Robot robot;
+    robot.tree = mechanism::makeRigidTree(m->mechanism());
+    robot.first = first;
+    robot.work.resize(static_cast<std::size_t>(m->dof()));
+    first += static_cast<std::size_t>(m->dof());
+    const std::vector<double> zeros(static_cast<std::size_t>(m->dof()), 0.0);
+    mechanism::placeBodies(robot.tree, zeros, robot.state);
+    mechanism::massMatrix(robot.tree, robot.state, robot.mass);
+    robot.known = m->dof() > 0 && mechanism::factor(robot.mass) < 0;
+    robots_.push_back(std::move(robot));
+    for (const auto& link : m->links())
+      if (link.object) frame_of_[link.object->index()] = link.frame;
+  }
+}
+
+ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t i,
+                                    bool with_mass) {
+  ClosingMotion motion;
+  motion.p_W = frame.on_link[i];
+  const Vector3d between = frame.on_part[i] - frame.on_link[i];
+  const double length = between.norm();
+  // Inside each other the nearest points have changed sides.
+  if (length > kNoDirection) motion.n_W = between / (frame.distance[i] < 0.0 ? -length : length);
+  if (!frame.motion.empty()) {
+    // Over a short time, so that turning bodies count with their present direction.
+    constexpr double kStep = 1e-4;
+    const auto velocity = [&](std::size_t object, const Vector3d& p_W) -> Vector3d {
+      safety::PoseSegment path = frame.motion[object];
+      return (path.pose(kStep) * (frame.X_WB[object].inverse() * p_W) - p_W) / kStep;
+    };
+    motion.robot_speed = velocity(pair.link, frame.on_link[i]).dot(motion.n_W);
+    motion.person_speed = -velocity(pair.part, frame.on_part[i]).dot(motion.n_W);
+  }
+  if (with_mass) motion.robot_mass = robotMass(frame, pair, motion);
+  return motion;
+}
+
+double ApproachJudge::robotMass(const WindowFrame& frame, const WatchedPair& pair,
+                                const ClosingMotion& motion) {
+  Robot& robot = robots_[pair.robot];
+  const int link = frame_of_.at(pair.link);
+  if (!robot.known || link < 0) return kInfinity;
+  const std::span<const double> q(frame.q.data() + robot.first, robot.work.size());
+  mechanism::placeBodies(robot.tree, q, robot.state);
+  mechanism::massMatrix(robot.tree, robot.state, robot.mass);
+  if (mechanism::factor(robot.mass) >= 0) return kInfinity;
+  const Transform X_BW = session_.mechanisms()[pair.robot]->X_WB().inverse();
+  return mechanism::effectiveMass({robot.tree, robot.state, robot.mass}, link, X_BW * motion.p_W,
+                                  X_BW.linear() * motion.n_W, robot.work);
+}
+
+ContactShare ApproachJudge::contact(const ClosingMotion& motion, const WindowFrame& frame,
+                                    const WatchedPair& pair, const std::string& part) {
+  ContactShare share;
+  if (!limits_) return share;
+  const contact::ContactMotion moves{motion.closing(),
+                                     {motion.robot_mass, contact::RobotMassSource::kPosture},
+                                     contact::ContactKind::kTransient};
+  const contact::RegionContact worst = contact::worstContact(limits_->regionsOf(part), moves);
+  if (!worst.region) return share;
+  share.region = worst.region->name;
+  share.excluded = worst.contact.excluded;
+  share.force = worst.contact.force;
+  share.energy = worst.contact.energy;
+  share.share = worst.contact.share;
+  if (share.excluded || !(worst.contact.indentation > 0.0)) return share;
+  auto& surface = surfaces_[pair.link];
+  if (!surface)
+    surface = std::make_unique<contact::ContactSurface>(
+        *session_.scene().objects()[pair.link].spec.structure->surface);
+  const Transform X_LW = frame.X_WB[pair.link].inverse();
+  const contact::ContactArea area = contact::contactArea(
+      *surface, {X_LW * motion.p_W, X_LW.linear() * motion.n_W, worst.contact.indentation, kBodyRadius});
+  const contact::PredictedPressure pressure =
+      contact::predictPressure(*worst.region, worst.contact, area, contact::ContactKind::kTransient);
+  share.pressure = pressure.peak;
+  share.pressure_share = pressure.share;
+  return share;
+}
+
+}  // namespace abstand::tune

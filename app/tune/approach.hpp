@@ -1,0 +1,74 @@
+// The moments at which a body part came nearest, and what a contact would have been then.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/tune/motion_window.hpp"
+#include "core/contact/contact_limits.hpp"
+#include "core/contact/contact_surface.hpp"
+#include "core/mechanism/effective_mass.hpp"
+
+namespace abstand::tune {
+
+/// How a part and a link move towards each other at a moment, along the line of their nearest points.
+struct ClosingMotion {
+  double robot_speed{0.0};          ///< m/s, of the link's nearest point, positive towards the person
+  double person_speed{0.0};         ///< m/s, of the part's nearest point, positive towards the robot
+  double robot_mass{kInfinity};     ///< kg, effective at that point; infinite: a wall, or not known
+  Vector3d p_W{Vector3d::Zero()};   ///< m, the nearest point on the link
+  Vector3d n_W{Vector3d::UnitX()};  ///< unit vector from the link to the part
+  double closing() const { return robot_speed + person_speed; }
+};
+
+/// A contact as it would have been with the speeds of this moment. Limits of the table's edition.
+struct ContactShare {
+  std::string region;  ///< of the table, the worst one of the part
+  bool excluded{false};
+  double force{0.0}, energy{0.0};  ///< N, J
+  double share{0.0};               ///< of the force limit; infinite where contact is excluded
+  double pressure{0.0};            ///< Pa, peak, from the link's surface
+  double pressure_share{0.0};
+};
+
+/// A local minimum of a part's clearance.
+struct Approach {
+  std::uint16_t part{0}, link{0};  ///< indices into PassResult
+  double t{0.0}, distance{0.0}, clearance{0.0};
+  ClosingMotion motion;
+  ContactShare contact;
+};
+
+/// Speeds, masses and contacts of the frames of a pass. One thread.
+class ApproachJudge {
+ public:
+  /// Null for no table: contacts are not judged. The session must outlive it.
+  ApproachJudge(const session::Session& session, std::shared_ptr<const contact::ContactLimits> limits);
+
+  /// Of a pair at `frame`, with the velocities to the next frame; at rest without one.
+  ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index, bool with_mass);
+  /// Of the part called `part`.
+  ContactShare contact(const ClosingMotion& motion, const WindowFrame& frame, const WatchedPair& pair,
+                       const std::string& part);
+
+ private:
+  double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
+
+  struct Robot {
+    mechanism::RigidTree tree;
+    mechanism::TreeState state;
+    mechanism::MassMatrix mass;
+    std::vector<double> work;
+    std::size_t first{0};  ///< of its joint values among those of all robots
+    bool known{false};
+  };
+  const session::Session& session_;
+  std::shared_ptr<const contact::ContactLimits> limits_;
+  std::vector<Robot> robots_;
+  std::map<std::size_t, int> frame_of_;  ///< of a link's object: index of its mechanism's frame
+  std::map<std::size_t, std::unique_ptr<contact::ContactSurface>> surfaces_;
+};
+
+}  // namespace abstand::tune
