@@ -4,6 +4,7 @@
 #include "core/math/transform.hpp"
 #include "humanmodel/anthropometry.hpp"
 #include "humanmodel/body_plan.hpp"
+#include "humanmodel/girth_spread.hpp"
 
 namespace abstand::humanmodel {
 namespace {
@@ -20,40 +21,38 @@ constexpr double kShoulderShare = 0.5;
 constexpr double kFingerShare = 0.3;
 
 // Shares of stature.
-constexpr double kHeelBehindAnkle = .04, kToeHeight = .010, kFootHeight = .042;
+constexpr double kHeelBehindAnkle = .04, kToeHeight = .010;
 constexpr double kShoulderReach = .020;
 
-Segment roundSegment(double length, double girth, double proximal_share, double distal_share) {
-  return {kEllipsoid, length, girth / kPi, girth / kPi, proximal_share, distal_share};
+Segment limb(double length, const Section& section, double proximal_share, double distal_share) {
+  return {kEllipsoid, length, section.breadth, section.depth, proximal_share, distal_share};
 }
 
 }  // namespace
 
-BodyPlan anthropometricPlan(double height, double mass, std::optional<Sex> sex) {
-  const BodyMeasures m = measuresOf(height, mass, sex);
+BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::optional<Sex> sex,
+                            std::optional<double> percentile) {
+  using enum GirthPlace;
+  const BodyMeasures m = measuresOf(height, mass ? *mass : meanBodyMassIndex(sex) * (height * height), sex);
+  const BodySections s =
+      percentile ? sectionsOfPercentile(*percentile, height, mass, sex) : meanSections(height, mass, sex);
   BodyPlan plan;
 
   // One cuboid round chest, waist and hips, from the crotch to the seventh cervical vertebra.
   const double torso_length = m.cervicale_height - m.crotch_height;
   plan[PartKind::kTorso] = {kCuboid, torso_length,
-                            std::max({m.chest_breadth, m.waist_breadth, m.hip_breadth}),
-                            std::max({m.chest_depth, m.waist_depth, m.buttock_depth})};
+                            std::max({s[kChest].breadth, s[kWaist].breadth, s[kButtock].breadth}),
+                            std::max({s[kChest].depth, s[kWaist].depth, s[kButtock].depth})};
 
-  // Measured breadth and depth of the head give the ratio, its girth the size.
-  const double head_scale = m.head_girth / contourOf(kEllipsoid, m.head_breadth, m.head_depth);
-  plan[PartKind::kHead] = {
-      kEllipsoid, height - m.cervicale_height, m.head_breadth * head_scale, m.head_depth * head_scale,
-      0.0,        m.neck_girth / m.head_girth};
+  plan[PartKind::kHead] = limb(height - m.cervicale_height, s[kHead], 0.0, s[kNeck].girth / s[kHead].girth);
 
-  plan[PartKind::kBiceps] = roundSegment(m.acromion_radiale, m.biceps_girth, kShoulderShare, kJointShare);
-  plan[PartKind::kForearm] = roundSegment(m.radiale_stylion, m.forearm_girth, kJointShare, kJointShare);
-  plan[PartKind::kThigh] = roundSegment(m.trochanter_epicondyle, m.thigh_girth, kHipShare, kJointShare);
-  plan[PartKind::kCalf] = roundSegment(m.epicondyle_malleolus, m.calf_girth, kJointShare, kJointShare);
+  plan[PartKind::kBiceps] = limb(m.acromion_radiale, s[kBiceps], kShoulderShare, kJointShare);
+  plan[PartKind::kForearm] = limb(m.radiale_stylion, s[kForearm], kJointShare, kJointShare);
+  plan[PartKind::kThigh] = limb(m.trochanter_epicondyle, s[kThigh], kHipShare, kJointShare);
+  plan[PartKind::kCalf] = limb(m.epicondyle_malleolus, s[kCalf], kJointShare, kJointShare);
 
-  // The palm of a hanging arm faces the thigh: its breadth lies along x.
-  plan[PartKind::kHand] = {kEllipsoid,     m.hand_length, extentFor(kEllipsoid, m.hand_girth, m.hand_breadth),
-                           m.hand_breadth, kJointShare,   kFingerShare};
-  plan[PartKind::kFoot] = {kCuboid, m.foot_length, m.foot_breadth, height * kFootHeight};
+  plan[PartKind::kHand] = limb(m.hand_length, s[kHand], kJointShare, kFingerShare);
+  plan[PartKind::kFoot] = {kCuboid, m.foot_length, s[kFoot].breadth, s[kFoot].depth};
 
   // Joints at the landmarks: the hip at the trochanter, shoulders at the acromion, the rest as lengths
   // follow.

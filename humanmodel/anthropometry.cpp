@@ -43,7 +43,7 @@ constexpr Pair kHeadGirth{.327, .345}, kHeadBreadth{.088, .091}, kHeadDepth{.114
     kNeckGirth{.227, .203};
 constexpr Pair kForearmGirth{.177, .162}, kHandGirth{.121, .115}, kHandBreadth{.050, .048};
 constexpr Pair kCalfGirth{.224, .229};
-constexpr Pair kFootLength{.154, .151}, kFootBreadth{.058, .057};
+constexpr Pair kFootLength{.154, .151}, kFootBreadth{.058, .057}, kBallGirth{.144, .140};
 constexpr Pair kHeadAndNeck{.136, .143};  // stature less cervicale height
 constexpr Pair kAcromialHeight{.820, .820}, kCrotchHeight{.482, .480};
 constexpr Pair kAcromionTrochanter{.307, .301}, kTrochanterEpicondyle{.233, .233},
@@ -89,6 +89,7 @@ BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex) {
   m.calf_girth = share(kCalfGirth) * mild;
   m.foot_length = share(kFootLength);
   m.foot_breadth = share(kFootBreadth);
+  m.ball_girth = share(kBallGirth);
   m.cervicale_height = height - share(kHeadAndNeck);
   m.acromial_height = share(kAcromialHeight);
   m.crotch_height = share(kCrotchHeight);

@@ -16,7 +16,7 @@ struct BodyMeasures {
   double head_girth, head_breadth, head_depth, neck_girth;
   double biceps_girth, forearm_girth, hand_girth, hand_breadth;
   double thigh_girth, calf_girth;
-  double foot_length, foot_breadth;
+  double foot_length, foot_breadth, ball_girth;
   double cervicale_height, acromial_height, crotch_height;
   double acromion_trochanter, trochanter_epicondyle, epicondyle_malleolus;
   double acromion_radiale, radiale_stylion, hand_length;

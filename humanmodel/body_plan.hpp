@@ -35,8 +35,10 @@ struct BodyPlan {
 /// Table B.1 of the thesis, its torso and head rows put right.
 BodyPlan thesisPlan(double height);
 
-/// ANSUR II by height, mass and sex.
-BodyPlan anthropometricPlan(double height, double mass, std::optional<Sex> sex);
+/// ANSUR II by height (m), mass (kg; without: the mean body mass index) and sex. With a percentile the
+/// girths, breadths and depths are those of sectionsOfPercentile; lengths are means.
+BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::optional<Sex> sex,
+                            std::optional<double> percentile);
 
 /// The segment with the user's wishes; `name` is for messages. Throws UsageError.
 Segment overridden(const Segment& segment, const PartOverride& wish, std::string_view name);

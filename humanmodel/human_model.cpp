@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "humanmodel/anthropometry.hpp"
+#include "humanmodel/population.hpp"
 #include "humanmodel/rest_pose.hpp"
 #include "humanmodel/segment_inertia.hpp"
 
@@ -16,31 +17,48 @@ void checkRange(double value, double low, double high, const std::string& what, 
                      " to " + formatDouble(high));
 }
 
-double bodyMass(const HumanOptions& options) {
-  const double square = options.height * options.height;
-  if (!options.mass) return meanBodyMassIndex(options.sex) * square;
-  checkRange(*options.mass, 10.0, 300.0, "the person's mass", "kg");
+void checkPercentile(const HumanOptions& options) {
+  if (!options.percentile) return;
+  checkRange(*options.percentile, 1.0, 99.0, "the person's percentile", "%");
+  if (options.preset == HumanPreset::kThesis)
+    throw UsageError(
+        "the preset thesis is given with a percentile, which its table does not have, expected "
+        "the preset anthropometric");
+}
+
+double statureOf(const HumanOptions& options) {
+  const double usual =
+      options.percentile ? statureOfPercentile(*options.percentile, options.sex) : kUsualStature;
+  const double height = options.height.value_or(usual);
+  checkRange(height, 0.5, 2.5, "the person's height", "m");
+  return height;
+}
+
+double bodyMass(const HumanOptions& options, double height) {
+  const double square = height * height;
+  if (!options.mass && !options.percentile) return meanBodyMassIndex(options.sex) * square;
+  const double mass = options.mass ? *options.mass : massOfPercentile(*options.percentile, options.sex);
+  checkRange(mass, 10.0, 300.0, "the person's mass", "kg");
   // The leanest and heaviest people on record lie well inside.
-  checkRange(*options.mass / square, 8.0, 100.0,
-             "the body mass index of " + formatDouble(*options.mass) + " kg at " +
-                 formatDouble(options.height) + " m",
+  checkRange(mass / square, 8.0, 100.0,
+             "the body mass index of " + formatDouble(mass) + " kg at " + formatDouble(height) + " m",
              "kg/m^2");
-  return *options.mass;
+  return mass;
 }
 
 }  // namespace
 
 HumanModel makeHuman(const HumanOptions& options) {
-  checkRange(options.height, 0.5, 2.5, "the person's height", "m");
+  checkPercentile(options);
   HumanModel model;
   model.options = options;
-  model.height = options.height;
-  model.mass = bodyMass(options);
+  model.height = statureOf(options);
+  model.mass = bodyMass(options, model.height);
 
   BuiltBody body;
   body.plan = options.preset == HumanPreset::kThesis
                   ? thesisPlan(model.height)
-                  : anthropometricPlan(model.height, model.mass, options.sex);
+                  : anthropometricPlan(model.height, options.mass, options.sex, options.percentile);
   model.parts.reserve(kBodyPartCount);
   for (std::size_t i = 0; i < kBodyPartCount; ++i) {
     const auto part = static_cast<BodyPart>(i);

@@ -24,10 +24,16 @@ struct PartOverride {
   std::optional<std::string> shape;  ///< "ellipsoid" or "cuboid"
 };
 
+inline constexpr double kUsualStature = 1.75;  ///< m, of a person of whom nothing else is said
+
 struct HumanOptions {
-  double height{1.75};         ///< m, 0.5 to 2.5
-  std::optional<double> mass;  ///< kg, 10 to 300; without: from height (and sex)
-  std::optional<Sex> sex;      ///< without: the mean of both
+  std::optional<double> height;  ///< m, 0.5 to 2.5; without: that of the percentile, else kUsualStature
+  std::optional<double> mass;    ///< kg, 10 to 300; without: that of the percentile, else from height and sex
+  std::optional<Sex> sex;        ///< without: the mean of both, a percentile that of both together
+  /// Per cent, 1 to 99 (ANSUR II 2012), only with kAnthropometric: girths, breadths and depths that enclose
+  /// those of so many of the people of that height (and mass, where it is given), as sectionsOfPercentile.
+  /// Lengths stay means. Without: mean sizes.
+  std::optional<double> percentile;
   HumanPreset preset{HumanPreset::kAnthropometric};
   std::map<BodyPart, PartOverride> overrides;
 };
@@ -67,8 +73,8 @@ struct HumanModel {
   const HumanPart& part(BodyPart p) const { return parts[static_cast<std::size_t>(p)]; }
 };
 
-/// Throws UsageError for a height, mass or override out of range, and for a mass that does not fit the height
-/// (body mass index outside 8 to 100 kg/m^2).
+/// Throws UsageError for a height, mass, percentile or override out of range, for a mass that does not fit
+/// the height (body mass index outside 8 to 100 kg/m^2), and for a percentile with kThesis.
 HumanModel makeHuman(const HumanOptions& options);
 
 }  // namespace abstand::humanmodel

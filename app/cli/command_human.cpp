@@ -4,6 +4,7 @@
 #include "core/base/number.hpp"
 #include "core/base/output_folder.hpp"
 #include "core/mesh_file/mesh_file.hpp"
+#include "humanmodel/enclosed_share.hpp"
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::cli {
@@ -12,7 +13,7 @@ namespace {
 constexpr double kMeshSagitta = 2e-4;  // m, of the written meshes
 
 struct HumanArguments {
-  std::string height, mass, sex, preset{"anthropometric"}, out;
+  std::string height, mass, percentile, sex, preset{"anthropometric"}, out;
   std::vector<std::string> set;
 };
 
@@ -48,7 +49,7 @@ void applyOverride(humanmodel::HumanOptions& options, const std::string& text) {
     throw UsageError("--set: found '" + key + "', expected contour, length, breadth, depth or shape");
 }
 
-nlohmann::ordered_json partJson(const humanmodel::HumanPart& p) {
+nlohmann::ordered_json partJson(const humanmodel::HumanPart& p, const humanmodel::EnclosedShare& enclosed) {
   nlohmann::ordered_json j{{"name", humanmodel::partName(p.part)},
                            {"shape", geometry::shapeName(p.shape)},
                            {"length", p.length},
@@ -62,12 +63,17 @@ nlohmann::ordered_json partJson(const humanmodel::HumanPart& p) {
   j["distal"] = toJson(p.p_distal);
   j["proximal_joint"] = humanmodel::jointName(p.proximal);
   j["distal_joint"] = humanmodel::jointName(p.distal);
+  j["enclosed_share"] = enclosed.at_stature;
+  j["enclosed_share_all_statures"] = enclosed.all_statures;
   return j;
 }
 
 int runHuman(const CommandLine& line, const HumanArguments& args) {
   humanmodel::HumanOptions options;
-  options.height = number(args.height, "--height");
+  if (args.height.empty() && args.percentile.empty())
+    throw UsageError("found neither --height nor --percentile, expected one of them");
+  if (!args.height.empty()) options.height = number(args.height, "--height");
+  if (!args.percentile.empty()) options.percentile = number(args.percentile, "--percentile");
   if (!args.mass.empty()) options.mass = number(args.mass, "--mass");
   if (!args.sex.empty()) options.sex = args.sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
   options.preset =
@@ -75,16 +81,26 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
   for (const auto& s : args.set) applyOverride(options, s);
   const humanmodel::HumanModel human = humanmodel::makeHuman(options);
 
-  nlohmann::ordered_json document{{"height", human.height},
-                                  {"mass", human.mass},
-                                  {"preset", args.preset},
-                                  {"parts", nlohmann::ordered_json::array()}};
-  std::string text = format("%.3f m, %.1f kg, preset %s\n%-14s %-10s %9s %9s %8s\n", human.height, human.mass,
-                            args.preset.c_str(), "part", "shape", "length m", "contour m", "mass kg");
+  const auto enclosed = humanmodel::enclosedShare(human, options.sex);
+
+  nlohmann::ordered_json document{
+      {"height", human.height},
+      {"mass", human.mass},
+      {"preset", args.preset},
+      {"percentile",
+       options.percentile ? nlohmann::ordered_json(*options.percentile) : nlohmann::ordered_json()},
+      {"parts", nlohmann::ordered_json::array()}};
+  std::string text = format("%.3f m, %.1f kg, preset %s", human.height, human.mass, args.preset.c_str());
+  if (options.percentile) text += ", percentile " + formatDouble(*options.percentile);
+  text += format("\n%-14s %-10s %9s %9s %8s %10s\n", "part", "shape", "length m", "contour m", "mass kg",
+                 "encloses %");
   for (const humanmodel::HumanPart& p : human.parts) {
-    document["parts"].push_back(partJson(p));
-    text += format("%-14s %-10s %9.4f %9.4f %8.2f\n", std::string(humanmodel::partName(p.part)).c_str(),
-                   std::string(geometry::shapeName(p.shape)).c_str(), p.length, p.contour, p.mass);
+    const humanmodel::EnclosedShare& share = enclosed[humanmodel::index(p.part)];
+    document["parts"].push_back(partJson(p, share));
+    text +=
+        format("%-14s %-10s %9.4f %9.4f %8.2f %10.1f\n", std::string(humanmodel::partName(p.part)).c_str(),
+               std::string(geometry::shapeName(p.shape)).c_str(), p.length, p.contour, p.mass,
+               100.0 * share.at_stature);
   }
   if (!args.out.empty()) {
     OutputFolder folder(args.out);
@@ -102,12 +118,19 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
 
 void addHuman(CLI::App& root, CommandLine& line) {
   auto* command =
-      addCommand(root, line, "human", "the parametric human: fourteen parts from the height",
+      addCommand(root, line, "human", "the parametric human: fourteen parts from the height or a percentile",
                  "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
   auto args = std::make_shared<HumanArguments>();
-  command->add_option("--height", args->height, "stature in m (0.5 to 2.5)")->required();
-  command->add_option("--mass", args->mass, "body mass in kg");
-  command->add_option("--sex", args->sex, "f or m (default: the mean of both)")
+  command->add_option("--height", args->height, "stature in m (0.5 to 2.5); default: that of --percentile");
+  command->add_option("--mass", args->mass,
+                      "body mass in kg; default: that of --percentile, else of the height");
+  command->add_option(
+      "--percentile", args->percentile,
+      "1 to 99 per cent: stature and mass of that percentile, and girths that enclose those of "
+      "so many people of that stature (ANSUR II)");
+  command
+      ->add_option("--sex", args->sex,
+                   "f or m (default: the mean of both; with --percentile: of both together)")
       ->check(CLI::IsMember({"f", "m"}));
   command->add_option("--preset", args->preset, "thesis or anthropometric")
       ->check(CLI::IsMember({"thesis", "anthropometric"}));

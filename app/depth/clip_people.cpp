@@ -62,7 +62,7 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
   human.recording.file = file;
   tracking::Recording recording = tracking::openRecording(file);
   const std::optional<double> legs = tracking::statureOfLegs(recording.frames);
-  human.body.height = height.value_or(legs.value_or(human.body.height));
+  human.body.height = height.value_or(legs.value_or(humanmodel::kUsualStature));
   if (height && legs) {
     tracking::RecordingOptions options;
     options.units = human.recording.options.units = formatDouble(recording.report.scale * *height / *legs);
@@ -78,7 +78,7 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
                                   Vector3d(middle.x(), middle.y(), 0.0));
     break;
   }
-  const std::vector<double> lowest = lowestSkin(recording, human.body.height);
+  const std::vector<double> lowest = lowestSkin(recording, *human.body.height);
   if (!lowest.empty()) human.recording.place_xyz.z() = -nearestQuantile(lowest, 0.1);
 
   scene_file::SceneDescription scene;

@@ -55,11 +55,13 @@ void HumanPoses::store(std::size_t i, const hm::HumanPose& pose) {
   }
 }
 
-hm::HumanModel modelOf(double stature, const std::string& preset, const std::optional<std::string>& sex,
-                       std::optional<double> mass) {
+hm::HumanModel modelOf(std::optional<double> stature, const std::string& preset,
+                       const std::optional<std::string>& sex, std::optional<double> mass,
+                       std::optional<double> percentile) {
   hm::HumanOptions options;
   options.height = stature;
   options.mass = mass;
+  options.percentile = percentile;
   if (preset != "anthropometric" && preset != "thesis")
     throw UsageError("preset: found '" + preset + "', expected anthropometric or thesis");
   if (preset == "thesis") options.preset = hm::HumanPreset::kThesis;
@@ -215,10 +217,12 @@ To be taken from a distance before it counts as safe; inf for a part that was ne
 
 constexpr const char* kHumanDoc = R"doc(A person of fourteen rigid parts, from the stature.
 
-Human(stature=1.75, preset='anthropometric', sex=None, mass=None)
+Human(stature=None, preset='anthropometric', sex=None, mass=None, percentile=None)
 
-stature: m, 0.5 to 2.5. preset: 'anthropometric' or 'thesis'. sex: 'f', 'm' or None, the mean of both. mass: kg; None: from the
-stature. UsageError for what is out of range. Constant.)doc";
+stature: m, 0.5 to 2.5; None: that of the percentile, else 1.75. preset: 'anthropometric' or 'thesis'. sex: 'f', 'm' or None, the mean
+of both. mass: kg; None: that of the percentile, else from the stature. percentile: per cent, 1 to 99, of ANSUR II (2012), of that sex or
+of both together: girths, breadths and depths that enclose those of so many people of that stature, and of that mass where it is given;
+lengths stay means; only with 'anthropometric'. UsageError for what is out of range. Constant.)doc";
 
 }  // namespace
 
@@ -229,8 +233,8 @@ void bindHumans(py::module_& module) {
       namesOf(hm::kBodyPartCount, [](std::size_t i) { return hm::partName(static_cast<hm::BodyPart>(i)); });
   bindParts(module);
   py::class_<hm::HumanModel>(module, "Human", kHumanDoc)
-      .def(py::init(&modelOf), py::arg("stature") = 1.75, py::arg("preset") = "anthropometric",
-           py::arg("sex") = py::none(), py::arg("mass") = py::none())
+      .def(py::init(&modelOf), py::arg("stature") = py::none(), py::arg("preset") = "anthropometric",
+           py::arg("sex") = py::none(), py::arg("mass") = py::none(), py::arg("percentile") = py::none())
       .def_readonly("stature", &hm::HumanModel::height, "m.")
       .def_readonly("mass", &hm::HumanModel::mass, "kg.")
       .def_property_readonly(

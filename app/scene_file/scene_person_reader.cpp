@@ -1,5 +1,6 @@
 #include "app/scene_file/body_fields.hpp"
 #include "app/scene_file/scene_body_reader.hpp"
+#include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
 namespace abstand::scene_file {
@@ -7,6 +8,7 @@ namespace {
 
 constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr config::YamlRange kPercentileRange{1.0, 99.0, "%"};
 constexpr config::YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr config::YamlRange kRateRange{0.0, 1e6, "Hz", true};
 
@@ -19,6 +21,15 @@ const std::vector<std::string>& bodyPartNames() {
     return all;
   }();
   return names;
+}
+
+/// Throws ParseError at `pos` where no person is so.
+void checkPerson(const humanmodel::HumanOptions& body, const SourcePos& pos) {
+  try {
+    humanmodel::makeHuman(body);
+  } catch (const UsageError& e) {
+    throw ParseError(pos, e.what());
+  }
 }
 
 }  // namespace
@@ -72,9 +83,10 @@ void SceneBodyReader::readPart(const std::string& name, const config::YamlNode& 
 }
 
 HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
-  const config::YamlFields fields(node, file_, "a human",
-                                  {"name", "height", "mass", "sex", "preset", "lengths", "parts", "recording",
-                                   "voxel", "point", "outer_layers", "margin", "max_speed"});
+  const config::YamlFields fields(
+      node, file_, "a human",
+      {"name", "height", "mass", "percentile", "sex", "preset", "lengths", "parts", "recording", "voxel",
+       "point", "outer_layers", "margin", "max_speed"});
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
@@ -85,12 +97,15 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
                        "found the body `" + body + "` a second time, expected another name for the human");
     addBody(std::move(body), h.pos);
   }
-  h.body.height = fields.number("height", kHeightRange).value_or(h.body.height);
+  h.body.percentile = fields.number("percentile", kPercentileRange);
+  h.body.height = fields.number("height", kHeightRange);
+  if (!h.body.height && !h.body.percentile) h.body.height = humanmodel::kUsualStature;
   h.body.mass = fields.number("mass", kMassRange);
   if (const auto sex = fields.choice("sex", {"f", "m"}))
     h.body.sex = *sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
   if (fields.choice("preset", {"anthropometric", "thesis"}) == "thesis")
     h.body.preset = humanmodel::HumanPreset::kThesis;
+  if (const auto* percentile = fields.find("percentile")) checkPerson(h.body, fields.pos(*percentile));
   h.follow_lengths = fields.choice("lengths", {"model", "recording"}).value_or("model") == "recording";
   h.settings = readSettings(fields);
   if (const auto* parts = fields.find("parts")) {

@@ -144,8 +144,10 @@ std::string partText(const humanmodel::PartOverride& sizes, const BodySettings& 
 
 std::string humanText(const HumanDescription& h) {
   const humanmodel::HumanOptions& body = h.body;
-  std::string s = "  - name: " + scalar(h.name) + "\n    height: " + formatDouble(body.height) + "\n";
+  std::string s = "  - name: " + scalar(h.name) + "\n";
+  if (body.height) s += "    height: " + formatDouble(*body.height) + "\n";
   if (body.mass) s += "    mass: " + formatDouble(*body.mass) + "\n";
+  if (body.percentile) s += "    percentile: " + formatDouble(*body.percentile) + "\n";
   if (body.sex) s += std::string("    sex: ") + (*body.sex == humanmodel::Sex::kFemale ? "f" : "m") + "\n";
   s += std::string("    preset: ") +
        (body.preset == humanmodel::HumanPreset::kThesis ? "thesis" : "anthropometric") +

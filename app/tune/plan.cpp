@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
+constexpr config::YamlRange kPercentileRange{1.0, 99.0, "%"};
 constexpr config::YamlRange kPlanSpeedRange{0.0, 100.0, "", true};
 constexpr std::size_t kMaxItems = 1000000;
 
@@ -75,14 +76,28 @@ class PlanReader {
   std::vector<PersonVariant> peopleOf(const config::YamlFields& fields) const {
     std::vector<PersonVariant> people;
     for (const config::YamlNode& node : fields.list("people")) {
-      const config::YamlFields p(node, file_, "a person", {"height", "mass", "sex"});
-      PersonVariant person{p.number("height", kHeightRange), p.number("mass", kMassRange), {}};
+      const config::YamlFields p(node, file_, "a person", {"height", "mass", "percentile", "sex"});
+      PersonVariant person{p.number("height", kHeightRange),
+                           p.number("mass", kMassRange),
+                           p.number("percentile", kPercentileRange),
+                           {}};
       if (const auto sex = p.choice("sex", {"f", "m"}))
         person.sex = *sex == "f" ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
+      if (const auto* percentile = p.find("percentile")) check(person, *percentile);
       people.push_back(person);
     }
     if (people.empty()) people.emplace_back();
     return people;
+  }
+  /// Throws ParseError at `place` where no person is so.
+  void check(const PersonVariant& person, const config::YamlNode& place) const {
+    humanmodel::HumanOptions body;
+    person.apply(body);
+    try {
+      humanmodel::makeHuman(body);
+    } catch (const UsageError& e) {
+      throw ParseError({file_, place.line, place.column}, e.what());
+    }
   }
   std::vector<double> speedsOf(const config::YamlFields& fields) const {
     std::vector<double> speeds;
@@ -110,6 +125,7 @@ class PlanReader {
     std::string name = (item.recording.empty() ? item.scene : item.recording).string();
     if (with_scene && !item.recording.empty()) name += " in " + item.scene.filename().string();
     if (program > 0) name += ", program " + std::to_string(program);
+    if (item.person.percentile) name += ", percentile " + formatDouble(*item.person.percentile);
     if (item.person.height) name += ", height " + formatDouble(*item.person.height);
     if (item.person.mass) name += ", mass " + formatDouble(*item.person.mass);
     if (item.person.sex)
@@ -125,11 +141,20 @@ class PlanReader {
 
 }  // namespace
 
+void PersonVariant::apply(humanmodel::HumanOptions& body) const {
+  if (percentile) {
+    body.percentile = percentile;
+    body.height.reset();
+    body.mass.reset();
+  }
+  if (height) body.height = height;
+  if (mass) body.mass = mass;
+  if (sex) body.sex = sex;
+}
+
 void PlanItem::apply(scene_file::SceneDescription& description) const {
   for (auto& human : description.humans) {
-    if (person.height) human.body.height = *person.height;
-    if (person.mass) human.body.mass = person.mass;
-    if (person.sex) human.body.sex = person.sex;
+    person.apply(human.body);
     human.recording.speed *= speed;
   }
   for (const auto& [mechanism, motion] : motions) {

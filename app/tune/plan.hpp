@@ -13,7 +13,11 @@ namespace abstand::tune {
 /// In place of the people of a scene; what is not set stays as the scene says.
 struct PersonVariant {
   std::optional<double> height, mass;  ///< m, kg
+  /// Per cent, as in HumanOptions. Height and mass of the scene then give way to those of the percentile.
+  std::optional<double> percentile;
   std::optional<humanmodel::Sex> sex;
+
+  void apply(humanmodel::HumanOptions& body) const;
 };
 
 /// One recording, one person, one program of the robots.

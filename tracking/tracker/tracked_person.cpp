@@ -18,7 +18,7 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   if (!options.height) return;
   humanmodel::HumanOptions body;
   body.height = *options.height;
-  stature_ = Stature::given(body.height);
+  stature_ = Stature::given(*options.height);
   use(body);
   fitted_ = !options.fit_body;
 }

@@ -277,10 +277,11 @@ class _Joints(Protocol):
 class Human:
     def __init__(
         self,
-        stature: float = ...,
+        stature: Optional[float] = ...,
         preset: Literal["anthropometric", "thesis"] = ...,
         sex: Optional[Literal["f", "m"]] = ...,
         mass: Optional[float] = ...,
+        percentile: Optional[float] = ...,
     ) -> None: ...
     @property
     def stature(self) -> float: ...

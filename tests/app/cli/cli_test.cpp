@@ -10,12 +10,30 @@ namespace {
 
 TEST_F(Cli, WrongUsageIsTwo) {
   for (const char* bad :
-       {"", "nothing", "fk", "human --height 0", "human --height nan", "build sphere:0.05 --voxel -1",
-        "build sphere:-1", "run --mode sideways x.yaml", "bench nosuch", "run --rest some x.yaml"}) {
+       {"", "nothing", "fk", "human --height 0", "human --height nan", "human", "human --percentile 0",
+        "human --percentile 100", "human --percentile 95 --preset thesis",
+        "human --percentile 95 --height 0.6", "build sphere:0.05 --voxel -1", "build sphere:-1",
+        "run --mode sideways x.yaml", "bench nosuch", "run --rest some x.yaml"}) {
     const Answer a = run(bad);
     EXPECT_EQ(a.code, 2) << bad << ": " << a.err;
     EXPECT_FALSE(a.err.empty()) << bad;
   }
+}
+
+TEST_F(Cli, HumanOfAPercentile) {
+  const json large = runJson("human --percentile 95 --sex m");
+  EXPECT_EQ(large["percentile"], 95.0);
+  EXPECT_NEAR(large["height"].get<double>(), 1.870, 1e-9);
+  EXPECT_NEAR(large["mass"].get<double>(), 110.7, 1e-9);
+  for (const json& part : large["parts"]) {
+    EXPECT_GE(part["enclosed_share"].get<double>(), 0.95 - 1e-6) << part["name"];
+    EXPECT_GE(part["enclosed_share_all_statures"].get<double>(), 0.95) << part["name"];
+  }
+  EXPECT_EQ(runJson("human --percentile 95 --height 1.8")["height"], 1.8);
+  const json usual = runJson("human --height 1.8 --sex f");
+  EXPECT_TRUE(usual["percentile"].is_null());
+  for (const json& part : usual["parts"])
+    EXPECT_NEAR(part["enclosed_share"].get<double>(), 0.5, 1e-6) << part["name"];
 }
 
 TEST_F(Cli, HelpShowsAnExample) {

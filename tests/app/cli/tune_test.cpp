@@ -136,6 +136,18 @@ TEST_F(Tune, RunsAPlan) {
       << j["inputs"][0];
 }
 
+TEST_F(Tune, APlanHasPeopleOfAPercentile) {
+  write("plan.yaml",
+        "abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv]\n"
+        "people: [{percentile: 95, sex: m}, {percentile: 5}]\n");
+  const json j = runJson("tune " + out("plan.yaml"));
+  EXPECT_EQ(j["recordings"], 2);
+  std::string names;
+  for (const json& input : j["inputs"]) names += input["recording"].get<std::string>() + "\n";
+  EXPECT_NE(names.find(", percentile 95, m\n"), std::string::npos) << names;
+  EXPECT_NE(names.find(", percentile 5\n"), std::string::npos) << names;
+}
+
 TEST_F(Tune, SaysWhereAPlanIsWrong) {
   const auto expect = [&](const std::string& plan, const std::string& said) {
     write("plan.yaml", plan);
@@ -148,6 +160,9 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
   expect("abstand_plan: 2\nscenes: [slide.yaml]\n", "format version 1");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecording: [person1.csv]\n", "recordings");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nspeeds: [0]\n", "speeds");
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\npeople: [{percentile: 100}]\n", "from 1 to 99 %");
+  expect("abstand_plan: 1\nscenes: [slide.yaml]\npeople: [{percentile: 95, mass: 20}]\n",
+         "plan.yaml:3:23: error: the body mass index");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person1.csv]\n", "twice");
 }
 

@@ -35,8 +35,17 @@ class Model(unittest.TestCase):
             np.testing.assert_allclose(X[:, :3, :3], np.tile(np.eye(3), (14, 1, 1)), atol=1e-6)
             self.assertAlmostEqual(human.rest[JOINT["head_top"], 2], 1.7, delta=0.01)
 
+    def test_of_a_percentile(self):
+        large, usual = abstand.Human(percentile=95, sex="m"), abstand.Human(1.87, sex="m")
+        self.assertAlmostEqual(large.stature, 1.87, delta=ROUNDING)
+        self.assertAlmostEqual(large.mass, 110.7, delta=1e-9)
+        thigh = PART["thigh_left"]
+        self.assertAlmostEqual((large.parts[thigh].contour - usual.parts[thigh].contour) / (2 * np.pi), 0.016, delta=0.0005)
+        self.assertEqual(abstand.Human(1.7, percentile=95).stature, 1.7)
+        self.assertEqual(abstand.Human().stature, 1.75)
+
     def test_out_of_range(self):
-        for options in ({"stature": 3}, {"stature": np.nan}, {"preset": "giant"}, {"sex": "x"}, {"mass": 1}):
+        for options in ({"percentile": 0}, {"percentile": 100}, {"percentile": 95, "preset": "thesis"}, {"stature": 3}, {"stature": np.nan}, {"preset": "giant"}, {"sex": "x"}, {"mass": 1}):
             with self.assertRaises(abstand.UsageError, msg=options):
                 abstand.Human(**options)
 

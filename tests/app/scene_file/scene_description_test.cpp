@@ -266,6 +266,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(h.name, g.name);
     EXPECT_EQ(h.body.height, g.body.height);
     EXPECT_EQ(h.body.mass, g.body.mass);
+    EXPECT_EQ(h.body.percentile, g.body.percentile);
     EXPECT_EQ(h.body.sex, g.body.sex);
     EXPECT_EQ(h.body.preset, g.body.preset);
     EXPECT_EQ(h.follow_lengths, g.follow_lengths);
@@ -321,6 +322,24 @@ TEST_F(SceneFile, DescribedScenesReadBackTheSame) {
     expectSame(scene, parse(described));
     EXPECT_EQ(describeScene(parse(described)), described);
   }
+}
+
+TEST_F(SceneFile, APercentileTakesThePlaceOfHeightAndMass) {
+  const auto scene = parse(
+      "abstand: 1\nhumans:\n  - {name: large, percentile: 95, sex: m}\n"
+      "  - {name: heavy, percentile: 97.5, height: 1.8, mass: 95}\n  - {name: usual}\n");
+  ASSERT_EQ(scene.humans.size(), 3u);
+  const humanmodel::HumanOptions &large = scene.humans[0].body, &heavy = scene.humans[1].body;
+  EXPECT_EQ(large.percentile, 95.0);
+  EXPECT_FALSE(large.height || large.mass);
+  EXPECT_NEAR(humanmodel::makeHuman(large).height, 1.870, 1e-12);
+  EXPECT_EQ(heavy.height, 1.8);
+  EXPECT_EQ(heavy.mass, 95.0);
+  EXPECT_FALSE(scene.humans[2].body.percentile);
+  EXPECT_EQ(scene.humans[2].body.height, 1.75);
+  const auto described = describeScene(scene);
+  EXPECT_NE(described.find("percentile: 95\n"), std::string::npos) << described;
+  expectSame(scene, parse(described));
 }
 
 TEST_F(SceneFile, AReactionReadsBackTheSame) {

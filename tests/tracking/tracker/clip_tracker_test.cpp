@@ -96,11 +96,12 @@ TEST(ClipTracker, TellsTheStature) {
   auto clip = testing::simulate(plan);
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_EQ(track.people.size(), 1u);
-  EXPECT_NEAR(track.people[0].body.height, clip.truth[0][humanmodel::Joint::kHeadTop].z(), kTolerance);
+  EXPECT_NEAR(track.people[0].body.height.value(), clip.truth[0][humanmodel::Joint::kHeadTop].z(),
+              kTolerance);
   ClipTrackerOptions options;
   options.person.height = 1.85;
   const ClipTrack told = trackClip(*clip.stream, options);
-  EXPECT_DOUBLE_EQ(told.people[0].body.height, 1.85);
+  EXPECT_DOUBLE_EQ(told.people[0].body.height.value(), 1.85);
 }
 
 TEST(ClipTracker, GivesTheSameTwice) {

@@ -105,7 +105,7 @@ TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
   EXPECT_LT(first, images);
   const tracking::ClipTrack track = tracker.track();
   ASSERT_EQ(track.people.size(), 1u);
-  EXPECT_NEAR(track.people[0].body.height, 1.75, 0.08);
+  EXPECT_NEAR(track.people[0].body.height.value(), 1.75, 0.08);
   EXPECT_TRUE(track.people[0].frames.empty()) << "nothing is kept";
 }
 

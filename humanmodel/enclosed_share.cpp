@@ -1,0 +1,90 @@
+#include "humanmodel/enclosed_share.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/math/transform.hpp"
+#include "humanmodel/girth_spread.hpp"
+#include "humanmodel/normal_distribution.hpp"
+#include "humanmodel/population.hpp"
+
+namespace abstand::humanmodel {
+namespace {
+
+std::span<const GirthPlace> placesOf(PartKind kind) {
+  using enum GirthPlace;
+  static constexpr GirthPlace kTrunk[] = {kChest, kWaist, kButtock};
+  // In the order of PartKind, after the torso.
+  static constexpr GirthPlace kOthers[] = {kHead, kBiceps, kForearm, kHand, kThigh, kCalf, kFoot};
+  if (kind == PartKind::kTorso) return kTrunk;
+  return {&kOthers[index(kind) - 1], 1};
+}
+
+/// Girth / stature of one place and sex.
+struct GirthLaw {
+  double mean, deviation;
+  /// Share of people of a stature (m) whose girth is below `girth` (m).
+  double below(double girth, double stature) const {
+    return normalShare((girth / stature - mean) / deviation);
+  }
+};
+
+/// The share of below() over all statures of a sex: Simpson's rule in the score of the stature.
+double belowAtAllStatures(const GirthLaw& law, double girth, Sex sex) {
+  constexpr int kSteps = 400;
+  constexpr double kEnd = 8.0;  // standard deviations; 1e-15 of the people lie outside
+  const StatureSpread statures = statureSpread(sex);
+  const double step = 2.0 * kEnd / kSteps;
+  double sum = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double score = -kEnd + step * i;
+    const double density = std::exp(-0.5 * score * score) / std::sqrt(2.0 * kPi);
+    const double weight = i == 0 || i == kSteps ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+    sum += weight * density * law.below(girth, statures.mean + statures.deviation * score);
+  }
+  return sum * step / 3.0;
+}
+
+/// One sex of a population: its mean sections at 1 m, and its shares of the people to count.
+struct CountedSex {
+  Sex sex;
+  BodySections mean;
+  double share_at_stature, share;
+};
+
+EnclosedShare enclosedBy(const HumanPart& part, GirthPlace place, double stature,
+                         std::span<const CountedSex> people) {
+  EnclosedShare sum;
+  for (const CountedSex& p : people) {
+    const Section& mean = p.mean[place];
+    const GirthLaw law{mean.girth, girthDeviation(place, p.sex, false)};
+    const double girth = largestGirthInside({part.breadth, part.depth, part.contour}, mean);
+    sum.at_stature += p.share_at_stature * law.below(girth, stature);
+    sum.all_statures += p.share * belowAtAllStatures(law, girth, p.sex);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::array<EnclosedShare, kBodyPartCount> enclosedShare(const HumanModel& model, std::optional<Sex> sex) {
+  std::vector<CountedSex> people;
+  for (const Sex s : {Sex::kFemale, Sex::kMale}) {
+    if (sex && *sex != s) continue;
+    people.push_back(
+        {s, meanSections(1.0, {}, s), sex ? 1.0 : shareOfSexAt(model.height, s), sex ? 1.0 : 0.5});
+  }
+  std::array<EnclosedShare, kBodyPartCount> shares;
+  for (const HumanPart& part : model.parts) {
+    EnclosedShare& least = shares[index(part.part)];
+    least = {1.0, 1.0};
+    for (const GirthPlace place : placesOf(kindOf(part.part))) {
+      const EnclosedShare here = enclosedBy(part, place, model.height, people);
+      least = {std::min(least.at_stature, here.at_stature), std::min(least.all_statures, here.all_statures)};
+    }
+  }
+  return shares;
+}
+
+}  // namespace abstand::humanmodel

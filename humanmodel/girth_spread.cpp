@@ -1,0 +1,94 @@
+// Standard deviations of ANSUR II, and sections that enclose a share of the people.
+#include "humanmodel/girth_spread.hpp"
+
+#include <cmath>
+
+#include "humanmodel/normal_distribution.hpp"
+#include "humanmodel/population.hpp"
+
+namespace abstand::humanmodel {
+namespace {
+
+/// Of men and of women.
+struct Spread {
+  double men, women;
+  double of(Sex sex) const { return sex == Sex::kMale ? men : women; }
+};
+
+// Standard deviations of girths, shares of stature (ANSUR II), in the order of GirthPlace.
+constexpr std::array<Spread, kGirthPlaceCount> kDeviations{{{.049, .050},
+                                                            {.063, .060},
+                                                            {.042, .044},
+                                                            {.013, .015},
+                                                            {.016, .012},
+                                                            {.020, .019},
+                                                            {.012, .011},
+                                                            {.006, .005},
+                                                            {.033, .033},
+                                                            {.017, .017},
+                                                            {.007, .007}}};
+
+/// r^2 of the lines of girth / stature in the body mass index (ANSUR II); 0: there is no line.
+Spread explainedByMass(GirthPlace place) {
+  switch (place) {
+    case GirthPlace::kChest:
+      return {.81, .67};
+    case GirthPlace::kWaist:
+      return {.83, .73};
+    case GirthPlace::kThigh:
+      return {.82, .79};
+    case GirthPlace::kBiceps:
+      return {.66, .75};
+    default:
+      return {0.0, 0.0};
+  }
+}
+
+/// People of one sex: share of the population, and how a section that is to be scaled compares.
+struct Half {
+  double share, mean_scale, deviation_scale;
+};
+
+/// By how much a section must be scaled to enclose `share` of both halves.
+double scaleFor(const std::array<Half, 2>& halves, double share) {
+  double low = 0.0, high = 10.0;
+  for (;;) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) return high;
+    double inside = 0.0;
+    for (const Half& h : halves) inside += h.share * normalShare((middle - h.mean_scale) / h.deviation_scale);
+    (inside < share ? low : high) = middle;
+  }
+}
+
+}  // namespace
+
+double girthDeviation(GirthPlace place, Sex sex, bool mass_known) {
+  const double whole = kDeviations[static_cast<std::size_t>(place)].of(sex);
+  return mass_known ? whole * std::sqrt(1.0 - explainedByMass(place).of(sex)) : whole;
+}
+
+BodySections sectionsOfPercentile(double percentile, double height, std::optional<double> mass,
+                                  std::optional<Sex> sex) {
+  BodySections made = meanSections(height, mass, sex);
+  const BodySections women = sex ? made : meanSections(height, mass, Sex::kFemale);
+  const BodySections men = sex ? made : meanSections(height, mass, Sex::kMale);
+  const double score = normalScore(0.01 * percentile);
+  for (std::size_t i = 0; i < kGirthPlaceCount; ++i) {
+    const auto place = static_cast<GirthPlace>(i);
+    Section& section = made[place];
+    const auto half = [&](Sex s) {
+      const Section& mean = s == Sex::kFemale ? women[place] : men[place];
+      const double inside = largestGirthInside(section, mean);
+      return Half{shareOfSexAt(height, s), mean.girth / inside,
+                  height * girthDeviation(place, s, mass.has_value()) / inside};
+    };
+    const double scale =
+        sex ? 1.0 + score * height * girthDeviation(place, *sex, mass.has_value()) / section.girth
+            : scaleFor({half(Sex::kFemale), half(Sex::kMale)}, 0.01 * percentile);
+    section = {scale * section.breadth, scale * section.depth, scale * section.girth};
+  }
+  return made;
+}
+
+}  // namespace abstand::humanmodel

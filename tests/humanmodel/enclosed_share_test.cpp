@@ -1,0 +1,146 @@
+// How many people fit into a model: closed form, chance, and counts of real people.
+#include "humanmodel/enclosed_share.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "humanmodel/normal_distribution.hpp"
+#include "humanmodel/population.hpp"
+
+namespace abstand::humanmodel {
+namespace {
+
+HumanModel human(std::optional<double> height, std::optional<Sex> sex, std::optional<double> percentile = {},
+                 HumanPreset preset = HumanPreset::kAnthropometric) {
+  HumanOptions options;
+  options.height = height;
+  options.sex = sex;
+  options.percentile = percentile;
+  options.preset = preset;
+  return makeHuman(options);
+}
+
+EnclosedShare share(const HumanModel& model, std::optional<Sex> sex, BodyPart part) {
+  return enclosedShare(model, sex)[index(part)];
+}
+
+TEST(EnclosedShare, CalfInClosedForm) {
+  HumanModel m = human(1.8, Sex::kMale);
+  for (const double girth : {0.35, 0.40, 0.45}) {
+    HumanPart& calf = m.parts[index(BodyPart::kCalfLeft)];
+    calf.breadth = calf.depth = girth / kPi;
+    calf.contour = girth;
+    EXPECT_NEAR(share(m, Sex::kMale, BodyPart::kCalfLeft).at_stature,
+                normalShare((girth / 1.8 - .224) / .017), 1e-12);
+    const double women = shareOfSexAt(1.8, Sex::kFemale);
+    EXPECT_NEAR(share(m, {}, BodyPart::kCalfLeft).at_stature,
+                women * normalShare((girth / 1.8 - .229) / .017) +
+                    (1.0 - women) * normalShare((girth / 1.8 - .224) / .017),
+                1e-12);
+  }
+}
+
+TEST(EnclosedShare, AllStaturesByChance) {
+  // The normal model of the formula, people drawn one by one. Four standard errors of a share of 0.5.
+  constexpr int kPeople = 200000;
+  const double tolerance = 4.0 * 0.5 / std::sqrt(kPeople);
+  struct Limb {
+    BodyPart part;
+    double men, men_sd, women, women_sd;
+  };
+  // Girth / stature of limbs whose mean does not go by the lines in the body mass index (ANSUR II).
+  const Limb limbs[] = {{BodyPart::kHead, .327, .013, .345, .015},
+                        {BodyPart::kForearmLeft, .177, .012, .162, .011},
+                        {BodyPart::kCalfRight, .224, .017, .229, .017}};
+  for (const std::optional<double> percentile : {std::optional<double>{}, {20.0}, {95.0}})
+    for (const std::optional<Sex> sex : {std::optional<Sex>{}, {Sex::kFemale}, {Sex::kMale}}) {
+      // One sex: the head of a person without sex has proportions of its own.
+      const HumanModel m =
+          human(percentile ? std::optional<double>{} : 1.7, sex.value_or(Sex::kMale), percentile);
+      for (const Limb& limb : limbs) {
+        if (!sex && limb.part == BodyPart::kHead) continue;
+        std::mt19937_64 random(7);
+        std::normal_distribution<double> normal;
+        int inside = 0;
+        for (int i = 0; i < kPeople; ++i) {
+          const Sex who = sex ? *sex : (i % 2 == 0 ? Sex::kFemale : Sex::kMale);
+          const StatureSpread statures = statureSpread(who);
+          const double stature = statures.mean + statures.deviation * normal(random);
+          const double mean = who == Sex::kMale ? limb.men : limb.women;
+          const double deviation = who == Sex::kMale ? limb.men_sd : limb.women_sd;
+          inside += stature * (mean + deviation * normal(random)) <= m.part(limb.part).contour ? 1 : 0;
+        }
+        EXPECT_NEAR(share(m, sex, limb.part).all_statures, inside / static_cast<double>(kPeople), tolerance)
+            << partName(limb.part);
+      }
+    }
+}
+
+TEST(EnclosedShare, RoundLimbsOfTheThesisAsCounted) {
+  // Share of ANSUR II's people whose girth / stature exceeds table B.1, per cent. The people are counted, the
+  // model is normal: 2.5 points apart at most.
+  constexpr double kSkew = 0.025;
+  struct Row {
+    BodyPart part;
+    double men, women;
+  };
+  const Row counted[] = {{BodyPart::kThighLeft, 32.5, 58.5},
+                         {BodyPart::kCalfLeft, 15.7, 24.2},
+                         {BodyPart::kBicepsLeft, 4.0, 0.7},
+                         {BodyPart::kForearmLeft, 3.2, 0.1}};
+  const HumanModel m = human(1.7, {}, {}, HumanPreset::kThesis);
+  for (const Row& row : counted) {
+    EXPECT_NEAR(share(m, Sex::kMale, row.part).at_stature, 1.0 - 0.01 * row.men, kSkew) << partName(row.part);
+    EXPECT_NEAR(share(m, Sex::kFemale, row.part).at_stature, 1.0 - 0.01 * row.women, kSkew)
+        << partName(row.part);
+  }
+  EXPECT_LT(share(m, Sex::kMale, BodyPart::kHandLeft).at_stature, 0.02) << "98 % of men have thicker hands";
+}
+
+TEST(EnclosedShare, MarginalGirthsAreThoseOfTheTable) {
+  // The 95th percentiles of men's girths, mm, measured. A girth whose share of stature falls with stature is
+  // overestimated by the model; the head most.
+  struct Row {
+    BodyPart part;
+    double girth, tolerance;
+  };
+  const Row measured[] = {{BodyPart::kThighLeft, 723, 0.012},   {BodyPart::kBicepsLeft, 418, 0.02},
+                          {BodyPart::kForearmLeft, 348, 0.025}, {BodyPart::kCalfLeft, 443, 0.02},
+                          {BodyPart::kHandLeft, 230, 0.03},     {BodyPart::kHead, 601, 0.05}};
+  for (const Row& row : measured) {
+    HumanModel m = human(1.7562, Sex::kMale);
+    HumanPart& part = m.parts[index(row.part)];
+    const auto shareOf = [&](double girth) {
+      HumanModel scaled = m;
+      HumanPart& p = scaled.parts[index(row.part)];
+      p.breadth *= girth / part.contour;
+      p.depth *= girth / part.contour;
+      return share(scaled, Sex::kMale, row.part).all_statures;
+    };
+    EXPECT_GE(shareOf(unit::mm(row.girth) * (1.0 + row.tolerance)), 0.95) << partName(row.part);
+    EXPECT_LE(shareOf(unit::mm(row.girth) * (1.0 - row.tolerance)), 0.95) << partName(row.part);
+  }
+}
+
+TEST(EnclosedShare, TheMeanPersonEnclosesHalf) {
+  for (const Sex sex : {Sex::kFemale, Sex::kMale}) {
+    const HumanModel m = human(1.7, sex);
+    const auto shares = enclosedShare(m, sex);
+    for (const HumanPart& p : m.parts)
+      EXPECT_NEAR(shares[index(p.part)].at_stature, 0.5, 1e-9) << partName(p.part);
+  }
+}
+
+TEST(EnclosedShare, OfATrunkTheTightestPlaceCounts) {
+  HumanModel m = human(1.8, Sex::kMale);
+  HumanPart& torso = m.parts[index(BodyPart::kTorso)];
+  torso.depth *= 10.0;
+  // Now only the breadth is tight, and the hips are broadest.
+  EXPECT_NEAR(share(m, Sex::kMale, BodyPart::kTorso).at_stature, 0.5, 1e-9);
+  torso.breadth *= 0.9;
+  EXPECT_NEAR(share(m, Sex::kMale, BodyPart::kTorso).at_stature, normalShare(-0.1 * .581 / .042), 1e-9);
+}
+
+}  // namespace
+}  // namespace abstand::humanmodel
