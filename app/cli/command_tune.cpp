@@ -317,6 +317,8 @@ void addTune(CLI::App& root, CommandLine& line) {
                       "rad/s^2 or m/s^2, of every joint on its path (default: 5)");
   command->add_option("--restart-time", args->restart_time,
                       "s, from the end of an intrusion until the robot goes on (default: 0)");
+  command->add_flag("--worst-phase", args->worst_phase,
+                    "the least clearance over all times of the robots' programs, certified");
   command->add_option(
       "--separation", args->separation,
       "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");

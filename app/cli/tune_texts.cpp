@@ -181,7 +181,8 @@ Json worstPhasesJson(const tune::TuneAnswer& answer) {
     for (const tune::WorstPhase& w : r.parts)
       rows.push_back({{"recording", r.recording},
                       {"part", w.part},
-                      {"clearance", finite(w.lower)},
+                      {"touches", w.touches},
+                      {"clearance", w.touches ? Json(nullptr) : finite(w.lower)},
                       {"distance", finite(w.distance)},
                       {"link", w.link},
                       {"t_person", w.t_person},
@@ -197,9 +198,9 @@ std::string worstPhasesText(const tune::TuneAnswer& answer) {
   for (const auto& r : answer.worst_phases) {
     text += "\nworst phase of " + r.recording + ", certified:\n";
     for (const tune::WorstPhase& w : r.parts)
-      text += format("%-24s %s %7.1f mm  to %s, person at %.3f s, program at %.3f s (phase %.3f s)\n",
-                     w.part.c_str(), w.lower <= answer.options.pass.limit ? "touches," : "        ",
-                     1e3 * w.lower, w.link.c_str(), w.t_person, w.t_robot, w.phase);
+      text += format("%-24s %s to %s, person at %.3f s, program at %.3f s (phase %.3f s)\n", w.part.c_str(),
+                     w.touches ? "   touches" : format("%7.1f mm", 1e3 * w.lower).c_str(), w.link.c_str(),
+                     w.t_person, w.t_robot, w.phase);
   }
   return text;
 }

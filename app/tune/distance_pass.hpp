@@ -62,6 +62,7 @@ class DistancePass {
   DistancePass(const session::Session& session, const PassOptions& options);
 
   void frame(double t, const std::vector<query::PairResult>& results);
+  const std::vector<WatchedPair>& watched() const { return window_.pairs(); }
   /// After the last frame.
   PassResult finish();
 
@@ -82,6 +83,12 @@ class DistancePass {
   std::vector<std::size_t> nearest_;  ///< of each part: the pair with the least clearance in this frame
   std::vector<double> least_,
       ahead_;  ///< m, of each part: the least clearance of the last and the next frame
+  struct Hardest {
+    double t{0.0};
+    std::size_t link{0};   ///< object of the scene
+    ClosingMotion motion;  ///< with the highest closing speed so far
+  };
+  std::vector<std::optional<Hardest>> hardest_;  ///< of each part, on its way to the next minimum
   PassResult result_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/margin/margin_set.hpp"
+
 namespace abstand::tune {
 namespace {
 
@@ -71,9 +73,11 @@ ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string&
 void addRows(const std::string& part, const std::vector<const margin::ClearanceTrack*>& tracks,
              const std::vector<double>& margins, const margin::MarginOptions& options,
              std::vector<MarginRow>& rows) {
+  std::vector<margin::MarginSets> sets;
+  for (const margin::ClearanceTrack* track : tracks) sets.emplace_back(std::vector{track});
   for (const double m : margins) {
     MarginRow row{part, m, {}};
-    for (const margin::ClearanceTrack* track : tracks) row.outcome.add(margin::outcome(*track, m, options));
+    for (const margin::MarginSets& set : sets) row.outcome.add(set.outcome({&m, 1}, options));
     rows.push_back(std::move(row));
   }
 }

@@ -80,6 +80,7 @@ class Search {
     }
     if (open_.empty()) worst.lower = std::min(closed, best_);
     worst.lower = std::min(worst.lower, best_);
+    worst.touches = best_ <= options_.enough;
     return true;
   }
 

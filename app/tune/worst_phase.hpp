@@ -14,7 +14,9 @@ namespace abstand::tune {
 /// certified: no phase has a smaller clearance than `lower`, between the frames too.
 struct WorstPhase {
   std::string part;
-  double lower{0.0};                   ///< m, certified: distance - bound - uncertainty of the pose
+  bool touches{false};  ///< a clearance at or below `enough` was found; how near they come is not searched
+  /// m, certified: distance - bound - uncertainty of the pose; far too low where they touch.
+  double lower{0.0};
   double distance{0.0};                ///< m, measured at the times below
   double t_person{0.0}, t_robot{0.0};  ///< s, of the recording and of the program
   std::string link;
@@ -31,8 +33,8 @@ struct WorstPhaseOptions {
   /// worst.
   double enough{0.0};
   double rate{100.0};  ///< Hz, at which programs are sampled; between the samples as PoseSegment
-  std::function<bool()> interrupted;
-  std::function<void(std::size_t parts, std::size_t all)> progress;
+  std::function<bool()> interrupted{};
+  std::function<void(std::size_t parts, std::size_t all)> progress{};
 };
 
 /// Best-first branch and bound over pairs of time intervals (person, robot): a pair of poses in the middle

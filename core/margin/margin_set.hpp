@@ -1,0 +1,47 @@
+// Many sets of margins over the same recording, quickly.
+#pragma once
+
+#include "core/margin/margin_outcome.hpp"
+
+namespace abstand::margin {
+
+/// Tracks of one recording with the least and largest values of every kBlock frames, so that blocks which are
+/// wholly outside or inside are passed at once. A set has a margin for each track; the robot is told to stop
+/// where any track is inside its own. Constant after construction; every function is safe from any thread.
+class MarginSets {
+ public:
+  static constexpr std::size_t kBlock = 64;
+
+  /// The tracks must outlive this. Throws UsageError for none, and for tracks with different times.
+  explicit MarginSets(std::vector<const ClearanceTrack*> tracks);
+
+  std::size_t tracks() const { return tracks_.size(); }
+  /// outcome() of the tracks together; of one track, exactly what outcome() gives. `margins`: m, one a track.
+  MarginOutcome outcome(std::span<const double> margins, const MarginOptions& options) const;
+
+ private:
+  struct Block {
+    double least, largest;  ///< clearance
+    double between;         ///< least
+  };
+  /// The run of frames inside that begins at `begin`.
+  struct Run {
+    std::size_t end{0};
+    double least{kInfinity};
+    std::optional<double> lead_time;
+  };
+  const Block& block(std::size_t track, std::size_t b) const { return blocks_[track * block_count_ + b]; }
+  bool inside(std::size_t frame, std::span<const double> margins) const;
+  bool allOutside(std::size_t b, std::span<const double> margins) const;
+  bool allInside(std::size_t b, std::span<const double> margins) const;
+  double leastAt(std::size_t frame) const;    ///< clearance
+  double betweenAt(std::size_t frame) const;  ///< least of all tracks
+  Run runFrom(std::size_t begin, std::span<const double> margins, const MarginOptions& options) const;
+
+  std::vector<const ClearanceTrack*> tracks_;
+  std::size_t frames_{0}, block_count_{0};
+  std::vector<Block> blocks_;  ///< of each track, one after the other
+  std::vector<Block> of_all_;  ///< of all tracks together
+};
+
+}  // namespace abstand::margin
