@@ -243,7 +243,11 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
   for (const auto& failed : answer.failed) line.warn(failed.recording + ": " + failed.error);
   if (answer.recordings.empty()) {
     if (answer.interrupted) return kInterrupted;
-    throw ParseError({}, "found no recording that could be run, expected one");
+    if (answer.failed.empty()) {
+      line.print({{"recordings", 0}}, "no runs in this part\n");
+      return kDone;
+    }
+    throw ParseError({asked.command}, "found no recording that could be run, expected one");
   }
   answer.table = tune::marginTable(answer.recordings, asked.margins, answer.options);
   answer.speeds = tune::speedTable(answer.recordings, asked.segment);

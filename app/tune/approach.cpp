@@ -11,8 +11,13 @@ namespace {
 
 // m: nearest points that are nearer to each other than this have no direction.
 constexpr double kNoDirection = 1e-9;
-// m: the smallest radius of a person's part that presses; smaller than a finger's.
-constexpr double kBodyRadius = 0.02;
+
+/// m: as round as the part is thick where it is thinnest. A larger radius would make the area larger and the
+/// pressure smaller.
+double bodyRadius(const structure::HapticStructure& part) {
+  const geometry::Bounds bounds = part.surface->bounds();
+  return 0.5 * (bounds.upper - bounds.lower).minCoeff();
+}
 
 }  // namespace
 
@@ -67,7 +72,7 @@ double ApproachJudge::robotMass(const WindowFrame& frame, const WatchedPair& pai
                                   X_BW.linear() * motion.n_W, robot.work);
 }
 
-ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, std::size_t link,
+ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const WatchedPair& pair,
                                     const std::string& part) {
   ContactShare share;
   share.t = t;
@@ -84,12 +89,13 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, std::
   share.energy = worst.contact.energy;
   share.share = worst.contact.share;
   if (share.excluded || !(worst.contact.indentation > 0.0)) return share;
-  auto& surface = surfaces_[link];
+  auto& surface = surfaces_[pair.link];
   if (!surface)
-    surface =
-        std::make_unique<contact::ContactSurface>(*session_.scene().objects()[link].spec.structure->surface);
+    surface = std::make_unique<contact::ContactSurface>(
+        *session_.scene().objects()[pair.link].spec.structure->surface);
   const contact::ContactArea area =
-      contact::contactArea(*surface, {motion.p_L, motion.n_L, worst.contact.indentation, kBodyRadius});
+      contact::contactArea(*surface, {motion.p_L, motion.n_L, worst.contact.indentation,
+                                      bodyRadius(*session_.scene().objects()[pair.part].spec.structure)});
   const contact::PredictedPressure pressure =
       contact::predictPressure(*worst.region, worst.contact, area, contact::ContactKind::kTransient);
   share.pressure = pressure.peak;

@@ -55,8 +55,9 @@ class ApproachJudge {
   static ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index);
   /// ClosingMotion::robot_mass in the posture of the frame.
   double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
-  /// Of the part called `part` with a link (number of its object) that moved so at time `t`.
-  ContactShare contact(const ClosingMotion& motion, double t, std::size_t link, const std::string& part);
+  /// Of the part called `part` with a link (numbers of their objects) that moved so at time `t`.
+  ContactShare contact(const ClosingMotion& motion, double t, const WatchedPair& pair,
+                       const std::string& part);
 
  private:
   struct Robot {

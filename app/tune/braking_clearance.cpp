@@ -32,18 +32,20 @@ double BrakingClearance::ofPair(std::size_t p, const Halt& halt) {
   const WatchedPair& pair = window_.pairs()[p];
   const auto& frames = window_.frames();
   const double begin = frames.front().t, end = std::min(begin + halt.duration(), frames.back().t);
-  double fastest = 0.0, in_step = frames.front().clearance[p] + frames.front().uncertainty[p],
-         uncertainty = 0.0;
+  double fastest = 0.0, braking = 0.0, uncertainty = 0.0;
+  double in_step = frames.front().clearance[p] + frames.front().uncertainty[p];
   const double path_end = begin + halt.programTime(halt.duration());
   for (std::size_t k = 0; k < frames.size() && frames[k].t <= end; ++k) {
     uncertainty = std::max(uncertainty, frames[k].uncertainty[p]);
     if (k + 1 == frames.size() || frames[k].t == end) break;
     in_step = std::min(in_step, frames[k].between[p]);
-    if (frames[k].t <= path_end) fastest = std::max(fastest, frames[k].speed[pair.link]);
+    fastest = std::max(fastest, frames[k].speed[pair.link]);
+    if (frames[k].t <= path_end) braking = std::max(braking, frames[k].speed[pair.link]);
     uncertainty = std::max(uncertainty, frames[k + 1].uncertainty[p]);
   }
-  if (fastest == 0.0) return kInfinity;
-  // The link lags behind where it was recorded by half the braking time at most.
+  if (braking == 0.0) return kInfinity;
+  // The link lags behind where it was recorded by half the braking time at most, and is nearer to that place
+  // than the fastest motion of that time would take it.
   const double lagging = in_step - uncertainty - fastest * 0.5 * halt.braking;
   if (lagging > limit_ + kExact) return lagging;
   if (uncertainty == kInfinity) return -kInfinity;

@@ -206,13 +206,13 @@ void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
   if (!near) hardest.reset();
   if (near && (!hardest || motion.closing() > hardest->motion.closing())) {
     motion.robot_mass = judge_.robotMass(frame, pair, motion);
-    hardest = {frame.t, pair.link, motion};
+    hardest = {frame.t, pair, motion};
   }
   if (!told) return;
   motion.robot_mass = judge_.robotMass(frame, pair, motion);
   result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
                                 part.distance.back(), clearance, motion,
-                                judge_.contact(hardest->motion, hardest->t, hardest->link, part.part)});
+                                judge_.contact(hardest->motion, hardest->t, hardest->pair, part.part)});
   hardest.reset();
 }
 

@@ -85,7 +85,7 @@ class DistancePass {
       ahead_;  ///< m, of each part: the least clearance of the last and the next frame
   struct Hardest {
     double t{0.0};
-    std::size_t link{0};   ///< object of the scene
+    WatchedPair pair;
     ClosingMotion motion;  ///< with the highest closing speed so far
   };
   std::vector<std::optional<Hardest>> hardest_;  ///< of each part, on its way to the next minimum

@@ -61,11 +61,18 @@ function(abstand_library name)
   endif()
 endfunction()
 
-# abstand_test(NAME SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest.
+# Programs that start threads, for the thread sanitizer: built by this target, and their labels end with `_threads`.
+add_custom_target(threaded_tests)
+
+# abstand_test(NAME [THREADS] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest.
 function(abstand_test name)
-  cmake_parse_arguments(T "" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(T "THREADS" "" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT T_LABELS)
     set(T_LABELS unit)
+  endif()
+  if(T_THREADS)
+    set(T_LABELS ${T_LABELS}_threads)
+    add_dependencies(threaded_tests ${name})
   endif()
   add_executable(${name} ${T_SOURCES})
   target_precompile_headers(${name} REUSE_FROM abstand_test_support)
