@@ -74,6 +74,8 @@ void addServe(CLI::App& root, CommandLine& line);
 void addCheck(CLI::App& root, CommandLine& line);
 void addTune(CLI::App& root, CommandLine& line);
 void addMerge(CLI::App& root, CommandLine& line);
+void addDiff(CLI::App& root, CommandLine& line);
+void addExport(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);
 

@@ -102,6 +102,8 @@ int main(int argc, char** argv) {
   cli::addCheck(app, line);
   cli::addTune(app, line);
   cli::addMerge(app, line);
+  cli::addDiff(app, line);
+  cli::addExport(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);
   try {

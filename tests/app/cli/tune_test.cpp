@@ -148,6 +148,55 @@ TEST_F(Tune, APlanHasPeopleOfAPercentile) {
   EXPECT_NE(names.find(", percentile 5\n"), std::string::npos) << names;
 }
 
+TEST_F(Tune, ExportsAndComparesResults) {
+  EXPECT_EQ(
+      run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("slow") + " --reaction-time 0.3")
+          .code,
+      0);
+  const json fast = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("fast") +
+                            " --reaction-time 0.1");
+  const json diff = runJson("diff " + out("slow") + " " + out("fast"));
+  EXPECT_EQ(diff["recordings"], json({kPeople, kPeople}));
+  bool torso = false;
+  for (const json& p : diff["proposed"])
+    if (p["part"] == "torso") {
+      torso = true;
+      EXPECT_GT(p["before"], p["after"]) << "a slower reaction needs more";
+    }
+  EXPECT_TRUE(torso);
+  const json written = runJson("export " + out("fast") + " --csv " + out("table.csv"));
+  EXPECT_EQ(written["rows"], fast["frames"].get<int>() * 14);
+  std::ifstream in(out("table.csv"));
+  std::string text;
+  std::getline(in, text);
+  EXPECT_EQ(text, "recording,t,part,link,distance,bound,uncertainty,clearance,robot_speed,person_speed");
+  int rows = 0;
+  double least = 1e9;
+  while (std::getline(in, text)) {
+    ++rows;
+    const auto parts = std::count(text.begin(), text.end(), ',');
+    EXPECT_EQ(parts, 9) << text;
+    std::istringstream fields(text);
+    std::string value;
+    for (int i = 0; i < 8; ++i) std::getline(fields, value, ',');
+    least = std::min(least, std::stod(value));
+  }
+  EXPECT_EQ(rows, written["rows"]);
+  EXPECT_LT(least, 0.0);
+}
+
+TEST_F(Tune, WritesAReport) {
+  EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html")).code,
+            0);
+  const std::string html = readFile(out("report.html"));
+  for (const char* said :
+       {"Proposed margins", "What margins cost", "Nearest approaches", "What was assumed", "Inputs",
+        "Signature", "person6.csv", "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
+    EXPECT_NE(html.find(said), std::string::npos) << said;
+  for (const char* outside : {"http://", "https://", "<script", "src="})
+    EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+}
+
 TEST_F(Tune, SaysWhereAPlanIsWrong) {
   const auto expect = [&](const std::string& plan, const std::string& said) {
     write("plan.yaml", plan);

@@ -1,0 +1,132 @@
+// abstand diff and export: what can be done with results of `tune --out`.
+#include <cmath>
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/tune_arguments.hpp"
+#include "app/tune/margin_table.hpp"
+#include "app/tune/study.hpp"
+#include "core/base/error.hpp"
+#include "core/base/number.hpp"
+#include "core/base/output_file.hpp"
+
+namespace abstand::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DiffArguments {
+  std::string before, after, margins{"0:0.5:0.05"};
+};
+
+/// The answer of one of the two.
+struct Side {
+  std::vector<tune::TunedRecording> recordings;
+  tune::MarginTable table;
+};
+
+Side sideOf(const std::string& folder, const std::vector<double>& margins) {
+  tune::MergedResults merged = tune::mergeResults({folder});
+  Side side;
+  side.table = tune::marginTable(merged.recordings, margins, merged.options);
+  side.recordings = std::move(merged.recordings);
+  return side;
+}
+
+Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
+std::string millimetres(double v) { return std::isinf(v) ? "none would do" : format("%.0f mm", 1e3 * v); }
+
+int runDiff(const CommandLine& line, const DiffArguments& args) {
+  const std::vector<double> margins = marginList(args.margins);
+  const Side before = sideOf(args.before, margins), after = sideOf(args.after, margins);
+  Json document{{"recordings", {before.recordings.size(), after.recordings.size()}},
+                {"proposed", Json::array()},
+                {"margins", Json::array()}};
+  std::string text = format("%-14s %14s %14s\n", "part", "before", "after");
+  for (const tune::ProposedMargin& b : before.table.proposed)
+    for (const tune::ProposedMargin& a : after.table.proposed) {
+      if (a.part != b.part) continue;
+      document["proposed"].push_back(
+          {{"part", b.part}, {"before", finite(b.margin)}, {"after", finite(a.margin)}});
+      text += format("%-14s %14s %14s%s\n", b.part.c_str(), millimetres(b.margin).c_str(),
+                     millimetres(a.margin).c_str(),
+                     a.margin > b.margin   ? "  larger"
+                     : a.margin < b.margin ? "  smaller"
+                                           : "");
+    }
+  text += format("\n%-14s %22s %22s\n", "margin", "stopped before, after", "missed before, after");
+  for (const tune::MarginRow& b : before.table.rows)
+    for (const tune::MarginRow& a : after.table.rows) {
+      if (a.part != b.part || a.margin != b.margin) continue;
+      document["margins"].push_back({{"part", b.part},
+                                     {"margin", b.margin},
+                                     {"stopped_share", {b.outcome.stoppedShare(), a.outcome.stoppedShare()}},
+                                     {"false_stops", {b.outcome.false_stops, a.outcome.false_stops}},
+                                     {"missed_stops", {b.outcome.missed_stops, a.outcome.missed_stops}}});
+      if (b.part == tune::kWholeBody)
+        text += format("%-14s %10.1f %% %8.1f %% %10ld %10ld\n", millimetres(b.margin).c_str(),
+                       100.0 * b.outcome.stoppedShare(), 100.0 * a.outcome.stoppedShare(),
+                       b.outcome.missed_stops, a.outcome.missed_stops);
+    }
+  line.print(document, text);
+  return kDone;
+}
+
+struct ExportArguments {
+  std::vector<std::string> folders;
+  std::string csv;
+};
+
+/// A name between quotation marks where a CSV needs them.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+int runExport(const CommandLine& line, const ExportArguments& args) {
+  const tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
+  OutputFile out(args.csv);
+  out.stream() << "recording,t,part,link,distance,bound,uncertainty,clearance,robot_speed,person_speed\n";
+  std::size_t rows = 0;
+  for (const tune::TunedRecording& r : merged.recordings)
+    for (std::size_t i = 0; i < r.frames; ++i)
+      for (const tune::PartClearance& p : r.pass.parts) {
+        out.stream() << field(r.recording) << ',' << formatDouble(p.track.t[i]) << ',' << p.part << ','
+                     << field(r.pass.links[p.link[i]]);
+        for (const double v : {p.distance[i], p.bound[i], p.uncertainty[i], p.track.clearance[i],
+                               p.robot_speed[i], p.person_speed[i]})
+          out.stream() << ',' << formatDouble(v);
+        out.stream() << '\n';
+        ++rows;
+      }
+  out.commit();
+  line.print({{"recordings", merged.recordings.size()}, {"rows", rows}},
+             format("%zu rows of %zu recordings\n", rows, merged.recordings.size()));
+  return kDone;
+}
+
+}  // namespace
+
+void addDiff(CLI::App& root, CommandLine& line) {
+  auto* command =
+      addCommand(root, line, "diff", "two studies of tune beside each other: proposed margins, stops",
+                 "abstand diff before after");
+  auto args = std::make_shared<DiffArguments>();
+  command->add_option("BEFORE", args->before, "folder of `tune --out`")->required();
+  command->add_option("AFTER", args->after, "another one")->required();
+  command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
+  command->callback([&line, args] { line.run = [&line, args] { return runDiff(line, *args); }; });
+}
+
+void addExport(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "export", "results of tune as a table: a row a frame and body part",
+                             "abstand export results --csv clearances.csv");
+  auto args = std::make_shared<ExportArguments>();
+  command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
+  line.output(command->add_option("--csv", args->csv, "file to write")->required());
+  command->callback([&line, args] { line.run = [&line, args] { return runExport(line, *args); }; });
+}
+
+}  // namespace abstand::cli
