@@ -12,7 +12,7 @@ namespace {
 // m: the search's own tolerance, and the engine's near contact.
 constexpr double kTolerance = 1e-3, kEngine = 3e-4;
 
-const WorstPhase& of(const std::vector<WorstPhase>& all, const std::string& part) {
+WorstPhase of(const std::vector<WorstPhase>& all, const std::string& part) {
   for (const WorstPhase& w : all)
     if (w.part == "person/" + part) return w;
   throw std::runtime_error(part);
@@ -39,7 +39,7 @@ TEST(WorstPhase, IsTheLeastOverAllTimesOfBoth) {
           session->scene().object(pair.b).spec.name == "person/torso")
         least = std::min(least, pair.result.distance - pair.result.bound);
   }
-  const WorstPhase& w = of(all, "torso");
+  const WorstPhase w = of(all, "torso");
   EXPECT_LE(w.lower, least + kEngine);
   EXPECT_GT(w.lower, least - kTolerance - kEngine);
   EXPECT_NEAR(w.t_robot, 4.0, 0.02);
@@ -59,7 +59,7 @@ TEST(WorstPhase, IsNearerThanInStepWhereBothMissEachOther) {
     for (const scene::Pair& pair : session->scene().pairs())
       in_step = std::min(in_step, pair.result.distance);
   }
-  const WorstPhase& w = of(worstPhases(*session, {}), "torso");
+  const WorstPhase w = of(worstPhases(*session, {}), "torso");
   EXPECT_GT(in_step, 0.5);
   EXPECT_LT(w.lower, in_step - 0.5);
   // With the person where it begins and the robot at its end: 2.4 - 2.2 m less the bodies.
