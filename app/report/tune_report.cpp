@@ -25,7 +25,9 @@ std::string counted(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 std::string mm(double metres) { return shown("%.0f mm", 1e3 * metres); }
-std::string percent(double share) { return std::isinf(share) ? "excluded" : shown("%.0f %%", 100.0 * share); }
+std::string percent(double share) {
+  return std::isfinite(share) ? shown("%.0f %%", 100.0 * share) : "not certain";
+}
 std::string seconds(double t) { return shown("%.3f s", t); }
 
 std::string proposedSection(const tune::TuneAnswer& answer) {
@@ -59,10 +61,8 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
 }
 
 verify::Plot curveOf(const tune::TuneAnswer& answer) {
-  verify::Plot plot{
-      "All parts with the same margin", "margin [m]", "share of time, stops per minute", false, false, {}};
-  plot.series = {
-      {"stopped time [share]", {}, {}}, {"false stops [1/min]", {}, {}}, {"missed stops [1/min]", {}, {}}};
+  verify::Plot plot{"Stops", "margin [m]", "stops per minute", false, false, {}};
+  plot.series = {{"all", {}, {}}, {"false", {}, {}}, {"missed", {}, {}}};
   for (const tune::MarginRow& row : answer.table.rows) {
     if (row.part != tune::kWholeBody || !(row.outcome.time > 0.0)) continue;
     const double minutes = row.outcome.time / 60.0;
@@ -117,7 +117,8 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
   std::string html =
       "<h2>Nearest approaches</h2>\n<p>Local minima of the certified clearance, nearest first, and the "
       "transient "
-      "contact that the speeds of that moment would have made, as shares of the limits of the body "
+      "contact that the highest closing speed on the way there would have made, as shares of the limits of "
+      "the body "
       "region.</p>\n";
   std::vector<std::vector<std::string>> rows;
   std::string pictures;
@@ -146,11 +147,16 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
                   "; people orange, robots blue.</figcaption></figure>\n";
   }
   if (rows.empty()) return html + "<p>None below " + mm(answer.options.pass.near) + ".</p>\n";
-  return html +
-         htmlTable({"clearance", "part", "link", "time", "recording", "closing", "region", "force",
-                    "of its limit", "pressure, of its limit"},
-                   rows) +
-         pictures;
+  std::vector<std::string> header{"clearance",
+                                  "part",
+                                  "link",
+                                  "time",
+                                  "hardest closing before",
+                                  "region",
+                                  "force, of its limit",
+                                  "pressure, of its limit"};
+  if (answer.recordings.size() > 1) header.push_back("recording");
+  return html + htmlTable(header, rows) + pictures;
 }
 
 /// The least of each stretch, so that no minimum is lost.

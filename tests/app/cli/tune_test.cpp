@@ -189,9 +189,9 @@ TEST_F(Tune, WritesAReport) {
   EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html")).code,
             0);
   const std::string html = readFile(out("report.html"));
-  for (const char* said :
-       {"Proposed margins", "What margins cost", "Nearest approaches", "What was assumed", "Inputs",
-        "Signature", "person6.csv", "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
+  for (const char* said : {"Proposed margins", "What margins cost", "Nearest approaches", "What was assumed",
+                           "Inputs", "Signature", "hardest closing before", "stops per minute", "person6.csv",
+                           "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
     EXPECT_NE(html.find(said), std::string::npos) << said;
   for (const char* outside : {"http://", "https://", "<script", "src="})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
