@@ -71,6 +71,7 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
     o.pass.braking.deceleration =
         numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
   if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
+  o.pass.separation.reaction_time = o.pass.braking.reaction_time;
   takeSeparation(args.separation, o.pass.separation);
   o.restart_time = restartTime(args.restart_time);
   o.pass.contact = std::make_shared<const contact::ContactLimits>(

@@ -35,6 +35,7 @@ ApproachJudge::ApproachJudge(const session::Session& session,
     mechanism::placeBodies(robot.tree, zeros, robot.state);
     mechanism::massMatrix(robot.tree, robot.state, robot.mass);
     robot.known = m->dof() > 0 && mechanism::factor(robot.mass) < 0;
+    for (const mechanism::TreeBody& body : robot.tree.bodies) robot.half_mass += 0.5 * body.mass;
     robots_.push_back(std::move(robot));
     for (const auto& link : m->links())
       if (link.object) frame_of_[link.object->index()] = link.frame;
@@ -68,8 +69,9 @@ double ApproachJudge::robotMass(const WindowFrame& frame, const WatchedPair& pai
   mechanism::massMatrix(robot.tree, robot.state, robot.mass);
   if (mechanism::factor(robot.mass) >= 0) return kInfinity;
   const Transform X_BW = session_.mechanisms()[pair.robot]->X_WB().inverse();
-  return mechanism::effectiveMass({robot.tree, robot.state, robot.mass}, link, X_BW * motion.p_W,
-                                  X_BW.linear() * motion.n_W, robot.work);
+  return std::max(robot.half_mass,
+                  mechanism::effectiveMass({robot.tree, robot.state, robot.mass}, link, X_BW * motion.p_W,
+                                           X_BW.linear() * motion.n_W, robot.work));
 }
 
 ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const WatchedPair& pair,

@@ -53,7 +53,9 @@ class ApproachJudge {
   /// Of a pair (number `index`) at `frame`, with the velocities to the next frame; at rest without one.
   /// Without the robot's mass.
   static ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index);
-  /// ClosingMotion::robot_mass in the posture of the frame.
+  /// ClosingMotion::robot_mass in the posture of the frame: the larger one of the mass that the free joints
+  /// put against a push at that point, which leaves out what gears reflect, and of half the moving mass
+  /// [ISO/TS 15066:2016, annex A].
   double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
   /// Of the part called `part` with a link (numbers of their objects) that moved so at time `t`.
   ContactShare contact(const ClosingMotion& motion, double t, const WatchedPair& pair,
@@ -67,6 +69,7 @@ class ApproachJudge {
     std::vector<double> work;
     std::size_t first{0};  ///< of its joint values among those of all robots
     bool known{false};
+    double half_mass{0.0};  ///< kg, half of what it moves
   };
   const session::Session& session_;
   std::shared_ptr<const contact::ContactLimits> limits_;
