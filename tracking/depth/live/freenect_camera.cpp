@@ -10,6 +10,9 @@
 #include <libfreenect.h>
 #include <sys/time.h>
 
+#include <cstring>
+#include <vector>
+
 namespace abstand::tracking {
 namespace {
 
@@ -93,6 +96,8 @@ std::string why() { return last_error.empty() ? "" : " (" + last_error + ")"; }
 
 struct FreenectCamera::Device {
   OnImage on_image;
+  /// fakenect hands over numbers that begin at an odd address.
+  std::vector<std::uint16_t> numbers = std::vector<std::uint16_t>(std::size_t{kKinectWidth} * kKinectHeight);
   freenect_context* context{nullptr};
   freenect_device* device{nullptr};
   bool raw{true};
@@ -136,8 +141,10 @@ FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Devi
   if (mode.is_valid == 0 || mode.width != kKinectWidth || mode.height != kKinectHeight)
     throw refuse("a Kinect without 640 x 480 depths", "a Kinect v1");
   lib.setUser(d.device, &d);
-  lib.setDepthCallback(d.device, [](freenect_device* device, void* numbers, std::uint32_t) {
-    static_cast<Device*>(library().getUser(device))->on_image(static_cast<const std::uint16_t*>(numbers));
+  lib.setDepthCallback(d.device, [](freenect_device* device, void* bytes, std::uint32_t) {
+    Device& to = *static_cast<Device*>(library().getUser(device));
+    std::memcpy(to.numbers.data(), bytes, to.numbers.size() * sizeof(std::uint16_t));
+    to.on_image(to.numbers.data());
   });
   if (lib.setDepthMode(d.device, mode) < 0 || lib.startDepth(d.device) < 0)
     throw refuse("a Kinect that sends no depth", "one that starts");
