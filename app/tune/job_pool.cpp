@@ -24,7 +24,8 @@ constexpr std::uint32_t kMaxMessage = 4000;
 /// In front of every answer of a process.
 struct Answer {
   std::uint64_t job;
-  std::uint32_t good, length;
+  std::int32_t answered, answer;
+  std::uint32_t length;
 };
 
 bool writeAll(int fd, const void* bytes, std::size_t count) {
@@ -60,19 +61,19 @@ struct Worker {
 };
 
 /// Never returns.
-[[noreturn]] void serveOrders(int orders, int answers, const std::function<void(std::size_t)>& work) {
+[[noreturn]] void serveOrders(int orders, int answers, const std::function<int(std::size_t)>& work) {
   std::uint64_t job = 0;
   while (readAll(orders, &job, sizeof job)) {
     std::string message;
-    bool good = true;
+    Answer answer{job, 0, 0, 0};
     try {
-      work(static_cast<std::size_t>(job));
+      answer.answer = work(static_cast<std::size_t>(job));
+      answer.answered = 1;
     } catch (const std::exception& e) {
-      good = false;
       message = e.what();
     }
     message.resize(std::min<std::size_t>(message.size(), kMaxMessage));
-    const Answer answer{job, good ? 1u : 0u, static_cast<std::uint32_t>(message.size())};
+    answer.length = static_cast<std::uint32_t>(message.size());
     if (!writeAll(answers, &answer, sizeof answer) || !writeAll(answers, message.data(), message.size()))
       break;
   }
@@ -82,7 +83,7 @@ struct Worker {
 
 class Pool {
  public:
-  Pool(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
+  Pool(std::size_t count, int jobs, const std::function<int(std::size_t)>& work,
        const std::function<void(const JobEnd&)>& ended)
       : count_(count), work_(work), ended_(ended) {
     workers_.resize(std::min(count, static_cast<std::size_t>(std::max(1, jobs))));
@@ -152,11 +153,11 @@ class Pool {
                           (message.resize(answer.length), readAll(w.answers, message.data(), message.size()));
     w.busy = false;
     if (answered) {
-      ended_({w.job, answer.good != 0, message});
+      ended_({w.job, answer.answered != 0 ? std::optional<int>(answer.answer) : std::nullopt, message});
       return;
     }
     const std::size_t job = w.job;
-    ended_({job, false, end(w)});
+    ended_({job, std::nullopt, end(w)});
   }
   /// How the process ended.
   static std::string end(Worker& w) {
@@ -172,14 +173,14 @@ class Pool {
   static std::string reason() { return std::strerror(errno); }
 
   std::size_t count_, next_{0};
-  const std::function<void(std::size_t)>& work_;
+  const std::function<int(std::size_t)>& work_;
   const std::function<void(const JobEnd&)>& ended_;
   std::vector<Worker> workers_;
 };
 
 }  // namespace
 
-bool runJobs(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
+bool runJobs(std::size_t count, int jobs, const std::function<int(std::size_t)>& work,
              const std::function<void(const JobEnd&)>& ended) {
   if (count == 0) return true;
   return Pool(count, jobs, work, ended).run();

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace abstand::tune {
@@ -10,8 +11,8 @@ namespace abstand::tune {
 /// What became of a job.
 struct JobEnd {
   std::size_t job{0};
-  bool good{false};
-  std::string message;  ///< why not: what was thrown, or the signal that ended the process
+  std::optional<int> answer;  ///< of work(); none where it threw or its process ended
+  std::string message;        ///< why there is none: what was thrown, or the signal that ended the process
 };
 
 /// Calls work(0) ... work(count - 1), each once, in `jobs` processes that are copies of this one and take the
@@ -19,7 +20,7 @@ struct JobEnd {
 /// alone. `ended` is called here, in no order. The caller has no other threads. Throws UsageError where no
 /// process can be made. After an interrupt (interruptRequested()) no further job is begun and the rest has no
 /// end; false then.
-bool runJobs(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
+bool runJobs(std::size_t count, int jobs, const std::function<int(std::size_t)>& work,
              const std::function<void(const JobEnd&)>& ended);
 
 }  // namespace abstand::tune

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/content_hash.hpp"
-#include "core/base/text_file.hpp"
+#include "app/tune/result_key.hpp"
 #include "core/margin/safe_margin.hpp"
 
 namespace abstand::tune {
@@ -21,10 +20,8 @@ std::string contentOf(const session::Session& session) {
   ContentHash hash;
   bool any = false;
   for (const auto& human : session.description().humans) {
-    if (human.recording.file.empty() || !std::filesystem::is_regular_file(human.recording.file)) continue;
-    const std::string content = readFile(human.recording.file);
-    hash.add(content.data(), content.size());
-    any = true;
+    addContent(hash, human.recording.file);
+    any = any || !human.recording.file.empty();
   }
   return any ? hash.value().hex() : std::string();
 }

@@ -5,20 +5,17 @@
 #include <cmath>
 
 #include "app/hdf5/table_reader.hpp"
+#include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
-#include "core/base/text_file.hpp"
-#include "core/store/structure_cache.hpp"
 
 namespace abstand::tune {
 namespace {
 
-constexpr long long kFormat = 1;
 constexpr double kDistanceStep = 1e-5;  // m
 constexpr double kPointStep = 1e-3;     // m
 // m: nearest points of pairs that are farther apart are left out.
 constexpr double kPointsWithin = 0.5;
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxNames = 10000;
 
 /// Of one part, in the order in which the file has them.
@@ -30,27 +27,6 @@ constexpr std::size_t kColumnCount = std::size(kColumns);
 constexpr std::size_t kApproachColumns = 16;
 /// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
 constexpr std::size_t kSeparationColumns = 10;
-
-void addText(ContentHash& hash, const std::string& text) {
-  hash.add(text.size());
-  hash.add(text.data(), text.size());
-}
-
-void addFile(ContentHash& hash, const std::filesystem::path& file) {
-  if (file.empty()) return;
-  if (std::error_code ec; std::filesystem::is_directory(file, ec)) {
-    // A recording of depth images.
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(file))
-      if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& f : files) addText(hash, f.filename().string()), addFile(hash, f);
-    return;
-  }
-  const std::string content = readFile(file, kMaxFileBytes);
-  hash.add(content.size());
-  hash.add(content.data(), content.size());
-}
 
 /// One line, its fields between tabs; times and shares that do not apply are empty.
 std::string reservationLine(const run::Reservation& r) {
@@ -130,38 +106,10 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
 
 }  // namespace
 
-ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
-                     const TuneOptions& options, const std::string& settings) {
-  ContentHash hash;
-  addText(hash, settings);
-  hash.add(kFormat);
-  hash.add(store::engineFingerprint());
-  addText(hash, scene_file::describeScene(scene));
-  for (const auto& m : scene.mechanisms) {
-    addFile(hash, m.file);
-    addFile(hash, m.motion);
-    for (const auto& link : m.links) addFile(hash, link.mesh), addFile(hash, link.structure);
-  }
-  for (const auto& o : scene.objects) addFile(hash, o.mesh), addFile(hash, o.structure);
-  for (const auto& h : scene.humans) {
-    if (recording.empty()) addFile(hash, h.recording.file);
-    addFile(hash, h.recording.options.joint_map);
-    hash.add(h.recording.speed);  // no key of a scene file
-  }
-  addFile(hash, recording);
-  const auto& braking = options.pass.braking;
-  for (const double v : {options.pass.limit, options.pass.near, braking.reaction_time, braking.deceleration})
-    hash.add(v);
-  options.pass.separation.eachNumber(
-      options.pass.separation, [&](const char*, const double& v, const config::NumberRule&) { hash.add(v); });
-  if (options.pass.contact) addText(hash, options.pass.contact->content.hex());
-  return hash.value();
-}
-
 ResultWriter::ResultWriter(const std::filesystem::path& file, const ContentKey& key) : out_(file) {
-  out_.attribute("abstand_result", kFormat);
+  out_.attribute("abstand_result", kResultFormat);
   out_.attribute("key", key.hex());
-  out_.attribute("engine", std::to_string(store::engineFingerprint()));
+  out_.attribute("version", resultVersion());
   out_.attribute("units", std::string("m, s"));
 }
 
@@ -261,15 +209,24 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.commit();
 }
 
+bool isResult(const std::filesystem::path& file, const ContentKey& key) {
+  try {
+    const hdf5::TableReader in(file);
+    return in.integer("abstand_result") == kResultFormat && in.text("key") == key.hex();
+  } catch (const ParseError&) {
+    return false;
+  }
+}
+
 StoredResult readResult(const std::filesystem::path& file) {
   const hdf5::TableReader in(file);
   const auto fail = [&](const std::string& what) { throw ParseError({file.string()}, what); };
-  if (const long long format = in.integer("abstand_result"); format != kFormat)
-    fail("found a result of format " + std::to_string(format) + ", expected " + std::to_string(kFormat) +
-         ": it was written by another version");
+  if (const long long format = in.integer("abstand_result"); format != kResultFormat)
+    fail("found a result of format " + std::to_string(format) + ", expected " +
+         std::to_string(kResultFormat) + ": it was written by another version");
   StoredResult stored;
   stored.key = in.text("key");
-  stored.engine = in.text("engine");
+  stored.version = in.text("version");
   TunedRecording& tuned = stored.tuned;
   tuned.recording = in.text("recording");
   tuned.t0 = in.number("t0");

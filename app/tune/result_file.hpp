@@ -9,11 +9,6 @@
 
 namespace abstand::tune {
 
-/// What a result depends on: program, scene, recording, options and whatever else `settings` says. Results
-/// with one key are the same.
-ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
-                     const TuneOptions& options, const std::string& settings);
-
 /// Writes a result while its recording is run (docs/margins.md, "Result files"): distances of all pairs frame
 /// by frame, then what the parts did. The file appears at commit(), whole, or not at all.
 class ResultWriter {
@@ -35,9 +30,12 @@ class ResultWriter {
 struct StoredResult {
   TunedRecording tuned;
   TuneOptions options;
-  std::string key;     ///< ContentKey::hex()
-  std::string engine;  ///< which version of the engine made it
+  std::string key;      ///< ContentKey::hex()
+  std::string version;  ///< resultVersion() of the program that made it
 };
+
+/// Whether the file is a whole result of this key. Its checksum is compared; what it holds is not read.
+bool isResult(const std::filesystem::path& file, const ContentKey& key);
 
 /// Throws ParseError for what is no such file, or is damaged.
 StoredResult readResult(const std::filesystem::path& file);

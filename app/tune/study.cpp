@@ -4,6 +4,7 @@
 
 #include "app/tune/job_pool.hpp"
 #include "app/tune/result_file.hpp"
+#include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
 #include "core/base/input_log.hpp"
 #include "core/base/interrupt.hpp"
@@ -18,41 +19,37 @@ fs::path resultFile(const fs::path& folder, const ContentKey& key) {
   return folder / "results" / (key.hex() + ".h5");
 }
 
-/// A whole result of this key; what is damaged is made again.
-bool isThere(const fs::path& file) {
-  std::error_code ec;
-  if (!fs::exists(file, ec)) return false;
-  // It is replaced where it is damaged, and so no input.
-  const InputLogPause pause;
+/// What became of a run.
+enum RunEnd : int { kMade, kKept, kInterrupted };
+
+/// In a process of its own.
+RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
   try {
-    readResult(file);
-    return true;
-  } catch (const std::exception&) {
-    return false;
+    scene_file::SceneDescription scene = options.load(item.scene);
+    item.apply(scene);
+    const ContentKey key = resultKey(scene, item.recording, options.tune, options.settings);
+    const fs::path file = resultFile(options.folder, key);
+    {
+      // A damaged one is replaced, and so no input.
+      const InputLogPause pause;
+      if (isResult(file, key)) return kKept;
+    }
+    const auto session = options.open(std::move(scene), item.recording);
+    ResultWriter writer(file, key);
+    TuneOptions tune = options.tune;
+    tune.pass.on_frame = [&](const WindowFrame& frame, const PassResult& names) {
+      writer.frame(frame, names);
+    };
+    run::RunOptions run;
+    run.interrupted = options.interrupted;
+    const TunedRecording tuned = tuneRecording(*session, tune, run, item.name);
+    if (tuned.interrupted) return kInterrupted;
+    writer.commit(tuned, tune);
+    return kMade;
+  } catch (const Interrupted&) {
+  } catch (const structure::BuildCancelled&) {
   }
-}
-
-/// Ends a job that has nothing to do.
-struct ResultIsThere : std::exception {
-  const char* what() const noexcept override { return "the result is there"; }
-};
-
-/// In a process of its own. Throws ResultIsThere.
-void makeResult(const PlanItem& item, const StudyOptions& options) {
-  scene_file::SceneDescription scene = options.load(item.scene);
-  item.apply(scene);
-  const ContentKey key = resultKey(scene, item.recording, options.tune, options.settings);
-  const fs::path file = resultFile(options.folder, key);
-  if (isThere(file)) throw ResultIsThere();
-  const auto session = options.open(std::move(scene), item.recording);
-  ResultWriter writer(file, key);
-  TuneOptions tune = options.tune;
-  tune.pass.on_frame = [&](const WindowFrame& frame, const PassResult& names) { writer.frame(frame, names); };
-  run::RunOptions run;
-  run.interrupted = options.interrupted;
-  const TunedRecording tuned = tuneRecording(*session, tune, run, item.name);
-  if (tuned.interrupted) throw Interrupted();
-  writer.commit(tuned, tune);
+  return kInterrupted;
 }
 
 bool sameOptions(const StoredResult& x, const StoredResult& y) {
@@ -71,30 +68,22 @@ StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& opt
   fs::create_directories(options.folder / "results", ec);
   if (ec) throw WriteError((options.folder / "results").string(), ec.value());
   StudyReport report;
-  std::vector<std::optional<std::string>> errors(mine.size());
+  std::vector<std::string> errors(mine.size());
   std::size_t done = 0;
-  const std::string there = ResultIsThere().what();
   const bool all = runJobs(
-      mine.size(), options.jobs, [&](std::size_t i) { makeResult(*mine[i], options); },
+      mine.size(), options.jobs, [&](std::size_t i) { return makeResult(*mine[i], options); },
       [&](const JobEnd& end) {
         ++done;
-        if (end.good)
-          ++report.made;
-        else if (end.message == there)
-          ++report.kept;
-        else
-          errors[end.job] = end.message;
+        report.made += end.answer == kMade;
+        report.kept += end.answer == kKept;
+        report.interrupted = report.interrupted || end.answer == kInterrupted;
+        if (!end.answer) errors[end.job] = end.message;
         if (options.progress) options.progress(done, mine.size());
       });
-  const std::string interrupted = Interrupted().what();
-  report.interrupted = !all;
-  for (std::size_t i = 0; i < mine.size(); ++i) {
-    if (!errors[i]) continue;
-    if (*errors[i] == interrupted)
-      report.interrupted = true;
-    else
-      report.failed.push_back({mine[i]->name, *errors[i]});
-  }
+  report.interrupted = report.interrupted || !all;
+  // In the order of the plan, whatever ended first.
+  for (std::size_t i = 0; i < mine.size(); ++i)
+    if (!errors[i].empty()) report.failed.push_back({mine[i]->name, errors[i]});
   return report;
 }
 
@@ -124,7 +113,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
           {file.string()},
           "found a result with other options than in " + kept.front().file.string() +
               ", expected the same limit, reaction time, deceleration and table of contact limits");
-    if (!kept.empty() && kept.front().stored.engine != stored.engine)
+    if (!kept.empty() && kept.front().stored.version != stored.version)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");
     kept.push_back({std::move(stored), file});

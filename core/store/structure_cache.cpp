@@ -85,8 +85,6 @@ struct KeptFile {
 
 }  // namespace
 
-std::uint64_t engineFingerprint() { return kEngineFingerprint; }
-
 ContentKey structureKey(const geometry::Surface& surface, const structure::HapticOptions& options) {
   ContentHash hash;
   hash.add(std::uint64_t{kEngineFingerprint});

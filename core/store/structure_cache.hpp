@@ -24,9 +24,6 @@ ContentKey surfaceKey(const geometry::TriangleMesh& mesh);
 /// when there is no such place. The folder need not exist.
 std::filesystem::path userCacheFolder();
 
-/// Of the sources that structures are built by: another one builds other structures.
-std::uint64_t engineFingerprint();
-
 /// A folder of structures and surfaces, one file each, named by key. Files are written beside their name and
 /// renamed, so that any number of threads and processes may share a folder. A file that is damaged, cut
 /// short, foreign or of another version is noticed by sizes, versions and a checksum over all of it before

@@ -61,6 +61,19 @@ function(abstand_library name)
   endif()
 endfunction()
 
+# abstand_fingerprint(TARGET HEADER NAME WHAT sources...): the target's sources may include HEADER, which says in NAME what the sources
+# are, whatever their times.
+function(abstand_fingerprint target header name what)
+  set(file ${PROJECT_BINARY_DIR}/generated/${header})
+  add_custom_command(OUTPUT ${file}
+    COMMAND ${CMAKE_COMMAND} "-DSOURCES=${ARGN}" -DNAME=${name} "-DWHAT=${what}" -DOUT=${file}
+            -P ${PROJECT_SOURCE_DIR}/scripts/cmake/WriteFingerprint.cmake
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/scripts/cmake/WriteFingerprint.cmake VERBATIM)
+  add_custom_target(${target}_fingerprint DEPENDS ${file})
+  add_dependencies(${target} ${target}_fingerprint)
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+endfunction()
+
 # Programs that start threads, for the thread sanitizer: built by this target, and their labels end with `_threads`.
 add_custom_target(threaded_tests)
 

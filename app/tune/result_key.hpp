@@ -1,0 +1,27 @@
+// What a result of a recording depends on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/tune/recording_tune.hpp"
+#include "core/base/content_hash.hpp"
+
+namespace abstand::tune {
+
+/// Of the layout of result files.
+inline constexpr long long kResultFormat = 1;
+
+/// Which sources made a result: those of another version may say something else.
+std::string resultVersion();
+
+/// Program, scene, recording, options and whatever else `settings` says. Results with one key are the same.
+/// Throws ParseError for a file that cannot be read.
+ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
+                     const TuneOptions& options, const std::string& settings);
+
+/// Adds what a file holds; of a folder, all of its files with their names; of no name, nothing. Throws
+/// ParseError.
+void addContent(ContentHash& hash, const std::filesystem::path& file);
+
+}  // namespace abstand::tune
