@@ -39,6 +39,8 @@ const std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1>& adjacentPar
 
 std::string_view partName(BodyPart part) { return kNames[index(part)]; }
 
+std::span<const std::string_view, kBodyPartCount> partNames() { return kNames; }
+
 std::optional<BodyPart> parsePart(std::string_view name) {
   for (std::size_t i = 0; i < kBodyPartCount; ++i)
     if (kNames[i] == name) return static_cast<BodyPart>(i);

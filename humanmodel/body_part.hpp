@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -51,6 +52,8 @@ const std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1>& adjacentPar
 
 /// "torso", "biceps_left", ... as in scene files.
 std::string_view partName(BodyPart part);
+/// Of all parts, in their order.
+std::span<const std::string_view, kBodyPartCount> partNames();
 std::optional<BodyPart> parsePart(std::string_view name);
 
 }  // namespace abstand::humanmodel

@@ -27,10 +27,8 @@ void applyOverride(humanmodel::HumanOptions& options, const std::string& text) {
   const std::string value = text.substr(equals + 1);
   const auto part = humanmodel::parsePart(part_name);
   if (!part) {
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      known.emplace_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
-    const std::string near = nearestName(part_name, known);
+    const auto names = humanmodel::partNames();
+    const std::string near = nearestName(part_name, {names.begin(), names.end()});
     throw UsageError("--set: there is no part '" + part_name + "'" +
                      (near.empty() ? "" : ", did you mean '" + near + "'?"));
   }

@@ -32,8 +32,6 @@ Side sideOf(const std::string& folder, const std::vector<double>& margins) {
   return side;
 }
 
-Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-
 std::string millimetres(double v) { return std::isinf(v) ? "none would do" : format("%.0f mm", 1e3 * v); }
 
 int runDiff(const CommandLine& line, const DiffArguments& args) {
@@ -46,8 +44,7 @@ int runDiff(const CommandLine& line, const DiffArguments& args) {
   for (const tune::ProposedMargin& b : before.table.proposed)
     for (const tune::ProposedMargin& a : after.table.proposed) {
       if (a.part != b.part) continue;
-      document["proposed"].push_back(
-          {{"part", b.part}, {"before", finite(b.margin)}, {"after", finite(a.margin)}});
+      document["proposed"].push_back({{"part", b.part}, {"before", b.margin}, {"after", a.margin}});
       text += format("%-14s %14s %14s%s\n", b.part.c_str(), millimetres(b.margin).c_str(),
                      millimetres(a.margin).c_str(),
                      a.margin > b.margin   ? "  larger"
@@ -55,19 +52,21 @@ int runDiff(const CommandLine& line, const DiffArguments& args) {
                                            : "");
     }
   text += format("\n%-14s %22s %22s\n", "margin", "stopped before, after", "missed before, after");
-  for (const tune::MarginRow& b : before.table.rows)
-    for (const tune::MarginRow& a : after.table.rows) {
-      if (a.part != b.part || a.margin != b.margin) continue;
-      document["margins"].push_back({{"part", b.part},
-                                     {"margin", b.margin},
-                                     {"stopped_share", {b.outcome.stoppedShare(), a.outcome.stoppedShare()}},
-                                     {"false_stops", {b.outcome.false_stops, a.outcome.false_stops}},
-                                     {"missed_stops", {b.outcome.missed_stops, a.outcome.missed_stops}}});
-      if (b.part == tune::kWholeBody)
-        text += format("%-14s %10.1f %% %8.1f %% %10ld %10ld\n", millimetres(b.margin).c_str(),
-                       100.0 * b.outcome.stoppedShare(), 100.0 * a.outcome.stoppedShare(),
-                       b.outcome.missed_stops, a.outcome.missed_stops);
-    }
+  std::map<std::pair<std::string, double>, const margin::MarginOutcome*> outcome_after;
+  for (const tune::MarginRow& a : after.table.rows) outcome_after[{a.part, a.margin}] = &a.outcome;
+  for (const tune::MarginRow& row : before.table.rows) {
+    const auto found = outcome_after.find({row.part, row.margin});
+    if (found == outcome_after.end()) continue;
+    const margin::MarginOutcome &b = row.outcome, &a = *found->second;
+    document["margins"].push_back({{"part", row.part},
+                                   {"margin", row.margin},
+                                   {"stopped_share", {b.stoppedShare(), a.stoppedShare()}},
+                                   {"false_stops", {b.false_stops, a.false_stops}},
+                                   {"missed_stops", {b.missed_stops, a.missed_stops}}});
+    if (row.part == tune::kWholeBody)
+      text += format("%-14s %10.1f %% %8.1f %% %10ld %10ld\n", millimetres(row.margin).c_str(),
+                     100.0 * b.stoppedShare(), 100.0 * a.stoppedShare(), b.missed_stops, a.missed_stops);
+  }
   line.print(document, text);
   return kDone;
 }

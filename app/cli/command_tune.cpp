@@ -28,17 +28,6 @@ struct TuneArguments {
   robot_file::PackagePaths packages;
 };
 
-/// Names of the model's parts, all of which a table of limits has to cover.
-const std::vector<std::string_view>& bodyParts() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      all.push_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
-    return all;
-  }();
-  return names;
-}
-
 double restartTime(const std::string& text) {
   return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
 }
@@ -77,7 +66,7 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
   o.pass.contact = std::make_shared<const contact::ContactLimits>(
       contact::loadContactLimits(args.contact_limits.empty() ? contact::defaultContactLimits()
                                                              : std::filesystem::path(args.contact_limits),
-                                 bodyParts()));
+                                 humanmodel::partNames()));
   return o;
 }
 
@@ -205,33 +194,55 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// A drawing of a moment; none where the run cannot be opened again.
-std::string pictureOf(const CommandLine& line, const TuneArguments& args,
-                      const std::vector<tune::PlanItem>& items, const tune::TunedRecording& recording,
-                      const tune::Approach& approach) {
-  const auto item =
-      std::find_if(items.begin(), items.end(), [&](const auto& i) { return i.name == recording.recording; });
-  if (item == items.end()) return {};
-  scene_file::SceneDescription scene = scene_file::loadScene(item->scene, args.packages);
-  item->apply(scene);
-  const auto session =
-      depth::openSession(std::move(scene), sessionOptions(line, args, item->recording.string()));
-  session->step(approach.t);
-  // Of several people the one whose part is nearest to the link.
-  std::string part;
-  double least = kInfinity;
-  ObjectId link{0};
-  const std::string& link_name = recording.pass.links[approach.link];
-  if (!session->scene().find(link_name, &link)) return {};
-  for (const PairId id : session->scene().pairsOf(link)) {
-    const scene::Pair& pair = session->scene().pairs()[id.index()];
-    const std::string& name = session->scene().object(pair.a == link ? pair.b : pair.a).spec.name;
-    const std::string& wanted = recording.pass.parts[approach.part].part;
-    const bool is_part = name.size() > wanted.size() && name.ends_with("/" + wanted);
-    if (is_part && pair.result.distance < least) part = name, least = pair.result.distance;
+/// Draws moments of a study's runs.
+class MomentPainter {
+ public:
+  MomentPainter(const CommandLine& line, const TuneArguments& args, std::vector<tune::PlanItem> items)
+      : line_(line), args_(args), items_(std::move(items)) {}
+
+  /// Empty where the run is none of the study's.
+  std::string picture(const tune::TunedRecording& recording, const tune::Approach& approach) {
+    if (!open(recording.recording)) return {};
+    session_->step(approach.t);
+    const std::string& link = recording.pass.links[approach.link];
+    const std::string part = nearestPart(link, recording.pass.parts[approach.part].part);
+    return report::momentPicture(*session_, {part, link});
   }
-  return report::momentPicture(*session, {part, link_name});
-}
+
+ private:
+  bool open(const std::string& run) {
+    if (session_ && run == opened_) return true;
+    const auto item =
+        std::find_if(items_.begin(), items_.end(), [&](const auto& i) { return i.name == run; });
+    if (item == items_.end()) return false;
+    scene_file::SceneDescription scene = scene_file::loadScene(item->scene, args_.packages);
+    item->apply(scene);
+    session_ = depth::openSession(std::move(scene), sessionOptions(line_, args_, item->recording.string()));
+    opened_ = run;
+    return true;
+  }
+  /// Of several people the one whose part is nearest to the link.
+  std::string nearestPart(const std::string& link_name, const std::string& wanted) const {
+    const scene::Scene& scene = session_->scene();
+    std::string part;
+    double least = kInfinity;
+    ObjectId link{0};
+    if (!scene.find(link_name, &link)) return part;
+    for (const PairId id : scene.pairsOf(link)) {
+      const scene::Pair& pair = scene.pairs()[id.index()];
+      const std::string& name = scene.object(pair.a == link ? pair.b : pair.a).spec.name;
+      const bool is_part = name.size() > wanted.size() && name.ends_with("/" + wanted);
+      if (is_part && pair.result.distance < least) part = name, least = pair.result.distance;
+    }
+    return part;
+  }
+
+  const CommandLine& line_;
+  const TuneArguments& args_;
+  std::vector<tune::PlanItem> items_;
+  std::unique_ptr<session::Session> session_;
+  std::string opened_;
+};
 
 struct Asked {
   std::vector<double> margins;
@@ -267,8 +278,9 @@ int runTune(const CommandLine& line, const TuneArguments& args) {
   const tune::TuneOptions options = optionsOf(args);
   Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, args.scene};
   const std::vector<tune::PlanItem> items = itemsOf(args);
+  MomentPainter painter(line, args, items);
   asked.picture = [&](const tune::TunedRecording& r, const tune::Approach& a) {
-    return pictureOf(line, args, items, r, a);
+    return painter.picture(r, a);
   };
   tune::TuneAnswer answer;
   if (args.worst_phase && (!args.out.empty() || args.jobs > 1))

@@ -14,10 +14,8 @@ using Json = nlohmann::ordered_json;
 /// Approaches in the text for people; the JSON has all.
 constexpr std::size_t kTextApproaches = 10;
 
-/// null for what is not known or infinite.
-Json finite(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-
-Json orNull(const std::optional<double>& v) { return v ? finite(*v) : Json(nullptr); }
+// What is not finite is written as null, too.
+Json orNull(const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); }
 
 Json rowJson(const tune::MarginRow& row) {
   const margin::MarginOutcome& o = row.outcome;
@@ -28,17 +26,16 @@ Json rowJson(const tune::MarginRow& row) {
           {"false_stops", o.false_stops},
           {"missed_stops", o.missed_stops},
           {"unseen", o.unseen},
-          {"min_distance", finite(o.min_clearance)},
+          {"min_distance", o.min_clearance},
           {"lead_time", orNull(o.lead_time)}};
 }
 
 Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
-  Json j{{"part", p.part}, {"margin", finite(p.margin)}};
+  Json j{{"part", p.part}, {"margin", p.margin}};
   if (const auto& d = p.decided_by) {
     j["decided_by"] = {
         {"recording", answer.recordings[d->recording].recording}, {"t", d->t}, {"link", d->link}};
-    j["uncertainty"] = {
-        {"bound", finite(d->bound)}, {"pose", finite(d->pose)}, {"sampling", finite(d->sampling)}};
+    j["uncertainty"] = {{"bound", d->bound}, {"pose", d->pose}, {"sampling", d->sampling}};
   } else {
     j["decided_by"] = nullptr;
     j["uncertainty"] = nullptr;
@@ -63,11 +60,11 @@ Json contactJson(const tune::ContactShare& c) {
           {"closing_speed", c.closing},
           {"region", c.region},
           {"excluded", c.excluded},
-          {"force", finite(c.force)},
-          {"energy", finite(c.energy)},
-          {"share", finite(c.share)},
-          {"pressure", c.excluded ? Json(nullptr) : finite(c.pressure)},
-          {"pressure_share", c.excluded ? Json(nullptr) : finite(c.pressure_share)}};
+          {"force", c.force},
+          {"energy", c.energy},
+          {"share", c.share},
+          {"pressure", c.excluded ? Json(nullptr) : Json(c.pressure)},
+          {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
 }
 
 Json approachJson(const tune::RankedApproach& r) {
@@ -78,13 +75,13 @@ Json approachJson(const tune::RankedApproach& r) {
       {"t", a.t},
       {"part", r.recording->pass.parts[a.part].part},
       {"link", r.recording->pass.links[a.link]},
-      {"distance", finite(a.distance)},
-      {"clearance", finite(a.clearance)},
-      {"closing_speed", finite(closing)},
+      {"distance", a.distance},
+      {"clearance", a.clearance},
+      {"closing_speed", closing},
       {"robot_speed", a.motion.robot_speed},
       {"person_speed", a.motion.person_speed},
-      {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? finite(a.clearance / closing) : Json(nullptr)},
-      {"robot_mass", finite(a.motion.robot_mass)},
+      {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? Json(a.clearance / closing) : Json(nullptr)},
+      {"robot_mass", a.motion.robot_mass},
       {"contact", contactJson(a.contact)}};
 }
 
@@ -147,7 +144,7 @@ Json separationJson(const tune::TuneAnswer& answer) {
       j["worst"] = {{"recording", worst_in->recording},
                     {"t", worst->t},
                     {"link", worst_in->pass.links[worst->link]},
-                    {"clearance", finite(worst->clearance)},
+                    {"clearance", worst->clearance},
                     {"needed", worst->needed.sum()},
                     {"person", worst->needed.person},
                     {"reaction", worst->needed.reaction},
@@ -182,8 +179,8 @@ Json worstPhasesJson(const tune::TuneAnswer& answer) {
       rows.push_back({{"recording", r.recording},
                       {"part", w.part},
                       {"touches", w.touches},
-                      {"clearance", w.touches ? Json(nullptr) : finite(w.lower)},
-                      {"distance", finite(w.distance)},
+                      {"clearance", w.touches ? Json(nullptr) : Json(w.lower)},
+                      {"distance", w.distance},
                       {"link", w.link},
                       {"t_person", w.t_person},
                       {"t_robot", w.t_robot},
@@ -267,7 +264,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
   j["speeds"] = speedsJson(answer);
   if (!answer.speeds.empty())
     j["cycle_time"] = {{"as_recorded", answer.speeds.back().t1 - answer.speeds.front().t0},
-                       {"permitted", finite(tune::cycleTime(answer.speeds))}};
+                       {"permitted", tune::cycleTime(answer.speeds)}};
   j["proposed"] = Json::array();
   for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));
   j["interrupted"] = answer.interrupted;

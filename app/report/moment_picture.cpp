@@ -23,12 +23,6 @@ struct View {
 const View kViews[] = {{"from above", Vector3d::UnitX(), Vector3d::UnitY()},
                        {"from the side", Vector3d::UnitX(), Vector3d::UnitZ()}};
 
-std::string number(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", v);
-  return text;
-}
-
 /// World to pixels.
 class Frame {
  public:
@@ -36,8 +30,8 @@ class Frame {
       : view_(view), centre_(centre), scale_((kViewHeight - 2.0 * kEdge) / (2.0 * half)), left_(left) {}
   std::string at(const Vector3d& p) const {
     const Vector3d d = p - centre_;
-    return number(left_ + 0.5 * kViewWidth + scale_ * view_.right.dot(d)) + "," +
-           number(0.5 * kViewHeight - scale_ * view_.up.dot(d));
+    return pixels(left_ + 0.5 * kViewWidth + scale_ * view_.right.dot(d)) + "," +
+           pixels(0.5 * kViewHeight - scale_ * view_.up.dot(d));
   }
 
  private:
@@ -58,13 +52,9 @@ std::string outline(const scene::Object& object, const View& view, const Frame& 
   return points;
 }
 
-const char* styleOf(const session::Session& session, const scene::Object& object) {
-  const auto& scene = session.description();
-  const auto named = [&](const auto& list) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& g) { return g.name == object.spec.group; });
-  };
-  if (named(scene.humans)) return "person";
-  return named(scene.mechanisms) ? "robot" : "thing";
+const char* styleOf(run::Side side) {
+  if (side == run::Side::kPerson) return "person";
+  return side == run::Side::kRobot ? "robot" : "thing";
 }
 
 }  // namespace
@@ -82,26 +72,27 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
   }
   const Vector3d centre = 0.5 * (on_part + on_link);
   const double half = std::clamp((on_part - on_link).norm() * 1.5, kMinHalfExtent, kMaxHalfExtent);
-  std::string svg = "<svg class=\"moment\" role=\"img\" viewBox=\"0 0 " + number(2.0 * kViewWidth) + " " +
-                    number(kViewHeight + 18.0) + "\" aria-label=\"" +
+  std::string svg = "<svg class=\"moment\" role=\"img\" viewBox=\"0 0 " + pixels(2.0 * kViewWidth) + " " +
+                    pixels(kViewHeight + 18.0) + "\" aria-label=\"" +
                     escaped(bodies.part + " and " + bodies.link) + "\">\n";
   for (int v = 0; v < 2; ++v) {
     const View& view = kViews[v];
     const double left = v * kViewWidth;
     const Frame frame(view, centre, half, left);
     const std::string clip = "clip" + std::to_string(v);
-    svg += "<clipPath id=\"" + clip + "\"><rect x=\"" + number(left + 2.0) + "\" y=\"0\" width=\"" +
-           number(kViewWidth - 4.0) + "\" height=\"" + number(kViewHeight) +
+    svg += "<clipPath id=\"" + clip + "\"><rect x=\"" + pixels(left + 2.0) + "\" y=\"0\" width=\"" +
+           pixels(kViewWidth - 4.0) + "\" height=\"" + pixels(kViewHeight) +
            "\"/></clipPath>\n<g clip-path=\"url(#" + clip + ")\">\n";
     for (const scene::Object& object : scene.objects()) {
       const bool strong = object.spec.name == bodies.part || object.spec.name == bodies.link;
-      svg += "<polygon class=\"" + std::string(styleOf(session, object)) + (strong ? " strong" : "") +
-             "\" points=\"" + outline(object, view, frame) + "\"><title>" + escaped(object.spec.name) +
-             "</title></polygon>\n";
+      svg += "<polygon class=\"" +
+             std::string(styleOf(run::sideOf(session.description(), object.spec.group))) +
+             (strong ? " strong" : "") + "\" points=\"" + outline(object, view, frame) + "\"><title>" +
+             escaped(object.spec.name) + "</title></polygon>\n";
     }
     svg += "<polyline class=\"gap\" points=\"" + frame.at(on_part) + " " + frame.at(on_link) +
-           "\"/>\n</g>\n<text x=\"" + number(left + 8.0) + "\" y=\"" + number(kViewHeight + 13.0) + "\">" +
-           view.title + "; " + number(2.0 * half) + " m high</text>\n";
+           "\"/>\n</g>\n<text x=\"" + pixels(left + 8.0) + "\" y=\"" + pixels(kViewHeight + 13.0) + "\">" +
+           view.title + "; " + pixels(2.0 * half) + " m high</text>\n";
   }
   return svg + "</svg>\n";
 }

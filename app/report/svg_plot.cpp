@@ -15,12 +15,6 @@ constexpr double kLeft = 64, kRight = 190, kTop = 26,
 constexpr int kColours = 9;
 constexpr std::size_t kMaxPoints = 400;
 
-std::string pixels(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", v);
-  return text;
-}
-
 /// Values along one side of the plot, from `from` to `to` pixels.
 class Axis {
  public:
@@ -89,6 +83,12 @@ std::string polyline(const verify::Series& series, const Axis& x, const Axis& y,
 }
 
 }  // namespace
+
+std::string pixels(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", v);
+  return text;
+}
 
 std::string escaped(const std::string& text) {
   std::string out;

@@ -11,6 +11,9 @@ namespace abstand::report {
 /// that it follows light and dark. No reference to anything outside.
 std::string svgPlot(const verify::Plot& plot);
 
+/// A length or place in a drawing, to a tenth of a pixel.
+std::string pixels(double v);
+
 /// `text` with <, >, & and " escaped for HTML.
 std::string escaped(const std::string& text);
 

@@ -5,16 +5,6 @@
 namespace abstand::run {
 namespace {
 
-enum class Side : std::uint8_t { kPerson, kRobot, kThing };
-
-Side sideOf(const scene_file::SceneDescription& scene, const std::string& group) {
-  const auto named = [&](const auto& list) {
-    return std::any_of(list.begin(), list.end(), [&](const auto& g) { return g.name == group; });
-  };
-  if (named(scene.humans)) return Side::kPerson;
-  return named(scene.mechanisms) ? Side::kRobot : Side::kThing;
-}
-
 PairClass classOf(Side a, Side b) {
   if (b < a) std::swap(a, b);
   if (a == Side::kPerson && b == Side::kRobot) return PairClass::kPersonRobot;
@@ -24,6 +14,14 @@ PairClass classOf(Side a, Side b) {
 }
 
 }  // namespace
+
+Side sideOf(const scene_file::SceneDescription& scene, const std::string& group) {
+  const auto named = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& g) { return g.name == group; });
+  };
+  if (named(scene.humans)) return Side::kPerson;
+  return named(scene.mechanisms) ? Side::kRobot : Side::kThing;
+}
 
 const char* pairClassKey(PairClass pair_class) {
   switch (pair_class) {

@@ -9,6 +9,11 @@
 
 namespace abstand::run {
 
+enum class Side : std::uint8_t { kPerson, kRobot, kThing };
+
+/// Whose a body of this group is.
+Side sideOf(const scene_file::SceneDescription& scene, const std::string& group);
+
 /// kOther: two people, two things, or parts of one person.
 enum class PairClass : std::uint8_t { kPersonRobot, kPersonThing, kRobotRobot, kRobotThing, kOther };
 

@@ -12,17 +12,6 @@ constexpr config::YamlRange kPercentileRange{1.0, 99.0, "%"};
 constexpr config::YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr config::YamlRange kRateRange{0.0, 1e6, "Hz", true};
 
-/// The names of humanmodel::BodyPart, in its order.
-const std::vector<std::string>& bodyPartNames() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      all.emplace_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
-    return all;
-  }();
-  return names;
-}
-
 /// Throws ParseError at `pos` where no person is so.
 void checkPerson(const humanmodel::HumanOptions& body, const SourcePos& pos) {
   try {
@@ -90,8 +79,9 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
-  for (const auto& part : bodyPartNames()) {
-    std::string body = h.name + "/" + part;
+  const auto part_names = humanmodel::partNames();
+  for (const std::string_view part : part_names) {
+    std::string body = h.name + "/" + std::string(part);
     if (!body_names_.insert(body).second)
       throw ParseError(fields.pos(fields.need("name")),
                        "found the body `" + body + "` a second time, expected another name for the human");
@@ -109,7 +99,7 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
   h.follow_lengths = fields.choice("lengths", {"model", "recording"}).value_or("model") == "recording";
   h.settings = readSettings(fields);
   if (const auto* parts = fields.find("parts")) {
-    const config::YamlFields known(*parts, file_, "`parts`", bodyPartNames());
+    const config::YamlFields known(*parts, file_, "`parts`", {part_names.begin(), part_names.end()});
     for (std::size_t i = 0; i < parts->keys.size(); ++i) readPart(parts->keys[i].text, parts->items[i], h);
   }
   if (const auto* node_recording = fields.find("recording")) h.recording = recording(*node_recording);

@@ -1,6 +1,7 @@
 #include "app/session/robot_mass.hpp"
 
 #include "core/base/number.hpp"
+#include "core/mechanism/effective_mass.hpp"
 
 namespace abstand::session {
 
@@ -9,6 +10,8 @@ RobotMass::RobotMass(const mechanism::Mechanism& mechanism) : tree_(mechanism::m
   mechanism::placeBodies(tree_, q, state_);
   mechanism::massMatrix(tree_, state_, mass_);
   known_ = mechanism.dof > 0 && mechanism::factor(mass_) < 0;
+  work_.resize(q.size());
+  for (const mechanism::TreeBody& body : tree_.bodies) half_moving_ += 0.5 * body.mass;
 }
 
 const Eigen::MatrixXd& RobotMass::at(std::span<const double> q) noexcept {
@@ -16,6 +19,14 @@ const Eigen::MatrixXd& RobotMass::at(std::span<const double> q) noexcept {
   mechanism::placeBodies(tree_, q, state_);
   mechanism::massMatrix(tree_, state_, mass_);
   return mass_.M;
+}
+
+double RobotMass::effective(std::span<const double> q, int frame, const Vector3d& p_B,
+                            const Vector3d& n_B) noexcept {
+  if (!known_ || frame < 0) return kInfinity;
+  at(q);
+  if (mechanism::factor(mass_) >= 0) return kInfinity;
+  return mechanism::effectiveMass({tree_, state_, mass_}, frame, p_B, n_B, work_);
 }
 
 std::string massRemark(const std::string& name, const mechanism::Mechanism& mechanism,

@@ -26,17 +26,9 @@ ApproachJudge::ApproachJudge(const session::Session& session,
     : session_(session), limits_(std::move(limits)) {
   std::size_t first = 0;
   for (const auto& m : session.mechanisms()) {
-    Robot robot;
-    robot.tree = mechanism::makeRigidTree(m->mechanism());
-    robot.first = first;
-    robot.work.resize(static_cast<std::size_t>(m->dof()));
-    first += static_cast<std::size_t>(m->dof());
-    const std::vector<double> zeros(static_cast<std::size_t>(m->dof()), 0.0);
-    mechanism::placeBodies(robot.tree, zeros, robot.state);
-    mechanism::massMatrix(robot.tree, robot.state, robot.mass);
-    robot.known = m->dof() > 0 && mechanism::factor(robot.mass) < 0;
-    for (const mechanism::TreeBody& body : robot.tree.bodies) robot.half_mass += 0.5 * body.mass;
-    robots_.push_back(std::move(robot));
+    const auto dof = static_cast<std::size_t>(m->dof());
+    robots_.push_back({session::RobotMass(m->mechanism()), first, dof});
+    first += dof;
     for (const auto& link : m->links())
       if (link.object) frame_of_[link.object->index()] = link.frame;
   }
@@ -49,9 +41,6 @@ ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair&
   const double length = between.norm();
   // Inside each other the nearest points have changed sides.
   if (length > kNoDirection) motion.n_W = between / (frame.distance[i] < 0.0 ? -length : length);
-  const Transform X_LW = frame.X_WB[pair.link].inverse();
-  motion.p_L = X_LW * motion.p_W;
-  motion.n_L = X_LW.linear() * motion.n_W;
   if (!frame.motion.empty()) {
     motion.robot_speed = frame.motion[pair.link].velocityAt(frame.on_link[i]).dot(motion.n_W);
     motion.person_speed = -frame.motion[pair.part].velocityAt(frame.on_part[i]).dot(motion.n_W);
@@ -59,19 +48,16 @@ ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair&
   return motion;
 }
 
-double ApproachJudge::robotMass(const WindowFrame& frame, const WatchedPair& pair,
-                                const ClosingMotion& motion) {
+void ApproachJudge::complete(const WindowFrame& frame, const WatchedPair& pair, ClosingMotion& motion) {
+  const Transform X_LW = frame.X_WB[pair.link].inverse();
+  motion.p_L = X_LW * motion.p_W;
+  motion.n_L = X_LW.linear() * motion.n_W;
   Robot& robot = robots_[pair.robot];
-  const int link = frame_of_.at(pair.link);
-  if (!robot.known || link < 0) return kInfinity;
-  const std::span<const double> q(frame.q.data() + robot.first, robot.work.size());
-  mechanism::placeBodies(robot.tree, q, robot.state);
-  mechanism::massMatrix(robot.tree, robot.state, robot.mass);
-  if (mechanism::factor(robot.mass) >= 0) return kInfinity;
+  const std::span<const double> q(frame.q.data() + robot.first, robot.dof);
   const Transform X_BW = session_.mechanisms()[pair.robot]->X_WB().inverse();
-  return std::max(robot.half_mass,
-                  mechanism::effectiveMass({robot.tree, robot.state, robot.mass}, link, X_BW * motion.p_W,
-                                           X_BW.linear() * motion.n_W, robot.work));
+  motion.robot_mass = std::max(
+      robot.mass.halfMoving(),
+      robot.mass.effective(q, frame_of_.at(pair.link), X_BW * motion.p_W, X_BW.linear() * motion.n_W));
 }
 
 ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const WatchedPair& pair,

@@ -6,21 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "app/session/robot_mass.hpp"
 #include "app/tune/motion_window.hpp"
 #include "core/contact/contact_limits.hpp"
 #include "core/contact/contact_surface.hpp"
-#include "core/mechanism/effective_mass.hpp"
 
 namespace abstand::tune {
 
 /// How a part and a link move towards each other at a moment, along the line of their nearest points.
 struct ClosingMotion {
-  double robot_speed{0.0};          ///< m/s, of the link's nearest point, positive towards the person
-  double person_speed{0.0};         ///< m/s, of the part's nearest point, positive towards the robot
-  double robot_mass{kInfinity};     ///< kg, effective at that point; infinite: a wall, or not known
-  Vector3d p_W{Vector3d::Zero()};   ///< m, the nearest point on the link
-  Vector3d n_W{Vector3d::UnitX()};  ///< unit vector from the link to the part
-  Vector3d p_L{Vector3d::Zero()}, n_L{Vector3d::UnitX()};  ///< the same in the link's frame
+  double robot_speed{0.0};   ///< m/s, of the link's nearest point, positive towards the person
+  double person_speed{0.0};  ///< m/s, of the part's nearest point, positive towards the robot
+  /// kg, effective at that point, of complete(); infinite: a wall, or not known
+  double robot_mass{kInfinity};
+  Vector3d p_W{Vector3d::Zero()};                          ///< m, the nearest point on the link
+  Vector3d n_W{Vector3d::UnitX()};                         ///< unit vector from the link to the part
+  Vector3d p_L{Vector3d::Zero()}, n_L{Vector3d::UnitX()};  ///< the same in the link's frame, of complete()
   double closing() const { return robot_speed + person_speed; }
 };
 
@@ -51,25 +52,20 @@ class ApproachJudge {
   ApproachJudge(const session::Session& session, std::shared_ptr<const contact::ContactLimits> limits);
 
   /// Of a pair (number `index`) at `frame`, with the velocities to the next frame; at rest without one.
-  /// Without the robot's mass.
+  /// Without what complete() fills.
   static ClosingMotion motion(const WindowFrame& frame, const WatchedPair& pair, std::size_t index);
-  /// ClosingMotion::robot_mass in the posture of the frame: the larger one of the mass that the free joints
-  /// put against a push at that point, which leaves out what gears reflect, and of half the moving mass
-  /// [ISO/TS 15066:2016, annex A].
-  double robotMass(const WindowFrame& frame, const WatchedPair& pair, const ClosingMotion& motion);
+  /// What a contact needs besides: the point in the link's frame, and the robot's mass in the posture of the
+  /// frame. That is the larger one of the mass that the free joints put against a push at that point, which
+  /// leaves out what gears reflect, and of half the moving mass [ISO/TS 15066:2016, annex A].
+  void complete(const WindowFrame& frame, const WatchedPair& pair, ClosingMotion& motion);
   /// Of the part called `part` with a link (numbers of their objects) that moved so at time `t`.
   ContactShare contact(const ClosingMotion& motion, double t, const WatchedPair& pair,
                        const std::string& part);
 
  private:
   struct Robot {
-    mechanism::RigidTree tree;
-    mechanism::TreeState state;
-    mechanism::MassMatrix mass;
-    std::vector<double> work;
-    std::size_t first{0};  ///< of its joint values among those of all robots
-    bool known{false};
-    double half_mass{0.0};  ///< kg, half of what it moves
+    session::RobotMass mass;
+    std::size_t first, dof;  ///< its joint values among those of all robots
   };
   const session::Session& session_;
   std::shared_ptr<const contact::ContactLimits> limits_;

@@ -11,40 +11,6 @@
 namespace abstand::tune {
 namespace {
 
-struct Watch {
-  std::vector<WatchedPair> pairs;
-  std::vector<humanmodel::BodyPart> parts;  ///< of each pair
-};
-
-/// Pairs of people's parts with robots' links.
-Watch watchOf(const session::Session& session) {
-  const scene::Scene& scene = session.scene();
-  std::map<std::uint32_t, humanmodel::BodyPart> part_of;
-  std::map<std::uint32_t, std::size_t> robot_of;
-  for (const auto& human : session.humans())
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
-      const auto part = static_cast<humanmodel::BodyPart>(i);
-      if (const auto object = human->object(part))
-        part_of[static_cast<std::uint32_t>(object->index())] = part;
-    }
-  for (std::size_t r = 0; r < session.mechanisms().size(); ++r)
-    for (const auto& link : session.mechanisms()[r]->links())
-      if (link.object) robot_of[static_cast<std::uint32_t>(link.object->index())] = r;
-  Watch watch;
-  for (std::size_t i = 0; i < scene.pairs().size(); ++i) {
-    const scene::Pair& pair = scene.pairs()[i];
-    const auto a = static_cast<std::uint32_t>(pair.a.index()), b = static_cast<std::uint32_t>(pair.b.index());
-    const bool part_is_a = part_of.count(a) > 0;
-    const auto part = part_of.find(part_is_a ? a : b);
-    const auto robot = robot_of.find(part_is_a ? b : a);
-    if (part == part_of.end() || robot == robot_of.end()) continue;
-    watch.pairs.push_back(
-        {PairId(static_cast<std::uint32_t>(i)), part->first, robot->first, robot->second, part_is_a});
-    watch.parts.push_back(part->second);
-  }
-  return watch;
-}
-
 void validate(const PassOptions& options) {
   const auto need = [](bool good, const char* what) {
     if (!good) throw UsageError(std::string("found ") + what);
@@ -66,26 +32,27 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     : session_(session),
       options_(options),
       swept_(session.scene()),
-      window_(session, watchOf(session).pairs, options.braking),
+      window_(session, watchedPairs(session), options.braking),
       braking_(session, window_, options.limit),
       judge_(session, options.contact) {
   validate(options);
   if (window_.pairs().empty())
     throw UsageError(session.description().file.string() +
                      ": found no pair of a person and a robot, expected one: margins are for them");
-  const std::vector<humanmodel::BodyPart> parts = watchOf(session).parts;
-  const std::set<humanmodel::BodyPart> there(parts.begin(), parts.end());
+  std::set<humanmodel::BodyPart> there;
+  for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
     result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}});
   std::map<std::size_t, std::uint16_t> link_index;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(parts[p])));
-    const std::size_t link = window_.pairs()[p].link;
-    const auto [at, fresh] = link_index.try_emplace(link, static_cast<std::uint16_t>(result_.links.size()));
-    if (fresh) result_.links.push_back(session.scene().objects()[link].spec.name);
+  for (const WatchedPair& pair : window_.pairs()) {
+    const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(pair.body_part)));
+    const auto [at, fresh] =
+        link_index.try_emplace(pair.link, static_cast<std::uint16_t>(result_.links.size()));
+    if (fresh) result_.links.push_back(session.scene().objects()[pair.link].spec.name);
     result_.pairs.push_back({part, at->second});
   }
   nearest_.resize(result_.parts.size());
+  motions_.resize(window_.pairs().size());
   hardest_.resize(result_.parts.size());
   least_.assign(result_.parts.size(), kInfinity);
   const std::size_t all = session.scene().pairs().size();
@@ -163,7 +130,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
 
 void DistancePass::watchSeparation(const WindowFrame& frame) {
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
-    const ClosingMotion motion = ApproachJudge::motion(frame, window_.pairs()[p], p);
+    const ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, window_.pairs()[p], p);
     takeSeparation(result_.parts[result_.pairs[p].part].separation,
                    {frame.t,
                     result_.pairs[p].link,
@@ -199,17 +166,15 @@ void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
   const bool near = clearance < options_.near && std::isfinite(clearance);
   const bool told = near && clearance < least_[index] && clearance <= ahead_[index];
   least_[index] = clearance;
-  ClosingMotion motion = ApproachJudge::motion(frame, pair, p);
+  ClosingMotion motion = motions_[p];
   part.robot_speed.back() = wholeSpeed(motion.robot_speed);
   part.person_speed.back() = wholeSpeed(motion.person_speed);
   std::optional<Hardest>& hardest = hardest_[index];
   if (!near) hardest.reset();
-  if (near && (!hardest || motion.closing() > hardest->motion.closing())) {
-    motion.robot_mass = judge_.robotMass(frame, pair, motion);
-    hardest = {frame.t, pair, motion};
-  }
+  const bool is_hardest = near && (!hardest || motion.closing() > hardest->motion.closing());
+  if (is_hardest || told) judge_.complete(frame, pair, motion);
+  if (is_hardest) hardest = {frame.t, pair, motion};
   if (!told) return;
-  motion.robot_mass = judge_.robotMass(frame, pair, motion);
   result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
                                 part.distance.back(), clearance, motion,
                                 judge_.contact(hardest->motion, hardest->t, hardest->pair, part.part)});

@@ -80,7 +80,8 @@ class DistancePass {
   BrakingClearance braking_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
   ApproachJudge judge_;
-  std::vector<std::size_t> nearest_;  ///< of each part: the pair with the least clearance in this frame
+  std::vector<ClosingMotion> motions_;  ///< of each pair in this frame
+  std::vector<std::size_t> nearest_;    ///< of each part: the pair with the least clearance in this frame
   std::vector<double> least_,
       ahead_;  ///< m, of each part: the least clearance of the last and the next frame
   struct Hardest {

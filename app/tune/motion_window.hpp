@@ -5,19 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "app/session/session.hpp"
 #include "app/tune/halt.hpp"
+#include "app/tune/watched_pairs.hpp"
 #include "core/safety/body_motion.hpp"
 
 namespace abstand::tune {
-
-/// A pair of a person's part and a robot's link.
-struct WatchedPair {
-  PairId id;
-  std::size_t part{0}, link{0};  ///< objects of the scene
-  std::size_t robot{0};          ///< mechanism of the session
-  bool part_is_a{false};
-};
 
 /// One frame; lists for pairs are in the order of the watched ones, lists for objects in that of the scene.
 /// What is named "to next" holds until the next frame and is filled when that one comes.

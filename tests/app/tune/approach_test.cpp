@@ -13,11 +13,8 @@ namespace {
 constexpr double kEngine = 3e-4;
 
 std::shared_ptr<const contact::ContactLimits> limits() {
-  std::vector<std::string_view> parts;
-  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-    parts.push_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
   return std::make_shared<const contact::ContactLimits>(
-      contact::loadContactLimits(contact::defaultContactLimits(), parts));
+      contact::loadContactLimits(contact::defaultContactLimits(), humanmodel::partNames()));
 }
 
 const PartClearance& partOf(const TunedRecording& tuned, const std::string& name) {

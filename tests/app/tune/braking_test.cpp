@@ -13,28 +13,6 @@ namespace {
 // m: what the engine's warm and cold distances beyond 0.1 m may differ by, of the distance.
 constexpr double kFarShare = 0.011;
 
-/// Every pair of every body of a scene as a watched one: the test wants many.
-std::vector<WatchedPair> allPairs(const session::Session& session) {
-  std::vector<WatchedPair> pairs;
-  const scene::Scene& scene = session.scene();
-  for (std::size_t i = 0; i < scene.pairs().size(); ++i)
-    for (std::size_t r = 0; r < session.mechanisms().size(); ++r)
-      for (const auto& link : session.mechanisms()[r]->links()) {
-        const scene::Pair& pair = scene.pairs()[i];
-        if (!link.object || (pair.a != *link.object && pair.b != *link.object)) continue;
-        const bool part_is_a = pair.b == *link.object;
-        const ObjectId part = part_is_a ? pair.a : pair.b;
-        bool person = false;
-        for (const auto& human : session.humans())
-          for (std::size_t p = 0; p < humanmodel::kBodyPartCount; ++p)
-            person = person || human->object(static_cast<humanmodel::BodyPart>(p)) == part;
-        if (person)
-          pairs.push_back(
-              {PairId(static_cast<std::uint32_t>(i)), part.index(), link.object->index(), r, part_is_a});
-      }
-  return pairs;
-}
-
 TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
   session::SessionOptions options;
   options.threads = 1;
@@ -42,7 +20,7 @@ TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
   const auto session =
       depth::openSession(scene_file::loadScene(testing::projectFile("data/scenes/hug_reach.yaml")), options);
   const BrakingOptions braking{0.1, 1.0};
-  MotionWindow window(*session, allPairs(*session), braking);
+  MotionWindow window(*session, watchedPairs(*session), braking);
   ASSERT_GT(window.pairs().size(), 100u);
   BrakingClearance clearance(*session, window, 0.0);
   run::SweptCheck swept(session->scene());

@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text_file.hpp"
 #include "core/contact/contact_limits_reader.hpp"
+#include "humanmodel/body_part.hpp"
 #include "tests/core/contact/contact_table.hpp"
 #include "tests/support/paths.hpp"
 
@@ -23,7 +24,7 @@ std::filesystem::path shippedFile() { return testing::projectFile("data/standard
 
 std::string errorOf(const std::string& text) {
   try {
-    parseContactLimits(text, "t.yaml", modelParts());
+    parseContactLimits(text, "t.yaml", humanmodel::partNames());
   } catch (const ParseError& e) {
     return e.what();
   }
@@ -88,7 +89,7 @@ TEST(ContactLimits, ExcludesTheHeadAndNothingElse) {
 }
 
 TEST(ContactLimits, CoversEveryPartOfTheModel) {
-  for (const std::string_view part : modelParts())
+  for (const std::string_view part : humanmodel::partNames())
     EXPECT_FALSE(shippedLimits().regionsOf(part).empty()) << part;
   EXPECT_EQ(shippedLimits().regionsOf("torso").size(), 5u);  // neck, back, chest, abdomen, pelvis
   const auto foot = shippedLimits().regionsOf("foot_left");
@@ -105,7 +106,7 @@ TEST(ContactLimits, NamesTheEditionAndTheBytes) {
                                     HasSubstr(limits.content.hex().substr(0, 12))));
   EXPECT_THAT(limits.note, HasSubstr("ISO 10218-2:2025"));
   const std::string other = changed("name: chest", "n: 140", "n: 139.9");
-  EXPECT_NE(parseContactLimits(other, "t.yaml", modelParts()).content, limits.content);
+  EXPECT_NE(parseContactLimits(other, "t.yaml", humanmodel::partNames()).content, limits.content);
 }
 
 TEST(ContactLimits, ListsWhatShouldBeLookedUp) {
@@ -177,7 +178,7 @@ TEST(ContactLimitsFile, RefusesWhatIsNoTable) {
   EXPECT_THAT(errorOf(""), HasSubstr("t.yaml"));
   EXPECT_THAT(errorOf("[1, 2]"), HasSubstr("expected a map"));
   EXPECT_THAT(errorOf("title: x"), HasSubstr("found no `sources`"));
-  EXPECT_THROW(loadContactLimits("/nowhere.yaml", modelParts()), ParseError);
+  EXPECT_THROW(loadContactLimits("/nowhere.yaml", humanmodel::partNames()), ParseError);
 }
 
 }  // namespace

@@ -7,19 +7,9 @@
 
 namespace abstand::contact {
 
-const std::vector<std::string_view>& modelParts() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      all.push_back(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)));
-    return all;
-  }();
-  return names;
-}
-
 const ContactLimits& shippedLimits() {
-  static const ContactLimits limits =
-      loadContactLimits(testing::projectFile("data/standards/iso_ts_15066_2016.yaml"), modelParts());
+  static const ContactLimits limits = loadContactLimits(
+      testing::projectFile("data/standards/iso_ts_15066_2016.yaml"), humanmodel::partNames());
   return limits;
 }
 

@@ -1,0 +1,22 @@
+// The pairs that margins are for.
+#pragma once
+
+#include <vector>
+
+#include "app/session/session.hpp"
+
+namespace abstand::tune {
+
+/// A pair of a person's part and a robot's link.
+struct WatchedPair {
+  PairId id;
+  std::size_t part{0}, link{0};  ///< objects of the scene
+  std::size_t robot{0};          ///< mechanism of the session
+  bool part_is_a{false};
+  humanmodel::BodyPart body_part{humanmodel::BodyPart::kTorso};
+};
+
+/// Every pair of a person's part with a robot's link, in the order of the scene's pairs.
+std::vector<WatchedPair> watchedPairs(const session::Session& session);
+
+}  // namespace abstand::tune
