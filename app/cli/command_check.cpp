@@ -40,16 +40,16 @@ nlohmann::ordered_json violationJson(const run::Violation& v) {
   nlohmann::ordered_json j{
       {"a", v.a},        {"b", v.b}, {"start", v.start}, {"end", v.end}, {"min_distance", v.min_distance},
       {"limit", v.limit}};
-  if (v.reach > 0.0) j["reach"] = v.reach;  // null: a body was not seen at all
+  if (v.uncertainty > 0.0) j["reach"] = v.uncertainty;  // null: a body was not seen at all
   if (!v.recording.empty()) j["recording"] = v.recording;
   return j;
 }
 
 /// By how much a limit was widened, for people; empty: not at all.
-std::string widened(double reach) {
-  if (!(reach > 0.0)) return {};
-  if (std::isinf(reach)) return ", but one of them was not seen at all";
-  return format(", widened by %.1f mm for what is not known of their places", 1e3 * reach);
+std::string widened(double uncertainty) {
+  if (!(uncertainty > 0.0)) return {};
+  if (std::isinf(uncertainty)) return ", but one of them was not seen at all";
+  return format(", widened by %.1f mm for what is not known of their places", 1e3 * uncertainty);
 }
 
 /// "2 limits broken, 1 reservation (refused_pose)".
@@ -162,7 +162,7 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
       rows.push_back(violationJson(v));
       text += format("%s: %s to %s, %.3f s to %.3f s, %.1f mm (limit %.1f mm%s)\n",
                      list == &all.violations ? "broken" : "not proven", v.a.c_str(), v.b.c_str(), v.start,
-                     v.end, 1e3 * v.min_distance, 1e3 * v.limit, widened(v.reach).c_str());
+                     v.end, 1e3 * v.min_distance, 1e3 * v.limit, widened(v.uncertainty).c_str());
     }
     document[list == &all.violations ? "violations" : "unproven"] = rows;
   }

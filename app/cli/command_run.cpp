@@ -28,7 +28,7 @@ nlohmann::ordered_json skippingJson(const run::RunSummary& s) {
   return {{"checked", s.work.checked},
           {"rested", s.work.rested},
           {"beyond_horizon", s.work.beyond},
-          {"put_off", s.work.put_off},
+          {"put_off", s.work.deferred},
           {"longest_wait_cycles", s.work.longest_wait},
           {"breach_count", s.breaches.count},
           {"breaches", breaches}};
@@ -121,9 +121,9 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
     text += format("oldest result: %.1f ms, %s to %s at %.3f s\n", 1e3 * s.oldest_result->value,
                    s.oldest_result->a.c_str(), s.oldest_result->b.c_str(), s.oldest_result->t);
   text += robotsText(s.robots);
-  if (s.work.rested + s.work.beyond + s.work.put_off > 0)
+  if (s.work.rested + s.work.beyond + s.work.deferred > 0)
     text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
-                   s.work.checked, s.work.rested, s.work.beyond, s.work.put_off);
+                   s.work.checked, s.work.rested, s.work.beyond, s.work.deferred);
   if (s.breaches.count > 0)
     text += format("faster than its max_speed: %s at %.3f s, %.2f m/s (bound %.2f); %ld stretches in all\n",
                    s.breaches.listed.front().object.c_str(), s.breaches.listed.front().t,

@@ -33,8 +33,8 @@ nlohmann::ordered_json robotJson(const loop::ReactionReport& r) {
           {"min_distance", extremeJson(r.nearest)},
           {"min_distance_person", extremeJson(r.nearest_person)},
           {"deepest_person", depthOf(r.nearest_person)},
-          {"peak_torque", r.record.most_torque},
-          {"most_off_plan", r.record.most_off_plan},
+          {"peak_torque", r.record.max_torque},
+          {"most_off_plan", r.record.max_off_plan},
           {"behind_plan", r.record.lost_time},
           {"slowed", r.record.slowed},
           {"stopped", r.record.stopped},
@@ -56,7 +56,7 @@ std::string robotText(const loop::ReactionReport& r) {
   text += format(
       "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
       "state\n",
-      r.record.most_off_plan, r.record.most_torque, r.record.slowed, r.record.stopped, r.stop_count);
+      r.record.max_off_plan, r.record.max_torque, r.record.slowed, r.record.stopped, r.stop_count);
   if (!r.remark.empty()) text += "  " + r.remark + "\n";
   for (const auto& line : r.lines) text += "  " + line + "\n";
   return text;

@@ -82,7 +82,7 @@ void ReactingRobot::look(double t, double h, std::span<const control::ReactionPa
   }
   const std::span<const double> planned = plan_.now().q;
   for (std::size_t i = 0; i < q_.size(); ++i)
-    record_.most_off_plan = std::max(record_.most_off_plan, std::abs(q_[i] - planned[i]));
+    record_.max_off_plan = std::max(record_.max_off_plan, std::abs(q_[i] - planned[i]));
   record_.lost_time = t - plan_.time();
   if (!stops().moving()) record_.stopped += h;
   if (scale_ < 1.0) record_.slowed += h;
@@ -99,7 +99,7 @@ void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
   mechanism::massMatrix(dynamics_.tree, dynamics_.state, dynamics_.mass);
   const control::ReactionOutput out = reaction_.update(dynamics_.mass.M);
   std::copy(out.torque.begin(), out.torque.end(), torque_.begin());
-  for (const double x : torque_) record_.most_torque = std::max(record_.most_torque, std::abs(x));
+  for (const double x : torque_) record_.max_torque = std::max(record_.max_torque, std::abs(x));
   scale_ = out.speed_scale;
   t_next_ = cycle.t + h;
   if (positioned()) {

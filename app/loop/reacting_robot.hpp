@@ -18,8 +18,8 @@ struct RobotRecord {
   };
   Moment nearest_person;             ///< m, smallest distance of its links from people; NaN: no such pair
   Moment nearest;                    ///< m, of all pairs with its links
-  double most_torque{0.0};           ///< N m or N, largest that the reaction asked of a joint
-  double most_off_plan{0.0};         ///< rad or m, largest difference of a joint from its plan
+  double max_torque{0.0};            ///< N m or N, largest that the reaction asked of a joint
+  double max_off_plan{0.0};          ///< rad or m, largest difference of a joint from its plan
   double lost_time{0.0};             ///< s, by which its plan is behind
   double stopped{0.0}, slowed{0.0};  ///< s, in any stop; at less than full speed
 };

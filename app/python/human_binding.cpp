@@ -7,7 +7,7 @@
 #include "app/python/bodies.hpp"
 #include "app/python/pose_rows.hpp"
 #include "core/base/error.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/poser.hpp"
 
 namespace abstand::python {
@@ -51,7 +51,7 @@ void HumanPoses::store(std::size_t i, const hm::HumanPose& pose) {
     states.mutable_data()[at] = static_cast<std::uint8_t>(pose.state[k]);
     age.mutable_data()[at] = pose.age[k];
     spread.mutable_data()[at] = pose.spread[k];
-    reach.mutable_data()[at] = hm::partReach(pose.age[k], pose.spread[k]);
+    reach.mutable_data()[at] = hm::partUncertainty(pose.age[k], pose.spread[k]);
   }
 }
 

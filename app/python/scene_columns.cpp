@@ -20,7 +20,7 @@ void put(char* out, const Vector3d& v) { std::memcpy(out, v.data(), 3 * sizeof(d
 
 const scene::Pair& pairAt(const Session& s, std::size_t i) { return s.scene().pairs()[i]; }
 const scene::Object& objectAt(const Session& s, std::size_t i) { return s.scene().objects()[i]; }
-double reachOf(const Session& s, std::size_t i) {
+double uncertaintyOf(const Session& s, std::size_t i) {
   return s.scene().pairUncertainty(PairId(static_cast<std::uint32_t>(i)));
 }
 bool fresh(const Session& s, ObjectId id) {
@@ -59,10 +59,10 @@ void addPairColumns(std::vector<SceneColumn>& all) {
   all.push_back(
       number("distance", kOf, [](S s, std::size_t i, char* o) { put(o, pairAt(s, i).result.distance); }));
   all.push_back(number("bound", kOf, [](S s, std::size_t i, char* o) { put(o, pairAt(s, i).result.bound); }));
-  all.push_back(number("reach", kOf, [](S s, std::size_t i, char* o) { put(o, reachOf(s, i)); }));
+  all.push_back(number("reach", kOf, [](S s, std::size_t i, char* o) { put(o, uncertaintyOf(s, i)); }));
   all.push_back(number("at_least", kOf, [](S s, std::size_t i, char* o) {
     const query::PairResult& r = pairAt(s, i).result;
-    put(o, r.distance - r.bound - reachOf(s, i));
+    put(o, r.distance - r.bound - uncertaintyOf(s, i));
   }));
   all.push_back(flag("fresh", kOf, [](S s, std::size_t i, char* o) {
     *o = fresh(s, pairAt(s, i).a) && fresh(s, pairAt(s, i).b) && !pairAt(s, i).paused;
@@ -92,8 +92,8 @@ void addObjectColumns(std::vector<SceneColumn>& all) {
   all.push_back({"pose_states", kOf, "u1", {}, 1, [](S s, std::size_t i, char* o) {
                    put(o, static_cast<std::uint8_t>(objectAt(s, i).pose_state));
                  }});
-  all.push_back(
-      number("object_reach", kOf, [](S s, std::size_t i, char* o) { put(o, objectAt(s, i).reach); }));
+  all.push_back(number("object_reach", kOf,
+                       [](S s, std::size_t i, char* o) { put(o, objectAt(s, i).pose_uncertainty); }));
   all.push_back(
       vector("object_force", kOf, [](S s, std::size_t i, char* o) { put(o, objectAt(s, i).contact.force); }));
   all.push_back(vector("object_torque", kOf,

@@ -39,10 +39,10 @@ std::string metres(double value) { return formatDouble(value) + " m"; }
 
 std::string sentence(const Violation& v) {
   std::string text = v.a + " to " + v.b + ": " + metres(v.min_distance) + ", limit " + metres(v.limit);
-  if (std::isinf(v.reach))
+  if (std::isinf(v.uncertainty))
     text += ", and one of them was not seen at all";
-  else if (v.reach > 0.0)
-    text += " widened by " + metres(v.reach) + " for what is not known of their places";
+  else if (v.uncertainty > 0.0)
+    text += " widened by " + metres(v.uncertainty) + " for what is not known of their places";
   text += ", from " + formatDouble(v.start) + " s to " + formatDouble(v.end) + " s";
   return v.recording.empty() ? text : text + ", " + v.recording;
 }

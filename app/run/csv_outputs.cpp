@@ -109,7 +109,7 @@ void CsvOutputs::writeObjects(double t, const session::Session& session) {
     addVector(line_, o.contact.force);
     addVector(line_, o.contact.torque);
     line_ += o.colliding ? ",1" : ",0";
-    addNumber(line_, o.reach);
+    addNumber(line_, o.pose_uncertainty);
     line_ += '\n';
     objects_->stream() << line_;
   }

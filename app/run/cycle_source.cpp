@@ -18,7 +18,7 @@ void add(const scene::StepCounts& counts, RunSummary::Work& work) {
   work.checked += counts.checked;
   work.rested += counts.rested;
   work.beyond += counts.beyond;
-  work.put_off += counts.put_off;
+  work.deferred += counts.deferred;
   work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
 }
 

@@ -22,7 +22,7 @@ DistanceCheck::DistanceCheck(const scene::Scene& scene, double limit, bool with_
   for (const scene::Pair& pair : scene.pairs())
     limits_.push_back(with_margins ? std::max(limit, pair.options.margin) : limit);
   if (swept) swept_.emplace(scene);
-  reaches_.assign(limits_.size(), 0.0);
+  uncertainties_.assign(limits_.size(), 0.0);
   widened_ = limits_;
 }
 
@@ -36,26 +36,29 @@ void DistanceCheck::watch(Open& open, std::vector<Violation>& closed, const Samp
     const scene::Pair& p = scene_.pairs()[at.pair];
     open = {true,
             {scene_.object(p.a).spec.name, scene_.object(p.b).spec.name, at.t, at.t, at.distance,
-             limits_[at.pair], at.reach, recording_}};
+             limits_[at.pair], at.uncertainty, recording_}};
   }
   open.violation.end = at.t;
-  open.violation.reach = std::max(open.violation.reach, at.reach);
+  open.violation.uncertainty = std::max(open.violation.uncertainty, at.uncertainty);
   open.violation.min_distance = std::min(open.violation.min_distance, at.distance);
+}
+
+safety::ClearanceVerdict DistanceCheck::verdictOf(const query::PairResult& result, std::size_t pair) const {
+  return safety::verdict({result.distance, result.bound, uncertainties_[pair]}, limits_[pair]);
 }
 
 void DistanceCheck::frame(double t, const std::vector<query::PairResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const double reach = scene_.pairUncertainty(PairId(static_cast<std::uint32_t>(i)));
-    widened_[i] = limits_[i] + std::max(reach, reaches_[i]);
-    reaches_[i] = reach;
+    const double uncertainty = scene_.pairUncertainty(PairId(static_cast<std::uint32_t>(i)));
+    widened_[i] = limits_[i] + std::max(uncertainty, uncertainties_[i]);
+    uncertainties_[i] = uncertainty;
   }
   const std::span<const SweptCheck::Between> between =
       swept_ ? swept_->frame(t, results, widened_) : std::span<const SweptCheck::Between>();
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const double limit = limits_[i] + reaches_[i];
-    double d = results[i].distance, lower = d - results[i].bound, when = t;
-    // Written so that a distance that is not a number counts as broken.
-    bool broken = !(d >= limit), proven = lower >= limit;
+    double d = results[i].distance, when = t;
+    const safety::ClearanceVerdict now = verdictOf(results[i], i);
+    bool broken = now == safety::ClearanceVerdict::kBroken, proven = now == safety::ClearanceVerdict::kKept;
     if (!between.empty()) {
       // What lies between the frames is judged by the wider of their limits.
       broken = broken || !(between[i].upper >= widened_[i]);
@@ -65,16 +68,17 @@ void DistanceCheck::frame(double t, const std::vector<query::PairResult>& result
     // A warm start may leave a distance above the smallest, and its bound wide: the verdict is the cold
     // one's.
     if (scene_.culling().remember && !broken &&
-        (!proven || d * (1.0 - scene_.culling().far_tolerance) < limit)) {
+        (!proven || d * (1.0 - scene_.culling().far_tolerance) < limits_[i] + uncertainties_[i])) {
       const query::PairResult cold = queryCold(scene_, scene_.pairs()[i], scratch_);
       if (cold.distance < d) d = cold.distance, when = t;
-      broken = broken || !(cold.distance >= limit);
+      const safety::ClearanceVerdict certain = verdictOf(cold, i);
+      broken = broken || certain == safety::ClearanceVerdict::kBroken;
       const bool between_proven = between.empty() || between[i].lower >= widened_[i];
-      proven = proven || (cold.distance - cold.bound >= limit && between_proven);
+      proven = proven || (certain == safety::ClearanceVerdict::kKept && between_proven);
     }
-    const double reach = between.empty() ? reaches_[i] : widened_[i] - limits_[i];
-    watch(broken_[i], closed_broken_, {i, when, d, reach}, broken);
-    watch(unproven_[i], closed_unproven_, {i, when, d, reach}, !broken && !proven);
+    const double uncertainty = between.empty() ? uncertainties_[i] : widened_[i] - limits_[i];
+    watch(broken_[i], closed_broken_, {i, when, d, uncertainty}, broken);
+    watch(unproven_[i], closed_unproven_, {i, when, d, uncertainty}, !broken && !proven);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/run/run_scene.hpp"
 #include "app/run/swept_check.hpp"
+#include "core/safety/clearance_verdict.hpp"
 
 namespace abstand::run {
 
@@ -16,13 +17,14 @@ struct Violation {
   double start{0.0}, end{0.0};
   double min_distance{0.0};
   double limit{0.0};
-  double reach{0.0};  ///< by which the limit was widened, the largest; infinite: a body was not seen at all
+  double uncertainty{0.0};  ///< m, pose uncertainty by which the limit was widened, the largest; infinite: a
+                            ///< body was not seen at all
   std::string recording;
 };
 
 struct CheckResult {
-  std::vector<Violation> violations;  ///< distance < limit + reach
-  std::vector<Violation> unproven;    ///< not so, but distance - bound < limit + reach
+  std::vector<Violation> violations;  ///< distance < limit + uncertainty
+  std::vector<Violation> unproven;    ///< not so, but distance - bound < limit + uncertainty
   std::vector<std::string> stale;
   std::vector<Reservation> reservations;            ///< what weakens the verdict; some of them fail the check
   std::optional<RunSummary::Extreme> min_distance;  ///< over all recordings, in the frames
@@ -54,8 +56,9 @@ class DistanceCheck {
   /// What a frame says of one pair.
   struct Sample {
     std::size_t pair;
-    double t, distance, reach;
+    double t, distance, uncertainty;
   };
+  safety::ClearanceVerdict verdictOf(const query::PairResult& result, std::size_t pair) const;
   void watch(Open& open, std::vector<Violation>& closed, const Sample& at, bool broken);
 
   const scene::Scene& scene_;
@@ -63,8 +66,8 @@ class DistanceCheck {
   std::string recording_;
   std::optional<SweptCheck> swept_;
   std::vector<double> limits_;
-  std::vector<double> reaches_;  ///< m, of each pair in the last frame
-  std::vector<double> widened_;  ///< limits and the larger reach of this frame and the last one
+  std::vector<double> uncertainties_;  ///< m, of each pair in the last frame
+  std::vector<double> widened_;  ///< limits and the larger pose uncertainty of this frame and the last one
   std::vector<Open> broken_, unproven_;
   std::vector<Violation> closed_broken_, closed_unproven_;
 };

@@ -35,7 +35,7 @@ void Extremes::frame(double t, const std::vector<query::PairResult>& results,
   // What is not seen comes nearer although nothing was renewed.
   const scene::Scene& scene = session_.scene();
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
-    if (scene.object(ObjectId(i)).reach > 0.0)
+    if (scene.object(ObjectId(i)).pose_uncertainty > 0.0)
       for (const PairId id : scene.pairsOf(ObjectId(i))) lookAtClearance(id, t, results[id.index()].distance);
 }
 

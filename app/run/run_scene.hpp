@@ -55,8 +55,8 @@ struct RunSummary {
   } cycle_us;
   std::optional<Extreme> min_distance;
   std::array<std::optional<Extreme>, kPairClasses.size()> min_distance_by_class;  ///< as kPairClasses
-  /// The least distance less the reach of both bodies: how near they may have been; -infinity where a body
-  /// was not seen at all.
+  /// The least distance less the pose uncertainty of both bodies: how near they may have been; -infinity
+  /// where a body was not seen at all.
   std::optional<Extreme> min_clearance;
   std::optional<Extreme> peak_force;  ///< N, largest force of a pair
   bool peak_force_apart{false};  ///< the bare surfaces were apart then: the force is that of margins alone
@@ -74,8 +74,8 @@ struct RunSummary {
   std::optional<WarmStart> warm_start;
   /// How pairs came to their results, over all frames of all repeats.
   struct Work {
-    long checked{0}, rested{0}, beyond{0}, put_off{0};
-    int longest_wait{0};  ///< cycles, of a pair put off
+    long checked{0}, rested{0}, beyond{0}, deferred{0};
+    int longest_wait{0};  ///< cycles, of a pair deferred
   } work;
   /// Stretches in which an object was faster than its max_speed.
   struct SpeedBreaches {

@@ -25,7 +25,7 @@ SessionLog::SessionLog(const std::filesystem::path& file, const session::Session
   distance_ = out_.table("distance", {pairs});
   bound_ = out_.table("bound", {pairs});
   force_ = out_.table("force", {pairs, 3});
-  reach_ = out_.table("reach", {scene.objectCount()});
+  pose_uncertainty_ = out_.table("reach", {scene.objectCount()});
   q_ = out_.table("q", {joints});
   effort_ = out_.table("effort", {joints});
   if (live) age_ = out_.table("age", {pairs});
@@ -42,7 +42,7 @@ void SessionLog::write(double t, double shown, const session::Session& session,
     out_.add(bound_, r.bound);
     for (int i = 0; i < 3; ++i) out_.add(force_, r.force_a[i]);
   }
-  for (const scene::Object& o : session.scene().objects()) out_.add(reach_, o.reach);
+  for (const scene::Object& o : session.scene().objects()) out_.add(pose_uncertainty_, o.pose_uncertainty);
   for (const auto& m : session.mechanisms()) out_.add(q_, m->q());
   out_.add(effort_, session.jointEfforts());
   out_.endRow();

@@ -26,7 +26,7 @@ class SessionLog {
 
  private:
   hdf5::TableWriter out_;
-  std::size_t t_, distance_, bound_, force_, reach_, q_, effort_;  ///< tables
+  std::size_t t_, distance_, bound_, force_, pose_uncertainty_, q_, effort_;  ///< tables
   std::optional<std::size_t> age_;
 };
 

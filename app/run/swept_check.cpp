@@ -45,7 +45,7 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
       safety::SweptOptions options;
       options.tolerance = kTolerance;
       options.enough = limits[i];
-      options.most_samples = kMaxSamples;
+      options.max_samples = kMaxSamples;
       scratch_.memory = memories_[i];
       const structure::HapticStructure &sa = *objects[pair.a.index()].spec.structure,
                                        &sb = *objects[pair.b.index()].spec.structure;

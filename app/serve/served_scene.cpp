@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 
 namespace abstand::serve {
 

@@ -18,7 +18,7 @@ safety::MotionBounds boundsOf(const scene::Object& part, const control::BrakingL
       part.velocity.angular.norm() * ((sphere.centre - part.spec.structure->com).norm() + sphere.radius);
   bounds.speed = std::max(o.person_speed, part.velocity.linear.norm() + turning);
   bounds.acceleration = o.person_acceleration;
-  bounds.position_error = part.reach;
+  bounds.position_error = part.pose_uncertainty;
   bounds.velocity_error = turning;
   return bounds;
 }
@@ -55,7 +55,7 @@ BrakingWatch::BrakingWatch(const MechanismDriver& driver, const scene::Scene& sc
   speeds_.resize(links_.size());
   swept_.enough = options.distance;
   swept_.hit = options.distance;
-  swept_.most_samples = kMaxSamples;
+  swept_.max_samples = kMaxSamples;
 }
 
 double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {

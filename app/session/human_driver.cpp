@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
@@ -122,7 +122,7 @@ void HumanDriver::widen(double t, scene::Scene& scene) const {
     // A bound of 0 says of one who stands in the scene that nothing moves them, not of one who is followed.
     const double speed = std::isfinite(bound) && bound > 0.0 ? bound : humanmodel::kPersonSpeed;
     scene.setPoseUncertainty(*objects_[i],
-                             humanmodel::partReach(pose_.age[i] + since, pose_.spread[i], speed));
+                             humanmodel::partUncertainty(pose_.age[i] + since, pose_.spread[i], speed));
   }
 }
 

@@ -30,10 +30,12 @@ class HumanDriver {
   /// Poses all parts after a skeleton from outside, in the frame of the recording; the frame's t is `t`. What
   /// the recording showed is forgotten at the first. No allocation, no throw.
   void follow(const humanmodel::SkeletonFrame& frame, scene::Scene& scene);
-  /// Says of all parts that where they are is no longer known; their reach goes on from when they were seen.
+  /// Says of all parts that where they are is no longer known; their pose uncertainty grows from when they
+  /// were seen.
   void lose(double t, scene::Scene& scene) const;
-  /// Widens the reach of all parts, whose poses stay, to time t: age x speed and the quantile of their spread
-  /// (humanmodel/part_reach.hpp). The speed of a part is its bound in the scene. No allocation, no throw.
+  /// Widens the pose uncertainty of all parts, whose poses stay, to time t: age x speed and the quantile of
+  /// their spread (humanmodel/part_uncertainty.hpp). The speed of a part is its bound in the scene. No
+  /// allocation, no throw.
   void widen(double t, scene::Scene& scene) const;
   /// s, since that part was seen in the recording which has been missing for longest; parts that the
   /// recording has not shown so far do not count.

@@ -86,7 +86,7 @@ double BrakingClearance::exact(std::size_t p, const Halt& halt, double duration,
   safety::SweptOptions options;
   options.tolerance = kTolerance;
   options.enough = limit_ + kExact + uncertainty;
-  options.most_samples = kMaxSamples;
+  options.max_samples = kMaxSamples;
   const safety::SweptResult swept = safety::sweptDistance(duration, sample, rate, options);
   queries_ += swept.samples;
   return swept.lower;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/safety/clearance_verdict.hpp"
+
 namespace abstand::tune {
 
 MotionWindow::MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
@@ -23,9 +25,7 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
     now.bound.push_back(r.bound);
     now.on_part.push_back(p.part_is_a ? r.witness_a : r.witness_b);
     now.on_link.push_back(p.part_is_a ? r.witness_b : r.witness_a);
-    const double clearance = r.distance - r.bound - uncertainty;
-    // What is no number is not known.
-    now.clearance.push_back(std::isnan(clearance) ? -kInfinity : clearance);
+    now.clearance.push_back(safety::certifiedClearance({r.distance, r.bound, uncertainty}));
     now.uncertainty.push_back(uncertainty);
   }
   if (!frames_.empty()) {

@@ -192,8 +192,8 @@ std::vector<WorstPhase> worstPhases(session::Session& session, const WorstPhaseO
     session.applyMotion(t);
     for (Part& part : parts) {
       const scene::Object& object = scene.objects()[part.object];
-      part.uncertainty.push_back(object.reach);
-      part.path.add(t, object.X_WB, object.reach);
+      part.uncertainty.push_back(object.pose_uncertainty);
+      part.path.add(t, object.X_WB, object.pose_uncertainty);
     }
   }
   std::vector<WorstPhase> all;

@@ -22,7 +22,7 @@ void needRegularFile(const std::filesystem::path& file) {
   noteInput(file);
 }
 
-std::string readFile(const std::filesystem::path& file, std::uintmax_t most_bytes, bool may_be_empty) {
+std::string readFile(const std::filesystem::path& file, std::uintmax_t max_bytes, bool may_be_empty) {
   namespace fs = std::filesystem;
   needRegularFile(file);
   const SourcePos pos{file.string()};
@@ -30,9 +30,9 @@ std::string readFile(const std::filesystem::path& file, std::uintmax_t most_byte
   const auto bytes = fs::file_size(file, ec);
   if (ec) throw ParseError(pos, "cannot be read: " + ec.message());
   if (bytes == 0 && !may_be_empty) throw ParseError(pos, "the file is empty");
-  if (bytes > most_bytes)
+  if (bytes > max_bytes)
     throw ParseError(
-        pos, "found " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most_bytes));
+        pos, "found " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(max_bytes));
   std::ifstream in(file, std::ios::binary);
   std::string content(bytes, '\0');
   if (!in || !in.read(content.data(), static_cast<std::streamsize>(bytes)))

@@ -24,7 +24,7 @@ void scaleGains(ReactionDescription& reaction, double factor) {
   if (reaction.repulsion) reaction.repulsion->force *= factor;
 }
 
-Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
+Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t max_pairs,
                    std::vector<mechanism::DofLimits> limits)
     : description_(description), limits_(std::move(limits)), stops_(description.stop), mass_(dof) {
   if (limits_.empty()) limits_.resize(static_cast<std::size_t>(dof));
@@ -45,8 +45,8 @@ Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t 
     joint_speed_ = config::forJoints(WatchOptions::kName, name, numbers, dof, rule);
   });
   torque_.assign(static_cast<std::size_t>(dof), 0.0);
-  approaches_.reserve(most_pairs);
-  approach_pairs_.reserve(most_pairs);
+  approaches_.reserve(max_pairs);
+  approach_pairs_.reserve(max_pairs);
   causes_.reserve(kMaxCauses + kOwnCauses);
 }
 

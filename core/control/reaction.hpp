@@ -72,7 +72,7 @@ class Reaction {
 
   /// Throws UsageError for options that do not fit `dof` joints. `limits`: of the robot, one a dof; empty:
   /// none are known.
-  Reaction(const ReactionDescription& description, int dof, std::size_t most_pairs,
+  Reaction(const ReactionDescription& description, int dof, std::size_t max_pairs,
            std::vector<mechanism::DofLimits> limits = {});
 
   /// @param M  mass matrix, dof x dof, at the present posture; 0 x 0 where it is not known

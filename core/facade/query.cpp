@@ -10,16 +10,6 @@
 namespace abstand {
 namespace {
 
-query::PairOptions pairOptions(const QueryOptions& options) {
-  if (!(options.margin >= 0.0) || !std::isfinite(options.margin))
-    throw UsageError("found a margin that is negative or not finite, expected 0 m or more");
-  if (!(options.stiffness >= 0.0) || !std::isfinite(options.stiffness))
-    throw UsageError("found a stiffness that is negative or not finite, expected 0 or more");
-  query::PairOptions o{.margin = options.margin, .stiffness = options.stiffness};
-  o.law = options.law == QueryOptions::Law::kThesis ? query::ForceLaw::kThesis : query::ForceLaw::kVolume;
-  return o;
-}
-
 std::size_t batchSize(std::size_t a, std::size_t b) {
   if (a != b && a != 1 && b != 1)
     throw UsageError("found " + std::to_string(a) + " poses of A and " + std::to_string(b) +
@@ -62,7 +52,7 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
   kernels::PairScratch scratch;
   query::PairResult result;
   query::queryPair({*a.impl().made, facade::checkedPose(X_WA)}, {*b.impl().made, facade::checkedPose(X_WB)},
-                   pairOptions(options), scratch, result);
+                   facade::pairOptions(options), scratch, result);
   return facade::resultOf(result);
 }
 
@@ -71,7 +61,7 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
   kernels::PairScratch scratch;
   query::PairResult result;
   query::queryPair({*a.impl().made, facade::checkedPose(X_WA)}, {*b.impl().made, facade::checkedPose(X_WB)},
-                   pairOptions(options), {state.impl().memory, scratch}, result);
+                   facade::pairOptions(options), {state.impl().memory, scratch}, result);
   return facade::resultOf(result);
 }
 
@@ -85,7 +75,7 @@ void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure&
   if (batch.threads < 0) throw UsageError("found a negative number of threads, expected 0 or more");
   checkPoses(X_WA);
   checkPoses(X_WB);
-  const query::PairOptions pair_options = pairOptions(options);
+  const query::PairOptions pair_options = facade::pairOptions(options);
   const Asker asker{*a.impl().made, *b.impl().made, X_WA, X_WB, pair_options, results};
   const auto askBlock = [&](std::size_t block) {
     kernels::PairScratch scratch;
@@ -108,6 +98,16 @@ std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_W
 }  // namespace abstand
 
 namespace abstand::facade {
+
+query::PairOptions pairOptions(const QueryOptions& options) {
+  if (!(options.margin >= 0.0) || !std::isfinite(options.margin))
+    throw UsageError("found a margin that is negative or not finite, expected 0 m or more");
+  if (!(options.stiffness >= 0.0) || !std::isfinite(options.stiffness))
+    throw UsageError("found a stiffness that is negative or not finite, expected 0 or more");
+  query::PairOptions o{.margin = options.margin, .stiffness = options.stiffness};
+  o.law = options.law == QueryOptions::Law::kThesis ? query::ForceLaw::kThesis : query::ForceLaw::kVolume;
+  return o;
+}
 
 PairResult resultOf(const query::PairResult& r) {
   PairResult result;

@@ -27,6 +27,8 @@ Shape shapeOf(const geometry::Shape& shape);
 Mesh meshOf(geometry::TriangleMesh mesh);
 /// Takes results as the engine gives them.
 PairResult resultOf(const query::PairResult& result);
+/// Throws UsageError for a margin or stiffness that is negative or not finite.
+query::PairOptions pairOptions(const QueryOptions& options);
 /// Throws UsageError for what is no pose.
 Transform checkedPose(const Pose& pose);
 

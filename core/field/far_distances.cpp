@@ -214,7 +214,7 @@ void FarSites::Search::measure(const Box& box, const List& kept, float* values) 
 }
 
 FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most,
-                   std::size_t most_sites) {
+                   std::size_t max_sites) {
   std::vector<Vector3d> sites;
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const auto& triangle : mesh.triangles) {
@@ -223,7 +223,7 @@ FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, d
       used[v] = true;
     }
   }
-  if (sites.size() > most_sites) return;
+  if (sites.size() > max_sites) return;
   Distinct distinct(sites);
   // Halved at the longest side, so that both triangles at a side halve it at the same point.
   std::vector<std::array<Vector3d, 3>> stack;
@@ -245,7 +245,7 @@ FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, d
       }
       const Vector3d &a = part[e], &b = part[(e + 1) % 3], &c = part[(e + 2) % 3], middle = 0.5 * (a + b);
       distinct.add(middle);
-      if (sites.size() > most_sites) return;
+      if (sites.size() > max_sites) return;
       const std::array<Vector3d, 3> first{a, middle, c}, second{middle, b, c};
       stack.push_back(first);
       stack.push_back(second);

@@ -15,8 +15,8 @@ namespace abstand::field {
 /// and it is no less than that by more than r^2. Constant after construction.
 class FarSites {
  public:
-  /// `most`: r at most (m). No sites at all when there would be more than `most_sites`.
-  FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t most_sites);
+  /// `most`: r at most (m). No sites at all when there would be more than `max_sites`.
+  FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t max_sites);
   std::size_t size() const { return x_.size(); }
 
   /// Vertices p = origin + spacing (first + (i, j, k)), i < size.x and so on.

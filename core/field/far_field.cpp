@@ -127,9 +127,9 @@ void FarField::layOut(const geometry::Bounds& body, double first_spacing, double
     v.n[k] = 2 * static_cast<int>(half_cells[k]) + 1;
     v.inv_half[k] = static_cast<float>(1.0 / (half_cells[k] * first_spacing));
   }
-  const double least_half = half_cells.minCoeff() * first_spacing;
+  const double min_half = half_cells.minCoeff() * first_spacing;
   v.levels = 1;
-  while (v.levels < kMaxLevels && least_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
+  while (v.levels < kMaxLevels && min_half * kRatio[v.levels - 1] < reach + 0.5 * body.extent().maxCoeff())
     ++v.levels;
   v.outermost = kRatio[v.levels - 1];
   v.ball = static_cast<float>((0.5 * body.extent()).norm() + (centreOf(v) - centre).norm()) *

@@ -21,7 +21,7 @@ struct LayerView {
   static constexpr int kFarSlack = 6;
 
   const std::int32_t* block_index;  ///< of the packed block, or kFarInside, kFarOutside
-  const std::int16_t* least_steps;  ///< of each packed block
+  const std::int16_t* min_steps;    ///< of each packed block
   const std::uint8_t* packed;  ///< kPackedBytes a block, voxels in the order x, y, z, the lower half first
   const std::int16_t* corner_steps;  ///< at voxels (8 i, 8 j, 8 k), one more along each axis than blocks
   int blocks[3];
@@ -44,7 +44,7 @@ inline LayerOfVoxel layerOf(const LayerView& map, int i, int j, int k) {
     const int voxel = (z * kEdge + y) * kEdge + x;
     const std::uint8_t two = map.packed[std::ptrdiff_t{block} * LayerView::kPackedBytes + voxel / 2];
     const int half = voxel % 2 == 0 ? two & 15 : two >> 4;
-    const int steps = map.least_steps[block] + (half & LayerView::kStepBits);
+    const int steps = map.min_steps[block] + (half & LayerView::kStepBits);
     return {(half & LayerView::kInsideBit) != 0 ? steps : -steps, 0};
   }
   const std::ptrdiff_t row = map.blocks[0] + 1, slice = row * (map.blocks[1] + 1);

@@ -12,7 +12,7 @@ namespace abstand::field {
 
 /// Half a byte a voxel (LayerView), block after block.
 struct PackedLayers {
-  std::vector<std::int16_t> least_steps;
+  std::vector<std::int16_t> min_steps;
   std::vector<std::uint8_t> packed;
 
   /// The index of a new block. steps(i, j, k) and inside(i, j, k): of its voxels.
@@ -34,8 +34,8 @@ struct PackedLayers {
     const auto half = [&](std::size_t v) { return (of[v] - least) | (in[v] ? LayerView::kInsideBit : 0); };
     for (std::size_t v = 0; v < of.size(); v += 2)
       packed.push_back(static_cast<std::uint8_t>(half(v) | half(v + 1) << 4));
-    least_steps.push_back(least);
-    return static_cast<std::int32_t>(least_steps.size() - 1);
+    min_steps.push_back(least);
+    return static_cast<std::int32_t>(min_steps.size() - 1);
   }
 };
 

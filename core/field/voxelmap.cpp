@@ -11,13 +11,13 @@
 namespace abstand::field {
 
 Voxelmap::Voxelmap(const geometry::Surface& surface, double voxel_size, int outer_layers, int threads,
-                   std::size_t most_exact) {
+                   std::size_t max_exact) {
   constexpr int kEdge = LayerView::kEdge;
   grid = makeGrid(surface.bounds(), voxel_size, outer_layers);
   inside_doubtful = !surface.watertight();
   blocks_ = (grid.size.array() + kEdge - 1) / kEdge;
   block_index_.resize(VoxelBox{Vector3i::Zero(), blocks_}.count());
-  if (grid.cells() <= most_exact)
+  if (grid.cells() <= max_exact)
     makeWhole(surface, outer_layers, threads);
   else
     makeInTiles(surface, outer_layers, threads);
@@ -60,13 +60,13 @@ void Voxelmap::makeWhole(const geometry::Surface& surface, int outer_layers, int
         },
         [&](int i, int j, int k) { return side(inGrid(i, j, k)) == kVoxelInside; });
   }
-  least_steps_ = std::move(all.least_steps);
+  min_steps_ = std::move(all.min_steps);
   packed_ = std::move(all.packed);
 }
 
 LayerView Voxelmap::view() const {
   return {block_index_.data(),
-          least_steps_.data(),
+          min_steps_.data(),
           packed_.data(),
           corner_steps_.data(),
           {blocks_.x(), blocks_.y(), blocks_.z()}};
@@ -74,7 +74,7 @@ LayerView Voxelmap::view() const {
 
 std::size_t Voxelmap::memoryBytes() const {
   return block_index_.capacity() * sizeof(block_index_[0]) +
-         (least_steps_.capacity() + corner_steps_.capacity()) * sizeof(std::int16_t) + packed_.capacity();
+         (min_steps_.capacity() + corner_steps_.capacity()) * sizeof(std::int16_t) + packed_.capacity();
 }
 
 }  // namespace abstand::field

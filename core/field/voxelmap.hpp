@@ -31,7 +31,7 @@ class Voxelmap {
   /// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
   /// voxelmap_sides.hpp.
   Voxelmap(const geometry::Surface& surface, double voxel_size, int outer_layers, int threads = 0,
-           std::size_t most_exact = kMaxExactVoxels);
+           std::size_t max_exact = kMaxExactVoxels);
 
   /// Of a voxel of the grid.
   int at(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).layer; }
@@ -43,7 +43,7 @@ class Voxelmap {
 
   template <class Archive>
   void archive(Archive& ar) {
-    ar(grid, surface_voxels, solid_voxels, inside_doubtful, blocks_, block_index_, least_steps_, packed_,
+    ar(grid, surface_voxels, solid_voxels, inside_doubtful, blocks_, block_index_, min_steps_, packed_,
        corner_steps_);
   }
 
@@ -53,7 +53,7 @@ class Voxelmap {
 
   Vector3i blocks_{Vector3i::Zero()};
   std::vector<std::int32_t> block_index_;
-  std::vector<std::int16_t> least_steps_;
+  std::vector<std::int16_t> min_steps_;
   std::vector<std::uint8_t> packed_;
   std::vector<std::int16_t> corner_steps_;
 };

@@ -157,9 +157,9 @@ void findSidesOfPart(const geometry::Surface& surface, const VoxelGrid& part,
 }
 
 VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int threads,
-                        std::size_t most_at_once) {
+                        std::size_t max_at_once) {
   const VoxelGrid grid = makeGrid(surface.bounds(), voxel_size, 0);
-  if (grid.cells() <= most_at_once) {
+  if (grid.cells() <= max_at_once) {
     const VoxelSides sides = findVoxelSides(surface, voxel_size, threads);
     return {sides.surface_voxels, sides.solid_voxels};
   }

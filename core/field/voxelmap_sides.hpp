@@ -38,12 +38,12 @@ struct VoxelCounts {
   std::size_t surface{0};
   std::size_t solid{0};  ///< surface and inside
 };
-/// Counts without keeping them: grids above `most_at_once` voxels are counted in cubes, of which only those
+/// Counts without keeping them: grids above `max_at_once` voxels are counted in cubes, of which only those
 /// that the surface comes near to are looked at in detail. In these each piece of a cube is asked as an
 /// enclosed piece is.
 inline constexpr std::size_t kMaxVoxelsAtOnce = 64'000'000;
 VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int threads,
-                        std::size_t most_at_once = kMaxVoxelsAtOnce);
+                        std::size_t max_at_once = kMaxVoxelsAtOnce);
 
 /// Sets side to kVoxelSurface where a triangle passes through the voxel.
 void markTriangles(const geometry::TriangleMesh& mesh, const VoxelGrid& grid, int threads,

@@ -173,13 +173,13 @@ void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, i
   countSteps(layout.corners.size, kEdge, corner_steps_);
 
   std::size_t kept = 0;
-  for (const Tile& tile : made) kept += tile.layers.least_steps.size();
-  least_steps_.reserve(kept);
+  for (const Tile& tile : made) kept += tile.layers.min_steps.size();
+  min_steps_.reserve(kept);
   packed_.reserve(kept * LayerView::kPackedBytes);
   for (std::size_t t = 0; t < made.size(); ++t) {
     PackedLayers layers = std::move(made[t].layers);
-    const auto before = static_cast<std::int32_t>(least_steps_.size());
-    least_steps_.insert(least_steps_.end(), layers.least_steps.begin(), layers.least_steps.end());
+    const auto before = static_cast<std::int32_t>(min_steps_.size());
+    min_steps_.insert(min_steps_.end(), layers.min_steps.begin(), layers.min_steps.end());
     packed_.insert(packed_.end(), layers.packed.begin(), layers.packed.end());
     surface_voxels += made[t].surface_voxels;
     solid_voxels += made[t].solid_voxels;

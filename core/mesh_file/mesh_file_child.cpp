@@ -39,11 +39,11 @@ void writeAll(int fd, const std::string& bytes) {
   }
 }
 
-[[noreturn]] void beChild(const std::function<std::string()>& work, int out, unsigned most_seconds,
-                          std::size_t most_bytes) {
+[[noreturn]] void beChild(const std::function<std::string()>& work, int out, unsigned max_seconds,
+                          std::size_t max_bytes) {
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, most_seconds);
-  if (kLimitMemory) limit(RLIMIT_AS, most_bytes);
+  limit(RLIMIT_CPU, max_seconds);
+  if (kLimitMemory) limit(RLIMIT_AS, max_bytes);
   const int nowhere = ::open("/dev/null", O_WRONLY);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
@@ -57,8 +57,8 @@ void writeAll(int fd, const std::string& bytes) {
 
 }  // namespace
 
-ChildAnswer runInChild(const std::function<std::string()>& work, unsigned most_seconds,
-                       std::size_t most_bytes) {
+ChildAnswer runInChild(const std::function<std::string()>& work, unsigned max_seconds,
+                       std::size_t max_bytes) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to read a mesh through");
   const pid_t child = ::fork();
@@ -67,7 +67,7 @@ ChildAnswer runInChild(const std::function<std::string()>& work, unsigned most_s
     ::close(ends[1]);
     throw std::runtime_error("no process to read a mesh in");
   }
-  if (child == 0) beChild(work, ends[1], most_seconds, most_bytes);
+  if (child == 0) beChild(work, ends[1], max_seconds, max_bytes);
   ::close(ends[1]);
 
   ChildAnswer answer;

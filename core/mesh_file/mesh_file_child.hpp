@@ -16,7 +16,6 @@ struct ChildAnswer {
 /// Runs `work` in a forked child with limits on time (s of processor) and memory (bytes), its output and
 /// errors silenced, and gives what it returned. A crash, an endless loop or an absurd allocation ends the
 /// child alone. `work` must need no thread. Throws std::runtime_error when no child can be made.
-ChildAnswer runInChild(const std::function<std::string()>& work, unsigned most_seconds,
-                       std::size_t most_bytes);
+ChildAnswer runInChild(const std::function<std::string()>& work, unsigned max_seconds, std::size_t max_bytes);
 
 }  // namespace abstand::mesh_file

@@ -30,7 +30,7 @@ struct Range {
 class Reader {
  public:
   Reader(const text::XmlElement& root, std::size_t file_size, const std::string& name)
-      : root_(root), name_(name), most_work_(kMinWork + kMaxInstances * file_size) {}
+      : root_(root), name_(name), max_work_(kMinWork + kMaxInstances * file_size) {}
 
   geometry::TriangleMesh run() {
     if (root_.name != "COLLADA")
@@ -89,7 +89,7 @@ class Reader {
 
   void spend(const text::XmlElement& e) {
     work_ += e.text.size() + kWorkOfElement * (1 + e.children.size());
-    if (work_ > most_work_) fail(e, "found nodes that contain themselves, or too many instances");
+    if (work_ > max_work_) fail(e, "found nodes that contain themselves, or too many instances");
   }
 
   std::vector<double> numbers(const text::XmlElement& e) {
@@ -278,7 +278,7 @@ class Reader {
 
   const text::XmlElement& root_;
   const std::string& name_;
-  std::size_t most_work_;
+  std::size_t max_work_;
   std::map<std::string_view, const text::XmlElement*> ids_;
   std::size_t work_{0};
   geometry::TriangleMesh mesh_;

@@ -86,9 +86,9 @@ void Articulation::setState(std::span<const double> q, std::span<const double> q
   settle();
 }
 
-void Articulation::setMotor(int dof, double velocity, double most_effort) {
-  motors_[static_cast<std::size_t>(dof)] = {velocity, most_effort};
-  motored_[static_cast<std::size_t>(dof)] = most_effort > 0.0;
+void Articulation::setMotor(int dof, double velocity, double max_effort) {
+  motors_[static_cast<std::size_t>(dof)] = {velocity, max_effort};
+  motored_[static_cast<std::size_t>(dof)] = max_effort > 0.0;
 }
 
 void Articulation::addWrench(int frame, const Wrench& w_W, const Vector3d& p_W) {

@@ -52,10 +52,10 @@ class Articulation {
 
   /// Effort (N m, N) of the dof's motor, until it is set again. Beyond the joint's limit it is cut.
   void setEffort(int dof, double effort) { efforts_[static_cast<std::size_t>(dof)] = effort; }
-  /// The dof's motor keeps the velocity (rad/s, m/s) as well as `most_effort` (N m, N; 0: off) allows; the
+  /// The dof's motor keeps the velocity (rad/s, m/s) as well as `max_effort` (N m, N; 0: off) allows; the
   /// effort of setEffort() acts besides. While it is on it takes the place of the damping, and of the care
   /// for the limits.
-  void setMotor(int dof, double velocity, double most_effort);
+  void setMotor(int dof, double velocity, double max_effort);
 
   /// N m or N, what the motors gave in the last step under setEffort(), within their limits; without what
   /// setMotor() asks for.

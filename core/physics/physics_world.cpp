@@ -114,11 +114,11 @@ void PhysicsWorld::setJointEffort(int mechanism_number, int dof, double effort) 
     ++dropped_;
 }
 
-void PhysicsWorld::setMotor(int mechanism_number, int dof, double velocity, double most_effort) {
+void PhysicsWorld::setMotor(int mechanism_number, int dof, double velocity, double max_effort) {
   Articulation& m = mechanism(mechanism_number);
   ABSTAND_CHECK(dof >= 0 && dof < m.dof());
-  if (sound(velocity) && sound(most_effort) && most_effort >= 0.0)
-    m.setMotor(dof, velocity, most_effort);
+  if (sound(velocity) && sound(max_effort) && max_effort >= 0.0)
+    m.setMotor(dof, velocity, max_effort);
   else
     ++dropped_;
 }

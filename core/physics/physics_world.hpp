@@ -48,7 +48,7 @@ class PhysicsWorld {
   std::span<const double> qd(int mechanism_number) const { return mechanism(mechanism_number).qd(); }
   /// What is not finite, or beyond 1e9 in size, is dropped and counted: the old value stays.
   void setJointEffort(int mechanism_number, int dof, double effort);
-  void setMotor(int mechanism_number, int dof, double velocity, double most_effort);
+  void setMotor(int mechanism_number, int dof, double velocity, double max_effort);
 
   /// A wrench that acts during the next step, torque about `p_W`. Wrenches add up. One that is not finite, or
   /// beyond 1e9 N or N m, is dropped and counted.

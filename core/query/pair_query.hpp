@@ -94,13 +94,13 @@ bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStr
 ///
 /// How: where the nearest points were, they may be still: the distance of these two points of the surfaces is
 /// proven by a slab across it that parts the two hulls (separation.hpp), or by an earlier search less what
-/// the bodies have moved since. They may have slid on, to be found from where they were, while no rivals are
-/// as near; or a body has turned about itself, and others are the outermost along the same line. Else the
-/// point-sphere tree of one body is searched in the field of the other, branch and bound, with certified
-/// lower bounds f of the true distance (field_lanes.hpp): every shell point is at least best_f away, and
-/// every surface point at least best_f - covering radius. The best point is then moved along the exact
-/// surfaces (witness.hpp). Where the bodies may touch, the other body's points are searched as well. Inside,
-/// the depth is that of the deepest surface point that was found of either body in the other.
+/// the bodies have moved since. They may have slid on, to be found from where they were, while no other
+/// candidates are as near; or a body has turned about itself, and others are the outermost along the same
+/// line. Else the point-sphere tree of one body is searched in the field of the other, branch and bound, with
+/// certified lower bounds f of the true distance (field_lanes.hpp): every shell point is at least best_f
+/// away, and every surface point at least best_f - covering radius. The best point is then moved along the
+/// exact surfaces (witness.hpp). Where the bodies may touch, the other body's points are searched as well.
+/// Inside, the depth is that of the deepest surface point that was found of either body in the other.
 ///
 /// With a memory, distances beyond kRelativeFrom may exceed the smallest of the shell's points by
 /// options.far_share of themselves, as far as the field there tells them apart; `bound` says by how much in

@@ -22,7 +22,8 @@ std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; 
 Vector3d centre(const kernels::SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
 
 /// How far a part reaches along g at most (m times the length of g).
-double partReach(const structure::HapticStructure& body, std::size_t part, const Vector3d& g, bool closely) {
+double partUncertainty(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
+                       bool closely) {
   if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
   return closely ? body.support.closeUpper(g) : body.support.upper(g);
 }
@@ -42,7 +43,7 @@ class Reaches {
   double operator()(std::size_t part) {
     if (!(known_ >> part & 1)) {
       known_ |= 1u << part;
-      reach_[part] = partReach(body_, part, g_, closely_);
+      reach_[part] = partUncertainty(body_, part, g_, closely_);
     }
     return reach_[part];
   }
@@ -82,8 +83,8 @@ FacingParts::FacingParts(const structure::HapticStructure& P, const structure::H
 }
 
 double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept {
-  return n.dot(X_FP_.translation()) - partReach(P_, i, X_FP_.linear().transpose() * -n, closely_) -
-         partReach(F_, j, n, closely_);
+  return n.dot(X_FP_.translation()) - partUncertainty(P_, i, X_FP_.linear().transpose() * -n, closely_) -
+         partUncertainty(F_, j, n, closely_);
 }
 
 // From the difference of two points to the nearest one on the way to the outermost (Frank, Wolfe 1956), until

@@ -4,7 +4,7 @@ namespace abstand::safety {
 
 void SweptOptions::validate() const {
   config::requireNumbers(*this);
-  config::requireNumber(kName, "most_samples", most_samples, {2, kMaxSweptSamples});
+  config::requireNumber(kName, "max_samples", max_samples, {2, kMaxSweptSamples});
 }
 
 }  // namespace abstand::safety

@@ -14,7 +14,7 @@ struct SweptOptions {
   double tolerance{1e-3};    ///< m; done when the samples in between cannot lift `lower` by more
   double enough{kInfinity};  ///< m; done when the lower bound has reached this ...
   double hit{-kInfinity};    ///< m; ... or a sample has fallen below this
-  int most_samples{64};      ///< 2 to kMaxSweptSamples; the answer stays certified when they are used up
+  int max_samples{64};       ///< 2 to kMaxSweptSamples; the answer stays certified when they are used up
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -89,7 +89,7 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   }
   intervals[count++] = interval(0.0, duration, first, take(duration));
 
-  const int most = std::clamp(options.most_samples, 2, kMaxSweptSamples);
+  const int most = std::clamp(options.max_samples, 2, kMaxSweptSamples);
   for (;;) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < count; ++i)

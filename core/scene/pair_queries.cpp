@@ -100,7 +100,7 @@ void PairQueries::visit(Pair& pair, const Tables& tables, kernels::PairScratch& 
                           pair.rest.lowerNow(a, b), pair.result);
 }
 
-/// Queries what was put off, the most urgent first, until the clock shows `deadline`; one batch at least, so
+/// Queries what was deferred, the most urgent first, until the clock shows `deadline`; one batch at least, so
 /// that everything gets its turn.
 void PairQueries::queryUntil(double deadline, const std::vector<PairId>& list, const Tables& tables) {
   queue_.clear();

@@ -64,7 +64,7 @@ class PairQueries {
   QueryCulling culling_;
   Clock clock_;
   std::vector<query::PairMemory> memories_;  ///< of the pairs, where culling_.remember
-  QueryQueue queue_;                         ///< pairs put off in this step
+  QueryQueue queue_;                         ///< pairs deferred in this step
   std::vector<PairId> batch_;
   std::vector<Scratch> scratch_;  ///< of each thread
   std::unique_ptr<PairWorkers> workers_;

@@ -150,8 +150,8 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   return true;
 }
 
-void Scene::setPoseUncertainty(ObjectId object, double reach) noexcept {
-  objects_[object.index()].reach = reach >= 0.0 ? reach : kInfinity;
+void Scene::setPoseUncertainty(ObjectId object, double radius) noexcept {
+  objects_[object.index()].pose_uncertainty = radius >= 0.0 ? radius : kInfinity;
 }
 
 void Scene::enqueueAll() {
@@ -214,7 +214,7 @@ void Scene::count(Pair& pair) {
       ++counts_.beyond;
       break;
     case PairOutcome::kPutOff:
-      ++counts_.put_off;
+      ++counts_.deferred;
       counts_.longest_wait = std::max(counts_.longest_wait, ++pair.waited);
       return;
   }

@@ -71,13 +71,13 @@ class Scene {
 
   /// Of the pose that was set last, m; less than 0 and NaN count as infinite. Distances, contacts and forces
   /// stay those of the bodies where they were seen. No allocation, no throw.
-  void setPoseUncertainty(ObjectId object, double reach) noexcept;
+  void setPoseUncertainty(ObjectId object, double radius) noexcept;
   /// m: by how much the bodies of a pair may be nearer to each other than its distance says; infinite for a
   /// paused pair.
   double pairUncertainty(PairId id) const {
     const Pair& pair = pairs_[id.index()];
     if (pair.paused) return kInfinity;
-    return objects_[pair.a.index()].reach + objects_[pair.b.index()].reach;
+    return objects_[pair.a.index()].pose_uncertainty + objects_[pair.b.index()].pose_uncertainty;
   }
 
   /// Whether step() leaves the pair out; at first it does not. From the next step() on, a paused pair has no

@@ -29,7 +29,7 @@ struct Object {
   PoseState pose_state{PoseState::kFresh};
   /// m: every point of the body is within so much of where X_WB puts it; it widens the margins by which the
   /// body's distances are judged. Infinite: it may be anywhere.
-  double reach{0.0};
+  double pose_uncertainty{0.0};
   long rejected_poses{0};       ///< poses that were not finite or no rotation; the last good one stayed
   double t{0.0};                ///< s, of X_WB
   Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass

@@ -18,7 +18,7 @@ struct alignas(64) Pair {
   bool queued{false};    ///< the next step() looks at it
   bool touching{false};  ///< is among Scene::touching()
   bool paused{false};    ///< see Scene::setPaused
-  int waited{0};         ///< steps that it has been put off
+  int waited{0};         ///< steps that it has been deferred
   TemporalCulling rest;
   query::PairResult result;
   query::PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
@@ -36,8 +36,8 @@ inline void prefetchAhead(const PairTable& pairs, const std::vector<PairId>& lis
 
 /// How the pairs of a step came to their results; those that nothing moved do not count.
 struct StepCounts {
-  long checked{0}, rested{0}, beyond{0}, put_off{0};
-  int longest_wait{0};  ///< steps, of the pairs put off
+  long checked{0}, rested{0}, beyond{0}, deferred{0};
+  int longest_wait{0};  ///< steps, of the pairs deferred
 };
 
 }  // namespace abstand::scene

@@ -257,7 +257,7 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
   }
   cells = {};
   if (!field.plain()) {
-    const QuadratureCorrection balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.creases(),
+    const QuadratureCorrection balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.sharpEdges(),
                                        balanced, spacing, threads);
     std::vector<bool> pressed(points.size(), false);
     for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);

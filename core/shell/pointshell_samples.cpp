@@ -156,7 +156,7 @@ void FarthestPointSampler::arrange(const std::vector<Sample>& samples) {
     const Four p{sample.position.x(), sample.position.y(), sample.position.z(), 0.0f};
     cell.lower = min(cell.lower, p);
     cell.upper = max(cell.upper, p);
-    cell.least_weight = std::min(cell.least_weight, sample.weight);
+    cell.min_weight = std::min(cell.min_weight, sample.weight);
     const std::uint32_t at = next[cell_of_[i]]++;
     order_[at] = i;
     put(at, sample, kFarSample);
@@ -174,7 +174,7 @@ Sample FarthestPointSampler::sample(std::uint32_t at) const {
 
 void FarthestPointSampler::visit(Cell& cell, const Centre& centre) {
   const Four gap = max(max(cell.lower - centre.p, centre.p - cell.upper), Four{});
-  if (sumOf(gap * gap) * cell.least_weight >= cell.farthest) return;
+  if (sumOf(gap * gap) * cell.min_weight >= cell.farthest) return;
   const auto square = [](Four a) { return a * a; };
   Four farthest = splat(-1.0f);
   for (std::uint32_t i = cell.begin; i < cell.end; ++i) {

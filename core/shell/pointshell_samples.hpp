@@ -69,7 +69,7 @@ class FarthestPointSampler {
   struct Cell {
     Four lower, upper;  ///< box of their positions; the last is 0
     float farthest;     ///< largest squared distance to the nearest centre
-    float least_weight;
+    float min_weight;
     std::uint32_t begin, end;
   };
   /// 4 x 4 x 4 cells, bit (z 4 + y) 4 + x of `kept`: this one is there, as cell first + place of its bit.

@@ -16,8 +16,8 @@ constexpr double kTipReach = 6.0;
 /// edge, and from kEdgeEnd on it is 1.
 constexpr double kEdgePitch = 0.65;
 constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
-/// Spacings between the points by which the nearest crease is found.
-constexpr double kAlongCrease = 0.5;
+/// Spacings between the points by which the nearest sharp edge is found.
+constexpr double kAlongSharpEdge = 0.5;
 
 struct TipCell {
   std::array<std::int64_t, 3> key;
@@ -103,16 +103,16 @@ PitchField::PitchField(const geometry::TriangleMesh& mesh, double spacing)
       tips_(findTips(mesh, spacing)),
       nearest_tip_(tips_) {
   std::vector<Vector3f> along;
-  for (std::uint32_t c = 0; c < edges_.creases.size(); ++c) {
-    const Crease& crease = edges_.creases[c];
-    const Vector3d way = crease.end[1] - crease.end[0];
-    const int steps = 1 + static_cast<int>(way.norm() / (kAlongCrease * spacing));
+  for (std::uint32_t c = 0; c < edges_.sharp_edges.size(); ++c) {
+    const SharpEdge& sharp_edge = edges_.sharp_edges[c];
+    const Vector3d way = sharp_edge.end[1] - sharp_edge.end[0];
+    const int steps = 1 + static_cast<int>(way.norm() / (kAlongSharpEdge * spacing));
     for (int i = 0; i <= steps; ++i) {
-      along.push_back((crease.end[0] + i * way / steps).cast<float>());
-      crease_of_.push_back(c);
+      along.push_back((sharp_edge.end[0] + i * way / steps).cast<float>());
+      sharp_edge_of_.push_back(c);
     }
   }
-  nearest_on_crease_ = NearestOfPoints(along);
+  nearest_on_sharp_edge_ = NearestOfPoints(along);
 }
 
 PitchField::Near PitchField::near(const Vector3d& p, double around) const {
@@ -120,9 +120,9 @@ PitchField::Near PitchField::near(const Vector3d& p, double around) const {
   const double tip_limit = kTipReach * spacing_ + around;
   std::uint32_t at = 0;
   if (nearest_tip_.distance(p, at, tip_limit) < tip_limit) found.tip = at;
-  // The points along a crease are nearer than half a step to any of its points.
-  const double edge_limit = (kEdgeEnd + 0.5 * kAlongCrease) * spacing_ + around;
-  if (nearest_on_crease_.distance(p, at, edge_limit) < edge_limit) found.crease = crease_of_[at];
+  // The points along a sharp edge are nearer than half a step to any of its points.
+  const double edge_limit = (kEdgeEnd + 0.5 * kAlongSharpEdge) * spacing_ + around;
+  if (nearest_on_sharp_edge_.distance(p, at, edge_limit) < edge_limit) found.sharp_edge = sharp_edge_of_[at];
   return found;
 }
 
@@ -132,8 +132,8 @@ double PitchField::pitch(const Vector3d& p, const Near& near) const {
     const double distance = (tips_[near.tip].cast<double>() - p).norm();
     pitch = std::clamp(distance / (kTipReach * spacing_), kSmallest, 1.0);
   }
-  if (near.crease != Near::kNone) {
-    const double distance = edges_.creases[near.crease].distance(p) / spacing_;
+  if (near.sharp_edge != Near::kNone) {
+    const double distance = edges_.sharp_edges[near.sharp_edge].distance(p) / spacing_;
     const double at_edge = std::clamp((kEdgeEnd - distance) / (kEdgeEnd - kEdgeStart), 0.0, 1.0);
     pitch = std::min(pitch, 1.0 - (1.0 - kEdgePitch) * at_edge);
   }

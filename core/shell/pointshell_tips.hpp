@@ -1,7 +1,7 @@
 // Where a surface comes to a point or an edge, so that a contact there is small and needs more shell points.
 #pragma once
 
-#include "core/shell/pointshell_creases.hpp"
+#include "core/shell/pointshell_sharp_edges.hpp"
 #include "core/shell/pointshell_tree.hpp"
 
 namespace abstand::shell {
@@ -20,27 +20,27 @@ class PitchField {
 
   PitchField(const geometry::TriangleMesh& mesh, double spacing);
 
-  /// The tip and the crease that are nearest to a place.
+  /// The tip and the sharp edge that are nearest to a place.
   struct Near {
     static constexpr std::uint32_t kNone = 0xffffffffu;
-    std::uint32_t tip{kNone}, crease{kNone};
-    bool none() const { return tip == kNone && crease == kNone; }
+    std::uint32_t tip{kNone}, sharp_edge{kNone};
+    bool none() const { return tip == kNone && sharp_edge == kNone; }
   };
   /// None where the pitch is 1 everywhere within `around` (m) of p.
   Near near(const Vector3d& p, double around) const;
   /// The pitch at p, by what is near a place nearby.
   double pitch(const Vector3d& p, const Near& near) const;
   /// 1 everywhere.
-  bool plain() const { return tips_.empty() && creases().empty(); }
+  bool plain() const { return tips_.empty() && sharpEdges().empty(); }
   const std::vector<std::uint8_t>& sharp() const { return edges_.sharp; }
-  const std::vector<Crease>& creases() const { return edges_.creases; }
+  const std::vector<SharpEdge>& sharpEdges() const { return edges_.sharp_edges; }
 
  private:
   double spacing_;
   SharpEdges edges_;
   std::vector<Vector3f> tips_;
-  NearestOfPoints nearest_tip_, nearest_on_crease_;
-  std::vector<std::uint32_t> crease_of_;  ///< of each point along the creases
+  NearestOfPoints nearest_tip_, nearest_on_sharp_edge_;
+  std::vector<std::uint32_t> sharp_edge_of_;  ///< of each point along the sharp edges
 };
 
 }  // namespace abstand::shell

@@ -20,14 +20,14 @@ constexpr int kDirections = 1000;  ///< all around: one every 6 degrees
 /// Spacings, in steps of equal ratio between them; shifted from direction to direction.
 constexpr double kShallowest = 0.75, kDeepest = 2.2;
 constexpr int kDepths = 5;
-/// The steps of the directions about a crease: between its two normals, and along it. Two directions closer
-/// than kSameDirection count as one.
+/// The steps of the directions about a sharp edge: between its two normals, and along it. Two directions
+/// closer than kSameDirection count as one.
 constexpr double kBetween[] = {0.05, 0.25, 0.5, 0.75, 0.95};
 constexpr double kAlong[] = {0.0, 0.03, -0.03, 0.055, -0.055, 0.09, -0.09};
 constexpr double kSameDirection = 0.05;
-/// A wall may lie along creases of equal directions that are so long together (spacings); a shorter one is no
-/// more than any other place of the surface.
-constexpr double kLongCrease = 3.0;
+/// A wall may lie along sharp edges of equal directions that are so long together (spacings); a shorter one
+/// is no more than any other place of the surface.
+constexpr double kLongSharpEdge = 3.0;
 /// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
 /// all the same, up to kMaxCoarse points, so that nothing drifts.
 constexpr std::size_t kMaxPoints = 400, kMaxCoarse = 1500, kCoarse = 16;
@@ -44,7 +44,7 @@ constexpr double kMargin = 0.1;
 /// Part of the trace that is added to the 3 x 3 systems, as a face alone gives only one direction of force.
 constexpr double kDamping = 1e-3;
 
-std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double spacing) {
+std::vector<Vector3d> pressDirections(const std::vector<SharpEdge>& sharp_edges, double spacing) {
   std::vector<Vector3d> out;
   for (int i = 0; i < kDirections; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
@@ -52,21 +52,22 @@ std::vector<Vector3d> pressDirections(const std::vector<Crease>& creases, double
     out.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
   }
   std::map<std::array<int, 6>, double> length;
-  const auto key = [](const Crease& crease) {
+  const auto key = [](const SharpEdge& sharp_edge) {
     std::array<int, 6> k;
     for (int i = 0; i < 6; ++i)
-      k[i] = static_cast<int>(std::lround(crease.normal[i / 3][i % 3] / kSameDirection));
+      k[i] = static_cast<int>(std::lround(sharp_edge.normal[i / 3][i % 3] / kSameDirection));
     return k;
   };
-  for (const Crease& crease : creases) length[key(crease)] += (crease.end[1] - crease.end[0]).norm();
+  for (const SharpEdge& sharp_edge : sharp_edges)
+    length[key(sharp_edge)] += (sharp_edge.end[1] - sharp_edge.end[0]).norm();
   std::set<std::array<int, 3>> seen;
-  for (const Crease& crease : creases) {
-    if (length[key(crease)] < kLongCrease * spacing) continue;
+  for (const SharpEdge& sharp_edge : sharp_edges) {
+    if (length[key(sharp_edge)] < kLongSharpEdge * spacing) continue;
     for (const double between : kBetween) {
       for (const double along : kAlong) {
         const Vector3d outwards =
-            ((1.0 - between) * crease.normal[0] + between * crease.normal[1]).normalized();
-        const Vector3d u = -(outwards + along * crease.along()).normalized();
+            ((1.0 - between) * sharp_edge.normal[0] + between * sharp_edge.normal[1]).normalized();
+        const Vector3d u = -(outwards + along * sharp_edge.along()).normalized();
         const Vector3i rounded = (u / kSameDirection).array().round().cast<int>();
         if (seen.insert({rounded.x(), rounded.y(), rounded.z()}).second) out.push_back(u);
       }
@@ -174,11 +175,12 @@ struct Presses {
 
 }  // namespace
 
-QuadratureCorrection::QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
+QuadratureCorrection::QuadratureCorrection(const HalfSpaceOverlap& body,
+                                           const std::vector<SharpEdge>& sharp_edges,
                                            const std::vector<BalancePoint>& points, double spacing,
                                            int threads)
     : spacing_(spacing), pressed_(points.size(), false) {
-  const std::vector<Vector3d> directions = pressDirections(creases, spacing);
+  const std::vector<Vector3d> directions = pressDirections(sharp_edges, spacing);
   std::vector<Vector3f> places;
   for (const BalancePoint& p : points) places.push_back(p.position.cast<float>());
   const PointsBelow points_below(places);

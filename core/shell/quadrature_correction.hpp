@@ -29,7 +29,7 @@ class QuadratureCorrection {
   /// Directions all around, and those in which edges and their neighbourhood come first; depths from three
   /// quarters of a spacing to two and a half. Only the places that a flat wall can reach are adjusted. The
   /// result does not depend on the number of threads.
-  QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<Crease>& creases,
+  QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<SharpEdge>& sharp_edges,
                        const std::vector<BalancePoint>& points, double spacing, int threads);
 
   enum class Freedom { kPlaceAndArea, kArea };

@@ -211,9 +211,9 @@ void StructureCache::makeRoom() {
       fs::remove(file.path, gone);
     }
   }
-  if (bytes <= most_bytes_) return;
+  if (bytes <= max_bytes_) return;
   std::sort(files.begin(), files.end(), [](const KeptFile& l, const KeptFile& r) { return l.used < r.used; });
-  for (std::size_t i = 0; i < files.size() && bytes > most_bytes_; ++i) {
+  for (std::size_t i = 0; i < files.size() && bytes > max_bytes_; ++i) {
     fs::remove(files[i].path, ec);
     bytes -= files[i].bytes;
   }

@@ -36,8 +36,8 @@ class StructureCache {
   static constexpr std::uintmax_t kMaxBytes = 2'000'000'000;
 
   /// An empty folder keeps nothing.
-  explicit StructureCache(std::filesystem::path folder, std::uintmax_t most_bytes = kMaxBytes)
-      : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+  explicit StructureCache(std::filesystem::path folder, std::uintmax_t max_bytes = kMaxBytes)
+      : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
   bool on() const { return !folder_.empty(); }
   std::filesystem::path structureFile(const ContentKey& key) const;
@@ -62,7 +62,7 @@ class StructureCache {
   void makeRoom();
 
   std::filesystem::path folder_;
-  std::uintmax_t most_bytes_;
+  std::uintmax_t max_bytes_;
   std::mutex mutex_;  ///< of the warnings
   std::vector<std::string> warnings_;
 };

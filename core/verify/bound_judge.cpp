@@ -19,11 +19,11 @@ BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const Ad
   const bool from_a = query::pointsFromA(*a.structures[0], *b.structures[0]);
   const AdversarialBody &P = from_a ? a : b, &F = from_a ? b : a;
   const Transform X_FP = from_a ? Transform(X_WB.inverse() * X_WA) : Transform(X_WA.inverse() * X_WB);
-  const auto [least_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
+  const auto [min_voxel, voxel] = std::minmax(P.options.voxel_size, F.options.voxel_size);
   voxel_ = voxel;
   size_ = P.radius + F.radius + X_FP.translation().norm();
   rounding_ = kOraclePart * (size_ + X_WA.translation().norm());
-  exact_ = exactDistance(P, F, X_FP, kDepthTolerance * least_voxel);
+  exact_ = exactDistance(P, F, X_FP, kDepthTolerance * min_voxel);
 }
 
 BoundAnswer BoundJudge::operator()(const query::PairResult& r) const {

@@ -17,7 +17,7 @@ struct Part {
 
 }  // namespace
 
-Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tolerance, int most_samples) {
+Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tolerance, int max_samples) {
   Penetration found;
   std::priority_queue<Part> open;
   int samples = 0;
@@ -33,7 +33,7 @@ Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tol
     open.push({t, depth + radius});
   };
   for (std::size_t i = 0; i < P.size(); ++i) look(P[i]);
-  while (!open.empty() && open.top().most > found.least + tolerance && samples < most_samples) {
+  while (!open.empty() && open.top().most > found.least + tolerance && samples < max_samples) {
     const Triangle t = open.top().corners;
     open.pop();
     // Halve the longest side.

@@ -13,8 +13,8 @@ struct Penetration {
 };
 
 /// Both in the same frame; F closed. The triangles of P are halved until the enclosure is narrower than
-/// `tolerance` (m), or `most_samples` points were looked at: a triangle's points are no deeper than its
+/// `tolerance` (m), or `max_samples` points were looked at: a triangle's points are no deeper than its
 /// centre's depth plus its radius, as depth changes by no more than the way.
-Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tolerance, int most_samples);
+Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tolerance, int max_samples);
 
 }  // namespace abstand::verify

@@ -14,7 +14,7 @@ void capture(const scene::Scene& scene, SceneSnapshot& snapshot) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const scene::Object& o = objects[i];
     snapshot.objects[i] = {o.X_WB,    o.pose_state,  o.p_WCom(),  o.velocity,
-                           o.contact, o.spec.margin, o.colliding, o.reach};
+                           o.contact, o.spec.margin, o.colliding, o.pose_uncertainty};
     const ObjectId id(static_cast<std::uint32_t>(i));
     if (!first && scene.lastUpdateStep(id) > snapshot.captured)
       for (const PairId pair : scene.pairsOf(id)) copy(pair.index());

@@ -19,7 +19,7 @@ struct ObjectSnapshot {
   Wrench contact;
   double margin{0.0};
   bool colliding{false};
-  double reach{0.0};  ///< m, see Object
+  double pose_uncertainty{0.0};  ///< m, see Object
 };
 
 struct PairSnapshot {

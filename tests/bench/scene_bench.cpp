@@ -52,13 +52,13 @@ void stepOfAThousand(benchmark::State& state, const scene::QueryCulling& culling
     sum.checked += scene.counts().checked;
     sum.rested += scene.counts().rested;
     sum.beyond += scene.counts().beyond;
-    sum.put_off += scene.counts().put_off;
+    sum.deferred += scene.counts().deferred;
   }
   const auto perStep = [&](long count) { return static_cast<double>(count) / static_cast<double>(n); };
   state.counters["checked"] = perStep(sum.checked);
   state.counters["rested"] = perStep(sum.rested);
   state.counters["beyond"] = perStep(sum.beyond);
-  state.counters["put_off"] = perStep(sum.put_off);
+  state.counters["put_off"] = perStep(sum.deferred);
 }
 
 #define ABSTAND_STEP(name, culling, moving, threads) \

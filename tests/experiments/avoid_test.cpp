@@ -57,7 +57,7 @@ TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
   for (const loop::ReactionReport& r : s.robots) {
     ASSERT_TRUE(r.nearest_person);
     EXPECT_GT(r.nearest_person->value, 0.01) << r.name;
-    EXPECT_GT(r.record.most_off_plan, 0.1) << "it did move";
+    EXPECT_GT(r.record.max_off_plan, 0.1) << "it did move";
   }
   EXPECT_EQ(s.contacts, 0);
   // The left one was nearer than its limit for a while, stopped its plan, and went on.

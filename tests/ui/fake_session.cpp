@@ -307,7 +307,7 @@ void FakeSession::setMargin(int object, double metres) {
 }
 
 void FakeSession::setPoseUncertainty(int object, double metres) {
-  snapshot_.objects[static_cast<std::size_t>(object)].reach = metres;
+  snapshot_.objects[static_cast<std::size_t>(object)].pose_uncertainty = metres;
   fresh_ = true;
 }
 

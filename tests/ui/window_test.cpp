@@ -181,7 +181,7 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
     window.pull();
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
-  session.setWork({.checked = 12, .rested = 34, .beyond = 5, .put_off = 6, .longest_wait = 7});
+  session.setWork({.checked = 12, .rested = 34, .beyond = 5, .deferred = 6, .longest_wait = 7});
   EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6"))
       << label->text().toStdString();
   EXPECT_TRUE(label->isVisible());

@@ -16,7 +16,7 @@ constexpr double kAtRest = 1e-7;  // rad, m
 }  // namespace
 
 JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, const RigPose& start,
-                   int most_steps) {
+                   int max_steps) {
   BodySolver solver(rig);
   JointFit fit{start, kInfinity, 0};
   const auto misfit = [&](const RigPlacement& X_WS) {
@@ -29,7 +29,7 @@ JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, c
     }
     return count > 0 ? std::sqrt(sum / count) : kInfinity;
   };
-  for (; fit.steps < most_steps; ++fit.steps) {
+  for (; fit.steps < max_steps; ++fit.steps) {
     solver.begin(fit.pose);
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       if (frame.state[j] == humanmodel::JointState::kMissing) continue;

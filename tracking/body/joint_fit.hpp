@@ -14,7 +14,7 @@ struct JointFit {
 /// Least squares over the joints of `frame`, from `start`, within the limits of the joints. Inferred joints
 /// count a quarter. No allocation, no throw.
 JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, const RigPose& start,
-                   int most_steps = 60);
+                   int max_steps = 60);
 
 /// A pose to start from: standing, the pelvis on the hips of the frame (else on the mean of its joints) and
 /// turned as they are.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/math/quantile.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -54,7 +54,7 @@ void fillOne(std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std:
     // Known as well as at its ends, and less by as far as it could have gone meanwhile.
     const double unseen = std::min(frames[i].t - a.t, b.t - frames[i].t);
     frames[i].spread[j] =
-        std::max(a.spread[j], b.spread[j]) + unseen * humanmodel::kPersonSpeed / humanmodel::kReachQuantile;
+        std::max(a.spread[j], b.spread[j]) + unseen * humanmodel::kPersonSpeed / humanmodel::kSpreadQuantile;
   }
 }
 

@@ -63,13 +63,13 @@ double markerWeight(double distance, double reach) {
 }
 
 MarkerPose MarkerSolver::solve(std::span<const RigMarker> markers, std::span<const Vector3d> seen,
-                               const RigPose& start, const PoseHold& hold, double reach, int most_steps) {
+                               const RigPose& start, const PoseHold& hold, double reach, int max_steps) {
   MarkerPose out;
   out.pose = start;
   BodySolver::Vector to_last = BodySolver::Vector::Zero();
   if (hold.last && hold.turn > 0.0) to_last.setConstant(1.0 / (hold.turn * hold.turn));
   RigPose standing;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     solver_.begin(out.pose);
     for (std::size_t k = 0; k < markers.size(); ++k) {
       if (!isSeen(seen[k])) continue;

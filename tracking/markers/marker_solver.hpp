@@ -42,10 +42,10 @@ class MarkerSolver {
  public:
   explicit MarkerSolver(const BodyRig& rig) : rig_{&rig}, solver_{rig} {}
 
-  /// `seen`: a place for each marker, world, m; NaN where it is missing. From `start`, at most `most_steps`.
+  /// `seen`: a place for each marker, world, m; NaN where it is missing. From `start`, at most `max_steps`.
   /// No allocation, no throw.
   MarkerPose solve(std::span<const RigMarker> markers, std::span<const Vector3d> seen, const RigPose& start,
-                   const PoseHold& hold, double reach, int most_steps);
+                   const PoseHold& hold, double reach, int max_steps);
 
   /// The same without knowing where to start: from several poses, by a reach that shrinks.
   MarkerPose search(std::span<const RigMarker> markers, std::span<const Vector3d> seen, const PoseHold& hold);

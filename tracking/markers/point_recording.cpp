@@ -7,7 +7,7 @@
 #include "core/base/number.hpp"
 #include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/markers/marker_recording.hpp"
 #include "tracking/recording/conversion.hpp"
 #include "tracking/recording/joint_map.hpp"

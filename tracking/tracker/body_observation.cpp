@@ -22,7 +22,7 @@ void BodyObservation::look(const DepthImage& image, const DepthCamera& camera,
   std::size_t pixels = 0;
   for (const std::uint8_t p : is_person) pixels += p != 0;
   step_ = 1;
-  while (pixels / static_cast<std::size_t>(step_ * step_) > most_cells_) ++step_;
+  while (pixels / static_cast<std::size_t>(step_ * step_) > max_cells_) ++step_;
   width_ = (image.width + step_ - 1) / step_;
   height_ = (image.height + step_ - 1) / step_;
   const double middle = 0.5 * (step_ - 1);

@@ -30,7 +30,7 @@ struct SeenPoints {
 class BodyObservation {
  public:
   /// `cells`: the most cells of the person that the grid is made for; its step is as many pixels as needed.
-  explicit BodyObservation(std::size_t cells = 1200) : most_cells_{cells} {}
+  explicit BodyObservation(std::size_t cells = 1200) : max_cells_{cells} {}
 
   /// `is_person`: of every pixel of `image`. Of the pixels that hold nothing (0) nothing is known, except
   /// where the image holds nothing but the person: then its background was taken away, and they are empty.
@@ -56,7 +56,7 @@ class BodyObservation {
   void collectPoints();
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(v * width_ + u); }
 
-  std::size_t most_cells_;
+  std::size_t max_cells_;
   int step_{1}, width_{0}, height_{0};            ///< pixels a cell; cells
   double fx_{1.0}, fy_{1.0}, cx_{0.0}, cy_{0.0};  ///< of the grid
   Transform X_WC_, X_CW_;

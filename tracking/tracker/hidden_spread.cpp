@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -48,8 +48,8 @@ void HiddenSpread::see(double t, SeenSegments seen) {
       spread_[j] = 0.0;
       continue;
     }
-    const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed / humanmodel::kReachQuantile;
-    spread_[j] = std::max(kMin, std::min(moved, 2.0 * ways[j] / humanmodel::kReachQuantile));
+    const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed / humanmodel::kSpreadQuantile;
+    spread_[j] = std::max(kMin, std::min(moved, 2.0 * ways[j] / humanmodel::kSpreadQuantile));
   }
 }
 

@@ -25,7 +25,7 @@ class HiddenSpread {
 
   /// The image at `t` (s) shows these segments.
   void see(double t, SeenSegments seen);
-  /// After see(): standard deviation (m) of each joint along its worst axis, so that kReachQuantile times it
+  /// After see(): standard deviation (m) of each joint along its worst axis, so that kSpreadQuantile times it
   /// is the distance above; 0 for joints of seen segments. Without the error of the seen segment itself.
   const std::array<double, humanmodel::kJointCount>& spread() const { return spread_; }
 

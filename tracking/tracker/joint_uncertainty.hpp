@@ -13,7 +13,7 @@ namespace abstand::tracking {
 /// - The less of a segment is seen, the likelier it is fitted to something else: a share of `visible` (of
 /// each
 ///   segment; for hands and feet the worse of itself and the segment that carries it).
-/// The constants are set so that kReachQuantile times the result holds 99 in 100 raw errors of the simulated
+/// The constants are set so that kSpreadQuantile times the result holds 99 in 100 raw errors of the simulated
 /// captures (tests/tracking/tracker, docs/tracking.md). Does not allocate, does not throw.
 std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
                                                            double residual,

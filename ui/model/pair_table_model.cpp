@@ -18,18 +18,18 @@ void PairTableModel::open(const view::SceneOutline& outline) {
   for (const auto& info : outline.objects) names_.push_back(QString::fromStdString(info.name));
   pairs_ = outline.pairs;
   values_.assign(pairs_.size(), {});
-  lost_.assign(names_.size(), false);
-  reach_.assign(names_.size(), 0.0);
+  levels_.assign(pairs_.size(), PairLevel::kUnknown);
+  uncertainty_.assign(pairs_.size(), 0.0);
   endResetModel();
 }
 
 void PairTableModel::refresh(const view::SceneSnapshot& snapshot) {
-  if (snapshot.pairs.size() != values_.size() || values_.empty()) return;
+  if (snapshot.pairs.size() != values_.size() || snapshot.objects.size() != names_.size() || values_.empty())
+    return;
   std::copy(snapshot.pairs.begin(), snapshot.pairs.end(), values_.begin());
-  for (std::size_t i = 0; i < std::min(lost_.size(), snapshot.objects.size()); ++i) {
-    const scene::PoseState state = snapshot.objects[i].pose_state;
-    lost_[i] = state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
-    reach_[i] = snapshot.objects[i].reach;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    levels_[i] = pairLevel(snapshot, values_[i], pairs_[i]);
+    uncertainty_[i] = poseUncertainty(snapshot, pairs_[i]);
   }
   Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
@@ -40,39 +40,24 @@ int PairTableModel::rowCount(const QModelIndex& parent) const {
 
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-PairTableModel::Level PairTableModel::level(std::size_t row) const {
-  const view::PairSnapshot& pair = values_[row];
-  if (pair.paused) return Level::kPaused;
-  if (pair.result.contacts > 0 || pair.result.distance < 0.0) return Level::kContact;
-  if (lost_[static_cast<std::size_t>(pairs_[row].first)] ||
-      lost_[static_cast<std::size_t>(pairs_[row].second)])
-    return Level::kLost;
-  if (std::isnan(pair.result.distance)) return Level::kUnknown;
-  return pair.result.distance - pairUncertainty(row) < kNearFactor * pair.margin ? Level::kNear
-                                                                                 : Level::kFine;
-}
-
-double PairTableModel::pairUncertainty(std::size_t row) const {
-  return reach_[static_cast<std::size_t>(pairs_[row].first)] +
-         reach_[static_cast<std::size_t>(pairs_[row].second)];
-}
-
 QVariant PairTableModel::text(std::size_t row, int column) const {
   const view::PairSnapshot& pair = values_[row];
   switch (column) {
     case kState:
-      switch (level(row)) {
-        case Level::kContact:
+      switch (levels_[row]) {
+        case PairLevel::kContact:
           return tr("⚠ contact");
-        case Level::kLost:
+        case PairLevel::kLost:
           return tr("? pose lost");
-        case Level::kPaused:
+        case PairLevel::kPaused:
           return tr("? not checked");
-        case Level::kNear:
+        case PairLevel::kNear:
           return tr("▲ near");
-        case Level::kFine:
+        case PairLevel::kInside:
+          return tr("⚠ inside margin");
+        case PairLevel::kApart:
           return tr("apart");
-        case Level::kUnknown:
+        case PairLevel::kUnknown:
           return tr("–");
       }
       return {};
@@ -85,9 +70,10 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
     case kBound:
       return pair.paused ? tr("–") : millimetres(pair.result.bound);
     case kMargin: {
-      const double reach = pairUncertainty(row);
-      if (!(reach > 0.0)) return millimetres(pair.margin, 0);
-      return millimetres(pair.margin, 0) + (std::isinf(reach) ? tr(" + ∞") : " + " + millimetres(reach, 0));
+      const double uncertainty = uncertainty_[row];
+      if (!(uncertainty > 0.0)) return millimetres(pair.margin, 0);
+      return millimetres(pair.margin, 0) +
+             (std::isinf(uncertainty) ? tr(" + ∞") : " + " + millimetres(uncertainty, 0));
     }
     case kForce:
       return pair.paused ? tr("–") : fixed(pair.result.force_a.norm(), 1);
@@ -103,14 +89,14 @@ double PairTableModel::number(std::size_t row, int column) const {
   const auto finite = [](double v) { return std::isnan(v) ? kInfinity : v; };
   switch (column) {
     case kState:
-      return -static_cast<double>(level(row));
+      return -static_cast<double>(levels_[row]);
     case kDistance:
       // What is not checked may be the nearest of all.
       return pair.paused ? -kInfinity : finite(pair.result.distance);
     case kBound:
       return finite(pair.result.bound);
     case kMargin:
-      return pair.margin + pairUncertainty(row);
+      return pair.margin + uncertainty_[row];
     case kForce:
       return pair.result.force_a.norm();
     default:
@@ -131,14 +117,15 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       return static_cast<int>((index.column() >= kDistance ? Qt::AlignRight : Qt::AlignLeft) |
                               Qt::AlignVCenter);
     case Qt::BackgroundRole: {
-      const Level now = level(row);
-      if (now == Level::kFine || now == Level::kUnknown) return {};
-      QColor tint(now == Level::kContact ? kVermillion : kAmber);
-      tint.setAlpha(now == Level::kContact ? 60 : 36);
+      const PairLevel now = levels_[row];
+      if (now == PairLevel::kApart || now == PairLevel::kUnknown) return {};
+      const bool broken = now == PairLevel::kContact || now == PairLevel::kInside;
+      QColor tint(broken ? kVermillion : kAmber);
+      tint.setAlpha(broken ? 60 : 36);
       return QBrush(tint);
     }
     case Qt::FontRole:
-      if (index.column() == kState && level(row) == Level::kContact) {
+      if (index.column() == kState && levels_[row] == PairLevel::kContact) {
         QFont font = QGuiApplication::font();
         font.setBold(true);
         return font;

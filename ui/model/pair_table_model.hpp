@@ -5,7 +5,7 @@
 #include <QSortFilterProxyModel>
 #include <vector>
 
-#include "core/view/snapshot.hpp"
+#include "ui/model/pair_level.hpp"
 
 namespace abstand::ui {
 
@@ -33,18 +33,14 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  enum class Level { kUnknown, kFine, kNear, kLost, kPaused, kContact };
-  Level level(std::size_t row) const;
-  double pairUncertainty(std::size_t row) const;
   QVariant text(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
 
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<view::PairSnapshot> values_;
-  std::vector<double> reach_;  // by object, m: how far it may be from where it is shown
-  std::vector<bool>
-      lost_;  // by object: its pose is stale or was rejected, so its distances are never called safe
+  std::vector<PairLevel> levels_;    // by pair
+  std::vector<double> uncertainty_;  // by pair, m: of both poses
 };
 
 /// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects.

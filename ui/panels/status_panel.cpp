@@ -40,7 +40,7 @@ QString leftOut(const scene::StepCounts& work, std::size_t pairs) {
   QString text = StatusPanel::tr("Checked %1 of %2").arg(work.checked).arg(pairs);
   if (work.rested > 0) text += StatusPanel::tr(", rested %1").arg(work.rested);
   if (work.beyond > 0) text += StatusPanel::tr(", beyond %1").arg(work.beyond);
-  if (work.put_off > 0) text += StatusPanel::tr(", late %1").arg(work.put_off);
+  if (work.deferred > 0) text += StatusPanel::tr(", late %1").arg(work.deferred);
   return text;
 }
 
@@ -50,7 +50,7 @@ std::size_t notChecked(const view::SceneSnapshot& snapshot) {
 }
 
 QString leftOutInWords(const scene::StepCounts& work, std::size_t pairs) {
-  const long looked_at = work.checked + work.rested + work.beyond + work.put_off;
+  const long looked_at = work.checked + work.rested + work.beyond + work.deferred;
   return StatusPanel::tr(
              "Pairs in the last cycle\n"
              "checked: %1\n"
@@ -62,7 +62,7 @@ QString leftOutInWords(const scene::StepCounts& work, std::size_t pairs) {
       .arg(work.checked)
       .arg(work.rested)
       .arg(work.beyond)
-      .arg(work.put_off)
+      .arg(work.deferred)
       .arg(work.longest_wait)
       .arg(static_cast<long>(pairs) - looked_at);
 }

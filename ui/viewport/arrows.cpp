@@ -69,29 +69,29 @@ bool Arrows::refresh(const view::SceneOutline& outline, const view::SceneSnapsho
   if (!torques_ || snapshot.objects.size() != pushes_[kReal].size()) return false;
   sumForces(outline, snapshot);
   std::array<double, kKinds> most{};
-  double most_force = 0.0, most_torque = 0.0, most_speed = 0.0;
+  double max_force = 0.0, max_torque = 0.0, max_speed = 0.0;
   for (const view::ObjectSnapshot& object : snapshot.objects) {
-    if (options.torques) most_torque = std::max(most_torque, object.contact.torque.norm());
-    if (options.velocities) most_speed = std::max(most_speed, object.velocity.linear.norm());
+    if (options.torques) max_torque = std::max(max_torque, object.contact.torque.norm());
+    if (options.velocities) max_speed = std::max(max_speed, object.velocity.linear.norm());
   }
   if (options.forces)
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
       for (const Push& push : pushes_[kind]) most[kind] = std::max(most[kind], push.force.norm());
-      if (most[kind] < options.least_force) most[kind] = 0.0;
-      most_force = std::max(most_force, most[kind]);
+      if (most[kind] < options.min_force) most[kind] = 0.0;
+      max_force = std::max(max_force, most[kind]);
     }
-  if (most_torque < options.least_torque) most_torque = 0.0;
-  if (most_speed < options.least_speed) most_speed = 0.0;
+  if (max_torque < options.min_torque) max_torque = 0.0;
+  if (max_speed < options.min_speed) max_speed = 0.0;
   const bool automatic = options.auto_scale;
   // One scale for both kinds; a kind that is not in sight has no line in the legend.
   ArrowScale scale;
-  const double per_newton = scaleFor(most_force, kLongest, options.metres_per_newton, automatic, scale);
+  const double per_newton = scaleFor(max_force, kLongest, options.metres_per_newton, automatic, scale);
   for (std::size_t kind = 0; kind < kKinds; ++kind)
     force_scale_[kind] = most[kind] > 0.0 ? scale : ArrowScale{};
   const double per_newton_metre =
-      scaleFor(most_torque, kLargestArc, options.metres_per_newton_metre, automatic, torque_);
+      scaleFor(max_torque, kLargestArc, options.metres_per_newton_metre, automatic, torque_);
   const double per_speed =
-      scaleFor(most_speed, kLongest, options.metres_per_metre_per_second, automatic, velocity_);
+      scaleFor(max_speed, kLongest, options.metres_per_metre_per_second, automatic, velocity_);
 
   for (auto& batch : forces_) batch->begin();
   torques_->begin();
@@ -105,13 +105,13 @@ bool Arrows::refresh(const view::SceneOutline& outline, const view::SceneSnapsho
     };
     if (options.forces)
       for (std::size_t kind = 0; kind < kKinds; ++kind)
-        arrow(*forces_[kind], pushes_[kind][i].point, pushes_[kind][i].force, options.least_force, per_newton,
+        arrow(*forces_[kind], pushes_[kind][i].point, pushes_[kind][i].force, options.min_force, per_newton,
               kShortest, kLongest, kind == kReal ? kForceRadius : kVirtualRadius);
     if (options.torques)
-      arrow(*torques_, object.p_WCom, object.contact.torque, options.least_torque, per_newton_metre,
+      arrow(*torques_, object.p_WCom, object.contact.torque, options.min_torque, per_newton_metre,
             kSmallestArc, kLargestArc, 0.0);
     if (options.velocities)
-      arrow(*velocities_, object.p_WCom, object.velocity.linear, options.least_speed, per_speed, kShortest,
+      arrow(*velocities_, object.p_WCom, object.velocity.linear, options.min_speed, per_speed, kShortest,
             kLongest, kVelocityRadius);
   }
   bool changed = false;

@@ -157,10 +157,11 @@ bool ObjectActors::place(Item& item, const Transform& X_WB) {
 }
 
 bool ObjectActors::veil(Item& item, const view::ObjectSnapshot& now, bool hollow) {
-  const bool misty = item.visible && !hollow && std::isfinite(now.reach) && now.reach > kMinMist;
+  const bool misty =
+      item.visible && !hollow && std::isfinite(now.pose_uncertainty) && now.pose_uncertainty > kMinMist;
   bool changed = show(item.mist, misty);
   if (!misty) return changed;
-  const Vector3d by = (item.half.array() + now.reach) / item.half.array();
+  const Vector3d by = (item.half.array() + now.pose_uncertainty) / item.half.array();
   Eigen::Affine3d stretched(now.X_WB.matrix());
   stretched.translate(item.centre).scale(by).translate(-item.centre);
   return assign(item.mist_pose, stretched.matrix()) || changed;

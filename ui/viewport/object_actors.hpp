@@ -21,8 +21,8 @@ namespace abstand::ui {
 class Selection;
 
 /// Drawn so that the state is seen without colour too: contact has an outline, a lost pose is hollow, and
-/// about a body that is not known well lies a mist as far as its reach: the body stretched by it along its
-/// own axes.
+/// about a body that is not known well lies a mist as far as its pose uncertainty: the body stretched by it
+/// along its own axes.
 class ObjectActors {
  public:
   /// Bodies and outlines into `renderer`, shadows into `back`.

@@ -19,9 +19,9 @@ struct ViewOptions {
   double metres_per_newton_metre{0.01};
   double metres_per_metre_per_second{0.25};
   /// Smaller ones are not drawn: they would be dots.
-  double least_force{0.5};    ///< N
-  double least_torque{0.05};  ///< N m
-  double least_speed{0.02};   ///< m/s
+  double min_force{0.5};    ///< N
+  double min_torque{0.05};  ///< N m
+  double min_speed{0.02};   ///< m/s
 };
 
 enum class CameraPreset { kFront, kSide, kTop, kIso };

@@ -46,7 +46,7 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
     overlay->hide();
     return;
   }
-  least_interval_ms = info.software ? kSoftwareIntervalMs : kHardwareIntervalMs;
+  min_interval_ms = info.software ? kSoftwareIntervalMs : kHardwareIntervalMs;
   gl = new QVTKOpenGLNativeWidget(&owner);
   gl->setFocusPolicy(Qt::NoFocus);
   gl->setAccessibleName(Viewport::tr("3D view"));
@@ -80,7 +80,7 @@ void Viewport::Impl::refresh() {
 
 void Viewport::Impl::askForFrame() {
   if (!gl || frame_timer.isActive()) return;
-  frame_timer.start(std::max<int>(0, least_interval_ms - static_cast<int>(since_frame.elapsed())));
+  frame_timer.start(std::max<int>(0, min_interval_ms - static_cast<int>(since_frame.elapsed())));
 }
 
 void Viewport::Impl::drawFrame() {

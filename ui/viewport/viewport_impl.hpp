@@ -51,7 +51,7 @@ struct Viewport::Impl {
 
   QTimer frame_timer;
   QElapsedTimer since_frame;
-  int least_interval_ms{16};
+  int min_interval_ms{16};
   long frames{0};
   QPoint press, last_mouse;
 

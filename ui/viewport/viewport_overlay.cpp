@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ui/model/groups.hpp"
+#include "ui/model/pair_level.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/style/format.hpp"
 #include "ui/viewport/viewport_impl.hpp"
@@ -65,8 +66,9 @@ void Viewport::Impl::addClosest() {
     const QPointF a = camera.project(result.witness_a, &depth_a);
     const QPointF b = camera.project(result.witness_b, &depth_b);
     if (depth_a <= 0.0 || depth_b <= 0.0) continue;
-    const bool contact = result.contacts > 0 || result.distance < 0.0;
-    const bool near = result.distance < kNearFactor * now.margin;
+    const PairLevel level = pairLevel(snapshot, now, outline->pairs[static_cast<std::size_t>(pair)]);
+    const bool contact = level == PairLevel::kContact || level == PairLevel::kInside;
+    const bool near = level == PairLevel::kNear || level == PairLevel::kLost;
     content.segments.push_back({a, b,
                                 QColor(contact ? kVermillion
                                        : near  ? kAmber
@@ -95,7 +97,7 @@ void Viewport::Impl::addContactLabels() {
     const double force = object.contact.force.norm();
     if (!object.colliding)
       content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
-    else if (force >= options.least_force)
+    else if (force >= options.min_force)
       content.labels.push_back(
           {at, Viewport::tr("⚠ %1  %2 N").arg(name, fixed(force, 1)), OverlayLabel::Style::kContact});
     else

@@ -30,7 +30,7 @@ TEST(ClosedLoop, ARobotThatNobodyDisturbsFollowsItsPlan) {
   EXPECT_NEAR(loop.time(), 2.0, 1e-12);
   EXPECT_NEAR(robot.q()[0], -0.6, 1e-3);
   // A step behind at the most: 0.45 m/s for a millisecond.
-  EXPECT_LT(robot.record().most_off_plan, 1e-3);
+  EXPECT_LT(robot.record().max_off_plan, 1e-3);
   EXPECT_NEAR(robot.record().lost_time, 0.0, 1e-9);
 }
 
@@ -61,7 +61,7 @@ TEST(ClosedLoop, WithoutALawOnlyTheContactItselfPushes) {
   // At rest the penalty force carries the spring, so it is 2 kg 36/s^2 x.
   const double f = std::abs(s.session->scene().object(s.session->scene().pairs()[0].a).contact.force.x());
   EXPECT_NEAR(f, 2.0 * 36.0 * std::abs(robot.q()[0]), 0.05);
-  EXPECT_EQ(robot.record().most_torque, 0.0);
+  EXPECT_EQ(robot.record().max_torque, 0.0);
 }
 
 TEST(ClosedLoop, AStopHoldsThePlanAndLetsItGoOn) {

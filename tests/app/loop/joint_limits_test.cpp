@@ -104,7 +104,7 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
   ClosedLoop loop(session, 0.0);
   const ReactingRobot& robot = *loop.robots()[0];
   const auto& frames = robot.driver().mechanism().frames;
-  double most_share = 0.0, travel = 0.0;
+  double max_share = 0.0, travel = 0.0;
   for (int i = 0; i < kCycles; ++i) {
     loop.step();
     for (std::size_t k = 0; k < 7; ++k) {
@@ -118,12 +118,12 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
           << "qd" << k << " " << robot.qd()[k] << " limit " << l.velocity << " at " << i;
       ASSERT_TRUE(within(robot.applied()[k], -l.effort, l.effort))
           << "effort" << k << " " << robot.applied()[k] << " limit " << l.effort << " at " << i;
-      most_share = std::max(most_share, std::abs(robot.qd()[k]) / l.velocity);
+      max_share = std::max(max_share, std::abs(robot.qd()[k]) / l.velocity);
       travel += 1e-3 * std::abs(robot.qd()[k]);
     }
   }
   EXPECT_TRUE(robot.limits().kept());
-  EXPECT_LE(most_share, 1.0 + kShare);
+  EXPECT_LE(max_share, 1.0 + kShare);
   EXPECT_GT(travel, 0.5) << "it did move";
 }
 

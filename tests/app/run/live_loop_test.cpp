@@ -28,7 +28,7 @@ TEST(LiveLoop, RobotsReactToTheNewestResults) {
   // Results may be old on a busy machine, but not older than `input_age`, 0.1 s, in which the thing comes 5
   // cm nearer; in lock step the least distance is more than 3 cm, without reacting less than -4 cm.
   EXPECT_GT(live.min_distance->value, -0.02);
-  EXPECT_GT(live.robots[0].record.most_off_plan, 0.01);
+  EXPECT_GT(live.robots[0].record.max_off_plan, 0.01);
 }
 
 TEST(LiveLoop, WhatIsBehindStopsARobot) {

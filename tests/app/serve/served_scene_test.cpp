@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/loop/closed_loop.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/rest_pose.hpp"
 #include "tests/app/loop/slide_scene.hpp"
 #include "tests/app/serve/joint_packet.hpp"
@@ -330,7 +330,7 @@ TEST_F(Served, BoundsWidenWithJointsThatTheSenderOnlyGuessed) {
   scene->cycle(0.5);
   const PairReport guessed = scene->report().separation[0];
   EXPECT_EQ(guessed.distance, tracked.distance);
-  EXPECT_NEAR(guessed.bound - tracked.bound, humanmodel::kReachQuantile * humanmodel::kGuessedSpread, 1e-9);
+  EXPECT_NEAR(guessed.bound - tracked.bound, humanmodel::kSpreadQuantile * humanmodel::kGuessedSpread, 1e-9);
 }
 
 TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {

@@ -187,10 +187,10 @@ TEST(Voxelmap, LayersBoundDistances) {
 
 TEST(Voxelmap, DoesNotDependOnThreads) {
   const auto surface = geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.05, 0.1}, 1e-4));
-  for (const std::size_t most_exact : {Voxelmap::kMaxExactVoxels, std::size_t{0}}) {
-    const Voxelmap one(*surface, 0.004, 6, 1, most_exact);
+  for (const std::size_t max_exact : {Voxelmap::kMaxExactVoxels, std::size_t{0}}) {
+    const Voxelmap one(*surface, 0.004, 6, 1, max_exact);
     for (const int threads : {2, 3, 0}) {
-      const Voxelmap more(*surface, 0.004, 6, threads, most_exact);
+      const Voxelmap more(*surface, 0.004, 6, threads, max_exact);
       forVoxels(one.grid, [&](const Vector3i& p, std::size_t) { ASSERT_EQ(more.at(p), one.at(p)); });
     }
   }

@@ -49,7 +49,7 @@ TEST(SweptDistance, IsNeverAboveTheLeastAndConverges) {
     double before = -kInfinity;
     for (const int most : {2, 4, 8, 16, 512}) {
       const SweptResult r =
-          sweptDistance(duration, sample, rate, {.tolerance = kTolerance, .most_samples = most});
+          sweptDistance(duration, sample, rate, {.tolerance = kTolerance, .max_samples = most});
       ASSERT_LE(r.lower, least + kRounding) << most;
       // 20000 samples may miss the least by slope * step / 2.
       ASSERT_GE(r.upper, least - 0.5 * wave.slope() * duration / 20000 - kRounding);
@@ -97,7 +97,7 @@ TEST(SweptDistance, WithoutABoundOnTheSpeedNothingIsCertain) {
       [](double) {
         return DistanceSample{1.0, 1.0};
       },
-      [](double, double) { return kInfinity; }, {.most_samples = 16});
+      [](double, double) { return kInfinity; }, {.max_samples = 16});
   EXPECT_FALSE(r.done);
   EXPECT_EQ(r.lower, -kInfinity);
   EXPECT_EQ(r.samples, 16);
@@ -133,7 +133,7 @@ TEST(SweptDistance, AllocatesNothing) {
       [&](double t) {
         return DistanceSample{wave.at(t), wave.at(t)};
       },
-      [&](double, double) { return wave.slope(); }, {.most_samples = 512});
+      [&](double, double) { return wave.slope(); }, {.max_samples = 512});
   EXPECT_EQ(guard.count(), 0);
   EXPECT_GT(r.samples, 2);
 }
@@ -141,7 +141,7 @@ TEST(SweptDistance, AllocatesNothing) {
 TEST(SweptOptions, AreChecked) {
   SweptOptions o;
   o.validate();
-  o.most_samples = 1;
+  o.max_samples = 1;
   EXPECT_THROW(o.validate(), UsageError);
   o = {.tolerance = -1.0};
   EXPECT_THROW(o.validate(), UsageError);

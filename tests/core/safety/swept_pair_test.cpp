@@ -58,7 +58,7 @@ TEST(SweptPair, OfTwoBallsIsTheClosedForm) {
     PoseSegment x(ball().bounding_sphere, at(a0), at(a1), duration);
     PoseSegment y(ball().bounding_sphere, at(b0), at(b1), duration);
     SweptScratch scratch;
-    const SweptResult r = sweptPair({ball(), x}, {ball(), y}, duration, {.most_samples = 200}, scratch);
+    const SweptResult r = sweptPair({ball(), x}, {ball(), y}, duration, {.max_samples = 200}, scratch);
     // Nearest point to the origin of the line of the differences.
     const Vector3d from = a0 - b0, way = (a1 - b1) - from;
     const double s = std::clamp(-from.dot(way) / way.squaredNorm(), 0.0, 1.0);
@@ -102,7 +102,7 @@ TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
                   duration);
     SweptScratch scratch;
     const SweptResult r = sweptPair({rod(), x}, {plate(), y}, duration,
-                                    {.tolerance = 2e-3, .hit = 0.0, .most_samples = 400}, scratch);
+                                    {.tolerance = 2e-3, .hit = 0.0, .max_samples = 400}, scratch);
     samples += r.samples;
     query::PairMemory memory;
     double least = kInfinity;
@@ -203,7 +203,7 @@ TEST(SweptPair, OfABrakingArmAndAPersonHoldsForEveryAdmissibleMotion) {
     UnknownMotion hand(at(p0), v0, bounds, duration);
     SweptScratch scratch;
     const SweptResult r =
-        sweptPair({rod(), link}, {ball(), hand}, duration, {.tolerance = 5e-3, .most_samples = 200}, scratch);
+        sweptPair({rod(), link}, {ball(), hand}, duration, {.tolerance = 5e-3, .max_samples = 200}, scratch);
     ASSERT_TRUE(r.done);
     safe += r.lower > 0.0;
     for (int k = 0; k < 10; ++k) {

@@ -41,13 +41,13 @@ TEST(SceneBudget, EveryBoundHoldsWhateverIsPutOff) {
   for (const double budget : {0.0, 1.0, 3.0}) {
     Scene scene = counted(budget);
     Drift drift(scene);
-    long put_off = 0;
+    long deferred = 0;
     int longest = 0;
     for (int frame = 0; frame < 1500; ++frame) {
       drift.frame(frame);
       scene.step();
       const StepCounts& counts = scene.counts();
-      put_off += counts.put_off;
+      deferred += counts.deferred;
       longest = std::max(longest, counts.longest_wait);
       ASSERT_EQ(counts.rested + counts.beyond, 0);
       if (frame > 0) {
@@ -62,7 +62,7 @@ TEST(SceneBudget, EveryBoundHoldsWhateverIsPutOff) {
         }
       }
     }
-    EXPECT_GT(put_off, 0) << budget;
+    EXPECT_GT(deferred, 0) << budget;
     // 36 pairs in batches of 8: five steps would do if none could touch; those that may touch come first.
     EXPECT_LE(longest, budget == 0.0 ? 40 : 20) << budget;
   }
@@ -76,7 +76,7 @@ TEST(SceneBudget, EnoughTimeChangesNothing) {
     plain_drift.frame(frame);
     scene.step();
     plain.step();
-    ASSERT_EQ(scene.counts().put_off, 0);
+    ASSERT_EQ(scene.counts().deferred, 0);
     for (std::size_t i = 0; i < plain.pairs().size(); ++i)
       ASSERT_TRUE(sameBits(scene.pairs()[i].result, plain.pairs()[i].result)) << frame;
     for (std::size_t i = 0; i < plain.objectCount(); ++i)
@@ -114,7 +114,7 @@ TEST(SceneBudget, TheUrgentComeFirst) {
     scene.setPose(ObjectId(0), at(0.0, 0.0, 1e-4 * frame), 0.001 * frame);
     scene.step();
     ASSERT_EQ(scene.counts().checked, kBatch);
-    ASSERT_EQ(scene.counts().put_off, 40 - kBatch);
+    ASSERT_EQ(scene.counts().deferred, 40 - kBatch);
     ASSERT_EQ(scene.pairs()[29].outcome, PairOutcome::kChecked) << "it may touch, so it never waits";
     // 39 others, 7 a step: none waits longer than it takes to go round.
     ASSERT_LE(scene.counts().longest_wait, 6);

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 
 #include <cmath>
 #include <random>
@@ -167,7 +167,7 @@ TEST(GapFill, KeepsTheWayAndTheLengthOfLimbs) {
     const double unseen =
         std::min(whole.frames[i].t - whole.frames[19].t, whole.frames[30].t - whole.frames[i].t);
     EXPECT_NEAR(
-        humanmodel::kReachQuantile * r.frames[i].spread[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
+        humanmodel::kSpreadQuantile * r.frames[i].spread[static_cast<std::size_t>(humanmodel::Joint::kNeck)],
         humanmodel::kPersonSpeed * unseen, 1e-12);
   }
   EXPECT_EQ(fillGaps(r.frames, 0.05).filled, 0u);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
 
@@ -102,7 +102,7 @@ TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
   for (int i = 1; i <= 60; ++i) {
     const double t = i / 30.0;
     hidden.see(t, seen);
-    const double reach = humanmodel::partReach(0.0, hidden.spread()[wrist]);
+    const double reach = humanmodel::partUncertainty(0.0, hidden.spread()[wrist]);
     EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kMin);
     EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kMin);
     EXPECT_GE(reach, last);
@@ -124,7 +124,7 @@ TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
   hidden.see(0.0, seen);
   EXPECT_EQ(guard.count(), 0);
   const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
-  EXPECT_NEAR(humanmodel::partReach(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle],
+  EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle],
               kRounding);
 }
 

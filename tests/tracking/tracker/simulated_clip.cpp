@@ -6,7 +6,7 @@
 #include <memory>
 #include <numeric>
 
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
 #include "tracking/depth/simulator/skin_body.hpp"
@@ -158,7 +158,7 @@ JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
     JointErrors::Stated& stated =
         frame.state[j] == humanmodel::JointState::kInferred ? errors.inferred : errors.tracked;
     stated.error.push_back(error.norm());
-    stated.reach.push_back(humanmodel::partReach(0.0, frame.spread[j]));
+    stated.reach.push_back(humanmodel::partUncertainty(0.0, frame.spread[j]));
   });
   std::sort(errors.raw.begin(), errors.raw.end());
   std::sort(errors.aligned.begin(), errors.aligned.end());

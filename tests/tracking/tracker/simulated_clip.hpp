@@ -35,8 +35,8 @@ struct JointErrors {
       aligned;               ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
   double longest_swap{0.0};  ///< s for which the body would fit better with left and right exchanged
   std::size_t lost{0};       ///< images without the body
-  /// Raw errors of joints that were tracked, and of those that were inferred, against partReach() of the
-  /// spread that is stated.
+  /// Raw errors of joints that were tracked, and of those that were inferred, against partUncertainty() of
+  /// the spread that is stated.
   struct Stated {
     std::vector<double> error, reach;  ///< m, of the same joints
     void add(const Stated& other);

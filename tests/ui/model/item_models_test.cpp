@@ -162,6 +162,28 @@ TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
   EXPECT_TRUE(model.index(nearest, 0).data(Qt::BackgroundRole).isValid());
 }
 
+TEST(PairTable, CallsInsideWhatTheGateWouldNotPass) {
+  FakeSession session;
+  PairTableModel model;
+  model.open(session.outline());
+  view::SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  snapshot.pairs[0].margin = 0.05;
+  const auto stateAt = [&](double distance, double bound, double uncertainty) {
+    snapshot.pairs[0].result = {};
+    snapshot.pairs[0].result.distance = distance;
+    snapshot.pairs[0].result.bound = bound;
+    snapshot.objects[static_cast<std::size_t>(model.objectsOf(0).first)].pose_uncertainty = uncertainty;
+    model.refresh(snapshot);
+    return model.index(0, PairTableModel::kState).data().toString();
+  };
+  EXPECT_EQ(stateAt(0.5, 0.0, 0.0), QStringLiteral("apart"));
+  EXPECT_EQ(stateAt(0.09, 0.0, 0.0), QStringLiteral("▲ near"));
+  EXPECT_EQ(stateAt(0.049, 0.0, 0.0), QStringLiteral("⚠ inside margin"));
+  EXPECT_EQ(stateAt(0.09, 0.05, 0.0), QStringLiteral("⚠ inside margin")) << "not proven";
+  EXPECT_EQ(stateAt(0.09, 0.0, 0.05), QStringLiteral("⚠ inside margin")) << "uncertain pose";
+  EXPECT_EQ(stateAt(0.5, 0.0, kInfinity), QStringLiteral("⚠ inside margin"));
+}
+
 TEST(PairPanelTest, KeepsSelectionAndScrollWhileValuesChange) {
   FakeSession session;
   Selection selection;

@@ -1,5 +1,5 @@
 // What is not known of a part's place widens its margin, by closed forms.
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,26 +11,26 @@ namespace {
 
 TEST(PartReach, TheQuantileHoldsNinetyNineInAHundred) {
   // The chi distribution with three degrees of freedom: erf(q / sqrt 2) - sqrt(2 / pi) q exp(-q^2 / 2).
-  const double q = kReachQuantile;
+  const double q = kSpreadQuantile;
   const double share = std::erf(q / std::sqrt(2.0)) - std::sqrt(2.0 / kPi) * q * std::exp(-0.5 * q * q);
   EXPECT_NEAR(share, 0.99, 1e-6);  // four decimals of q
 }
 
 TEST(PartReach, AgeAndSpreadAdd) {
-  EXPECT_EQ(partReach(0.0, 0.0), 0.0);
-  EXPECT_DOUBLE_EQ(partReach(0.1, 0.0), 0.1 * 2.0);
-  EXPECT_DOUBLE_EQ(partReach(0.1, 0.0, 1.6), 0.16);
-  EXPECT_DOUBLE_EQ(partReach(0.0, 0.01), 0.033682);
-  EXPECT_DOUBLE_EQ(partReach(0.5, 0.01, 1.6), 0.5 * 1.6 + 0.033682);
+  EXPECT_EQ(partUncertainty(0.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(partUncertainty(0.1, 0.0), 0.1 * 2.0);
+  EXPECT_DOUBLE_EQ(partUncertainty(0.1, 0.0, 1.6), 0.16);
+  EXPECT_DOUBLE_EQ(partUncertainty(0.0, 0.01), 0.033682);
+  EXPECT_DOUBLE_EQ(partUncertainty(0.5, 0.01, 1.6), 0.5 * 1.6 + 0.033682);
 }
 
 TEST(PartReach, WhatIsNotKnownMayBeAnywhere) {
-  EXPECT_EQ(partReach(kInfinity, 0.0), kInfinity);
-  EXPECT_EQ(partReach(0.0, kInfinity), kInfinity);
-  EXPECT_EQ(partReach(kNaN, 0.0), kInfinity);
-  EXPECT_EQ(partReach(0.0, kNaN), kInfinity);
-  EXPECT_EQ(partReach(kInfinity, 0.0, 0.0), kInfinity);
-  EXPECT_EQ(partReach(-1.0, -1.0), 0.0);
+  EXPECT_EQ(partUncertainty(kInfinity, 0.0), kInfinity);
+  EXPECT_EQ(partUncertainty(0.0, kInfinity), kInfinity);
+  EXPECT_EQ(partUncertainty(kNaN, 0.0), kInfinity);
+  EXPECT_EQ(partUncertainty(0.0, kNaN), kInfinity);
+  EXPECT_EQ(partUncertainty(kInfinity, 0.0, 0.0), kInfinity);
+  EXPECT_EQ(partUncertainty(-1.0, -1.0), 0.0);
 }
 
 TEST(PartSpread, GoesOnFromPartToPartAndStaysWhileHeld) {

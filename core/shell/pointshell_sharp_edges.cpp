@@ -1,5 +1,5 @@
 // Sharp edges of a mesh.
-#include "core/shell/pointshell_creases.hpp"
+#include "core/shell/pointshell_sharp_edges.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -50,7 +50,7 @@ SharpEdges findSharpEdges(const geometry::TriangleMesh& mesh, const std::vector<
       const Edge &e = edges[i], &f = edges[i + 1];
       const Vector3d across = mesh.corner(f.triangle, (f.side + 2) % 3) - mesh.vertices[e.low];
       if (normals[e.triangle].dot(across) < 0.0) {
-        out.creases.push_back(
+        out.sharp_edges.push_back(
             {{normals[e.triangle], normals[f.triangle]}, {mesh.vertices[e.low], mesh.vertices[e.high]}});
       }
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/run/distance_check.hpp"
-#include "humanmodel/part_reach.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -65,7 +65,7 @@ session::Session& session() {
 
 double pairUncertainty(const std::string& name) {
   const scene::Object* object = session().scene().find(name);
-  return object ? object->reach : kNaN;
+  return object ? object->pose_uncertainty : kNaN;
 }
 
 TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
@@ -75,8 +75,8 @@ TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
     EXPECT_NEAR(pairUncertainty("p/forearm_left"), 2.0 * age, kRounding) << t;
     EXPECT_NEAR(pairUncertainty("p/biceps_left"), 2.0 * age, kRounding) << t;
     EXPECT_EQ(pairUncertainty("p/torso"), 0.0);
-    EXPECT_NEAR(pairUncertainty("p/forearm_right"), humanmodel::kReachQuantile * kSpread, kRounding);
-    EXPECT_NEAR(pairUncertainty("p/hand_right"), humanmodel::kReachQuantile * kSpread, kRounding);
+    EXPECT_NEAR(pairUncertainty("p/forearm_right"), humanmodel::kSpreadQuantile * kSpread, kRounding);
+    EXPECT_NEAR(pairUncertainty("p/hand_right"), humanmodel::kSpreadQuantile * kSpread, kRounding);
     EXPECT_EQ(pairUncertainty("p/calf_right"), kInfinity);
     EXPECT_EQ(pairUncertainty("ball"), 0.0);
   }
@@ -96,12 +96,12 @@ TEST(Reach, LimitsAreWidenedByIt) {
   const run::CheckResult result = check(session(), 0.2);
   bool forearm = false;
   for (const run::Violation& v : result.violations) {
-    EXPECT_TRUE(v.a.find("left") != std::string::npos || std::isinf(v.reach)) << v.a << ", " << v.b;
+    EXPECT_TRUE(v.a.find("left") != std::string::npos || std::isinf(v.uncertainty)) << v.a << ", " << v.b;
     if (v.a != "p/forearm_left" && v.b != "p/forearm_left") continue;
     forearm = true;
     EXPECT_DOUBLE_EQ(v.end, kEnd);
-    EXPECT_NEAR(v.reach, 2.0 * (kEnd - kSeen), kRounding);
-    // The first frame in which limit + reach is more than the distance, which does not change.
+    EXPECT_NEAR(v.uncertainty, 2.0 * (kEnd - kSeen), kRounding);
+    // The first frame in which limit + uncertainty is more than the distance, which does not change.
     const double due = kSeen + (v.min_distance - 0.2) / 2.0;
     EXPECT_GE(v.start, due - kRounding);
     EXPECT_LT(v.start, due + kStep + kRounding);

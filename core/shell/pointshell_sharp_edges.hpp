@@ -10,7 +10,7 @@
 namespace abstand::shell {
 
 /// A sharp convex edge of a mesh.
-struct Crease {
+struct SharpEdge {
   Vector3d normal[2];  ///< outward unit normals of its two triangles
   Vector3d end[2];
   Vector3d along() const { return (end[1] - end[0]).normalized(); }
@@ -24,7 +24,7 @@ struct Crease {
 struct SharpEdges {
   /// By triangle; bit i: its edge from corner i to corner i + 1 is sharp, open or shared by more than two.
   std::vector<std::uint8_t> sharp;
-  std::vector<Crease> creases;
+  std::vector<SharpEdge> sharp_edges;
 };
 
 /// Outward unit normals of the triangles; zero for one without area.

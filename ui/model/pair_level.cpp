@@ -1,0 +1,31 @@
+#include "ui/model/pair_level.hpp"
+
+#include <cmath>
+
+#include "core/safety/clearance_verdict.hpp"
+#include "ui/style/theme.hpp"
+
+namespace abstand::ui {
+
+double poseUncertainty(const view::SceneSnapshot& snapshot, std::pair<int, int> objects) {
+  return snapshot.objects[static_cast<std::size_t>(objects.first)].pose_uncertainty +
+         snapshot.objects[static_cast<std::size_t>(objects.second)].pose_uncertainty;
+}
+
+PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapshot& pair,
+                    std::pair<int, int> objects) {
+  const auto lost = [&](int object) {
+    const scene::PoseState state = snapshot.objects[static_cast<std::size_t>(object)].pose_state;
+    return state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
+  };
+  if (pair.paused) return PairLevel::kPaused;
+  const query::PairResult& result = pair.result;
+  if (result.contacts > 0 || result.distance < 0.0) return PairLevel::kContact;
+  if (lost(objects.first) || lost(objects.second)) return PairLevel::kLost;
+  if (std::isnan(result.distance)) return PairLevel::kUnknown;
+  const safety::KnownDistance known{result.distance, result.bound, poseUncertainty(snapshot, objects)};
+  if (safety::verdict(known, pair.margin) != safety::ClearanceVerdict::kKept) return PairLevel::kInside;
+  return safety::certifiedClearance(known) < kNearFactor * pair.margin ? PairLevel::kNear : PairLevel::kApart;
+}
+
+}  // namespace abstand::ui
