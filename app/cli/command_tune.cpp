@@ -291,9 +291,7 @@ int runTune(const CommandLine& line, const TuneArguments& args) {
     const TemporaryFolder folder;
     answer = tuneInto(folder.path(), line, args, items, options);
   } else {
-    if (!args.shard.empty())
-      throw UsageError("--shard: found without --out, expected a folder that keeps the results");
-    answer = tuneHere(line, args, items, options);
+    answer = tuneHere(line, args, tune::partOf(items, shardOf(args.shard)), options);
   }
   return finish(line, answer, asked);
 }

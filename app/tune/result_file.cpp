@@ -152,6 +152,10 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.attribute("reaction_time", options.pass.braking.reaction_time);
   out_.attribute("deceleration", options.pass.braking.deceleration);
   out_.attribute("near", options.pass.near);
+  safety::SeparationOptions::eachNumber(options.pass.separation,
+                                        [&](const char* key, const double& value, const config::NumberRule&) {
+                                          out_.attribute(std::string("separation_") + key, value);
+                                        });
   out_.attribute("contact_limits", tuned.contact_limits);
   out_.attribute("content", tuned.content);
   std::vector<std::string> reservations;
@@ -236,6 +240,10 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.near = in.number("near");
   tuned.contact_limits = in.text("contact_limits");
   tuned.content = in.text("content");
+  safety::SeparationOptions::eachNumber(stored.options.pass.separation,
+                                        [&](const char* key, double& value, const config::NumberRule&) {
+                                          value = in.number(std::string("separation_") + key);
+                                        });
   stored.options.pass.braking = {in.number("reaction_time"), in.number("deceleration")};
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));

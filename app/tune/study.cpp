@@ -52,18 +52,30 @@ RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
   return kInterrupted;
 }
 
+std::vector<double> numbersOf(const safety::SeparationOptions& options) {
+  std::vector<double> numbers;
+  safety::SeparationOptions::eachNumber(
+      options, [&](const char*, const double& v, const config::NumberRule&) { numbers.push_back(v); });
+  return numbers;
+}
+
 bool sameOptions(const StoredResult& x, const StoredResult& y) {
   const PassOptions &a = x.options.pass, &b = y.options.pass;
+  if (numbersOf(a.separation) != numbersOf(b.separation)) return false;
   return a.limit == b.limit && a.near == b.near && a.braking.reaction_time == b.braking.reaction_time &&
          a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
 }
 
 }  // namespace
 
+std::vector<PlanItem> partOf(const std::vector<PlanItem>& items, const Shard& shard) {
+  std::vector<PlanItem> part;
+  for (std::size_t i = shard.index; i < items.size(); i += shard.count) part.push_back(items[i]);
+  return part;
+}
+
 StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& options) {
-  std::vector<const PlanItem*> mine;
-  for (std::size_t i = options.shard.index; i < items.size(); i += options.shard.count)
-    mine.push_back(&items[i]);
+  const std::vector<PlanItem> mine = partOf(items, options.shard);
   std::error_code ec;
   fs::create_directories(options.folder / "results", ec);
   if (ec) throw WriteError((options.folder / "results").string(), ec.value());
@@ -71,7 +83,7 @@ StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& opt
   std::vector<std::string> errors(mine.size());
   std::size_t done = 0;
   const bool all = runJobs(
-      mine.size(), options.jobs, [&](std::size_t i) { return makeResult(*mine[i], options); },
+      mine.size(), options.jobs, [&](std::size_t i) { return makeResult(mine[i], options); },
       [&](const JobEnd& end) {
         ++done;
         report.made += end.answer == kMade;
@@ -83,7 +95,7 @@ StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& opt
   report.interrupted = report.interrupted || !all;
   // In the order of the plan, whatever ended first.
   for (std::size_t i = 0; i < mine.size(); ++i)
-    if (!errors[i].empty()) report.failed.push_back({mine[i]->name, errors[i]});
+    if (!errors[i].empty()) report.failed.push_back({mine[i].name, errors[i]});
   return report;
 }
 
@@ -109,10 +121,10 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
     if (std::any_of(kept.begin(), kept.end(), [&](const Kept& k) { return k.stored.key == stored.key; }))
       continue;
     if (!kept.empty() && !sameOptions(kept.front().stored, stored))
-      throw ParseError(
-          {file.string()},
-          "found a result with other options than in " + kept.front().file.string() +
-              ", expected the same limit, reaction time, deceleration and table of contact limits");
+      throw ParseError({file.string()}, "found a result with other options than in " +
+                                            kept.front().file.string() +
+                                            ", expected the same limit, reaction time, deceleration, "
+                                            "separation and table of contact limits");
     if (!kept.empty() && kept.front().stored.version != stored.version)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");

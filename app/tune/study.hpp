@@ -15,6 +15,8 @@ struct Shard {
   std::size_t index{0}, count{1};
 };
 
+std::vector<PlanItem> partOf(const std::vector<PlanItem>& items, const Shard& shard);
+
 struct StudyOptions {
   TuneOptions tune;
   std::filesystem::path folder;  ///< of results: FOLDER/results/KEY.h5, each written once

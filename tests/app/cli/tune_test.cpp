@@ -45,6 +45,12 @@ TEST_F(Tune, AnswersTheSameInAnyNumberOfPartsAndProcesses) {
   const json whole = runJson("tune " + scene_ + " --recordings" + recordings_ + common);
   EXPECT_EQ(whole["recordings"], kPeople);
   const std::string expected = answerOf(whole);
+  std::size_t recordings = 0;
+  for (const std::string shard : {"1/3", "2/3", "3/3"})
+    recordings +=
+        runJson("tune " + scene_ + " --recordings" + recordings_ + common + " --shard " + shard)["recordings"]
+            .get<std::size_t>();
+  EXPECT_EQ(recordings, kPeople) << "parts without a folder are answered by themselves";
   for (const int shards : {1, 2, 7}) {
     const std::string folder = "shards" + std::to_string(shards);
     for (int i = shards; i >= 1; --i)
@@ -216,7 +222,7 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
 }
 
 TEST_F(Tune, RefusesWhatMakesNoSense) {
-  for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 1/2",
+  for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 3/2",
                                   "--jobs 0", "--reaction-time -1", "--deceleration 0", "--limit -0.1"})
     EXPECT_EQ(run("tune " + scene_ + " " + wrong).code, 2) << wrong;
   for (const std::string wrong : {"0/2", "3/2", "1", "/2"})
@@ -235,6 +241,13 @@ TEST_F(Tune, RefusesToMergeResultsOfDifferentOptions) {
   const Answer a = run("merge " + out("a"));
   EXPECT_EQ(a.code, 3);
   EXPECT_NE(a.err.find("other options"), std::string::npos) << a.err;
+  EXPECT_EQ(
+      run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("b") + " --shard 1/7").code, 0);
+  EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("c") +
+                " --shard 2/7 --separation intrusion=0.3")
+                .code,
+            0);
+  EXPECT_EQ(run("merge " + out("b") + " " + out("c")).code, 3);
 }
 
 }  // namespace
