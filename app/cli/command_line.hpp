@@ -76,6 +76,7 @@ void addTune(CLI::App& root, CommandLine& line);
 void addMerge(CLI::App& root, CommandLine& line);
 void addDiff(CLI::App& root, CommandLine& line);
 void addExport(CLI::App& root, CommandLine& line);
+void addEvents(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);
 

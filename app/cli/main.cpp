@@ -104,6 +104,7 @@ int main(int argc, char** argv) {
   cli::addMerge(app, line);
   cli::addDiff(app, line);
   cli::addExport(app, line);
+  cli::addEvents(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);
   try {

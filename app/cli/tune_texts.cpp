@@ -67,24 +67,6 @@ Json contactJson(const tune::ContactShare& c) {
           {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
 }
 
-Json approachJson(const tune::RankedApproach& r) {
-  const tune::Approach& a = *r.approach;
-  const double closing = a.motion.closing();
-  return {
-      {"recording", r.recording->recording},
-      {"t", a.t},
-      {"part", r.recording->pass.parts[a.part].part},
-      {"link", r.recording->pass.links[a.link]},
-      {"distance", a.distance},
-      {"clearance", a.clearance},
-      {"closing_speed", closing},
-      {"robot_speed", a.motion.robot_speed},
-      {"person_speed", a.motion.person_speed},
-      {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? Json(a.clearance / closing) : Json(nullptr)},
-      {"robot_mass", a.motion.robot_mass},
-      {"contact", contactJson(a.contact)}};
-}
-
 std::string separationText(const tune::TuneAnswer& answer) {
   double scale = 1.0;
   std::size_t slowed = 0;
@@ -225,6 +207,24 @@ std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMar
 }
 
 }  // namespace
+
+nlohmann::ordered_json approachJson(const tune::RankedApproach& r) {
+  const tune::Approach& a = *r.approach;
+  const double closing = a.motion.closing();
+  return {
+      {"recording", r.recording->recording},
+      {"t", a.t},
+      {"part", r.recording->pass.parts[a.part].part},
+      {"link", r.recording->pass.links[a.link]},
+      {"distance", a.distance},
+      {"clearance", a.clearance},
+      {"closing_speed", closing},
+      {"robot_speed", a.motion.robot_speed},
+      {"person_speed", a.motion.person_speed},
+      {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? Json(a.clearance / closing) : Json(nullptr)},
+      {"robot_mass", a.motion.robot_mass},
+      {"contact", contactJson(a.contact)}};
+}
 
 Json tuneJson(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;

@@ -9,6 +9,7 @@
 
 namespace abstand::cli {
 
+nlohmann::ordered_json approachJson(const tune::RankedApproach& ranked);
 nlohmann::ordered_json tuneJson(const tune::TuneAnswer& answer);
 std::string tuneText(const tune::TuneAnswer& answer);
 

@@ -221,6 +221,44 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person1.csv]\n", "twice");
 }
 
+TEST_F(Tune, TellsTheEventsThatItCounts) {
+  const std::string folder = out("events");
+  const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder +
+                             " --margins 0.2:0.4:0.2");
+  for (const double margin : {0.2, 0.4}) {
+    const std::string at = "events " + folder + " --margin " + std::to_string(margin);
+    const json all = runJson(at);
+    EXPECT_EQ(all["recordings"], kPeople);
+    bool some = false;
+    for (const json& row : tuned["margins"]) {
+      if (row["part"] == "whole_body" || std::abs(row["margin"].get<double>() - margin) > 1e-9) continue;
+      int stops = 0, false_stops = 0, missed = 0;
+      for (const json& e : all["events"]) {
+        if (e["part"] != row["part"]) continue;
+        stops += e["kind"] == "intrusion";
+        false_stops += e["false_stop"].get<bool>();
+        missed += e["missed_stop"].get<bool>();
+        EXPECT_LE(e["t0"], e["t_nearest"]);
+        EXPECT_LE(e["t_nearest"], e["t1"]);
+        EXPECT_LT(e["min_clearance"], margin);
+      }
+      EXPECT_EQ(row["stops"], stops) << row;
+      EXPECT_EQ(row["false_stops"], false_stops) << row;
+      EXPECT_EQ(row["missed_stops"], missed) << row;
+      some = some || stops > 0;
+    }
+    EXPECT_TRUE(some) << margin;
+    EXPECT_EQ(run(at + " --fail-on intrusion").code, 1);
+    bool any_missed = false;
+    for (const json& e : all["events"]) any_missed = any_missed || e["missed_stop"].get<bool>();
+    EXPECT_EQ(run(at + " --fail-on missed").code, any_missed ? 1 : 0);
+  }
+  const json torso = runJson("events " + folder + " --margin 0.4 --part torso");
+  ASSERT_FALSE(torso["events"].empty());
+  for (const json& e : torso["events"]) EXPECT_EQ(e["part"], "torso");
+  EXPECT_EQ(run("events " + folder + " --margin 0.2 --part torsso").code, 2);
+}
+
 TEST_F(Tune, RefusesWhatMakesNoSense) {
   for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 3/2",
                                   "--jobs 0", "--reaction-time -1", "--deceleration 0", "--limit -0.1"})

@@ -1,0 +1,69 @@
+#include "app/tune/margin_events.hpp"
+
+#include <algorithm>
+
+namespace abstand::tune {
+namespace {
+
+MarginEvent eventOf(const TunedRecording& recording, std::size_t part, const margin::Intrusion& in) {
+  const PartClearance& p = recording.pass.parts[part];
+  const auto first = p.track.clearance.begin() + static_cast<std::ptrdiff_t>(in.begin);
+  const auto nearest = static_cast<std::size_t>(
+      std::min_element(first, p.track.clearance.begin() + static_cast<std::ptrdiff_t>(in.end)) -
+      p.track.clearance.begin());
+  return {MarginEvent::Kind::kIntrusion,
+          &recording,
+          static_cast<std::uint16_t>(part),
+          p.link[nearest],
+          p.track.t[in.begin],
+          p.track.t[std::min(in.end, p.track.frames() - 1)],
+          p.track.t[nearest],
+          in.min_clearance,
+          in.braking,
+          in.false_stop,
+          in.missed,
+          in.lead_time};
+}
+
+void addBetweenFrames(const TunedRecording& recording, std::size_t part, double margin,
+                      const margin::MarginOptions& options, std::vector<MarginEvent>& events) {
+  const PartClearance& p = recording.pass.parts[part];
+  for (std::size_t i = 0; i + 1 < p.track.frames(); ++i) {
+    if (p.track.clearance[i] < margin || !(p.track.between[i] <= options.limit)) continue;
+    events.push_back({MarginEvent::Kind::kBetweenFrames,
+                      &recording,
+                      static_cast<std::uint16_t>(part),
+                      p.link[i],
+                      p.track.t[i],
+                      p.track.t[i + 1],
+                      p.track.t[i],
+                      p.track.between[i],
+                      p.track.between[i],
+                      false,
+                      true,
+                      {}});
+  }
+}
+
+}  // namespace
+
+std::vector<MarginEvent> marginEvents(const std::vector<TunedRecording>& recordings, double margin,
+                                      const margin::MarginOptions& options, const std::string& part) {
+  std::vector<MarginEvent> all;
+  for (const TunedRecording& recording : recordings) {
+    std::vector<MarginEvent> events;
+    for (std::size_t i = 0; i < recording.pass.parts.size(); ++i) {
+      const PartClearance& p = recording.pass.parts[i];
+      if (!part.empty() && p.part != part) continue;
+      for (const margin::Intrusion& in : margin::intrusions(p.track, margin, options))
+        events.push_back(eventOf(recording, i, in));
+      addBetweenFrames(recording, i, margin, options, events);
+    }
+    std::stable_sort(events.begin(), events.end(),
+                     [](const MarginEvent& a, const MarginEvent& b) { return a.t0 < b.t0; });
+    all.insert(all.end(), events.begin(), events.end());
+  }
+  return all;
+}
+
+}  // namespace abstand::tune
