@@ -45,7 +45,7 @@ TEST(InterruptedChecks, DoNotPass) {
   }
 }
 
-TEST(NastyPoses, TheCycleAllocatesNothing) {
+TEST(AdversarialPoses, TheCycleAllocatesNothing) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   kernels::PairScratch scratch;
   query::PairResult result;
@@ -65,7 +65,7 @@ TEST(NastyPoses, TheCycleAllocatesNothing) {
   EXPECT_GT(touching, 500);
 }
 
-TEST(NastyPoses, AreTheSameForOneSeedAndOfEveryFamily) {
+TEST(AdversarialPoses, AreTheSameForOneSeedAndOfEveryFamily) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   std::array<int, kPoseFamilies> count{};
   for (std::uint64_t i = 0; i < 2'000; ++i) {
