@@ -5,7 +5,7 @@
 
 namespace abstand::verify {
 
-/// Asks queryPair about options.poses nasty poses, with each kind of field. Two results a field:
+/// Asks queryPair about options.poses adversarial poses, with each kind of field. Two results a field:
 /// - bound.FIELD: (distance - true distance) / bound, which the contract keeps at or below 1: the true
 /// distance
 ///   is never below distance - bound. The table has one row a family of poses, with the errors in voxels.

@@ -108,7 +108,8 @@ std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
   CheckResult result;
   result.name = "bound.moving";
   result.what =
-      "Bodies move on from nasty poses, and the engine remembers the step before: the true distance of their "
+      "Bodies move on from adversarial poses, and the engine remembers the step before: the true distance of "
+      "their "
       "meshes is never below distance - bound. All kinds of fields.";
   result.quantity = "(distance - true distance) / bound";
   result.reason = "What is remembered may make an answer quicker, and never weaken its bound.";

@@ -5,8 +5,8 @@
 
 namespace abstand::verify {
 
-/// A scene of all nasty bodies and all their pairs, stepped with 1, 2, 3, 7 and 16 threads over random poses:
-/// the fingerprint of all results is that of one thread. The number is 1 for a frame that differs.
+/// A scene of all adversarial bodies and all their pairs, stepped with 1, 2, 3, 7 and 16 threads over random
+/// poses: the fingerprint of all results is that of one thread. The number is 1 for a frame that differs.
 std::vector<CheckResult> checkSameBits(const VerifyOptions& options);
 
 }  // namespace abstand::verify

@@ -1,4 +1,4 @@
-// Every check of `abstand verify` passes, and the cycle allocates nothing on the nasty poses.
+// Every check of `abstand verify` passes, and the cycle allocates nothing on the adversarial poses.
 #include <gtest/gtest.h>
 
 #include <array>
