@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 #include "app/cli/tune_texts.hpp"
 #include "app/tune/margin_events.hpp"
 #include "app/tune/tune_answer.hpp"
@@ -41,7 +42,7 @@ Json eventJson(const tune::MarginEvent& e) {
           {"braking_clearance", e.braking},
           {"false_stop", e.false_stop},
           {"missed_stop", e.missed},
-          {"lead_time", e.lead_time ? Json(*e.lead_time) : Json(nullptr)}};
+          {"lead_time", orNull(e.lead_time)}};
 }
 
 std::string eventText(const tune::MarginEvent& e) {
@@ -68,30 +69,30 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
   tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
   answer.recordings = std::move(merged.recordings);
   answer.options = merged.options;
-  const std::vector<tune::MarginEvent> events =
-      tune::marginEvents(answer.recordings, margin, answer.options.margins(), args.part);
   Json document{{"recordings", answer.recordings.size()},
                 {"margin", margin},
                 {"limit", answer.options.pass.limit},
                 {"events", Json::array()},
                 {"approaches", Json::array()}};
   std::string text;
-  const tune::TunedRecording* last = nullptr;
-  std::size_t missed = 0, false_stops = 0, failing = 0;
-  for (const tune::MarginEvent& e : events) {
-    document["events"].push_back(eventJson(e));
-    if (e.recording != last) text += e.recording->recording + "\n";
-    last = e.recording;
-    text += eventText(e);
-    missed += e.missed;
-    false_stops += e.false_stop;
-    failing += fails(args.fail_on, e);
+  std::size_t count = 0, missed = 0, false_stops = 0, failing = 0;
+  for (const tune::TunedRecording& recording : answer.recordings) {
+    const auto events = tune::marginEvents(recording, margin, answer.options.margins(), args.part);
+    if (!events.empty()) text += recording.recording + "\n";
+    count += events.size();
+    for (const tune::MarginEvent& e : events) {
+      document["events"].push_back(eventJson(e));
+      text += eventText(e);
+      missed += e.missed;
+      false_stops += e.false_stop;
+      failing += fails(args.fail_on, e);
+    }
   }
   for (const tune::RankedApproach& r : tune::rankedApproaches(answer))
     if (args.part.empty() || r.recording->pass.parts[r.approach->part].part == args.part)
       document["approaches"].push_back(approachJson(r));
-  text += format("%zu events at a margin of %.0f mm in %zu runs: %zu false stops, %zu missed\n",
-                 events.size(), 1e3 * margin, answer.recordings.size(), false_stops, missed);
+  text += format("%zu events at a margin of %.0f mm in %zu runs: %zu false stops, %zu missed\n", count,
+                 1e3 * margin, answer.recordings.size(), false_stops, missed);
   line.print(document, text);
   return failing > 0 ? kLimitBroken : kDone;
 }

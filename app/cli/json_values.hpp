@@ -3,12 +3,18 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace abstand::cli {
 
 /// JSON has no infinity and no NaN: null.
 inline nlohmann::ordered_json numberOrNull(double v) {
   return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
+}
+
+/// null for what is not known, too.
+inline nlohmann::ordered_json orNull(const std::optional<double>& v) {
+  return v ? numberOrNull(*v) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace abstand::cli

@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   cli::addDiff(app, line);
   cli::addExport(app, line);
   cli::addEvents(app, line);
+  cli::addReport(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);
   try {

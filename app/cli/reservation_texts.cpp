@@ -1,15 +1,9 @@
 #include "app/cli/reservation_texts.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 
 namespace abstand::cli {
-namespace {
-
-nlohmann::ordered_json orNull(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
-}  // namespace
 
 nlohmann::ordered_json reservationsJson(const std::vector<run::Reservation>& reservations) {
   auto list = nlohmann::ordered_json::array();

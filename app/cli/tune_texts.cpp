@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 #include "app/cli/reservation_texts.hpp"
 
 namespace abstand::cli {
@@ -13,9 +14,6 @@ using Json = nlohmann::ordered_json;
 
 /// Approaches in the text for people; the JSON has all.
 constexpr std::size_t kTextApproaches = 10;
-
-// What is not finite is written as null, too.
-Json orNull(const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); }
 
 Json rowJson(const tune::MarginRow& row) {
   const margin::MarginOutcome& o = row.outcome;

@@ -6,6 +6,7 @@
 
 #include "app/report/svg_plot.hpp"
 #include "app/run/pair_class.hpp"
+#include "core/text/escaped_xml.hpp"
 
 namespace abstand::report {
 namespace {
@@ -74,7 +75,7 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
   const double half = std::clamp((on_part - on_link).norm() * 1.5, kMinHalfExtent, kMaxHalfExtent);
   std::string svg = "<svg class=\"moment\" role=\"img\" viewBox=\"0 0 " + pixels(2.0 * kViewWidth) + " " +
                     pixels(kViewHeight + 18.0) + "\" aria-label=\"" +
-                    escaped(bodies.part + " and " + bodies.link) + "\">\n";
+                    text::escapedXml(bodies.part + " and " + bodies.link) + "\">\n";
   for (int v = 0; v < 2; ++v) {
     const View& view = kViews[v];
     const double left = v * kViewWidth;
@@ -88,7 +89,7 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
       svg += "<polygon class=\"" +
              std::string(styleOf(run::sideOf(session.description(), object.spec.group))) +
              (strong ? " strong" : "") + "\" points=\"" + outline(object, view, frame) + "\"><title>" +
-             escaped(object.spec.name) + "</title></polygon>\n";
+             text::escapedXml(object.spec.name) + "</title></polygon>\n";
     }
     svg += "<polyline class=\"gap\" points=\"" + frame.at(on_part) + " " + frame.at(on_link) +
            "\"/>\n</g>\n<text x=\"" + pixels(left + 8.0) + "\" y=\"" + pixels(kViewHeight + 13.0) + "\">" +

@@ -1,6 +1,7 @@
 #include "app/report/page.hpp"
 
 #include "app/report/svg_plot.hpp"
+#include "core/text/escaped_xml.hpp"
 
 namespace abstand::report {
 namespace {
@@ -36,13 +37,13 @@ svg text{fill:var(--text);font:12px system-ui,sans-serif}
 std::string pageBegin(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-         escaped(title) + "</title>\n" + kStyle + "</head><body>\n";
+         text::escapedXml(title) + "</title>\n" + kStyle + "</head><body>\n";
 }
 
 std::string pageEnd() { return "</body></html>\n"; }
 
 std::string cell(const std::string& text, const char* tag) {
-  return std::string("<") + tag + ">" + escaped(text) + "</" + tag + ">";
+  return std::string("<") + tag + ">" + text::escapedXml(text) + "</" + tag + ">";
 }
 
 std::string htmlTable(const std::vector<std::string>& header,

@@ -6,6 +6,7 @@
 #include "app/report/page.hpp"
 #include "app/report/svg_plot.hpp"
 #include "core/base/output_file.hpp"
+#include "core/text/escaped_xml.hpp"
 #include "core/verify/check_tools.hpp"
 
 namespace abstand::report {
@@ -16,7 +17,7 @@ std::string verdict(bool passed) {
 }
 
 std::string link(const verify::CheckResult& r) {
-  return "<a href=\"#" + escaped(r.name) + "\">" + escaped(r.name) + "</a>";
+  return "<a href=\"#" + text::escapedXml(r.name) + "\">" + text::escapedXml(r.name) + "</a>";
 }
 
 std::string summary(const std::vector<verify::CheckResult>& results) {
@@ -33,10 +34,11 @@ std::string summary(const std::vector<verify::CheckResult>& results) {
 }
 
 std::string section(const verify::CheckResult& r) {
-  std::string html = "<h2 id=\"" + escaped(r.name) + "\">" + escaped(r.name) + " " + verdict(r.passed) +
-                     "</h2>\n<p>" + escaped(r.what) + "</p>\n<p class=\"soft\">" + escaped(r.quantity) +
-                     ": worst " + verify::shortNumber(r.worst) + ", limit " + verify::shortNumber(r.limit) +
-                     ". " + escaped(r.reason) + "</p>\n" +
+  std::string html = "<h2 id=\"" + text::escapedXml(r.name) + "\">" + text::escapedXml(r.name) + " " +
+                     verdict(r.passed) + "</h2>\n<p>" + text::escapedXml(r.what) +
+                     "</p>\n<p class=\"soft\">" + text::escapedXml(r.quantity) + ": worst " +
+                     verify::shortNumber(r.worst) + ", limit " + verify::shortNumber(r.limit) + ". " +
+                     text::escapedXml(r.reason) + "</p>\n" +
                      (r.table.rows.empty() ? std::string() : htmlTable(r.table.header, r.table.rows));
   for (const verify::Plot& plot : r.plots) html += svgPlot(plot);
   return html;
@@ -48,7 +50,7 @@ void writeReport(const std::vector<verify::CheckResult>& results, const verify::
                  const std::string& version, const std::filesystem::path& file) {
   const auto failed = std::ranges::count_if(results, [](const verify::CheckResult& r) { return !r.passed; });
   OutputFile out(file);
-  out.stream() << pageBegin("Abstand: verification") << "<h1>Abstand " << escaped(version)
+  out.stream() << pageBegin("Abstand: verification") << "<h1>Abstand " << text::escapedXml(version)
                << ": verification</h1>\n<p>" << results.size() << " checks, "
                << (failed == 0 ? std::string("<span class=\"passed\">all passed</span>")
                                : "<span class=\"failed\">" + std::to_string(failed) + " failed</span>")
@@ -57,7 +59,8 @@ void writeReport(const std::vector<verify::CheckResult>& results, const verify::
                << summary(results);
   for (const verify::CheckResult& r : results) out.stream() << section(r);
   out.stream() << "<p class=\"soft\">Made by <code>abstand verify --poses " << options.poses << " --seed "
-               << options.seed << (options.quick ? " --quick" : "") << "</code>, version " << escaped(version)
+               << options.seed << (options.quick ? " --quick" : "") << "</code>, version "
+               << text::escapedXml(version)
                << ". The numbers do not depend on the number of threads. An analysis tool, not a safety "
                   "function.</p>\n"
                << pageEnd();

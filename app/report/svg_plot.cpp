@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/escaped_xml.hpp"
 #include "core/verify/check_tools.hpp"
 
 namespace abstand::report {
@@ -69,7 +70,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 std::string label(double x, double y, const char* anchor, const std::string& text,
                   const std::string& more = {}) {
   return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-         escaped(text) + "</text>";
+         text::escapedXml(text) + "</text>";
 }
 
 std::string polyline(const verify::Series& series, const Axis& x, const Axis& y, std::size_t colour) {
@@ -90,24 +91,6 @@ std::string pixels(double v) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 std::string svgPlot(const verify::Plot& plot) {
   Axis x(plot.log_x, kLeft, kWidth - kRight), y(plot.log_y, kHeight - kBottom, kTop);
   for (const verify::Series& series : plot.series) {
@@ -119,7 +102,7 @@ std::string svgPlot(const verify::Plot& plot) {
 
   const double left = kLeft, right = kWidth - kRight, top = kTop, bottom = kHeight - kBottom;
   std::string svg = "<svg role=\"img\" viewBox=\"0 0 " + pixels(kWidth) + " " + pixels(kHeight) +
-                    "\" aria-label=\"" + escaped(plot.title) + "\">\n" +
+                    "\" aria-label=\"" + text::escapedXml(plot.title) + "\">\n" +
                     label(left, top - 10, "start", plot.title) + "\n";
   for (const double v : x.ticks())
     svg += line(x.pixel(v), top, x.pixel(v), bottom, "grid") +

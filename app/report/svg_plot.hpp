@@ -14,7 +14,4 @@ std::string svgPlot(const verify::Plot& plot);
 /// A length or place in a drawing, to a tenth of a pixel.
 std::string pixels(double v);
 
-/// `text` with <, >, & and " escaped for HTML.
-std::string escaped(const std::string& text);
-
 }  // namespace abstand::report

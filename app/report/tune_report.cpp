@@ -7,6 +7,7 @@
 #include "app/report/svg_plot.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
+#include "core/text/escaped_xml.hpp"
 
 namespace abstand::report {
 namespace {
@@ -143,7 +144,7 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
     const std::string svg = options.picture(r, a);
     if (!svg.empty())
       pictures += "<figure>" + svg + "<figcaption>" +
-                  escaped(part + " to " + link + " at " + seconds(a.t) + ": " + mm(a.clearance)) +
+                  text::escapedXml(part + " to " + link + " at " + seconds(a.t) + ": " + mm(a.clearance)) +
                   "; people orange, robots blue.</figcaption></figure>\n";
   }
   if (rows.empty()) return html + "<p>None below " + mm(answer.options.pass.near) + ".</p>\n";
@@ -211,9 +212,9 @@ std::string assumptions(const tune::TuneAnswer& answer) {
                     r.unjudged > 0.0 ? seconds(r.unjudged) : "", r.content});
   html += htmlTable({"recording", "frames", "length", "not judged", "content (XXH3)"}, rows);
   for (const auto& f : answer.failed)
-    html += "<p class=\"failed\">Not run: " + escaped(f.recording + ": " + f.error) + "</p>\n";
+    html += "<p class=\"failed\">Not run: " + text::escapedXml(f.recording + ": " + f.error) + "</p>\n";
   const std::string& stamp = answer.recordings.front().contact_limits;
-  if (!stamp.empty()) html += "<p>Limits of contact: " + escaped(stamp) + ".</p>\n";
+  if (!stamp.empty()) html += "<p>Limits of contact: " + text::escapedXml(stamp) + ".</p>\n";
   rows.clear();
   for (const tune::TunedRecording& r : answer.recordings)
     for (const run::Reservation& reservation : r.reservations)
@@ -238,16 +239,16 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
   OutputFile out(file);
   double time = 0.0;
   for (const tune::TunedRecording& r : answer.recordings) time += r.seconds();
-  out.stream() << pageBegin("Abstand: safety margins") << "<h1>Safety margins: " << escaped(options.command)
-               << "</h1>\n<p>" << counted(answer.recordings.size(), "recording") << ", "
-               << shown("%.1f minutes", time / 60.0)
+  out.stream() << pageBegin("Abstand: safety margins")
+               << "<h1>Safety margins: " << text::escapedXml(options.command) << "</h1>\n<p>"
+               << counted(answer.recordings.size(), "recording") << ", " << shown("%.1f minutes", time / 60.0)
                << (answer.interrupted
                        ? ", <span class=\"failed\">interrupted: not all that was asked for</span>"
                        : "")
                << ".</p>\n"
                << proposedSection(answer) << curveSection(answer) << approachSection(answer, options)
                << timeSection(answer) << assumptions(answer) << kSignature
-               << "<p class=\"soft\">Made by abstand " << escaped(options.version) << ".</p>\n"
+               << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version) << ".</p>\n"
                << pageEnd();
   out.commit();
 }

@@ -47,23 +47,19 @@ void addBetweenFrames(const TunedRecording& recording, std::size_t part, double 
 
 }  // namespace
 
-std::vector<MarginEvent> marginEvents(const std::vector<TunedRecording>& recordings, double margin,
+std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part) {
-  std::vector<MarginEvent> all;
-  for (const TunedRecording& recording : recordings) {
-    std::vector<MarginEvent> events;
-    for (std::size_t i = 0; i < recording.pass.parts.size(); ++i) {
-      const PartClearance& p = recording.pass.parts[i];
-      if (!part.empty() && p.part != part) continue;
-      for (const margin::Intrusion& in : margin::intrusions(p.track, margin, options))
-        events.push_back(eventOf(recording, i, in));
-      addBetweenFrames(recording, i, margin, options, events);
-    }
-    std::stable_sort(events.begin(), events.end(),
-                     [](const MarginEvent& a, const MarginEvent& b) { return a.t0 < b.t0; });
-    all.insert(all.end(), events.begin(), events.end());
+  std::vector<MarginEvent> events;
+  for (std::size_t i = 0; i < recording.pass.parts.size(); ++i) {
+    const PartClearance& p = recording.pass.parts[i];
+    if (!part.empty() && p.part != part) continue;
+    for (const margin::Intrusion& in : margin::intrusions(p.track, margin, options))
+      events.push_back(eventOf(recording, i, in));
+    addBetweenFrames(recording, i, margin, options, events);
   }
-  return all;
+  std::stable_sort(events.begin(), events.end(),
+                   [](const MarginEvent& a, const MarginEvent& b) { return a.t0 < b.t0; });
+  return events;
 }
 
 }  // namespace abstand::tune

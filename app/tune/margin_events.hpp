@@ -25,9 +25,9 @@ struct MarginEvent {
   std::optional<double> lead_time;  ///< s
 };
 
-/// Of each recording in turn, in order of time, then of parts. `part`: this one's only; empty: of all. The
-/// recordings must outlive the events.
-std::vector<MarginEvent> marginEvents(const std::vector<TunedRecording>& recordings, double margin,
+/// In order of time, then of parts. `part`: this one's only; empty: of all. The recording must outlive the
+/// events.
+std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part = {});
 
 }  // namespace abstand::tune

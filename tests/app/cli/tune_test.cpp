@@ -253,6 +253,24 @@ TEST_F(Tune, TellsTheEventsThatItCounts) {
     for (const json& e : all["events"]) any_missed = any_missed || e["missed_stop"].get<bool>();
     EXPECT_EQ(run(at + " --fail-on missed").code, any_missed ? 1 : 0);
   }
+  for (const double margin : {0.0, 0.4}) {
+    const std::string at = std::to_string(margin);
+    const json report = runJson("report " + folder + " --html " + out("page.html") + " --junit " +
+                                out("junit.xml") + " --margin " + at);
+    std::set<std::string> not_passed;
+    const json events = runJson("events " + folder + " --margin " + at);
+    for (const json& e : events["events"])
+      if (e["missed_stop"].get<bool>()) not_passed.insert(e["recording"]);
+    EXPECT_EQ(report["failed"], not_passed.size()) << margin;
+    const std::string xml = readFile(out("junit.xml"));
+    EXPECT_NE(xml.find("tests=\"" + std::to_string(kPeople) + "\" failures=\"" +
+                       std::to_string(not_passed.size()) + "\""),
+              std::string::npos)
+        << xml;
+    EXPECT_GT(std::filesystem::file_size(out("page.html")), 1000u);
+  }
+  EXPECT_EQ(run("report " + folder).code, 2);
+  EXPECT_EQ(run("report " + folder + " --junit " + out("junit.xml")).code, 2);
   const json torso = runJson("events " + folder + " --margin 0.4 --part torso");
   ASSERT_FALSE(torso["events"].empty());
   for (const json& e : torso["events"]) EXPECT_EQ(e["part"], "torso");
