@@ -66,11 +66,11 @@ BlockTree::BlockTree(const std::vector<Vector3f>& points) : order(mortonOrder(po
 
 double NearestOfPoints::distance(const Vector3d& p, std::uint32_t& index, double limit) const {
   const Eigen::Array4f q = BlockTree::corner(p.cast<float>());
-  constexpr std::uint32_t kNone = 0xffffffffu;
+  constexpr std::uint32_t kNoIndex = 0xffffffffu;
   float best = static_cast<float>(limit * limit);
-  std::uint32_t at = kNone;
+  std::uint32_t at = kNoIndex;
   if (tree_.boxes[1].squaredDistance(q) < best) visit(1, q, best, at);
-  if (at == kNone) return limit;
+  if (at == kNoIndex) return limit;
   index = tree_.order[at];
   return (Vector3d(tree_.x[at], tree_.y[at], tree_.z[at]) - p).norm();
 }
