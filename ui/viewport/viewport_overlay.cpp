@@ -33,7 +33,7 @@ void Viewport::Impl::fillOverlay() {
   camera.update();
   content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()),
                   axis(camera, Vector3d::UnitZ())};
-  if (snapshot.pairs.size() == outline->pairs.size()) {
+  if (snapshot.pairs.size() == outline->pairs.size() && snapshot.objects.size() == outline->objects.size()) {
     if (options.closest) addClosest();
     if (options.labels) addContactLabels();
   }
