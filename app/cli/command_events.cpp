@@ -6,8 +6,6 @@
 #include "app/cli/tune_texts.hpp"
 #include "app/tune/margin_events.hpp"
 #include "app/tune/tune_answer.hpp"
-#include "core/base/error.hpp"
-#include "humanmodel/body_part.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -59,16 +57,8 @@ std::string eventText(const tune::MarginEvent& e) {
 
 int runEvents(const CommandLine& line, const EventArguments& args) {
   const double margin = numberWithin(args.margin, "--margin", 0.0, 10.0, "m");
-  if (!args.part.empty() && !humanmodel::parsePart(args.part)) {
-    const auto names = humanmodel::partNames();
-    const std::string near = nearestName(args.part, {names.begin(), names.end()});
-    throw UsageError("--part: there is no part '" + args.part + "'" +
-                     (near.empty() ? "" : ", did you mean '" + near + "'?"));
-  }
-  tune::TuneAnswer answer;
-  tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
-  answer.recordings = std::move(merged.recordings);
-  answer.options = merged.options;
+  if (!args.part.empty()) bodyPart(args.part, "--part");
+  const tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   Json document{{"recordings", answer.recordings.size()},
                 {"margin", margin},
                 {"limit", answer.options.pass.limit},

@@ -25,14 +25,7 @@ void applyOverride(humanmodel::HumanOptions& options, const std::string& text) {
                      "', expected PART.contour=VALUE (or length, breadth, depth, shape)");
   const std::string part_name = text.substr(0, dot), key = text.substr(dot + 1, equals - dot - 1);
   const std::string value = text.substr(equals + 1);
-  const auto part = humanmodel::parsePart(part_name);
-  if (!part) {
-    const auto names = humanmodel::partNames();
-    const std::string near = nearestName(part_name, {names.begin(), names.end()});
-    throw UsageError("--set: there is no part '" + part_name + "'" +
-                     (near.empty() ? "" : ", did you mean '" + near + "'?"));
-  }
-  humanmodel::PartOverride& o = options.overrides[*part];
+  humanmodel::PartOverride& o = options.overrides[bodyPart(part_name, "--set")];
   if (key == "shape")
     o.shape = value;
   else if (key == "length")

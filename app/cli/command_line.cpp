@@ -81,6 +81,14 @@ double numberWithin(const std::string& text, const std::string& option, double l
   return v;
 }
 
+humanmodel::BodyPart bodyPart(const std::string& name, const std::string& option) {
+  if (const auto part = humanmodel::parsePart(name)) return *part;
+  const auto names = humanmodel::partNames();
+  const std::string near = nearestName(name, {names.begin(), names.end()});
+  throw UsageError(option + ": there is no part '" + name + "'" +
+                   (near.empty() ? "" : ", did you mean '" + near + "'?"));
+}
+
 std::vector<double> numberList(const std::string& text, const std::string& option) {
   std::vector<double> values;
   std::size_t begin = 0;

@@ -9,6 +9,7 @@
 
 #include "core/robot_file/mesh_reference.hpp"
 #include "core/structure/build_progress.hpp"
+#include "humanmodel/body_part.hpp"
 
 namespace abstand::cli {
 
@@ -88,6 +89,9 @@ double number(const std::string& text, const std::string& option);
 /// The same from `least` to `most`; `unit` is for the error's text.
 double numberWithin(const std::string& text, const std::string& option, double least, double most,
                     const std::string& unit);
+
+/// A part of the human model by name. Throws UsageError that names `option` and the nearest name.
+humanmodel::BodyPart bodyPart(const std::string& name, const std::string& option);
 
 nlohmann::ordered_json toJson(const Eigen::Vector3d& v);
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& X);  ///< 3 rows of 4

@@ -13,7 +13,7 @@ namespace {
 
 struct ReportArguments {
   std::vector<std::string> folders;
-  std::string html, junit, margin, margins{"0:0.5:0.05"}, restart_time, segment{"1"};
+  std::string html, junit, margin, margins{"0:0.5:0.05"}, restart_time, segment;
   bool strict{false};
 };
 
@@ -47,18 +47,13 @@ int runReport(const CommandLine& line, const ReportArguments& args) {
   if (args.junit.empty() != args.margin.empty())
     throw UsageError(
         "--junit and --margin: found one alone, expected both: the test is whether that margin does");
-  tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
-  tune::TuneAnswer answer;
-  answer.recordings = std::move(merged.recordings);
-  answer.options = merged.options;
-  if (!args.restart_time.empty())
-    answer.options.restart_time = numberWithin(args.restart_time, "--restart-time", 0.0, 1e4, "s");
+  tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
+  answer.options.restart_time = restartTime(args.restart_time);
   nlohmann::ordered_json document{{"recordings", answer.recordings.size()}};
   std::string text = format("%zu runs", answer.recordings.size());
   if (!args.html.empty()) {
     answer.table = tune::marginTable(answer.recordings, marginList(args.margins), answer.options);
-    answer.speeds =
-        tune::speedTable(answer.recordings, numberWithin(args.segment, "--segment", 0.01, 1e4, "s"));
+    answer.speeds = tune::speedTable(answer.recordings, segmentLength(args.segment));
     report::writeTuneReport(answer, {kVersion, "results of tune", {}}, args.html);
   }
   if (!args.junit.empty()) {

@@ -3,8 +3,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/tune_arguments.hpp"
-#include "app/tune/margin_table.hpp"
-#include "app/tune/study.hpp"
+#include "app/tune/tune_answer.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -19,16 +18,9 @@ struct DiffArguments {
 };
 
 /// The answer of one of the two.
-struct Side {
-  std::vector<tune::TunedRecording> recordings;
-  tune::MarginTable table;
-};
-
-Side sideOf(const std::string& folder, const std::vector<double>& margins) {
-  tune::MergedResults merged = tune::mergeResults({folder});
-  Side side;
-  side.table = tune::marginTable(merged.recordings, margins, merged.options);
-  side.recordings = std::move(merged.recordings);
+tune::TuneAnswer sideOf(const std::string& folder, const std::vector<double>& margins) {
+  tune::TuneAnswer side = tune::mergedAnswer({folder});
+  side.table = tune::marginTable(side.recordings, margins, side.options);
   return side;
 }
 
@@ -36,7 +28,7 @@ std::string millimetres(double v) { return std::isinf(v) ? "none would do" : for
 
 int runDiff(const CommandLine& line, const DiffArguments& args) {
   const std::vector<double> margins = marginList(args.margins);
-  const Side before = sideOf(args.before, margins), after = sideOf(args.after, margins);
+  const tune::TuneAnswer before = sideOf(args.before, margins), after = sideOf(args.after, margins);
   Json document{{"recordings", {before.recordings.size(), after.recordings.size()}},
                 {"proposed", Json::array()},
                 {"margins", Json::array()}};

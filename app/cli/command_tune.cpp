@@ -28,10 +28,6 @@ struct TuneArguments {
   robot_file::PackagePaths packages;
 };
 
-double restartTime(const std::string& text) {
-  return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
-}
-
 /// KEY=VALUE each.
 void takeSeparation(const std::vector<std::string>& texts, safety::SeparationOptions& options) {
   for (const std::string& text : texts) {
@@ -168,9 +164,7 @@ tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine
   answer.made = report.made;
   answer.kept = report.kept;
   answer.options = options;
-  if (report.made + report.kept > 0) {
-    answer.recordings = tune::mergeResults({folder}).recordings;
-  }
+  if (report.made + report.kept > 0) answer.recordings = tune::mergeResults({folder}).recordings;
   return answer;
 }
 
@@ -270,10 +264,6 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
   return answer.failed.empty() ? kDone : kPartly;
 }
 
-double segmentLength(const std::string& text) {
-  return text.empty() ? 1.0 : numberWithin(text, "--segment", 0.01, 1e4, "s");
-}
-
 int runTune(const CommandLine& line, const TuneArguments& args) {
   const tune::TuneOptions options = optionsOf(args);
   Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, args.scene};
@@ -303,12 +293,8 @@ struct MergeArguments {
 
 int runMerge(const CommandLine& line, const MergeArguments& args) {
   const Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, "merged results"};
-  tune::TuneAnswer answer;
-  tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
-  answer.recordings = std::move(merged.recordings);
-  answer.options = merged.options;
+  tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   answer.options.restart_time = restartTime(args.restart_time);
-  answer.kept = answer.recordings.size();
   return finish(line, answer, asked);
 }
 

@@ -59,6 +59,14 @@ std::vector<double> marginList(const std::string& text) {
   return list;
 }
 
+double restartTime(const std::string& text) {
+  return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
+}
+
+double segmentLength(const std::string& text) {
+  return text.empty() ? 1.0 : numberWithin(text, "--segment", 0.01, 1e4, "s");
+}
+
 tune::Shard shardOf(const std::string& text) {
   if (text.empty()) {
     const auto count = environment("SLURM_ARRAY_TASK_COUNT");

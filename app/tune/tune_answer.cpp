@@ -4,6 +4,15 @@
 
 namespace abstand::tune {
 
+TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders) {
+  MergedResults merged = mergeResults(folders);
+  TuneAnswer answer;
+  answer.options = merged.options;
+  answer.recordings = std::move(merged.recordings);
+  answer.kept = answer.recordings.size();
+  return answer;
+}
+
 std::vector<RankedApproach> rankedApproaches(const TuneAnswer& answer) {
   std::vector<RankedApproach> ranked;
   for (const TunedRecording& r : answer.recordings)

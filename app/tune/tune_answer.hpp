@@ -27,6 +27,9 @@ struct TuneAnswer {
   bool interrupted{false};
 };
 
+/// What mergeResults() finds, with the options of the results; tables are still to be made. Throws likewise.
+TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders);
+
 /// The approaches of all recordings, nearest first.
 struct RankedApproach {
   const TunedRecording* recording;

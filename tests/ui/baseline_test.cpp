@@ -5,21 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QSettings>
-#include <QTest>
 
 #include "tests/support/paths.hpp"
-#include "tests/ui/fake_session.hpp"
-#include "ui/main_window.hpp"
+#include "tests/ui/shown_window.hpp"
 #include "ui/style/actions.hpp"
-#include "ui/viewport/opengl.hpp"
-#include "ui/viewport/viewport.hpp"
 #include "ui/window_grab.hpp"
 
 namespace abstand::ui {
 namespace {
 
-constexpr int kWaitMs = 10000;
 // Pixels of a baseline; of its cells so many a side: letters and edges blur, panels and colours do not.
 constexpr QSize kBaseline{600, 400}, kCells{60, 40};
 // Of 255: by how much a channel of a cell may differ, for other letters and other OpenGL libraries.
@@ -46,15 +40,10 @@ double difference(const QImage& a, const QImage& b) {
   return static_cast<double>(different) / (kCells.width() * kCells.height());
 }
 
-struct BaselineTest : ::testing::Test {
+struct BaselineTest : ShownWindow {
   void SetUp() override {
-    if (!openGlInfo().available) GTEST_SKIP() << "no OpenGL 3.2 here";
-    QSettings().clear();
-    window.resize(1200, 800);
-    window.setSession(&session);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kWaitMs));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window.viewport().framesDrawn() > 0; }, kWaitMs));
+    ShownWindow::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
     // So that the plots have something to show.
     session.play(true);
     while (session.time() < 4.0) {
@@ -79,9 +68,6 @@ struct BaselineTest : ::testing::Test {
     EXPECT_LE(share, kMaxShare) << name.toStdString();
     if (share > kMaxShare) now.save(name + QStringLiteral("_now.png"));
   }
-
-  FakeSession session;
-  MainWindow window;
 };
 
 TEST_F(BaselineTest, TheWindowInLightAndDark) {

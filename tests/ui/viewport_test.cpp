@@ -4,22 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QSettings>
-#include <QTest>
 #include <set>
 
-#include "tests/ui/fake_session.hpp"
-#include "ui/main_window.hpp"
+#include "tests/ui/shown_window.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/viewport/opengl.hpp"
 #include "ui/window_grab.hpp"
 
 namespace abstand::ui {
 namespace {
 
-constexpr int kWaitMs = 10000;
 constexpr std::size_t kColours = 500;  // a picture with shading and text has many more, a blank one a few
 
 std::size_t countColours(const QImage& image) {
@@ -40,23 +35,12 @@ long countHue(const QImage& image, const QColor& colour) {
   return n;
 }
 
-struct ViewportTest : testing::Test {
-  void SetUp() override {
-    if (!openGlInfo().available) GTEST_SKIP() << "no OpenGL 3.2 here";
-    QSettings().clear();
-    window.resize(1200, 800);
-    window.setSession(&session);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kWaitMs));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window.viewport().framesDrawn() > 0; }, kWaitMs));
-  }
+struct ViewportTest : ShownWindow {
   QImage pictureAt(double t) {
     session.seek(t);
     window.pull();
     return window.viewport().picture();
   }
-  FakeSession session;
-  MainWindow window;
 };
 
 TEST_F(ViewportTest, ThePictureOfTheWindowHasItsSizeAndIsNotBlank) {
