@@ -78,6 +78,8 @@ void addMerge(CLI::App& root, CommandLine& line);
 void addDiff(CLI::App& root, CommandLine& line);
 void addExport(CLI::App& root, CommandLine& line);
 void addEvents(CLI::App& root, CommandLine& line);
+void addResults(CLI::App& root, CommandLine& line);
+void addExposure(CLI::App& root, CommandLine& line);
 void addReport(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);

@@ -1,19 +1,22 @@
 // abstand report: results of `tune --out` for people and for other programs.
 #include "app/cli/command_line.hpp"
 #include "app/cli/tune_arguments.hpp"
+#include "app/cli/version.hpp"
+#include "app/report/pdf.hpp"
 #include "app/report/tune_report.hpp"
 #include "app/run/junit.hpp"
 #include "app/tune/margin_events.hpp"
 #include "app/tune/speed_table.hpp"
 #include "app/tune/tune_answer.hpp"
 #include "core/base/error.hpp"
+#include "core/base/temporary_folder.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct ReportArguments {
   std::vector<std::string> folders;
-  std::string html, junit, margin, margins{"0:0.5:0.05"}, restart_time, segment;
+  std::string html, pdf, junit, margin, margins{"0:0.5:0.05"}, restart_time, segment;
   bool strict{false};
 };
 
@@ -42,19 +45,25 @@ run::JunitSuite suiteOf(const std::vector<tune::TunedRecording>& recordings, dou
 }
 
 int runReport(const CommandLine& line, const ReportArguments& args) {
-  if (args.html.empty() && args.junit.empty())
-    throw UsageError("found neither --html nor --junit, expected a file to write");
+  if (args.html.empty() && args.pdf.empty() && args.junit.empty())
+    throw UsageError("found neither --html, --pdf nor --junit, expected a file to write");
   if (args.junit.empty() != args.margin.empty())
     throw UsageError(
         "--junit and --margin: found one alone, expected both: the test is whether that margin does");
+  if (!args.pdf.empty()) report::needPdfConverter();
   tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   answer.options.restart_time = restartTime(args.restart_time);
   nlohmann::ordered_json document{{"recordings", answer.recordings.size()}};
   std::string text = format("%zu runs", answer.recordings.size());
-  if (!args.html.empty()) {
-    answer.table = tune::marginTable(answer.recordings, marginList(args.margins), answer.options);
-    answer.speeds = tune::speedTable(answer.recordings, segmentLength(args.segment));
-    report::writeTuneReport(answer, {kVersion, "results of tune", {}}, args.html);
+  if (!args.html.empty() || !args.pdf.empty()) {
+    tune::answerQuestions({marginList(args.margins), segmentLength(args.segment), {}}, answer);
+    const report::TuneReportOptions page{kVersion, "results of tune", {}};
+    if (!args.html.empty()) report::writeTuneReport(answer, page, args.html);
+    if (!args.pdf.empty()) {
+      const TemporaryFolder folder;
+      report::writeTuneReport(answer, page, folder.path() / "page.html");
+      report::writePdf(folder.path() / "page.html", args.pdf);
+    }
   }
   if (!args.junit.empty()) {
     const double margin = numberWithin(args.margin, "--margin", 0.0, 10.0, "m");
@@ -79,6 +88,8 @@ void addReport(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<ReportArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
   line.output(command->add_option("--html", args->html, "HTML page for people, to be signed"));
+  line.output(command->add_option("--pdf", args->pdf,
+                                  "the same page as PDF; needs the package weasyprint or wkhtmltopdf"));
   line.output(command->add_option(
       "--junit", args->junit, "JUnit XML: a test for each run, failed where a stop at --margin is missed"));
   command->add_option("--margin", args->margin, "m: the margin that --junit tests");

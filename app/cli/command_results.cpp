@@ -1,123 +1,66 @@
-// abstand diff and export: what can be done with results of `tune --out`.
+// abstand results: what a folder of `tune --out` holds.
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
-#include "app/cli/tune_arguments.hpp"
-#include "app/tune/tune_answer.hpp"
-#include "core/base/error.hpp"
-#include "core/base/number.hpp"
-#include "core/base/output_file.hpp"
+#include "app/cli/json_values.hpp"
+#include "app/results/result_index.hpp"
 
 namespace abstand::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct DiffArguments {
-  std::string before, after, margins{"0:0.5:0.05"};
-};
-
-/// The answer of one of the two.
-tune::TuneAnswer sideOf(const std::string& folder, const std::vector<double>& margins) {
-  tune::TuneAnswer side = tune::mergedAnswer({folder});
-  side.table = tune::marginTable(side.recordings, margins, side.options);
-  return side;
+Json runJson(const results::IndexedRun& run) {
+  return {{"recording", run.recording},
+          {"key", run.key},
+          {"file", run.file},
+          {"frames", run.frames},
+          {"seconds", run.seconds},
+          {"not_judged", run.not_judged},
+          {"min_clearance", numberOrNull(run.min_clearance)},
+          {"part", run.part},
+          {"link", run.link},
+          {"t", numberOrNull(run.t)},
+          {"proposed", numberOrNull(run.proposed)},
+          {"proposed_part", run.proposed_part}};
 }
 
-std::string millimetres(double v) { return std::isinf(v) ? "none would do" : format("%.0f mm", 1e3 * v); }
+std::string runText(const results::IndexedRun& run) {
+  const std::string clearance =
+      std::isinf(run.min_clearance) ? std::string("not seen") : format("%.1f mm", 1e3 * run.min_clearance);
+  const std::string proposed =
+      std::isinf(run.proposed) ? std::string("none would do") : format("%.0f mm", 1e3 * run.proposed);
+  return format("%12s  %-14s %-16s %9.3f s %13s  %-14s %8.2f s  %s\n", clearance.c_str(), run.part.c_str(),
+                run.link.c_str(), run.t, proposed.c_str(), run.proposed_part.c_str(), run.seconds,
+                run.recording.c_str());
+}
 
-int runDiff(const CommandLine& line, const DiffArguments& args) {
-  const std::vector<double> margins = marginList(args.margins);
-  const tune::TuneAnswer before = sideOf(args.before, margins), after = sideOf(args.after, margins);
-  Json document{{"recordings", {before.recordings.size(), after.recordings.size()}},
-                {"proposed", Json::array()},
-                {"margins", Json::array()}};
-  std::string text = format("%-14s %14s %14s\n", "part", "before", "after");
-  for (const tune::ProposedMargin& b : before.table.proposed)
-    for (const tune::ProposedMargin& a : after.table.proposed) {
-      if (a.part != b.part) continue;
-      document["proposed"].push_back({{"part", b.part}, {"before", b.margin}, {"after", a.margin}});
-      text += format("%-14s %14s %14s%s\n", b.part.c_str(), millimetres(b.margin).c_str(),
-                     millimetres(a.margin).c_str(),
-                     a.margin > b.margin   ? "  larger"
-                     : a.margin < b.margin ? "  smaller"
-                                           : "");
-    }
-  text += format("\n%-14s %22s %22s\n", "margin", "stopped before, after", "missed before, after");
-  std::map<std::pair<std::string, double>, const margin::MarginOutcome*> outcome_after;
-  for (const tune::MarginRow& a : after.table.rows) outcome_after[{a.part, a.margin}] = &a.outcome;
-  for (const tune::MarginRow& row : before.table.rows) {
-    const auto found = outcome_after.find({row.part, row.margin});
-    if (found == outcome_after.end()) continue;
-    const margin::MarginOutcome &b = row.outcome, &a = *found->second;
-    document["margins"].push_back({{"part", row.part},
-                                   {"margin", row.margin},
-                                   {"stopped_share", {b.stoppedShare(), a.stoppedShare()}},
-                                   {"false_stops", {b.false_stops, a.false_stops}},
-                                   {"missed_stops", {b.missed_stops, a.missed_stops}}});
-    if (row.part == tune::kWholeBody)
-      text += format("%-14s %10.1f %% %8.1f %% %10ld %10ld\n", millimetres(row.margin).c_str(),
-                     100.0 * b.stoppedShare(), 100.0 * a.stoppedShare(), b.missed_stops, a.missed_stops);
+int runResults(const CommandLine& line, const std::string& folder) {
+  const results::ResultIndex index = results::resultIndex(folder);
+  Json document{{"rebuilt", index.rebuilt}, {"runs", Json::array()}, {"unreadable", Json::array()}};
+  std::string text = format("%12s  %-14s %-16s %11s %13s  %-14s %10s  %s\n", "clearance", "part", "link",
+                            "at", "needed", "by", "length", "run");
+  for (const results::IndexedRun& run : index.runs) {
+    document["runs"].push_back(runJson(run));
+    text += runText(run);
   }
+  for (const results::UnreadableResult& bad : index.unreadable) {
+    document["unreadable"].push_back({{"file", bad.file}, {"error", bad.error}});
+    line.warn(bad.file + ": " + bad.error);
+  }
+  if (!index.not_written.empty()) line.warn("the index is not kept: " + index.not_written);
   line.print(document, text);
-  return kDone;
-}
-
-struct ExportArguments {
-  std::vector<std::string> folders;
-  std::string csv;
-};
-
-/// A name between quotation marks where a CSV needs them.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-int runExport(const CommandLine& line, const ExportArguments& args) {
-  const tune::MergedResults merged = tune::mergeResults({args.folders.begin(), args.folders.end()});
-  OutputFile out(args.csv);
-  out.stream() << "recording,t,part,link,distance,bound,uncertainty,clearance,robot_speed,person_speed\n";
-  std::size_t rows = 0;
-  for (const tune::TunedRecording& r : merged.recordings)
-    for (std::size_t i = 0; i < r.frames; ++i)
-      for (const tune::PartClearance& p : r.pass.parts) {
-        out.stream() << field(r.recording) << ',' << formatDouble(p.track.t[i]) << ',' << p.part << ','
-                     << field(r.pass.links[p.link[i]]);
-        for (const double v : {p.distance[i], p.bound[i], p.uncertainty[i], p.track.clearance[i],
-                               p.robot_speed[i], p.person_speed[i]})
-          out.stream() << ',' << formatDouble(v);
-        out.stream() << '\n';
-        ++rows;
-      }
-  out.commit();
-  line.print({{"recordings", merged.recordings.size()}, {"rows", rows}},
-             format("%zu rows of %zu recordings\n", rows, merged.recordings.size()));
-  return kDone;
+  return index.unreadable.empty() ? kDone : kPartly;
 }
 
 }  // namespace
 
-void addDiff(CLI::App& root, CommandLine& line) {
-  auto* command =
-      addCommand(root, line, "diff", "two studies of tune beside each other: proposed margins, stops",
-                 "abstand diff before after");
-  auto args = std::make_shared<DiffArguments>();
-  command->add_option("BEFORE", args->before, "folder of `tune --out`")->required();
-  command->add_option("AFTER", args->after, "another one")->required();
-  command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
-  command->callback([&line, args] { line.run = [&line, args] { return runDiff(line, *args); }; });
-}
-
-void addExport(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "export", "results of tune as a table: a row a frame and body part",
-                             "abstand export results --csv clearances.csv");
-  auto args = std::make_shared<ExportArguments>();
-  command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  line.output(command->add_option("--csv", args->csv, "file to write")->required());
-  command->callback([&line, args] { line.run = [&line, args] { return runExport(line, *args); }; });
+void addResults(CLI::App& root, CommandLine& line) {
+  auto* command = addCommand(root, line, "results", "the runs in a folder of `tune --out`, nearest first",
+                             "abstand results results");
+  auto folder = std::make_shared<std::string>();
+  command->add_option("FOLDER", *folder, "folder of `tune --out`")->required();
+  command->callback([&line, folder] { line.run = [&line, folder] { return runResults(line, *folder); }; });
 }
 
 }  // namespace abstand::cli

@@ -2,15 +2,21 @@
 #include <cstdlib>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/question_arguments.hpp"
+#include "app/cli/speed_texts.hpp"
 #include "app/cli/tune_arguments.hpp"
+#include "app/cli/tune_speeds.hpp"
 #include "app/cli/tune_texts.hpp"
 #include "app/cli/version.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/depth/open_session.hpp"
 #include "app/report/moment_picture.hpp"
 #include "app/report/tune_report.hpp"
+#include "app/results/result_index.hpp"
+#include "app/tune/result_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/interrupt.hpp"
+#include "core/base/temporary_folder.hpp"
 #include "core/base/write_error.hpp"
 #include "core/contact/contact_limits_reader.hpp"
 #include "humanmodel/body_part.hpp"
@@ -19,11 +25,13 @@ namespace abstand::cli {
 namespace {
 
 struct TuneArguments {
-  std::string scene, margins{"0:0.5:0.05"}, limit, reaction_time, deceleration, restart_time, near,
-      contact_limits, segment, report, out, shard;
+  std::string scene, limit, reaction_time, deceleration, restart_time, near, calibration_error,
+      contact_limits, out, shard;
   std::vector<std::string> recordings, separation;
+  QuestionArguments questions;
   int jobs{1};
   bool cut_things{false}, worst_phase{false};
+  SpeedArguments speeds;
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
@@ -56,6 +64,8 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
     o.pass.braking.deceleration =
         numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
   if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
+  if (!args.calibration_error.empty())
+    o.pass.calibration_error = numberWithin(args.calibration_error, "--calibration-error", 0.0, 10.0, "m");
   o.pass.separation.reaction_time = o.pass.braking.reaction_time;
   takeSeparation(args.separation, o.pass.separation);
   o.restart_time = restartTime(args.restart_time);
@@ -89,18 +99,20 @@ std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
   }
   std::vector<tune::PlanItem> items;
   for (const std::string& recording : args.recordings)
-    items.push_back({args.scene, recording, {}, 1.0, {}, recording});
-  if (items.empty()) items.push_back({args.scene, {}, {}, 1.0, {}, args.scene});
+    items.push_back({args.scene, recording, {}, {}, 1.0, {}, recording});
+  if (items.empty()) items.push_back({args.scene, {}, {}, {}, 1.0, {}, args.scene});
   return items;
 }
 
-/// One run after the other, in this process; nothing is kept. A recording that cannot be read does not stop
-/// the others.
-tune::TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
-                          const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
+/// One run after the other, in this process, with results in `folder`, which the caller removes. A recording
+/// that cannot be read does not stop the others.
+tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine& line,
+                          const TuneArguments& args, const std::vector<tune::PlanItem>& items,
+                          const tune::TuneOptions& options) {
   tune::TuneAnswer answer;
   answer.options = options;
-  for (const tune::PlanItem& item : items) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const tune::PlanItem& item = items[i];
     try {
       scene_file::SceneDescription scene = scene_file::loadScene(item.scene, args.packages);
       item.apply(scene);
@@ -110,11 +122,20 @@ tune::TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
       run::RunOptions run;
       run.progress = progressBar(line, item.name);
       run.interrupted = interrupted;
-      answer.recordings.push_back(tune::tuneRecording(*session, options, run, item.name));
+      const std::filesystem::path file = folder / (std::to_string(i) + ".h5");
+      tune::ResultWriter writer(file, {});
+      tune::TuneOptions tune = options;
+      tune.pass.on_frame = [&](const tune::SettledFrame& frame, const tune::PassResult& names) {
+        writer.frame(frame, names);
+      };
+      answer.recordings.push_back(tune::tuneRecording(*session, tune, run, item.name));
+      writer.commit(answer.recordings.back(), tune);
+      answer.recordings.back().file = file;
       answer.interrupted = answer.recordings.back().interrupted;
       if (args.worst_phase && !answer.interrupted) {
         tune::WorstPhaseOptions phases;
         phases.enough = options.pass.limit;
+        phases.calibration_error = options.pass.calibration_error;
         phases.interrupted = interrupted;
         phases.progress = progressBar(line, "worst phase");
         answer.worst_phases.push_back({item.name, tune::worstPhases(*session, phases)});
@@ -135,17 +156,27 @@ tune::TuneAnswer tuneHere(const CommandLine& line, const TuneArguments& args,
   return answer;
 }
 
+/// Keeps the folder's index (app/results/result_index.hpp) up to date; without it everything else goes on.
+void refreshIndex(const CommandLine& line, const std::filesystem::path& folder) {
+  try {
+    const results::ResultIndex index = results::resultIndex(folder);
+    if (!index.not_written.empty()) line.warn("the index is not kept: " + index.not_written);
+  } catch (const UsageError&) {
+    // One of several folders may be empty.
+  }
+}
+
 /// In processes of their own, with a result file each.
 tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line,
                           const TuneArguments& args, const std::vector<tune::PlanItem>& items,
-                          const tune::TuneOptions& options) {
+                          const tune::TuneOptions& options, const tune::Shard& shard) {
   tune::StudyOptions study;
   study.tune = options;
   study.folder = folder;
   study.jobs = args.jobs;
   study.settings = std::string(args.cut_things ? "cut_things " : "") + (args.warm_start.cold ? "cold " : "") +
                    args.warm_start.tolerance;
-  study.shard = shardOf(args.shard);
+  study.shard = shard;
   study.interrupted = interrupted;
   study.progress = progressBar(line, "tune");
   study.load = [&](const std::filesystem::path& scene) {
@@ -164,29 +195,10 @@ tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine
   answer.made = report.made;
   answer.kept = report.kept;
   answer.options = options;
+  if (folder == args.out && report.made + report.kept > 0 && !report.interrupted) refreshIndex(line, folder);
   if (report.made + report.kept > 0) answer.recordings = tune::mergeResults({folder}).recordings;
   return answer;
 }
-
-/// Removes what it made.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "abstand-tune-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw WriteError(name, errno);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ec;
-    std::filesystem::remove_all(path_, ec);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Draws moments of a study's runs.
 class MomentPainter {
@@ -239,10 +251,12 @@ class MomentPainter {
 };
 
 struct Asked {
-  std::vector<double> margins;
-  double segment{1.0};  ///< s
-  std::string report, command;
+  const QuestionArguments& arguments;
+  tune::TuneQuestions questions;
+  std::string command;
   std::function<std::string(const tune::TunedRecording&, const tune::Approach&)> picture{};
+  /// Adds to the answer once its tables are there; false: a speed profile is not proven.
+  std::function<bool(tune::TuneAnswer&)> study_speeds{};
 };
 
 int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked) {
@@ -255,46 +269,90 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
     }
     throw ParseError({asked.command}, "found no recording that could be run, expected one");
   }
-  answer.table = tune::marginTable(answer.recordings, asked.margins, answer.options);
-  answer.speeds = tune::speedTable(answer.recordings, asked.segment);
-  if (!asked.report.empty())
-    report::writeTuneReport(answer, {kVersion, asked.command, asked.picture}, asked.report);
+  tune::answerQuestions(asked.questions, answer);
+  bool proven = true;
+  if (asked.study_speeds && !answer.interrupted) proven = asked.study_speeds(answer);
+  const std::string& report = asked.arguments.report;
+  if (!report.empty()) report::writeTuneReport(answer, {kVersion, asked.command, asked.picture}, report);
+  asked.arguments.writeMargins(answer);
   line.print(tuneJson(answer), tuneText(answer));
   if (answer.interrupted) return kInterrupted;
+  if (!proven) {
+    line.warn(proofLine(answer));
+    return kLimitBroken;
+  }
   return answer.failed.empty() ? kDone : kPartly;
+}
+
+/// Runs of replays, as the command runs its own; nothing is kept.
+tune::ReplayRuns replayItems(const CommandLine& line, const TuneArguments& args,
+                             const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
+  TuneArguments plain = args;
+  plain.worst_phase = false;
+  tune::TuneAnswer answer;
+  const TemporaryFolder results;
+  try {
+    answer = args.jobs > 1 ? tuneInto(results.path(), line, plain, items, options, {})
+                           : tuneHere(results.path(), line, plain, items, options);
+  } catch (const ParseError& e) {
+    answer.failed.push_back({items.front().name, e.what()});
+  }
+  return {std::move(answer.recordings), std::move(answer.failed), answer.interrupted};
 }
 
 int runTune(const CommandLine& line, const TuneArguments& args) {
   const tune::TuneOptions options = optionsOf(args);
-  Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, args.scene};
+  Asked asked{args.questions, args.questions.questions(), args.scene};
   const std::vector<tune::PlanItem> items = itemsOf(args);
   MomentPainter painter(line, args, items);
   asked.picture = [&](const tune::TunedRecording& r, const tune::Approach& a) {
     return painter.picture(r, a);
   };
+  const TemporaryFolder folder;
+  const tune::Shard shard = shardOf(args.shard);
+  std::optional<SpeedStudy> speeds;
+  if (args.speeds.any()) {
+    if (shard.count > 1)
+      throw UsageError(
+          "--speed-profile, --speed-scales: found beside a shard of several, expected all runs in one");
+    speeds.emplace(args.speeds, items, [&](const tune::PlanItem& item) {
+      scene_file::SceneDescription scene = scene_file::loadScene(item.scene, args.packages);
+      item.apply(scene);
+      return scene;
+    });
+    asked.study_speeds = [&](tune::TuneAnswer& answer) {
+      const TemporaryFolder motions;
+      return speeds->run(answer, motions.path(), [&](const std::vector<tune::PlanItem>& more) {
+        return replayItems(line, args, more, options);
+      });
+    };
+  }
   tune::TuneAnswer answer;
   if (args.worst_phase && (!args.out.empty() || args.jobs > 1))
     throw UsageError("--worst-phase: found beside --out or --jobs, expected one of them");
   if (!args.out.empty()) {
-    answer = tuneInto(args.out, line, args, items, options);
+    answer = tuneInto(args.out, line, args, items, options, shard);
   } else if (args.jobs > 1) {
-    const TemporaryFolder folder;
-    answer = tuneInto(folder.path(), line, args, items, options);
+    answer = tuneInto(folder.path(), line, args, items, options, shard);
   } else {
-    answer = tuneHere(line, args, tune::partOf(items, shardOf(args.shard)), options);
+    answer = tuneHere(folder.path(), line, args, tune::partOf(items, shard), options);
   }
   return finish(line, answer, asked);
 }
 
 struct MergeArguments {
   std::vector<std::string> folders;
-  std::string margins{"0:0.5:0.05"}, restart_time, segment, report;
+  std::string restart_time;
+  QuestionArguments questions;
 };
 
 int runMerge(const CommandLine& line, const MergeArguments& args) {
-  const Asked asked{marginList(args.margins), segmentLength(args.segment), args.report, "merged results"};
+  const Asked asked{args.questions, args.questions.questions(), "merged results"};
   tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   answer.options.restart_time = restartTime(args.restart_time);
+  for (const std::string& folder : args.folders)
+    if (std::error_code ec; std::filesystem::is_directory(std::filesystem::path(folder) / "results", ec))
+      refreshIndex(line, folder);
   return finish(line, answer, asked);
 }
 
@@ -309,7 +367,7 @@ void addTune(CLI::App& root, CommandLine& line) {
       ->required();
   command->add_option("--recordings", args->recordings,
                       "recordings of people, each beside the scene's robots");
-  command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
+  args->questions.add(*command, line);
   command->add_option("--limit", args->limit,
                       "m: clearance that a moving robot must keep (default: 0, no touch)");
   command->add_option("--reaction-time", args->reaction_time,
@@ -323,10 +381,10 @@ void addTune(CLI::App& root, CommandLine& line) {
   command->add_option(
       "--separation", args->separation,
       "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");
-  command->add_option("--segment", args->segment,
-                      "s: stretches of the program that get a speed each (default: 1)");
-  line.output(command->add_option("--report", args->report, "HTML page for people, to be signed"));
+  addSpeedStudy(*command, line, args->speeds);
   command->add_option("--near", args->near, "m: approaches below this clearance are listed (default: 0.2)");
+  command->add_option("--calibration-error", args->calibration_error,
+                      "m: how far recording and robot may be apart, part of every uncertainty (default: 0)");
   command->add_option("--contact-limits", args->contact_limits,
                       "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
   command->add_flag(
@@ -350,12 +408,9 @@ void addMerge(CLI::App& root, CommandLine& line) {
                              "abstand merge results --margins 0:0.4:0.02");
   auto args = std::make_shared<MergeArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
+  args->questions.add(*command, line);
   command->add_option("--restart-time", args->restart_time,
                       "s, from the end of an intrusion until the robot goes on (default: 0)");
-  command->add_option("--segment", args->segment,
-                      "s: stretches of the program that get a speed each (default: 1)");
-  line.output(command->add_option("--report", args->report, "HTML page for people, to be signed"));
   command->callback([&line, args] { line.run = [&line, args] { return runMerge(line, *args); }; });
 }
 

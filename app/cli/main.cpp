@@ -105,6 +105,8 @@ int main(int argc, char** argv) {
   cli::addDiff(app, line);
   cli::addExport(app, line);
   cli::addEvents(app, line);
+  cli::addResults(app, line);
+  cli::addExposure(app, line);
   cli::addReport(app, line);
   cli::addBench(app, line);
   cli::addVerify(app, line);

@@ -5,7 +5,9 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
+#include "app/cli/margin_texts.hpp"
 #include "app/cli/reservation_texts.hpp"
+#include "app/cli/speed_texts.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -16,16 +18,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kTextApproaches = 10;
 
 Json rowJson(const tune::MarginRow& row) {
-  const margin::MarginOutcome& o = row.outcome;
-  return {{"part", row.part},
-          {"margin", row.margin},
-          {"stops", o.stops},
-          {"stopped_share", o.stoppedShare()},
-          {"false_stops", o.false_stops},
-          {"missed_stops", o.missed_stops},
-          {"unseen", o.unseen},
-          {"min_distance", o.min_clearance},
-          {"lead_time", orNull(o.lead_time)}};
+  Json j{{"part", row.part}, {"margin", row.margin}};
+  j.update(outcomeJson(row.outcome));
+  return j;
 }
 
 Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
@@ -63,24 +58,6 @@ Json contactJson(const tune::ContactShare& c) {
           {"share", c.share},
           {"pressure", c.excluded ? Json(nullptr) : Json(c.pressure)},
           {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
-}
-
-std::string separationText(const tune::TuneAnswer& answer) {
-  double scale = 1.0;
-  std::size_t slowed = 0;
-  for (const tune::SpeedSegment& s : answer.speeds) {
-    scale = std::min(scale, s.speed_scale);
-    slowed += s.speed_scale < 1.0;
-  }
-  if (slowed == 0) return "\nspeed and separation: the protective distance was kept throughout\n";
-  const double permitted = tune::cycleTime(answer.speeds);
-  return format(
-             "\nspeed and separation (ISO/TS 15066:2016): kept with %zu of %zu segments slowed down, to %.0f "
-             "%% at least; ",
-             slowed, answer.speeds.size(), 100.0 * scale) +
-         (std::isinf(permitted) ? "somewhere the robot would have had to stand\n"
-                                : format("the program would take %.1f s instead of %.1f s\n", permitted,
-                                         answer.speeds.back().t1 - answer.speeds.front().t0));
 }
 
 std::string approachesText(const tune::TuneAnswer& answer) {
@@ -132,21 +109,6 @@ Json separationJson(const tune::TuneAnswer& answer) {
                     {"constant", worst->needed.constant},
                     {"robot_speed", worst->robot_speed},
                     {"permitted_speed", worst->permitted_speed}};
-    rows.push_back(std::move(j));
-  }
-  return rows;
-}
-
-Json speedsJson(const tune::TuneAnswer& answer) {
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < answer.speeds.size(); ++i) {
-    const tune::SpeedSegment& s = answer.speeds[i];
-    Json j{{"motion", "all robots"},       {"segment", i},         {"t0", s.t0}, {"t1", s.t1},
-           {"speed_scale", s.speed_scale}, {"limited_by", nullptr}};
-    if (s.limited_by)
-      j["limited_by"] = {{"recording", answer.recordings[s.limited_by->recording].recording},
-                         {"t", s.limited_by->t},
-                         {"part", s.limited_by->part}};
     rows.push_back(std::move(j));
   }
   return rows;
@@ -231,7 +193,8 @@ Json tuneJson(const tune::TuneAnswer& answer) {
   j["assumed"] = {{"limit", o.pass.limit},
                   {"reaction_time", o.pass.braking.reaction_time},
                   {"deceleration", o.pass.braking.deceleration},
-                  {"restart_time", o.restart_time}};
+                  {"restart_time", o.restart_time},
+                  {"calibration_error", o.pass.calibration_error}};
   j["inputs"] = Json::array();
   for (const auto& r : answer.recordings)
     j["inputs"].push_back({{"recording", r.recording},
@@ -259,12 +222,14 @@ Json tuneJson(const tune::TuneAnswer& answer) {
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
   if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
   j["separation"] = separationJson(answer);
-  j["speeds"] = speedsJson(answer);
-  if (!answer.speeds.empty())
-    j["cycle_time"] = {{"as_recorded", answer.speeds.back().t1 - answer.speeds.front().t0},
-                       {"permitted", tune::cycleTime(answer.speeds)}};
+  addSpeeds(answer, j);
   j["proposed"] = Json::array();
   for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));
+  j["proposed_links"] = groupNeedsJson(answer, answer.links);
+  j["proposed_pairs"] = groupNeedsJson(answer, answer.pairs);
+  j["margin_sets"] = strategiesJson(answer);
+  j["closest"] = closestJson(answer);
+  j["bands"] = bandsJson(answer);
   j["interrupted"] = answer.interrupted;
   return j;
 }
@@ -294,7 +259,8 @@ std::string tuneText(const tune::TuneAnswer& answer) {
   text += format(
       "95 %% confidence: at most %.1f %% of unseen recordings of the same kind break one of these margins\n",
       100.0 * p.unseen_share);
-  text += worstPhasesText(answer) + separationText(answer) + approachesText(answer);
+  text += groupNeedsText(answer) + strategiesText(answer) + bandsText(answer) + closestText(answer);
+  text += worstPhasesText(answer) + speedsText(answer) + approachesText(answer);
   for (const auto& r : answer.recordings) text += reservationsText(r.reservations);
   return text;
 }

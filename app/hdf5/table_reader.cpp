@@ -56,14 +56,38 @@ struct TableReader::Impl {
       fail("found " + std::to_string(rank) + " dimensions in `" + name + "`, expected 1 to 4");
     std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
     H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
-    Extents extents{dims.front(), {dims.begin() + 1, dims.end()}};
-    double numbers = 1.0;
-    for (const hsize_t n : dims) numbers *= static_cast<double>(n);
-    if (numbers * sizeof(double) > static_cast<double>(kMaxTableBytes))
-      fail("found more than 2 GiB in `" + name + "`, expected less");
-    return extents;
+    return {dims.front(), {dims.begin() + 1, dims.end()}};
   }
+  /// Throws ParseError where that is more than one may ask for.
+  void checkSize(const std::string& name, std::size_t rows, std::size_t width) const {
+    if (static_cast<double>(rows) * static_cast<double>(width) * sizeof(double) >
+        static_cast<double>(kMaxTableBytes))
+      fail("found more than 2 GiB in `" + name + "`, expected less");
+  }
+  /// The numbers of a table in `space`, in their unit.
+  std::vector<double> values(const Handle& s, const std::string& name, std::size_t count,
+                             const Handle& memory, const Handle& space) const;
 };
+
+std::vector<double> TableReader::Impl::values(const Handle& s, const std::string& name, std::size_t count,
+                                              const Handle& memory, const Handle& space) const {
+  const Handle type(H5Dget_type(s.get()), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) fail("found no numbers in `" + name + "`, expected some");
+  std::vector<double> values(count);
+  if (count > 0 &&
+      H5Dread(s.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0)
+    fail("`" + name + "` is damaged");
+  if (kind == H5T_INTEGER && H5Aexists(s.get(), "step") > 0) {
+    double step = 0.0;
+    const Handle a(H5Aopen(s.get(), "step", H5P_DEFAULT), H5Aclose);
+    if (H5Aread(a.get(), H5T_NATIVE_DOUBLE, &step) < 0 || !(step > 0.0))
+      fail("found a bad `step` of `" + name + "`, expected a positive number");
+    const double none = H5Tget_size(type.get()) == 2 ? -32768.0 : -2147483648.0;
+    for (double& v : values) v = v == none ? kNaN : v * step;
+  }
+  return values;
+}
 
 TableReader::TableReader(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
   startLibrary();
@@ -126,23 +150,28 @@ std::vector<double> TableReader::table(const std::string& name, std::size_t rows
     impl_->fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(extents.width()) +
                 " numbers in `" + name + "`, expected " + std::to_string(rows) + " of " +
                 std::to_string(width));
-  const Handle type(H5Dget_type(s.get()), H5Tclose);
-  const H5T_class_t kind = H5Tget_class(type.get());
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
-    impl_->fail("found no numbers in `" + name + "`, expected some");
-  std::vector<double> values(rows * width);
-  if (!values.empty() &&
-      H5Dread(s.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  impl_->checkSize(name, rows, width);
+  const Handle space(H5Dget_space(s.get()), H5Sclose), memory(H5Dget_space(s.get()), H5Sclose);
+  return impl_->values(s, name, rows * width, memory, space);
+}
+
+std::vector<double> TableReader::rows(const std::string& name, std::size_t first, std::size_t count,
+                                      std::size_t width) const {
+  const Handle s = impl_->set(name);
+  const Extents extents = impl_->extents(s, name);
+  if (extents.width() != width || first > extents.rows || count > extents.rows - first)
+    impl_->fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(extents.width()) +
+                " numbers in `" + name + "`, expected " + std::to_string(width) +
+                " in a row, and rows up to " + std::to_string(first + count));
+  impl_->checkSize(name, count, width);
+  std::vector<hsize_t> offset{first}, block{count};
+  for (const std::size_t n : extents.row) offset.push_back(0), block.push_back(n);
+  const Handle space(H5Dget_space(s.get()), H5Sclose);
+  const Handle memory(H5Screate_simple(static_cast<int>(block.size()), block.data(), nullptr), H5Sclose);
+  if (!memory ||
+      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, block.data(), nullptr) < 0)
     impl_->fail("`" + name + "` is damaged");
-  if (kind == H5T_INTEGER && H5Aexists(s.get(), "step") > 0) {
-    double step = 0.0;
-    const Handle a(H5Aopen(s.get(), "step", H5P_DEFAULT), H5Aclose);
-    if (H5Aread(a.get(), H5T_NATIVE_DOUBLE, &step) < 0 || !(step > 0.0))
-      impl_->fail("found a bad `step` of `" + name + "`, expected a positive number");
-    const double none = H5Tget_size(type.get()) == 2 ? -32768.0 : -2147483648.0;
-    for (double& v : values) v = v == none ? kNaN : v * step;
-  }
-  return values;
+  return impl_->values(s, name, count * width, memory, space);
 }
 
 }  // namespace abstand::hdf5

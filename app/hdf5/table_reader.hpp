@@ -17,8 +17,8 @@ struct Extents {
   std::size_t width() const;
 };
 
-/// A file of TableWriter, or of anyone: every type and size is checked, and no table larger than 2 GiB is
-/// read at once. All functions throw ParseError, with the file and what was found. One thread at a time uses
+/// A file of TableWriter, or of anyone: every type and size is checked, and no more than 2 GiB are read at
+/// once. All functions throw ParseError, with the file and what was found. One thread at a time uses
 /// the library in a process.
 class TableReader {
  public:
@@ -35,6 +35,9 @@ class TableReader {
   Extents extents(const std::string& name) const;
   /// All numbers of a table, row by row. With `rows` and `width` that the caller expects.
   std::vector<double> table(const std::string& name, std::size_t rows, std::size_t width) const;
+  /// Some rows of a table, from row `first` on; the table has that `width`. So a table of any length is read.
+  std::vector<double> rows(const std::string& name, std::size_t first, std::size_t count,
+                           std::size_t width) const;
 
  private:
   struct Impl;

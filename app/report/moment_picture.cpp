@@ -53,9 +53,14 @@ std::string outline(const scene::Object& object, const View& view, const Frame& 
   return points;
 }
 
-const char* styleOf(run::Side side) {
-  if (side == run::Side::kPerson) return "person";
-  return side == run::Side::kRobot ? "robot" : "thing";
+/// Class in the page's style, and the same as attributes (svg_plot.cpp).
+std::string styleOf(run::Side side, bool strong) {
+  const char *name = "thing", *fill = "#888888", *stroke = "#888888";
+  if (side == run::Side::kPerson) name = "person", fill = "#e69f00", stroke = "#b36b00";
+  if (side == run::Side::kRobot) name = "robot", fill = "#56b4e9", stroke = "#2271a8";
+  return std::string("class=\"") + name + (strong ? " strong" : "") + "\" fill=\"" + fill +
+         "\" fill-opacity=\"0.33\" stroke=\"" + stroke + "\" stroke-width=\"" + (strong ? "2.4" : "0.8") +
+         "\"";
 }
 
 }  // namespace
@@ -73,9 +78,8 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
   }
   const Vector3d centre = 0.5 * (on_part + on_link);
   const double half = std::clamp((on_part - on_link).norm() * 1.5, kMinHalfExtent, kMaxHalfExtent);
-  std::string svg = "<svg class=\"moment\" role=\"img\" viewBox=\"0 0 " + pixels(2.0 * kViewWidth) + " " +
-                    pixels(kViewHeight + 18.0) + "\" aria-label=\"" +
-                    text::escapedXml(bodies.part + " and " + bodies.link) + "\">\n";
+  std::string svg =
+      svgBegin("moment", 2.0 * kViewWidth, kViewHeight + 18.0, bodies.part + " and " + bodies.link);
   for (int v = 0; v < 2; ++v) {
     const View& view = kViews[v];
     const double left = v * kViewWidth;
@@ -86,14 +90,14 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
            "\"/></clipPath>\n<g clip-path=\"url(#" + clip + ")\">\n";
     for (const scene::Object& object : scene.objects()) {
       const bool strong = object.spec.name == bodies.part || object.spec.name == bodies.link;
-      svg += "<polygon class=\"" +
-             std::string(styleOf(run::sideOf(session.description(), object.spec.group))) +
-             (strong ? " strong" : "") + "\" points=\"" + outline(object, view, frame) + "\"><title>" +
-             text::escapedXml(object.spec.name) + "</title></polygon>\n";
+      svg += "<polygon " + styleOf(run::sideOf(session.description(), object.spec.group), strong) +
+             " points=\"" + outline(object, view, frame) + "\"><title>" + text::escapedXml(object.spec.name) +
+             "</title></polygon>\n";
     }
-    svg += "<polyline class=\"gap\" points=\"" + frame.at(on_part) + " " + frame.at(on_link) +
-           "\"/>\n</g>\n<text x=\"" + pixels(left + 8.0) + "\" y=\"" + pixels(kViewHeight + 13.0) + "\">" +
-           view.title + "; " + pixels(2.0 * half) + " m high</text>\n";
+    svg += "<polyline class=\"gap\" fill=\"none\" stroke=\"#b34700\" stroke-width=\"2.5\" points=\"" +
+           frame.at(on_part) + " " + frame.at(on_link) + "\"/>\n</g>\n<text x=\"" + pixels(left + 8.0) +
+           "\" y=\"" + pixels(kViewHeight + 13.0) + "\">" + view.title + "; " + pixels(2.0 * half) +
+           " m high</text>\n";
   }
   return svg + "</svg>\n";
 }

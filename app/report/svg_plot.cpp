@@ -13,7 +13,15 @@ namespace {
 constexpr double kWidth = 720, kHeight = 320;
 constexpr double kLeft = 64, kRight = 190, kTop = 26,
                  kBottom = 44;  // margins; the legend stands on the right
-constexpr int kColours = 9;
+/// Colours and dashes of lines as the page's style has them (page.cpp), for converters that know no style of
+/// the page within a drawing. The style goes before attributes.
+struct LineLook {
+  const char *colour, *dashes;
+};
+constexpr LineLook kLooks[] = {{"#0072b2", ""},        {"#d55e00", "7 3"},     {"#009e73", "2 3"},
+                               {"#cc79a7", "9 3 2 3"}, {"#b58900", ""},        {"#56b4e9", "7 3"},
+                               {"#7a5195", "2 3"},     {"#555555", "9 3 2 3"}, {"#aa0000", ""}};
+constexpr std::size_t kColours = std::size(kLooks);
 constexpr std::size_t kMaxPoints = 400;
 
 /// Values along one side of the plot, from `from` to `to` pixels.
@@ -63,14 +71,23 @@ class Axis {
 };
 
 std::string line(double x1, double y1, double x2, double y2, const char* style) {
-  return "<line class=\"" + std::string(style) + "\" x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) +
-         "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) + "\"/>";
+  const char* colour = std::string_view(style) == "grid" ? "#d5d5d5" : "#1b1b1b";
+  return "<line class=\"" + std::string(style) + "\" stroke=\"" + colour + "\" x1=\"" + pixels(x1) +
+         "\" y1=\"" + pixels(y1) + "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) + "\"/>";
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& text,
                   const std::string& more = {}) {
   return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
          text::escapedXml(text) + "</text>";
+}
+
+std::string polylineBegin(std::size_t colour) {
+  const LineLook& look = kLooks[colour];
+  return "<polyline class=\"s" + std::to_string(colour) + "\" fill=\"none\" stroke=\"" + look.colour +
+         "\" stroke-width=\"1.6\"" +
+         (*look.dashes ? " stroke-dasharray=\"" + std::string(look.dashes) + "\"" : std::string()) +
+         " points=\"";
 }
 
 std::string polyline(const verify::Series& series, const Axis& x, const Axis& y, std::size_t colour) {
@@ -80,7 +97,7 @@ std::string polyline(const verify::Series& series, const Axis& x, const Axis& y,
     if (!x.shows(series.x[i]) || !y.shows(series.y[i])) continue;
     points += pixels(x.pixel(series.x[i])) + "," + pixels(y.pixel(series.y[i])) + " ";
   }
-  return "<polyline class=\"s" + std::to_string(colour) + "\" points=\"" + points + "\"/>\n";
+  return polylineBegin(colour) + points + "\"/>\n";
 }
 
 }  // namespace
@@ -89,6 +106,12 @@ std::string pixels(double v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", v);
   return text;
+}
+
+std::string svgBegin(const std::string& style, double width, double height, const std::string& title) {
+  return "<svg" + (style.empty() ? std::string() : " class=\"" + style + "\"") +
+         " role=\"img\" viewBox=\"0 0 " + pixels(width) + " " + pixels(height) + "\" aria-label=\"" +
+         text::escapedXml(title) + "\" fill=\"#1b1b1b\" font-family=\"sans-serif\" font-size=\"12\">\n";
 }
 
 std::string svgPlot(const verify::Plot& plot) {
@@ -101,9 +124,8 @@ std::string svgPlot(const verify::Plot& plot) {
   y.settle();
 
   const double left = kLeft, right = kWidth - kRight, top = kTop, bottom = kHeight - kBottom;
-  std::string svg = "<svg role=\"img\" viewBox=\"0 0 " + pixels(kWidth) + " " + pixels(kHeight) +
-                    "\" aria-label=\"" + text::escapedXml(plot.title) + "\">\n" +
-                    label(left, top - 10, "start", plot.title) + "\n";
+  std::string svg =
+      svgBegin("", kWidth, kHeight, plot.title) + label(left, top - 10, "start", plot.title) + "\n";
   for (const double v : x.ticks())
     svg += line(x.pixel(v), top, x.pixel(v), bottom, "grid") +
            label(x.pixel(v), bottom + 16, "middle", verify::shortNumber(v)) + "\n";
@@ -119,9 +141,8 @@ std::string svgPlot(const verify::Plot& plot) {
     const std::size_t colour = i % kColours;
     const double at = top + 8 + 18 * static_cast<double>(i);
     svg += polyline(plot.series[i], x, y, colour);
-    svg += "<polyline class=\"s" + std::to_string(colour) + "\" points=\"" + pixels(right + 12) + "," +
-           pixels(at) + " " + pixels(right + 36) + "," + pixels(at) + "\"/>" +
-           label(right + 42, at + 4, "start", plot.series[i].name) + "\n";
+    svg += polylineBegin(colour) + pixels(right + 12) + "," + pixels(at) + " " + pixels(right + 36) + "," +
+           pixels(at) + "\"/>" + label(right + 42, at + 4, "start", plot.series[i].name) + "\n";
   }
   return svg + "</svg>\n";
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/exposure_section.hpp"
+#include "app/report/margin_section.hpp"
 #include "app/report/page.hpp"
 #include "app/report/svg_plot.hpp"
 #include "core/base/number.hpp"
@@ -196,13 +198,17 @@ std::string assumptions(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;
   std::string html =
       "<h2>What was assumed</h2>\n" +
-      htmlTable({"quantity", "value", "what a change does"},
-                {{"reaction time", shown("%.0f ms", 1e3 * o.pass.braking.reaction_time),
-                  "each 10 ms more need 10 ms times the closing speed more margin: 16 mm at 1.6 m/s"},
-                 {"deceleration of each joint", shown("%.3g rad/s^2 or m/s^2", o.pass.braking.deceleration),
-                  "half of it doubles the braking time, and the person's way in it"},
-                 {"limit", mm(o.pass.limit), "margins grow with it one to one"},
-                 {"restart time", seconds(o.restart_time), "adds to the time stopped, not to margins"}}) +
+      htmlTable(
+          {"quantity", "value", "what a change does"},
+          {{"reaction time", shown("%.0f ms", 1e3 * o.pass.braking.reaction_time),
+            "each 10 ms more need 10 ms times the closing speed more margin: 16 mm at 1.6 m/s"},
+           {"deceleration of each joint", shown("%.3g rad/s^2 or m/s^2", o.pass.braking.deceleration),
+            "half of it doubles the braking time, and the person's way in it"},
+           {"limit", mm(o.pass.limit), "margins grow with it one to one"},
+           {"calibration error between recording and robot", mm(o.pass.calibration_error),
+            "every clearance is smaller by it, and margins grow with it one to one; 0 says that nobody has "
+            "measured it"},
+           {"restart time", seconds(o.restart_time), "adds to the time stopped, not to margins"}}) +
       "<p>Each stop is judged by itself; robot and person are in step with the recording until the margin is "
       "broken. Distances "
       "and braking are certified between frames too (docs/margins.md).</p>\n<h2>Inputs</h2>\n";
@@ -224,12 +230,12 @@ std::string assumptions(const tune::TuneAnswer& answer) {
                               : htmlTable({"recording", "kind", "what weakens the numbers"}, rows));
 }
 
-constexpr const char* kSignature = R"(<h2>Signature</h2>
+constexpr const char* kSignature = R"(<div class="whole"><h2>Signature</h2>
 <p>The numbers above follow from the inputs and assumptions listed. They are an analysis, no certified safety function, and replace
 neither a risk assessment nor a measurement at the machine.</p>
-<div class="wide"><table><tr><th>margins put into service</th><td style="width:24rem">&nbsp;</td></tr>
+<div class="wide sign"><table><tr><th>margins put into service</th><td style="width:24rem">&nbsp;</td></tr>
 <tr><th>reaction time and stopping verified by</th><td>&nbsp;</td></tr><tr><th>name, role</th><td>&nbsp;</td></tr>
-<tr><th>date, signature</th><td>&nbsp;</td></tr></table></div>
+<tr><th>date, signature</th><td>&nbsp;</td></tr></table></div></div>
 )";
 
 }  // namespace
@@ -246,8 +252,9 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
                        ? ", <span class=\"failed\">interrupted: not all that was asked for</span>"
                        : "")
                << ".</p>\n"
-               << proposedSection(answer) << curveSection(answer) << approachSection(answer, options)
-               << timeSection(answer) << assumptions(answer) << kSignature
+               << closestSection(answer) << proposedSection(answer) << marginSetSection(answer)
+               << bandSection(answer) << curveSection(answer) << approachSection(answer, options)
+               << timeSection(answer) << exposureSection(answer.exposure) << assumptions(answer) << kSignature
                << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version) << ".</p>\n"
                << pageEnd();
   out.commit();

@@ -1,11 +1,21 @@
 #include "app/run/swept_check.hpp"
 
+#include <cmath>
+
 namespace abstand::run {
 namespace {
 
 // As near as the check wants to know; a limit is a whole number of millimetres in practice.
 constexpr double kTolerance = 1e-4;
 constexpr int kMaxSamples = 256;
+
+// m: distances of frames whose bounds are wider, as culling leaves them, are asked again.
+constexpr double kSharp = 1e-3;
+
+/// NaN is none.
+bool isSharp(const safety::SweptEnds& ends) {
+  return ends.first.upper - ends.first.lower <= kSharp && ends.last.upper - ends.last.lower <= kSharp;
+}
 
 safety::DistanceSample sampleOf(const query::PairResult& r) { return {r.distance - r.bound, r.distance}; }
 
@@ -15,6 +25,7 @@ void SweptCheck::begin(double t, const std::vector<query::PairResult>& results) 
   t_ = t;
   poses_.clear();
   distances_.clear();
+  motions_.clear();
   for (const scene::Object& object : scene_.objects()) poses_.push_back(object.X_WB);
   for (const query::PairResult& r : results) distances_.push_back(sampleOf(r));
   between_.assign(results.size(), {});
@@ -33,24 +44,30 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
   motions_.clear();
   for (std::size_t i = 0; i < objects.size(); ++i)
     motions_.emplace_back(objects[i].spec.structure->bounding_sphere, poses_[i], objects[i].X_WB, duration);
+  speeds_.clear();
+  for (const safety::PoseSegment& motion : motions_) speeds_.push_back(motion.speed(0.0, duration));
   for (std::size_t i = 0; i < results.size(); ++i) {
     const scene::Pair& pair = scene_.pairs()[i];
     safety::PoseSegment &a = motions_[pair.a.index()], &b = motions_[pair.b.index()];
     const safety::DistanceSample now = sampleOf(results[i]);
-    const double rate = a.speed(0.0, duration) + b.speed(0.0, duration);
+    const double rate = speeds_[pair.a.index()] + speeds_[pair.b.index()];
     Between& between = between_[i];
     between = {t, safety::leastBetween(distances_[i].lower, now.lower, rate, duration),
                std::min(distances_[i].upper, now.upper)};
-    if (!(between.lower >= limits[i]) && rate > 0.0) {
+    // Of a pair that is not asked about nothing is known; of the others, NaN is no bound either.
+    if (std::isnan(between.lower)) between.lower = -kInfinity;
+    if (limits[i] > -kInfinity && !(between.lower >= limits[i]) && rate > 0.0) {
       safety::SweptOptions options;
       options.tolerance = kTolerance;
       options.enough = limits[i];
       options.max_samples = kMaxSamples;
-      scratch_.memory = memories_[i];
       const structure::HapticStructure &sa = *objects[pair.a.index()].spec.structure,
                                        &sb = *objects[pair.b.index()].spec.structure;
-      const safety::SweptResult swept = safety::sweptPair({sa, a}, {sb, b}, duration, options, scratch_);
-      memories_[i] = scratch_.memory;
+      const safety::SweptEnds ends{distances_[i], now};
+      const safety::SweptResult swept =
+          safety::sweptPair({sa, a}, {sb, b}, duration, options,
+                            safety::SweptContext{memories_[i], scratch_.scratch, scratch_.result,
+                                                 isSharp(ends) ? &ends : nullptr});
       queries_ += swept.samples;
       between.lower = std::max(between.lower, swept.lower);
       if (swept.upper < between.upper) between.upper = swept.upper, between.t = t_ + swept.t;

@@ -29,6 +29,8 @@ class SweptCheck {
   /// to be above it is not looked at more closely.
   std::span<const Between> frame(double t, const std::vector<query::PairResult>& results,
                                  std::span<const double> limits);
+  /// Of every object from the last frame but one to the last one; empty where nothing lies between.
+  std::span<const safety::PoseSegment> motions() const { return motions_; }
   /// Pairs and times that were queried, so far.
   long queries() const { return queries_; }
 
@@ -40,6 +42,7 @@ class SweptCheck {
   std::vector<Transform> poses_;                   ///< of the last frame
   std::vector<safety::DistanceSample> distances_;  ///< likewise
   std::vector<safety::PoseSegment> motions_;
+  std::vector<double> speeds_;  ///< m/s, of them
   safety::SweptScratch scratch_;
   std::vector<query::PairMemory> memories_;
   double t_{kNaN};

@@ -77,7 +77,8 @@ struct RecordingDescription {
   double place_yaw{0.0};                 ///< rad, about world z
   /// Depth images that show the scene's robots and objects where the scene has them: they are cut out.
   bool cut_things{false};
-  double speed{1.0};  ///< 2: twice as fast as recorded, from its first frame on
+  double speed{1.0};     ///< 2: twice as fast as recorded, from its first frame on
+  bool mirrored{false};  ///< the person does the same with the other hand (mirrored_person.hpp)
   SourcePos pos;
 };
 

@@ -70,11 +70,9 @@ double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
   // Without time nothing moves, and 0 times infinity is no number.
   const double far = duration > 0.0 ? now - rate * duration : now;
   if (far >= options_.distance || duration == 0.0) return far;
-  scratch_.memory = w.memory;
-  const safety::SweptResult swept =
-      safety::sweptPair({*link.spec.structure, links_[static_cast<std::size_t>(w.link)]},
-                        {*part.spec.structure, person}, duration, swept_, scratch_);
-  w.memory = scratch_.memory;
+  const safety::SweptResult swept = safety::sweptPair(
+      {*link.spec.structure, links_[static_cast<std::size_t>(w.link)]}, {*part.spec.structure, person},
+      duration, swept_, safety::SweptContext{w.memory, scratch_.scratch, scratch_.result});
   queries_ += swept.samples;
   return swept.lower;
 }

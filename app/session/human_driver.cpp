@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/recording_lengths.hpp"
+#include "tracking/recording/mirrored_person.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::session {
@@ -20,6 +21,13 @@ std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescriptio
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
                      "abstand skeleton says what was understood of the file");
+  if (d.recording.mirrored) {
+    try {
+      tracking::mirrorPerson(recording.frames);
+    } catch (const UsageError& e) {
+      throw ParseError({d.recording.file.string()}, e.what());
+    }
+  }
   const double start = recording.frames.front().t;
   for (auto& frame : recording.frames) frame.t = start + (frame.t - start) / d.recording.speed;
   return recording;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/contact_area.hpp"
-#include "core/contact/predicted_pressure.hpp"
+#include "core/contact/allowed_speed.hpp"
 
 namespace abstand::tune {
 namespace {
@@ -69,7 +68,7 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
   const contact::ContactMotion moves{motion.closing(),
                                      {motion.robot_mass, contact::RobotMassSource::kPosture},
                                      contact::ContactKind::kTransient};
-  const contact::RegionContact worst = contact::worstContact(limits_->regionsOf(part), moves);
+  const contact::RegionContact worst = contact::worstContact(regionsOf(part), moves);
   if (!worst.region) return share;
   share.region = worst.region->name;
   share.excluded = worst.contact.excluded;
@@ -77,18 +76,46 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
   share.energy = worst.contact.energy;
   share.share = worst.contact.share;
   if (share.excluded || !(worst.contact.indentation > 0.0)) return share;
-  auto& surface = surfaces_[pair.link];
-  if (!surface)
-    surface = std::make_unique<contact::ContactSurface>(
-        *session_.scene().objects()[pair.link].spec.structure->surface);
-  const contact::ContactArea area =
-      contact::contactArea(*surface, {motion.p_L, motion.n_L, worst.contact.indentation,
-                                      bodyRadius(*session_.scene().objects()[pair.part].spec.structure)});
+  const contact::ContactArea area = areaAt(motion, pair, worst.contact.indentation);
   const contact::PredictedPressure pressure =
       contact::predictPressure(*worst.region, worst.contact, area, contact::ContactKind::kTransient);
   share.pressure = pressure.peak;
   share.pressure_share = pressure.share;
   return share;
+}
+
+contact::ContactArea ApproachJudge::areaAt(const ClosingMotion& motion, const WatchedPair& pair,
+                                           double indentation) {
+  auto& surface = surfaces_[pair.link];
+  if (!surface)
+    surface = std::make_unique<contact::ContactSurface>(
+        *session_.scene().objects()[pair.link].spec.structure->surface);
+  return contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation,
+                                         bodyRadius(*session_.scene().objects()[pair.part].spec.structure)});
+}
+
+const std::vector<const contact::RegionLimits*>& ApproachJudge::regionsOf(const std::string& part) {
+  const auto [at, fresh] = regions_.try_emplace(part);
+  if (fresh && limits_) at->second = limits_->regionsOf(part);
+  return at->second;
+}
+
+bool ApproachJudge::excluded(const std::string& part) {
+  const auto& regions = regionsOf(part);
+  return regions.empty() ||
+         std::any_of(regions.begin(), regions.end(), [](const auto* r) { return r->excluded(); });
+}
+
+double ApproachJudge::contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
+                                   const ClosingMotion& motion) {
+  if (excluded(part)) return 0.0;
+  if (!(motion.closing() > 0.0)) return 1.0;
+  ClosingMotion complete_motion = motion;
+  complete(frame, pair, complete_motion);
+  const contact::AllowedSpeed allowed = contact::allowedSpeed(
+      regionsOf(part), {complete_motion.robot_mass, contact::RobotMassSource::kPosture}, motion.closing(),
+      [&](double indentation) { return areaAt(complete_motion, pair, indentation); });
+  return contact::speedShare(allowed.speed, motion.robot_speed, motion.person_speed);
 }
 
 }  // namespace abstand::tune

@@ -8,8 +8,8 @@
 
 #include "app/session/robot_mass.hpp"
 #include "app/tune/motion_window.hpp"
+#include "core/contact/contact_area.hpp"
 #include "core/contact/contact_limits.hpp"
-#include "core/contact/contact_surface.hpp"
 
 namespace abstand::tune {
 
@@ -61,8 +61,18 @@ class ApproachJudge {
   /// Of the part called `part` with a link (numbers of their objects) that moved so at time `t`.
   ContactShare contact(const ClosingMotion& motion, double t, const WatchedPair& pair,
                        const std::string& part);
+  /// No speed of contact is allowed with the part called `part`: the table excludes it, or none is known.
+  bool excluded(const std::string& part);
+  /// 0 to 1: share of the robot's speed at which a transient contact of the pair would stay within the limits
+  /// of every region of the part, with the person's speed as it is (contact::allowedSpeed). The robot moves
+  /// towards the person. 0 for what is excluded. `motion` need not be complete().
+  double contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
+                      const ClosingMotion& motion);
 
  private:
+  const std::vector<const contact::RegionLimits*>& regionsOf(const std::string& part);
+  contact::ContactArea areaAt(const ClosingMotion& motion, const WatchedPair& pair, double indentation);
+
   struct Robot {
     session::RobotMass mass;
     std::size_t first, dof;  ///< its joint values among those of all robots
@@ -72,6 +82,7 @@ class ApproachJudge {
   std::vector<Robot> robots_;
   std::map<std::size_t, int> frame_of_;  ///< of a link's object: index of its mechanism's frame
   std::map<std::size_t, std::unique_ptr<contact::ContactSurface>> surfaces_;
+  std::map<std::string, std::vector<const contact::RegionLimits*>> regions_;  ///< of parts, once asked for
 };
 
 }  // namespace abstand::tune

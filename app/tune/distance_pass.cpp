@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.hpp"
+#include "core/safety/clearance_verdict.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
@@ -20,6 +21,8 @@ void validate(const PassOptions& options) {
        "a reaction time outside of 0 to 10 s");
   need(std::isfinite(options.braking.deceleration) && options.braking.deceleration > 0.0,
        "a deceleration that is not positive, expected rad/s^2 or m/s^2");
+  need(std::isfinite(options.calibration_error) && options.calibration_error >= 0.0,
+       "a calibration error that is negative, expected metres");
   options.separation.validate();
   need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
 }
@@ -32,7 +35,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     : session_(session),
       options_(options),
       swept_(session.scene()),
-      window_(session, watchedPairs(session), options.braking),
+      window_(session, watchedPairs(session), options.braking, options.calibration_error),
       braking_(session, window_, options.limit),
       judge_(session, options.contact) {
   validate(options);
@@ -42,7 +45,9 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   std::set<humanmodel::BodyPart> there;
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
-    result_.parts.push_back({std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}});
+    result_.parts.push_back(
+        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
+  for (PartClearance& part : result_.parts) part.contact_excluded = judge_.excluded(part.part);
   std::map<std::size_t, std::uint16_t> link_index;
   for (const WatchedPair& pair : window_.pairs()) {
     const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(pair.body_part)));
@@ -51,7 +56,15 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     if (fresh) result_.links.push_back(session.scene().objects()[pair.link].spec.name);
     result_.pairs.push_back({part, at->second});
   }
+  const margin::MarginOptions needs{options.limit, 0.0};
+  link_watches_.assign(result_.links.size(), NeedWatch(needs));
+  pair_watches_.assign(window_.pairs().size(), NeedWatch(needs));
+  between_moving_.resize(window_.pairs().size());
+  std::vector<ExposureTally::Names> names;
+  for (const PassResult::PairOfNames& pair : result_.pairs) names.push_back({pair.part, pair.link});
+  exposure_.emplace(session, window_.pairs(), names, options.near);
   nearest_.resize(result_.parts.size());
+  closest_.assign(result_.parts.size(), kInfinity);
   motions_.resize(window_.pairs().size());
   hardest_.resize(result_.parts.size());
   least_.assign(result_.parts.size(), kInfinity);
@@ -61,16 +74,27 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
 }
 
 void DistancePass::frame(double t, const std::vector<query::PairResult>& results) {
-  // Between frames only touches have to be told from none; of other pairs nothing is asked.
-  for (const WatchedPair& p : window_.pairs()) {
-    const double now = session_.scene().pairUncertainty(p.id);
-    limits_[p.id.index()] = options_.limit + std::max(now, uncertainty_[p.id.index()]);
-    uncertainty_[p.id.index()] = now;
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    const PairId id = window_.pairs()[p].id;
+    const query::PairResult& r = results[id.index()];
+    const double now = session_.scene().pairUncertainty(id) + options_.calibration_error;
+    double& closest = closest_[result_.pairs[p].part];
+    limits_[id.index()] = std::max(now, uncertainty_[id.index()]);
+    uncertainty_[id.index()] = now;
+    const double clearance = safety::certifiedClearance({r.distance, r.bound, now});
+    if (std::isfinite(clearance)) closest = std::min(closest, clearance);
+  }
+  // Between frames touches have to be told from none, and what is nearer than anything before; of other pairs
+  // nothing is asked.
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    const double closest = closest_[result_.pairs[p].part];
+    limits_[window_.pairs()[p].id.index()] +=
+        std::max(options_.limit, std::isfinite(closest) ? closest : options_.limit);
   }
   const std::span<const run::SweptCheck::Between> between = swept_.frame(t, results, limits_);
   between_.clear();
   for (const auto& b : between) between_.push_back(b.lower);
-  window_.add(t, results, between_);
+  window_.add(t, results, between_, swept_.motions());
   settle();
 }
 
@@ -79,6 +103,9 @@ PassResult DistancePass::finish() {
   settle();
   result_.swept_queries = swept_.queries();
   result_.braking_queries = braking_.queries();
+  for (const NeedWatch& watch : link_watches_) result_.link_needs.push_back(watch.value());
+  for (const NeedWatch& watch : pair_watches_) result_.pair_needs.push_back(watch.value());
+  result_.exposure = exposure_->finish();
   return std::move(result_);
 }
 
@@ -86,7 +113,7 @@ void DistancePass::settle() {
   while (!window_.empty() && braking_.ofFirst(braking_of_first_)) {
     const auto& frames = window_.frames();
     take(frames.front(), frames.size() > 1 ? &frames[1] : nullptr);
-    if (options_.on_frame) options_.on_frame(frames.front(), result_);
+    if (options_.on_frame) options_.on_frame({frames.front(), motions_}, result_);
     window_.drop();
   }
 }
@@ -106,6 +133,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     part.person_speed.push_back(0.0);
     part.separation.missing.push_back(-kInfinity);
     part.separation.speed_scale.push_back(1.0);
+    part.contact_scale.push_back(1.0);
   }
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     PartClearance& part = result_.parts[result_.pairs[p].part];
@@ -118,33 +146,60 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
       part.bound[i] = frame.bound[p];
     }
     part.track.braking[i] = std::min(part.track.braking[i], braking_of_first_[p]);
+    between_moving_[p] = kInfinity;
     // A person who touches a robot that stands is no matter of margins.
     if (!next || frame.speed[window_.pairs()[p].link] == 0.0) continue;
     const double uncertainty = std::max(frame.uncertainty[p], next->uncertainty[p]);
-    part.track.between[i] = std::min(part.track.between[i], frame.between[p] - uncertainty);
+    between_moving_[p] = frame.between[p] - uncertainty;
+    part.track.between[i] = std::min(part.track.between[i], between_moving_[p]);
   }
-  watchSeparation(frame);
+  watchNeeds(frame);
+  watchSpeeds(frame);
+  exposure_->frame(frame, next ? next->t - frame.t : 0.0, motions_, nearest_);
   lookAhead(next);
   for (std::size_t part = 0; part < result_.parts.size(); ++part) watchApproach(part, frame);
 }
 
-void DistancePass::watchSeparation(const WindowFrame& frame) {
+void DistancePass::watchNeeds(const WindowFrame& frame) {
+  nearest_to_link_.assign(result_.links.size(), {});
+  link_between_.assign(result_.links.size(), kInfinity);
+  link_braking_.assign(result_.links.size(), kInfinity);
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
-    const ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, window_.pairs()[p], p);
-    takeSeparation(result_.parts[result_.pairs[p].part].separation,
-                   {frame.t,
-                    result_.pairs[p].link,
-                    frame.clearance[p],
-                    motion.robot_speed,
-                    motion.person_speed,
-                    {},
-                    0.0},
-                   options_.separation);
+    const NearestPair nearest{frame.clearance[p], frame.bound[p], frame.uncertainty[p]};
+    pair_watches_[p].add(frame.t, nearest, between_moving_[p], braking_of_first_[p]);
+    const std::size_t link = result_.pairs[p].link;
+    if (nearest.clearance < nearest_to_link_[link].clearance) nearest_to_link_[link] = nearest;
+    link_between_[link] = std::min(link_between_[link], between_moving_[p]);
+    link_braking_[link] = std::min(link_braking_[link], braking_of_first_[p]);
+  }
+  for (std::size_t link = 0; link < link_watches_.size(); ++link)
+    link_watches_[link].add(frame.t, nearest_to_link_[link], link_between_[link], link_braking_[link]);
+}
+
+void DistancePass::watchSpeeds(const WindowFrame& frame) {
+  for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
+    const WatchedPair& pair = window_.pairs()[p];
+    PartClearance& part = result_.parts[result_.pairs[p].part];
+    const ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, pair, p);
+    // Of a part that is not seen no direction is known: every motion of the link may be towards it.
+    const bool unseen = frame.clearance[p] == -kInfinity;
+    const double robot_speed = unseen && !frame.speed.empty() ? frame.speed[pair.link] : motion.robot_speed;
+    takeSeparation(
+        part.separation,
+        {frame.t, result_.pairs[p].link, frame.clearance[p], robot_speed, motion.person_speed, {}, 0.0},
+        options_.separation);
+    double& scale = part.contact_scale.back();
+    if (part.contact_excluded || !(frame.clearance[p] < options_.near) || !(robot_speed > 0.0) ||
+        !(scale > 0.0))
+      continue;
+    scale = std::min(scale, unseen ? 0.0 : judge_.contactShare(frame, pair, part.part, motion));
   }
   for (PartClearance& part : result_.parts) {
     double &missing = part.separation.missing.back(), &scale = part.separation.speed_scale.back();
     missing = wholeSpeed(missing);
     scale = std::floor(scale / kSpeedStep) * kSpeedStep;
+    double& by_contact = part.contact_scale.back();
+    by_contact = part.contact_excluded ? scale : std::floor(by_contact / kSpeedStep) * kSpeedStep;
   }
 }
 

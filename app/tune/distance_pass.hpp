@@ -8,6 +8,8 @@
 #include "app/run/swept_check.hpp"
 #include "app/tune/approach.hpp"
 #include "app/tune/braking_clearance.hpp"
+#include "app/tune/exposure_tally.hpp"
+#include "app/tune/need_watch.hpp"
 #include "app/tune/separation.hpp"
 #include "core/margin/clearance_track.hpp"
 
@@ -15,14 +17,24 @@ namespace abstand::tune {
 
 struct PassResult;
 
+/// A frame of a pass that no later one changes.
+struct SettledFrame {
+  const WindowFrame& frame;
+  std::span<const ClosingMotion> motions;  ///< of each pair
+};
+
 struct PassOptions {
   BrakingOptions braking;
-  double limit{0.0};                                      ///< m, MarginOptions::limit
-  double near{0.2};                                       ///< m: approaches below this clearance are told
+  double limit{0.0};  ///< m, MarginOptions::limit
+  /// m: approaches below this clearance are told, and contacts of pairs below it limit the robot's speed.
+  double near{0.2};
+  /// m: how far the recording's frame and the robots' may be apart (registration of cameras and robot). It is
+  /// a part of every uncertainty.
+  double calibration_error{0.0};
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
   safety::SeparationOptions separation;
   /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
-  std::function<void(const WindowFrame&, const PassResult&)> on_frame;
+  std::function<void(const SettledFrame&, const PassResult&)> on_frame;
 };
 
 /// What a body part did in a pass. Lists of `track`: one entry a frame.
@@ -37,6 +49,11 @@ struct PartClearance {
   std::vector<double> robot_speed, person_speed;
   PartSeparation
       separation;  ///< of all pairs of the part; numbers in whole steps of kSpeedStep, on the safe side
+  /// 0 to 1: share of the recorded robot speed at which transient contacts of all pairs nearer than
+  /// PassOptions::near would stay within the limits; where contact is excluded, separation.speed_scale: only
+  /// distance helps there. Whole steps of kSpeedStep, rounded down.
+  std::vector<double> contact_scale;
+  bool contact_excluded{false};  ///< ApproachJudge::excluded
 };
 
 /// m/s. A power of two, so that files keep it exactly.
@@ -49,8 +66,11 @@ struct PassResult {
   struct PairOfNames {
     std::uint16_t part, link;  ///< indices into `parts` and `links`
   };
-  std::vector<PairOfNames> pairs;    ///< in the order of WindowFrame's lists
-  std::vector<Approach> approaches;  ///< in order of time
+  std::vector<PairOfNames> pairs;      ///< in the order of WindowFrame's lists
+  std::vector<MarginNeed> link_needs;  ///< of each link, with the nearest part of anyone
+  std::vector<MarginNeed> pair_needs;  ///< of each of `pairs`
+  std::vector<Approach> approaches;    ///< in order of time
+  PassExposure exposure;
   long swept_queries{0}, braking_queries{0};
 };
 
@@ -69,7 +89,8 @@ class DistancePass {
  private:
   void settle();
   void take(const WindowFrame& frame, const WindowFrame* next);
-  void watchSeparation(const WindowFrame& frame);
+  void watchNeeds(const WindowFrame& frame);
+  void watchSpeeds(const WindowFrame& frame);
   void watchApproach(std::size_t part, const WindowFrame& frame);
   void lookAhead(const WindowFrame* next);
 
@@ -79,6 +100,11 @@ class DistancePass {
   MotionWindow window_;
   BrakingClearance braking_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
+  std::vector<double> between_moving_;  ///< m, of each pair: what ClearanceTrack::between counts
+  std::vector<NearestPair> nearest_to_link_;
+  std::vector<double> link_between_, link_braking_;  ///< m
+  std::vector<NeedWatch> link_watches_, pair_watches_;
+  std::vector<double> closest_;  ///< m, of each part: the least clearance at any frame so far
   ApproachJudge judge_;
   std::vector<ClosingMotion> motions_;  ///< of each pair in this frame
   std::vector<std::size_t> nearest_;    ///< of each part: the pair with the least clearance in this frame
@@ -90,6 +116,7 @@ class DistancePass {
     ClosingMotion motion;  ///< with the highest closing speed so far
   };
   std::vector<std::optional<Hardest>> hardest_;  ///< of each part, on its way to the next minimum
+  std::optional<ExposureTally> exposure_;        ///< once the names are known
   PassResult result_;
 };
 

@@ -40,11 +40,6 @@ std::vector<JudgedPart> judgedParts(const std::vector<TunedRecording>& recording
   return judged;
 }
 
-/// Rounded up; a margin has to be above `needed`.
-double roundedUp(double needed) {
-  return std::isinf(needed) ? needed : (std::floor(needed / kMillimetre) + 1.0) * kMillimetre;
-}
-
 ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string& part,
                        const margin::MarginOptions& options) {
   ProposedMargin proposed;
@@ -64,7 +59,7 @@ ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string&
                            j.part->uncertainty[before],
                            safe.sampling};
   }
-  proposed.margin = proposed.decided_by ? roundedUp(most) : 0.0;
+  proposed.margin = proposed.decided_by ? roundedUpMargin(most) : 0.0;
   proposed.unseen_share = margin::unseenShare(proposed.needed.size());
   proposed.fit = margin::fitGumbel(proposed.needed);
   return proposed;
@@ -85,15 +80,15 @@ void addRows(const std::string& part, const std::vector<const margin::ClearanceT
 /// Frame by frame the nearest of all parts, from where each of them can be judged.
 margin::ClearanceTrack wholeBody(const TunedRecording& recording, const margin::MarginOptions& options) {
   std::vector<const margin::ClearanceTrack*> tracks;
-  std::size_t first = 0;
-  for (const PartClearance& p : recording.pass.parts) {
-    tracks.push_back(&p.track);
-    first = std::max(first, margin::firstJudgedFrame(p.track, options));
-  }
-  return margin::from(margin::leastOf(tracks), first);
+  for (const PartClearance& p : recording.pass.parts) tracks.push_back(&p.track);
+  return margin::from(margin::leastOf(tracks), firstJudgedFrame(recording, options));
 }
 
 }  // namespace
+
+double roundedUpMargin(double needed) {
+  return std::isinf(needed) ? needed : (std::floor(needed / kMillimetre) + 1.0) * kMillimetre;
+}
 
 MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std::vector<double>& margins,
                         const TuneOptions& options) {

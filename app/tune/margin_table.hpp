@@ -36,6 +36,9 @@ struct ProposedMargin {
   std::optional<margin::GumbelFit> fit;  ///< of `needed`
 };
 
+/// m, up to whole millimetres and above `needed`, as a margin has to be.
+double roundedUpMargin(double needed);
+
 struct MarginTable {
   std::vector<MarginRow> rows;  ///< part by part, margins rising
   std::vector<ProposedMargin> proposed;

@@ -8,11 +8,11 @@
 namespace abstand::tune {
 
 MotionWindow::MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
-                           const BrakingOptions& options)
-    : session_(session), pairs_(std::move(pairs)), options_(options) {}
+                           const BrakingOptions& options, double calibration_error)
+    : session_(session), pairs_(std::move(pairs)), options_(options), calibration_error_(calibration_error) {}
 
 void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
-                       std::span<const double> between) {
+                       std::span<const double> between, std::span<const safety::PoseSegment> motions) {
   const scene::Scene& scene = session_.scene();
   WindowFrame now;
   now.t = t;
@@ -20,7 +20,7 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());
   for (const WatchedPair& p : pairs_) {
     const query::PairResult& r = results[p.id.index()];
-    const double uncertainty = scene.pairUncertainty(p.id);
+    const double uncertainty = scene.pairUncertainty(p.id) + calibration_error_;
     now.distance.push_back(r.distance);
     now.bound.push_back(r.bound);
     now.on_part.push_back(p.part_is_a ? r.witness_a : r.witness_b);
@@ -31,11 +31,8 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   if (!frames_.empty()) {
     WindowFrame& last = frames_.back();
     const double duration = t - last.t;
-    for (std::size_t i = 0; i < now.X_WB.size(); ++i) {
-      const auto& sphere = scene.objects()[i].spec.structure->bounding_sphere;
-      last.motion.emplace_back(sphere, last.X_WB[i], now.X_WB[i], duration);
-      last.speed.push_back(last.motion.back().speed(0.0, duration));
-    }
+    last.motion.assign(motions.begin(), motions.end());
+    for (const safety::PoseSegment& motion : motions) last.speed.push_back(motion.speed(0.0, duration));
     for (const WatchedPair& p : pairs_) last.between.push_back(between[p.id.index()]);
     std::size_t first = 0;
     for (const auto& m : session_.mechanisms()) {

@@ -30,11 +30,14 @@ struct WindowFrame {
 /// A window over the frames of a recording. One thread.
 class MotionWindow {
  public:
-  MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
-               const BrakingOptions& options);
+  /// `calibration_error`: m, added to what is not known of a pair (PassOptions).
+  MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs, const BrakingOptions& options,
+               double calibration_error);
 
-  /// `between`: of the scene's pairs, from the last frame to this one (SweptCheck); empty in the first frame.
-  void add(double t, const std::vector<query::PairResult>& results, std::span<const double> between);
+  /// From the last frame to this one (SweptCheck), empty in the first frame: `between` of the scene's pairs,
+  /// and `motions` of its objects.
+  void add(double t, const std::vector<query::PairResult>& results, std::span<const double> between,
+           std::span<const safety::PoseSegment> motions);
   void drop() { frames_.pop_front(); }
   /// No frame comes any more.
   void finish() { finished_ = true; }
@@ -55,6 +58,7 @@ class MotionWindow {
   const session::Session& session_;
   std::vector<WatchedPair> pairs_;
   BrakingOptions options_;
+  double calibration_error_;
   std::deque<WindowFrame> frames_;
   bool finished_{false};
 };

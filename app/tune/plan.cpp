@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 constexpr config::YamlRange kHeightRange{0.5, 2.5, "m"};
 constexpr config::YamlRange kMassRange{10.0, 300.0, "kg"};
 constexpr config::YamlRange kPercentileRange{1.0, 99.0, "%"};
+constexpr config::YamlRange kShiftRange{-100.0, 100.0, "m"};
+constexpr config::YamlRange kTurnRange{-10.0, 10.0, "rad"};
 constexpr config::YamlRange kPlanSpeedRange{0.0, 100.0, "", true};
 constexpr std::size_t kMaxItems = 1000000;
 
@@ -25,22 +27,26 @@ class PlanReader {
 
   std::vector<PlanItem> read(const std::string& text) {
     const config::YamlNode root = config::parseYaml(text, file_);
-    const config::YamlFields fields(root, file_, "the plan",
-                                    {"abstand_plan", "scenes", "recordings", "people", "speeds", "programs"});
+    const config::YamlFields fields(
+        root, file_, "the plan",
+        {"abstand_plan", "scenes", "recordings", "people", "mirror", "places", "speeds", "programs"});
     const config::YamlNode& version = fields.need("abstand_plan");
     if (version.kind != config::YamlNode::Kind::kScalar || version.text != "1")
       throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
                                                 " for `abstand_plan`, expected format version 1");
     fields.need("scenes");
     const std::vector<fs::path> scenes = files(fields, "scenes", "a scene file");
+    if (scenes.empty())
+      throw ParseError(fields.keyPos("scenes"), "found no scene in `scenes`, expected one or more");
     std::vector<fs::path> recordings = files(fields, "recordings", "a recording");
     if (recordings.empty()) recordings.emplace_back();
     std::vector<PersonVariant> people = peopleOf(fields);
+    const std::vector<RecordingVariant> variants = variantsOf(fields);
     std::vector<double> speeds = speedsOf(fields);
     const auto programs = programsOf(fields);
     const double all = static_cast<double>(scenes.size()) * static_cast<double>(recordings.size()) *
-                       static_cast<double>(people.size()) * static_cast<double>(speeds.size()) *
-                       static_cast<double>(programs.size());
+                       static_cast<double>(people.size()) * static_cast<double>(variants.size()) *
+                       static_cast<double>(speeds.size()) * static_cast<double>(programs.size());
     if (all > static_cast<double>(kMaxItems))
       throw ParseError(fields.pos(), "found more than a million runs in the plan, expected fewer");
     std::vector<PlanItem> items;
@@ -48,13 +54,15 @@ class PlanReader {
       for (std::size_t program = 0; program < programs.size(); ++program)
         for (const fs::path& recording : recordings)
           for (const PersonVariant& person : people)
-            for (const double speed : speeds) {
-              PlanItem item{scene, recording, person, speed, programs[program], ""};
-              item.name = nameOf(item, scenes.size() > 1, programs.size() > 1 ? program + 1 : 0);
-              if (!names_.insert(item.name).second)
-                throw ParseError(fields.pos(), "found the run `" + item.name + "` twice, expected each once");
-              items.push_back(std::move(item));
-            }
+            for (const RecordingVariant& variant : variants)
+              for (const double speed : speeds) {
+                PlanItem item{scene, recording, person, variant, speed, programs[program], ""};
+                item.name = nameOf(item, scenes.size() > 1, programs.size() > 1 ? program + 1 : 0);
+                if (!names_.insert(item.name).second)
+                  throw ParseError(fields.pos(),
+                                   "found the run `" + item.name + "` twice, expected each once");
+                items.push_back(std::move(item));
+              }
     return items;
   }
 
@@ -99,6 +107,24 @@ class PlanReader {
       throw ParseError({file_, place.line, place.column}, e.what());
     }
   }
+  /// Each of `mirror` with each of `places`.
+  std::vector<RecordingVariant> variantsOf(const config::YamlFields& fields) const {
+    std::vector<RecordingVariant> places;
+    for (const config::YamlNode& node : fields.list("places")) {
+      const config::YamlFields p(node, file_, "a place", {"shift", "turn"});
+      places.push_back({false, p.vector("shift", kShiftRange).value_or(Vector3d::Zero()),
+                        p.number("turn", kTurnRange).value_or(0.0)});
+    }
+    if (places.empty()) places.emplace_back();
+    std::vector<bool> mirrors;
+    for (const config::YamlNode& node : fields.list("mirror"))
+      mirrors.push_back(config::yamlChoice(node, file_, "`mirror`", {"false", "true"}) == "true");
+    if (mirrors.empty()) mirrors.push_back(false);
+    std::vector<RecordingVariant> variants;
+    for (const bool mirrored : mirrors)
+      for (const RecordingVariant& place : places) variants.push_back({mirrored, place.shift, place.turn});
+    return variants;
+  }
   std::vector<double> speedsOf(const config::YamlFields& fields) const {
     std::vector<double> speeds;
     for (const config::YamlNode& node : fields.list("speeds"))
@@ -130,6 +156,12 @@ class PlanReader {
     if (item.person.mass) name += ", mass " + formatDouble(*item.person.mass);
     if (item.person.sex)
       name += std::string(", ") + (*item.person.sex == humanmodel::Sex::kFemale ? "f" : "m");
+    const RecordingVariant& v = item.variant;
+    if (v.mirrored) name += ", mirrored";
+    if (!v.shift.isZero())
+      name += ", shift " + formatDouble(v.shift.x()) + " " + formatDouble(v.shift.y()) + " " +
+              formatDouble(v.shift.z());
+    if (v.turn != 0.0) name += ", turn " + formatDouble(v.turn);
     if (item.speed != 1.0) name += ", speed " + formatDouble(item.speed);
     return name;
   }
@@ -152,10 +184,17 @@ void PersonVariant::apply(humanmodel::HumanOptions& body) const {
   if (sex) body.sex = sex;
 }
 
+void RecordingVariant::apply(scene_file::RecordingDescription& recording) const {
+  recording.mirrored = recording.mirrored != mirrored;
+  recording.place_xyz += shift;
+  recording.place_yaw += turn;
+}
+
 void PlanItem::apply(scene_file::SceneDescription& description) const {
   for (auto& human : description.humans) {
     person.apply(human.body);
     human.recording.speed *= speed;
+    variant.apply(human.recording);
   }
   for (const auto& [mechanism, motion] : motions) {
     const auto it = std::find_if(description.mechanisms.begin(), description.mechanisms.end(),
@@ -167,8 +206,12 @@ void PlanItem::apply(scene_file::SceneDescription& description) const {
   }
 }
 
+std::vector<PlanItem> parsePlan(const std::string& text, const fs::path& file) {
+  return PlanReader(file).read(text);
+}
+
 std::vector<PlanItem> loadPlan(const fs::path& file) {
-  return PlanReader(file).read(readFile(file, config::kMaxYamlBytes));
+  return parsePlan(readFile(file, config::kMaxYamlBytes), file);
 }
 
 bool isPlan(const fs::path& file) {

@@ -20,10 +20,20 @@ struct PersonVariant {
   void apply(humanmodel::HumanOptions& body) const;
 };
 
+/// Where and how the person does what was recorded.
+struct RecordingVariant {
+  bool mirrored{false};              ///< with the other hand
+  Vector3d shift{Vector3d::Zero()};  ///< m, world, beside the place of the scene
+  double turn{0.0};                  ///< rad, about the vertical axis through the recording's origin
+
+  void apply(scene_file::RecordingDescription& recording) const;
+};
+
 /// One recording, one person, one program of the robots.
 struct PlanItem {
   std::filesystem::path scene, recording;  ///< no recording: people follow those of the scene
   PersonVariant person;
+  RecordingVariant variant;
   double speed{1.0};                                     ///< of the person: 2, twice as fast as recorded
   std::map<std::string, std::filesystem::path> motions;  ///< of mechanisms by name, in place of the scene's
   /// "a.bvh, height 1.62, speed 1.2": unique in a plan.
@@ -36,6 +46,9 @@ struct PlanItem {
 /// Reads a plan file (docs/margins.md, "Plans"): every recording with every person, speed and program. Throws
 /// ParseError with line and column for what is wrong, a file that is missing and two runs of one name.
 std::vector<PlanItem> loadPlan(const std::filesystem::path& file);
+
+/// The same for a text; `file` names it in errors, and paths are relative to its folder.
+std::vector<PlanItem> parsePlan(const std::string& text, const std::filesystem::path& file);
 
 /// The first key is `abstand_plan`: no scene but a plan. False for what cannot be read.
 bool isPlan(const std::filesystem::path& file);

@@ -37,6 +37,13 @@ void pauseOthers(const DistancePass& pass, session::Session& session) {
 
 }  // namespace
 
+std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options) {
+  std::size_t first = 0;
+  for (const PartClearance& p : recording.pass.parts)
+    first = std::max(first, margin::firstJudgedFrame(p.track, options));
+  return first;
+}
+
 TunedRecording tuneRecording(session::Session& session, const TuneOptions& options,
                              const run::RunOptions& run, const std::string& name) {
   margin::validate(options.margins());

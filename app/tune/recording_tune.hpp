@@ -16,8 +16,9 @@ struct TuneOptions {
 
 /// What all later questions need of a recording.
 struct TunedRecording {
-  std::string recording;  ///< file, or the scene's name where people follow its own
-  std::string content;    ///< fingerprint of the recording's file; empty where there is none
+  std::string recording;       ///< file, or the scene's name where people follow its own
+  std::filesystem::path file;  ///< of its result; empty where none was written
+  std::string content;         ///< fingerprint of the recording's file; empty where there is none
   std::size_t frames{0};
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
@@ -28,6 +29,10 @@ struct TunedRecording {
 
   double seconds() const { return t1 - t0; }
 };
+
+/// The first frame from which on every part can be judged (margin::firstJudgedFrame); `frames` where there is
+/// none.
+std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options);
 
 /// Runs the session over its frames, in lock step, and without reactions: as recorded. `run`: progress and
 /// interrupts are taken from it. Throws UsageError.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/hdf5/table_reader.hpp"
+#include "app/tune/exposure_file.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -14,9 +15,13 @@ namespace {
 
 constexpr double kDistanceStep = 1e-5;  // m
 constexpr double kPointStep = 1e-3;     // m
+// m/s. Speeds are rounded up, those of pairs that are farther apart than kPointsWithin to coarse steps; a
+// body that goes away has none.
+constexpr double kPairSpeedStep = 1.0 / 512.0, kFarSpeedStep = 1.0 / 16.0;
 // m: nearest points of pairs that are farther apart are left out.
 constexpr double kPointsWithin = 0.5;
 constexpr std::size_t kMaxNames = 10000;
+constexpr double kNoLink = 65535.0;  // above kMaxNames
 
 /// Of one part, in the order in which the file has them.
 const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
@@ -25,8 +30,12 @@ constexpr std::size_t kColumnCount = std::size(kColumns);
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
 /// the hardest contact on the way, excluded, force, energy, share, pressure, its share.
 constexpr std::size_t kApproachColumns = 16;
+/// m: what is missing of a protective distance where a part was not seen; files hold no infinity.
+constexpr double kAllMissing = 1e4;
 /// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
 constexpr std::size_t kSeparationColumns = 10;
+/// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
+constexpr std::size_t kNeedColumns = 7;
 
 /// One line, its fields between tabs; times and shares that do not apply are empty.
 std::string reservationLine(const run::Reservation& r) {
@@ -67,16 +76,46 @@ std::vector<double> column(const std::vector<double>& table, std::size_t frames,
 }
 
 PartSeparation separationOf(std::vector<double> missing, std::vector<double> scale, const double* worst) {
-  for (double& v : missing)
-    if (std::isnan(v)) v = -kInfinity;
+  for (double& v : missing) v = std::isnan(v) ? -kInfinity : v >= kAllMissing ? kInfinity : v;
   PartSeparation separation{std::move(missing), std::move(scale), {}};
   if (std::isnan(worst[0])) return separation;
-  SeparationMoment m{worst[0], static_cast<std::uint16_t>(std::clamp(worst[1], 0.0, 65535.0)),
+  // The number of no link for what is no number, either.
+  const bool any = worst[1] >= 0.0 && worst[1] <= kNoLink;
+  SeparationMoment m{worst[0], static_cast<std::uint16_t>(any ? worst[1] : kNoLink),
                      worst[2], worst[3],
                      worst[4], {worst[5], worst[6], worst[7], worst[8]},
                      worst[9]};
   separation.worst = m;
   return separation;
+}
+
+/// `count` needs from row `first` on.
+std::vector<MarginNeed> needsOf(const std::vector<double>& table, std::size_t first, std::size_t count,
+                                const std::string& file) {
+  std::vector<MarginNeed> needs;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const double* v = table.data() + i * kNeedColumns;
+    if (std::isnan(v[0]) || v[0] < 0.0)
+      throw ParseError({file}, "found a needed margin that is no length, expected metres");
+    needs.push_back({v[0], v[1] != 0.0, v[2], v[3], v[4], v[5], v[6]});
+  }
+  return needs;
+}
+
+/// Pairs of indices of parts and links.
+void readPairs(const hdf5::TableReader& in, std::size_t parts, PassResult& pass, const std::string& file) {
+  const std::size_t count = in.extents("pairs").rows;
+  const std::vector<double> pairs = in.table("pairs", count, 2);
+  for (std::size_t p = 0; p < count; ++p) {
+    const double part = pairs[2 * p], link = pairs[2 * p + 1];
+    if (!(part >= 0.0 && part < static_cast<double>(parts) && link >= 0.0 &&
+          link < static_cast<double>(pass.links.size())))
+      throw ParseError({file}, "found a pair of a part or a link that is not there");
+    pass.pairs.push_back({static_cast<std::uint16_t>(part), static_cast<std::uint16_t>(link)});
+  }
+  const std::vector<double> needs = in.table("needs", pass.links.size() + count, kNeedColumns);
+  pass.link_needs = needsOf(needs, 0, pass.links.size(), file);
+  pass.pair_needs = needsOf(needs, pass.links.size(), count, file);
 }
 
 std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t parts, std::size_t links,
@@ -125,16 +164,23 @@ void ResultWriter::begin(const PassResult& names) {
   using hdf5::Storage;
   distance_ = out_.table("distance", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
   bound_ = out_.table("bound", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
+  uncertainty_ = out_.table("uncertainty", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
   points_ = out_.table("points", {names.pairs.size(), 6}, Storage::kSteps16, kPointStep);
+  speeds_ = out_.table("pair_speeds", {names.pairs.size(), 2}, Storage::kSteps16, kPairSpeedStep);
 }
 
-void ResultWriter::frame(const WindowFrame& frame, const PassResult& names) {
+void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
+  const WindowFrame& frame = settled.frame;
   if (!begun_) begin(names);
   out_.add(distance_, frame.distance);
   for (std::size_t p = 0; p < frame.distance.size(); ++p) {
     // Rounded down as all are; so it is a step too small before.
     out_.add(bound_, frame.bound[p] + kDistanceStep);
+    out_.add(uncertainty_, frame.uncertainty[p] > 0.0 ? frame.uncertainty[p] + kDistanceStep : 0.0);
     const bool near = frame.distance[p] < kPointsWithin;
+    const double step = near ? kPairSpeedStep : kFarSpeedStep;
+    for (const double speed : {settled.motions[p].robot_speed, settled.motions[p].person_speed})
+      out_.add(speeds_, step * std::ceil(std::max(0.0, speed) / step));
     for (const Vector3d* point : {&frame.on_part[p], &frame.on_link[p]})
       for (int i = 0; i < 3; ++i) out_.add(points_, near ? (*point)[i] : kNaN);
   }
@@ -152,6 +198,7 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.attribute("reaction_time", options.pass.braking.reaction_time);
   out_.attribute("deceleration", options.pass.braking.deceleration);
   out_.attribute("near", options.pass.near);
+  out_.attribute("calibration_error", options.pass.calibration_error);
   safety::SeparationOptions::eachNumber(options.pass.separation,
                                         [&](const char* key, const double& value, const config::NumberRule&) {
                                           out_.attribute(std::string("separation_") + key, value);
@@ -161,6 +208,10 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   std::vector<std::string> reservations;
   for (const run::Reservation& r : tuned.reservations) reservations.push_back(reservationLine(r));
   out_.texts("reservations", reservations);
+  std::vector<std::string> excluded;
+  for (const PartClearance& p : tuned.pass.parts)
+    if (p.contact_excluded) excluded.push_back(p.part);
+  out_.texts("contact_excluded", excluded);
   // The rows of the pairs are complete; what follows has its own.
   out_.nextTables();
   const std::size_t t = out_.table("t", {});
@@ -169,6 +220,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
       out_.table("part_separation", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
   const std::size_t speeds =
       out_.table("part_speeds", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
+  const std::size_t contact =
+      out_.table("part_contact", {tuned.pass.parts.size()}, hdf5::Storage::kSteps32, kSpeedStep);
   out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
   for (std::size_t i = 0; i < tuned.pass.parts.front().track.frames(); ++i) {
     out_.add(t, tuned.pass.parts.front().track.t[i]);
@@ -179,8 +232,10 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
     for (const PartClearance& p : tuned.pass.parts) {
       out_.add(speeds, p.robot_speed[i]);
       out_.add(speeds, p.person_speed[i]);
-      out_.add(separation, std::isinf(p.separation.missing[i]) ? kNaN : p.separation.missing[i]);
+      const double missing = p.separation.missing[i];
+      out_.add(separation, missing == -kInfinity ? kNaN : std::min(missing, kAllMissing));
       out_.add(separation, p.separation.speed_scale[i]);
+      out_.add(contact, p.contact_scale[i]);
     }
     out_.endRow();
   }
@@ -199,6 +254,14 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   }
   out_.texts("approach_regions", regions);
   out_.nextTables();
+  const std::size_t needs = out_.table("needs", {kNeedColumns});
+  for (const auto* list : {&tuned.pass.link_needs, &tuned.pass.pair_needs})
+    for (const MarginNeed& n : *list) {
+      for (const double v : {n.margin, n.decided ? 1.0 : 0.0, n.t, n.clearance, n.bound, n.pose, n.sampling})
+        out_.add(needs, v);
+      out_.endRow();
+    }
+  out_.nextTables();
   const std::size_t worst = out_.table("worst_separation", {kSeparationColumns});
   for (const PartClearance& p : tuned.pass.parts) {
     SeparationMoment none;
@@ -210,6 +273,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
       out_.add(worst, v);
     out_.endRow();
   }
+  out_.nextTables();
+  writeExposure(tuned.pass.exposure, out_);
   out_.commit();
 }
 
@@ -238,6 +303,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.unjudged = in.number("unjudged");
   stored.options.pass.limit = in.number("limit");
   stored.options.pass.near = in.number("near");
+  stored.options.pass.calibration_error = in.number("calibration_error");
   tuned.contact_limits = in.text("contact_limits");
   tuned.content = in.text("content");
   safety::SeparationOptions::eachNumber(stored.options.pass.separation,
@@ -252,6 +318,8 @@ StoredResult readResult(const std::filesystem::path& file) {
   if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
       tuned.pass.links.size() > kMaxNames)
     fail("found no parts or no links, expected some");
+  readPairs(in, parts.size(), tuned.pass, file.string());
+  tuned.file = file;
   const std::size_t frames = in.extents("t").rows;
   tuned.frames = frames;
   const std::vector<double> t = in.table("t", frames, 1);
@@ -260,12 +328,21 @@ StoredResult readResult(const std::filesystem::path& file) {
   const std::vector<double> separation = in.table("part_separation", frames, 2 * parts.size());
   const std::vector<double> worst = in.table("worst_separation", parts.size(), kSeparationColumns);
   const std::vector<double> speeds = in.table("part_speeds", frames, 2 * parts.size());
+  const std::vector<std::string> excluded = in.texts("contact_excluded");
+  const std::vector<double> contact = in.table("part_contact", frames, parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
-    PartClearance part{parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}, {}};
+    PartClearance part{
+        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}, {}, {}, false};
+    part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
+    part.contact_scale = column(contact, frames, parts.size(), p);
+    const std::vector<double> by_separation = column(separation, frames, 2 * parts.size(), 2 * p + 1);
+    const auto isShare = [](double s) { return s >= 0.0 && s <= 1.0; };
+    if (!std::all_of(by_separation.begin(), by_separation.end(), isShare) ||
+        !std::all_of(part.contact_scale.begin(), part.contact_scale.end(), isShare))
+      fail("found a permitted share of the speed outside of 0 to 1");
     part.robot_speed = column(speeds, frames, 2 * parts.size(), 2 * p);
-    part.separation = separationOf(column(separation, frames, 2 * parts.size(), 2 * p),
-                                   column(separation, frames, 2 * parts.size(), 2 * p + 1),
+    part.separation = separationOf(column(separation, frames, 2 * parts.size(), 2 * p), by_separation,
                                    worst.data() + p * kSeparationColumns);
     if (part.separation.worst && part.separation.worst->link >= tuned.pass.links.size())
       fail("found the number of a link that is not among the links");
@@ -283,6 +360,7 @@ StoredResult readResult(const std::filesystem::path& file) {
     tuned.pass.parts.push_back(std::move(part));
   }
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass.links.size(), file.string());
+  tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());
   return stored;
 }
 

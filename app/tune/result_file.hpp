@@ -16,7 +16,7 @@ class ResultWriter {
   /// Throws WriteError.
   ResultWriter(const std::filesystem::path& file, const ContentKey& key);
   /// Of PassOptions::on_frame. Throws WriteError.
-  void frame(const WindowFrame& frame, const PassResult& names);
+  void frame(const SettledFrame& settled, const PassResult& names);
   void commit(const TunedRecording& tuned, const TuneOptions& options);
 
  private:
@@ -24,7 +24,7 @@ class ResultWriter {
 
   hdf5::TableWriter out_;
   bool begun_{false};
-  std::size_t distance_{0}, bound_{0}, points_{0};
+  std::size_t distance_{0}, bound_{0}, uncertainty_{0}, points_{0}, speeds_{0};
 };
 
 struct StoredResult {

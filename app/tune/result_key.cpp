@@ -51,11 +51,13 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
   for (const auto& h : scene.humans) {
     if (recording.empty()) addContent(hash, h.recording.file);
     addContent(hash, h.recording.options.joint_map);
-    hash.add(h.recording.speed);  // no key of a scene file
+    hash.add(h.recording.speed);  // no keys of a scene file
+    hash.add(h.recording.mirrored);
   }
   addContent(hash, recording);
   const auto& braking = options.pass.braking;
-  for (const double v : {options.pass.limit, options.pass.near, braking.reaction_time, braking.deceleration})
+  for (const double v : {options.pass.limit, options.pass.near, options.pass.calibration_error,
+                         braking.reaction_time, braking.deceleration})
     hash.add(v);
   options.pass.separation.eachNumber(
       options.pass.separation, [&](const char*, const double& v, const config::NumberRule&) { hash.add(v); });

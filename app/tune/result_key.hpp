@@ -10,7 +10,7 @@
 namespace abstand::tune {
 
 /// Of the layout of result files.
-inline constexpr long long kResultFormat = 1;
+inline constexpr long long kResultFormat = 4;
 
 /// Which sources made a result: those of another version may say something else.
 std::string resultVersion();

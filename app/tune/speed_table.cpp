@@ -5,7 +5,13 @@
 
 namespace abstand::tune {
 
-std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordings, double length) {
+double permittedScale(SpeedRule rule, double by_separation, double by_contact) {
+  if (rule == SpeedRule::kSeparation) return by_separation;
+  return rule == SpeedRule::kContact ? by_contact : std::min(by_separation, by_contact);
+}
+
+std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordings, double length,
+                                     SpeedRule rule) {
   double begin = kInfinity, end = -kInfinity;
   for (const TunedRecording& r : recordings) begin = std::min(begin, r.t0), end = std::max(end, r.t1);
   std::vector<SpeedSegment> segments;
@@ -15,15 +21,26 @@ std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordin
     segments.push_back({begin + static_cast<double>(i) * length,
                         std::min(end, begin + static_cast<double>(i + 1) * length),
                         1.0,
-                        {}});
+                        {},
+                        1.0,
+                        1.0});
   for (std::size_t r = 0; r < recordings.size(); ++r)
     for (const PartClearance& part : recordings[r].pass.parts)
       for (std::size_t i = 0; i < part.track.frames(); ++i) {
         const double t = part.track.t[i];
         const auto at = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, (t - begin) / length)));
-        if (part.separation.speed_scale[i] >= segments[at].speed_scale) continue;
-        segments[at].speed_scale = part.separation.speed_scale[i];
-        segments[at].limited_by = {r, t, part.part};
+        SpeedSegment& s = segments[at];
+        const double separation = part.separation.speed_scale[i], contact = part.contact_scale[i];
+        s.by_separation = std::min(s.by_separation, separation);
+        s.by_contact = std::min(s.by_contact, contact);
+        const double scale = permittedScale(rule, separation, contact);
+        if (scale >= s.speed_scale) continue;
+        s.speed_scale = scale;
+        const bool by_contact =
+            rule == SpeedRule::kContact || (rule == SpeedRule::kBoth && contact < separation);
+        s.limited_by = {
+            r, t, part.part,
+            by_contact && !part.contact_excluded ? SpeedLimit::kContact : SpeedLimit::kSeparation};
       }
   return segments;
 }

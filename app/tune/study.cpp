@@ -37,7 +37,7 @@ RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
     const auto session = options.open(std::move(scene), item.recording);
     ResultWriter writer(file, key);
     TuneOptions tune = options.tune;
-    tune.pass.on_frame = [&](const WindowFrame& frame, const PassResult& names) {
+    tune.pass.on_frame = [&](const SettledFrame& frame, const PassResult& names) {
       writer.frame(frame, names);
     };
     run::RunOptions run;
@@ -62,7 +62,8 @@ std::vector<double> numbersOf(const safety::SeparationOptions& options) {
 bool sameOptions(const StoredResult& x, const StoredResult& y) {
   const PassOptions &a = x.options.pass, &b = y.options.pass;
   if (numbersOf(a.separation) != numbersOf(b.separation)) return false;
-  return a.limit == b.limit && a.near == b.near && a.braking.reaction_time == b.braking.reaction_time &&
+  return a.limit == b.limit && a.near == b.near && a.calibration_error == b.calibration_error &&
+         a.braking.reaction_time == b.braking.reaction_time &&
          a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
 }
 
@@ -124,7 +125,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
       throw ParseError({file.string()}, "found a result with other options than in " +
                                             kept.front().file.string() +
                                             ", expected the same limit, reaction time, deceleration, "
-                                            "separation and table of contact limits");
+                                            "calibration error, separation and table of contact limits");
     if (!kept.empty() && kept.front().stored.version != stored.version)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");

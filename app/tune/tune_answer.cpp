@@ -4,6 +4,20 @@
 
 namespace abstand::tune {
 
+void answerQuestions(const TuneQuestions& questions, TuneAnswer& answer) {
+  answer.table = marginTable(answer.recordings, questions.margins, answer.options);
+  answer.speeds = speedTable(answer.recordings, questions.segment, questions.speed_rule);
+  answer.speed_rule = questions.speed_rule;
+  answer.exposure = exposureTable(answer.recordings, questions.segment, answer.options.pass.near);
+  answer.links = linkNeeds(answer.recordings);
+  answer.pairs = pairNeeds(answer.recordings);
+  answer.closest = closestApproaches(answer.recordings, answer.options.pass.calibration_error);
+  answer.bands = variantBands(answer.recordings, answer.options.margins());
+  std::vector<MarginRules> sets = proposedRules(answer.recordings, answer.table);
+  sets.insert(sets.end(), questions.margin_sets.begin(), questions.margin_sets.end());
+  answer.strategies = strategyOutcomes(answer.recordings, sets, answer.options.margins());
+}
+
 TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders) {
   MergedResults merged = mergeResults(folders);
   TuneAnswer answer;

@@ -192,8 +192,9 @@ std::vector<WorstPhase> worstPhases(session::Session& session, const WorstPhaseO
     session.applyMotion(t);
     for (Part& part : parts) {
       const scene::Object& object = scene.objects()[part.object];
-      part.uncertainty.push_back(object.pose_uncertainty);
-      part.path.add(t, object.X_WB, object.pose_uncertainty);
+      const double uncertainty = object.pose_uncertainty + options.calibration_error;
+      part.uncertainty.push_back(uncertainty);
+      part.path.add(t, object.X_WB, uncertainty);
     }
   }
   std::vector<WorstPhase> all;

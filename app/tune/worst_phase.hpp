@@ -32,7 +32,8 @@ struct WorstPhaseOptions {
   /// m: where a clearance at or below it was found, how much nearer it goes is not searched; touching is the
   /// worst.
   double enough{0.0};
-  double rate{100.0};  ///< Hz, at which programs are sampled; between the samples as PoseSegment
+  double calibration_error{0.0};  ///< m, PassOptions::calibration_error
+  double rate{100.0};             ///< Hz, at which programs are sampled; between the samples as PoseSegment
   std::function<bool()> interrupted{};
   std::function<void(std::size_t parts, std::size_t all)> progress{};
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/margin/outcome_stream.hpp"
 
 namespace abstand::margin {
 namespace {
@@ -64,33 +65,11 @@ std::vector<Intrusion> intrusions(const ClearanceTrack& track, double margin, co
 }
 
 MarginOutcome outcome(const ClearanceTrack& track, double margin, const MarginOptions& options) {
-  MarginOutcome out;
-  out.time = track.duration();
-  double stopped_until = -kInfinity;  // s
-  for (std::size_t i = 0; i < track.frames();) {
-    if (!(track.clearance[i] < margin)) {
-      out.min_clearance = std::min(out.min_clearance, track.clearance[i]);
-      // Behind a frame outside: what is between it and the next one, which may be inside, nobody stopped.
-      out.min_clearance = std::min(out.min_clearance, track.between[i]);
-      if (track.between[i] <= options.limit) ++out.unseen;
-      ++i;
-      continue;
-    }
-    const std::size_t end = endOf(track, i, margin);
-    const Intrusion in = intrusionAt(track, i, end, options);
-    const double until = std::min(
-        track.t.back(), (end < track.frames() ? track.t[end] : track.t.back()) + options.restart_time);
-    out.stopped_time += std::max(0.0, until - std::max(track.t[i], stopped_until));
-    stopped_until = std::max(stopped_until, until);
-    ++out.stops;
-    out.false_stops += in.false_stop;
-    out.missed_stops += in.missed;
-    out.min_clearance = std::min(out.min_clearance, in.braking);
-    if (in.lead_time && (!out.lead_time || *in.lead_time < *out.lead_time)) out.lead_time = in.lead_time;
-    i = end;
-  }
-  out.missed_stops += out.unseen;
-  return out;
+  OutcomeStream stream(options);
+  for (std::size_t i = 0; i < track.frames(); ++i)
+    stream.add(
+        {track.t[i], track.clearance[i] < margin, track.clearance[i], track.between[i], track.braking[i]});
+  return stream.finish();
 }
 
 }  // namespace abstand::margin

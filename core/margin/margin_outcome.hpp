@@ -30,8 +30,8 @@ struct Intrusion {
 /// known counts as missed, and as no false stop.
 struct MarginOutcome {
   long stops{0}, false_stops{0}, missed_stops{0};
-  /// Touches between two frames that both lay outside the margin: nobody was told to stop. In missed_stops
-  /// too.
+  /// Frames outside the margin before whose next frame the limit was reached: nobody was told to stop. In
+  /// missed_stops too.
   long unseen{0};
   double stopped_time{0.0}, time{0.0};  ///< s
   double min_clearance{kInfinity};      ///< m, while the robot moved, with the stops; certified

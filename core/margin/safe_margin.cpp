@@ -5,25 +5,29 @@
 
 namespace abstand::margin {
 
-SafeMargin smallestSafeMargin(const ClearanceTrack& track, const MarginOptions& options) {
-  SafeMargin safe;
-  const auto needs = [&](double margin, std::size_t frame, double sampling) {
-    if (safe.decided && !(margin > safe.margin)) return;
-    safe.margin = std::max(margin, 0.0);
-    safe.frame = frame;
-    safe.decided = true;
-    safe.sampling = sampling;
-  };
-  for (std::size_t b = 0; b < track.frames(); ++b) {
-    const double before = b > 0 ? track.clearance[b - 1] : kInfinity;
+void SafeMarginWatch::add(double clearance, double between, double braking) {
+  judged_ = judged_ || braking > options_.limit;
+  if (judged_) {
     // A clearance that does not fall tells no stop at this frame.
-    if (track.braking[b] <= options.limit && before > track.clearance[b])
-      needs(before, b, b > 0 ? before - track.clearance[b] : 0.0);
+    if (braking <= options_.limit && before_ > clearance)
+      need(before_, std::isinf(before_) ? 0.0 : before_ - clearance);
     // What happens before the next frame is prevented only by a stop that was told at this one or earlier.
-    if (track.between[b] <= options.limit)
-      needs(track.clearance[b], b, std::max(0.0, track.clearance[b] - track.between[b]));
+    if (between <= options_.limit) need(clearance, std::max(0.0, clearance - between));
+    before_ = clearance;
   }
-  return safe;
+  ++frames_;
+}
+
+void SafeMarginWatch::need(double margin, double sampling) {
+  if (safe_.decided && !(margin > safe_.margin)) return;
+  safe_ = {std::max(margin, 0.0), frames_, true, sampling};
+}
+
+SafeMargin smallestSafeMargin(const ClearanceTrack& track, const MarginOptions& options) {
+  SafeMarginWatch watch(options, true);
+  for (std::size_t b = 0; b < track.frames(); ++b)
+    watch.add(track.clearance[b], track.between[b], track.braking[b]);
+  return watch.value();
 }
 
 std::size_t firstJudgedFrame(const ClearanceTrack& track, const MarginOptions& options) {

@@ -21,6 +21,31 @@ struct SafeMargin {
   double sampling{0.0};
 };
 
+/// Finds the smallest safe margin frame by frame and keeps no frame. Frames before the first one from which a
+/// margin can be judged (firstJudgedFrame) are passed over. One thread.
+class SafeMarginWatch {
+ public:
+  /// `from_start`: no frame is passed over.
+  explicit SafeMarginWatch(const MarginOptions& options, bool from_start = false)
+      : options_(options), judged_(from_start) {}
+
+  /// m: the values of ClearanceTrack at the next frame.
+  void add(double clearance, double between, double braking);
+  /// Its frame counts from the first add().
+  const SafeMargin& value() const { return safe_; }
+  bool judged() const { return judged_; }
+
+ private:
+  void need(double margin, double sampling);
+
+  MarginOptions options_;
+  SafeMargin safe_;
+  std::size_t frames_{0};
+  bool judged_;
+  double before_{kInfinity};  ///< m, clearance one frame before
+};
+
+/// Of the whole track, from its first frame on.
 SafeMargin smallestSafeMargin(const ClearanceTrack& track, const MarginOptions& options);
 
 /// The first frame from which on a margin can be judged: before it the recording begins with the person so

@@ -116,4 +116,17 @@ MotionTable loadMotion(const std::filesystem::path& file, int dof) {
   return parseMotion(readFile(file, kMaxBytes), file.string(), dof);
 }
 
+std::string formatMotion(const MotionTable& motion) {
+  std::string text = "t";
+  for (int i = 1; i <= motion.dof(); ++i) text += "," + columnName(i);
+  text += "\n";
+  const auto dof = static_cast<std::size_t>(motion.dof());
+  for (std::size_t row = 0; row < motion.rows(); ++row) {
+    text += formatDouble(motion.times()[row]);
+    for (std::size_t i = 0; i < dof; ++i) text += "," + formatDouble(motion.values()[row * dof + i]);
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace abstand::mechanism

@@ -38,4 +38,7 @@ MotionTable loadMotion(const std::filesystem::path& file, int dof);
 /// The same from text; `name` stands for the file in messages.
 MotionTable parseMotion(const std::string& text, const std::string& name, int dof);
 
+/// The text that parseMotion() reads: the same numbers to the last bit.
+std::string formatMotion(const MotionTable& motion);
+
 }  // namespace abstand::mechanism

@@ -52,6 +52,11 @@ inline double leastBetween(double lower_a, double lower_b, double rate, double d
   return 0.5 * (a + b - way);
 }
 
+/// What is known at both ends of a stretch of time, so that nothing is asked there.
+struct SweptEnds {
+  DistanceSample first, last;
+};
+
 /// Branch and bound over intervals [Piyavskii 1972, Shubert 1972; conservative advancement, Mirtich 1996, in
 /// both directions of time]. In place of swept volumes [thesis's [33]] it asks for the distance at chosen
 /// times: it starts with both ends and halves, at the least favourable time, the interval whose lower bound
@@ -59,9 +64,11 @@ inline double leastBetween(double lower_a, double lower_b, double rate, double d
 /// @param duration  T >= 0, s
 /// @param sample    DistanceSample(double t)
 /// @param rate      double(double t0, double t1): m/s, no faster does the distance change within [t0, t1]
+/// @param ends      null: both ends are sampled
 /// No allocation. Cost: one sample() each, and a look at all intervals.
 template <class Sample, class Rate>
-SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const SweptOptions& options) {
+SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const SweptOptions& options,
+                          const SweptEnds* ends = nullptr) {
   struct Interval {
     double a, b, lower_a, lower_b, rate, lower;
   };
@@ -69,9 +76,9 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   std::size_t count = 0;
   SweptResult result;
   double least = kInfinity;  // of the samples' lower bounds
-  const auto take = [&](double t) {
-    const DistanceSample s = sample(t);
-    ++result.samples;
+  const auto take = [&](double t, const DistanceSample* known = nullptr) {
+    const DistanceSample s = known ? *known : sample(t);
+    result.samples += known == nullptr;
     if (s.upper < result.upper) result.upper = s.upper, result.t = t;
     if (!(s.lower >= least)) least = s.lower;
     return s.lower;
@@ -81,13 +88,13 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
     return Interval{a, b, lower_a, lower_b, r, leastBetween(lower_a, lower_b, r, b - a)};
   };
 
-  const double first = take(0.0);
+  const double first = take(0.0, ends ? &ends->first : nullptr);
   if (!(duration > 0.0)) {
     result.lower = first;
     result.done = true;
     return result;
   }
-  intervals[count++] = interval(0.0, duration, first, take(duration));
+  intervals[count++] = interval(0.0, duration, first, take(duration, ends ? &ends->last : nullptr));
 
   const int most = std::clamp(options.max_samples, 2, kMaxSweptSamples);
   for (;;) {

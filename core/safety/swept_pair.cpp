@@ -3,16 +3,16 @@
 namespace abstand::safety {
 
 SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration, const SweptOptions& options,
-                      SweptScratch& s) noexcept {
+                      const SweptContext& c) noexcept {
   return sweptDistance(
       duration,
       [&](double t) {
-        query::queryPair({a.body, a.motion.pose(t)}, {b.body, b.motion.pose(t)}, {}, {s.memory, s.scratch},
-                         s.result);
+        query::queryPair({a.body, a.motion.pose(t)}, {b.body, b.motion.pose(t)}, {}, {c.memory, c.scratch},
+                         c.result);
         const double slack = a.motion.slack(t) + b.motion.slack(t);
-        return DistanceSample{s.result.distance - s.result.bound - slack, s.result.distance - slack};
+        return DistanceSample{c.result.distance - c.result.bound - slack, c.result.distance - slack};
       },
-      [&](double t0, double t1) { return a.motion.speed(t0, t1) + b.motion.speed(t0, t1); }, options);
+      [&](double t0, double t1) { return a.motion.speed(t0, t1) + b.motion.speed(t0, t1); }, options, c.ends);
 }
 
 }  // namespace abstand::safety

@@ -15,6 +15,14 @@ struct SweptScratch {
   query::PairResult result;
 };
 
+/// Where a swept query works, in place of a scratch of its own.
+struct SweptContext {
+  query::PairMemory& memory;
+  kernels::PairScratch& scratch;
+  query::PairResult& result;
+  const SweptEnds* ends{nullptr};  ///< null: both ends are asked, too
+};
+
 /// A body and its motion over [0, duration].
 struct MovingBody {
   const structure::HapticStructure& body;
@@ -25,6 +33,10 @@ struct MovingBody {
 /// motion within the bounds of `a` and `b` can bring; `upper` is the smallest that was seen with the poses of
 /// both (slack taken off). Distances are between bare surfaces, without margins. No allocation, no throw.
 SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration, const SweptOptions& options,
-                      SweptScratch& scratch) noexcept;
+                      const SweptContext& context) noexcept;
+inline SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration,
+                             const SweptOptions& options, SweptScratch& s) noexcept {
+  return sweptPair(a, b, duration, options, SweptContext{s.memory, s.scratch, s.result});
+}
 
 }  // namespace abstand::safety

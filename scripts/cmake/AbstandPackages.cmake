@@ -21,7 +21,7 @@ set(same_version "(= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME abstand)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS assimp-testmodels)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "abstand-studio, libfreenect0.5")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "abstand-studio, libfreenect0.5, weasyprint")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Tells robotics labs and safety engineers, in numbers with stated error
 bounds, how close a person came to a robot, how hard a touch would have
 been, and which safety margin would have been right. An analysis tool, not

@@ -11,7 +11,7 @@ TOP = ("core", "humanmodel", "tracking", "ui", "app")
 # What an include begins with, and the files that may include it. Everything else is the C++ library, POSIX or Eigen.
 FENCES = [
     (r"CLI/", r"app/cli/.*"),
-    (r"nlohmann/", r"app/cli/.*|(app/bench|app/serve|tracking/table)/.*\.cpp"),
+    (r"nlohmann/", r"app/cli/.*|(app/bench|app/results|app/serve|tracking/table)/.*\.cpp"),
     (r"Q[A-Z]|Qt|vtk|QVTK|qwt", r"(ui|app/studio)/.*"),
     (r"assimp/", r"core/mesh_file/.*\.cpp"),
     (r"libqhull", r"core/geometry/convex_hull\.cpp"),
@@ -22,7 +22,9 @@ FENCES = [
     (r"opencv2/", r"tracking/depth/(calibration|formats)/.*\.cpp"),
     (r"pcl/", r"tracking/depth/people/floor_consensus\.cpp"),
     (r"libfreenect", r"tracking/depth/live/.*\.cpp"),
-    (r"zlib", r"tracking/kinect/.*\.cpp"),
+    (r"zlib", r"tracking/kinect/.*\.cpp|app/results/mcap_writer\.cpp"),
+    (r"zstd", r"app/results/mcap_writer\.cpp"),
+    (r"sqlite3", r"app/results/.*\.cpp"),
     (r"hdf5", r"app/hdf5/.*"),
     (r"pybind11/", r"app/python/.*"),
 ]

@@ -72,7 +72,8 @@ const std::vector<Plan> kPlans{
     {"verify", "", 0, "minutes; test_verify checks it"},
     {"bench", "", 0, "minutes"},
     {"track live:kinect", "", 0, "needs a camera; test_fakenect has one"},
-    {"check data/scenes/hug_boxing.yaml", "", 1},  // "exit code 1 when someone came closer"
+    {"check data/scenes/hug_boxing.yaml", "", 1},             // "exit code 1 when someone came closer"
+    {"tune data/scenes/hug_reach.yaml --speed-rule", "", 1},  // "hands come too fast"
     {"run data/scenes/", " --end 0.02"},
     {"run ", " --end 0.1"},
     {"serve scene.yaml --stdin", " --duration 0.1 --bind 127.0.0.1:0 </dev/null"},
@@ -107,6 +108,7 @@ class DocsExamples : public Cli {
           "recording: {file: a.bvh}}\nobjects:\n  - {name: ball, shape: {sphere: {radius: 0.1}}, "
           "pose: {xyz: [4, 4, 1]}}\npairs: {default: between_groups}\n");
     write("plan.yaml", "abstand_plan: 1\nscenes: [scene_with_robot.yaml]\nrecordings: [a.bvh, b.bvh]\n");
+    write("reach_plan.yaml", "abstand_plan: 1\nscenes: [data/scenes/hug_reach.yaml]\nspeeds: [1, 1.5, 2]\n");
     write("scene_with_robot.yaml",
           "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nmechanisms:\n  - {name: arm, file: robot.urdf}\n"
           "humans:\n  - {name: operator, height: 1.75, recording: {file: a.bvh}}\n");

@@ -213,6 +213,7 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
   };
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [gone.csv]\n", "gone.csv");
   expect("abstand_plan: 2\nscenes: [slide.yaml]\n", "format version 1");
+  expect("abstand_plan: 1\nscenes: []\nspeeds: [1, 2]\n", "plan.yaml:2:1: error: found no scene");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecording: [person1.csv]\n", "recordings");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nspeeds: [0]\n", "speeds");
   expect("abstand_plan: 1\nscenes: [slide.yaml]\npeople: [{percentile: 100}]\n", "from 1 to 99 %");
@@ -275,6 +276,162 @@ TEST_F(Tune, TellsTheEventsThatItCounts) {
   ASSERT_FALSE(torso["events"].empty());
   for (const json& e : torso["events"]) EXPECT_EQ(e["part"], "torso");
   EXPECT_EQ(run("events " + folder + " --margin 0.2 --part torsso").code, 2);
+}
+
+TEST_F(Tune, TellsWhoWasNearForHowLongAndWhere) {
+  for (const int i : {1, 2})
+    EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --out " +
+                  out("half" + std::to_string(i)) + " --shard " + std::to_string(i) + "/2")
+                  .code,
+              0);
+  const std::string both = out("half1") + " " + out("half2");
+  const json all = runJson("exposure " + both + " --segment 0.5 --html " + out("page.html") + " --csv " +
+                           out("table.csv") + " --room " + out("room.ply") + " --body " + out("body.ply"));
+  EXPECT_EQ(all["recordings"], kPeople);
+  EXPECT_EQ(all["bands"], (std::vector<double>{0.0, 0.05, 0.1, 0.2, 0.5}));
+  // Parts of both halves add up, and stretches to the whole.
+  const json one = runJson("exposure " + out("half1")), two = runJson("exposure " + out("half2"));
+  constexpr double kSums = 1e-9;
+  ASSERT_EQ(all["parts"].size(), one["parts"].size());
+  for (std::size_t p = 0; p < all["parts"].size(); ++p)
+    EXPECT_NEAR(all["parts"][p]["weighted"],
+                one["parts"][p]["weighted"].get<double>() + two["parts"][p]["weighted"].get<double>(), kSums);
+  double weighted = 0.0, cells = 0.0, parts = 0.0;
+  for (const json& row : all["phases"]) weighted += row["weighted"].get<double>();
+  for (const json& cell : all["body"]) cells += cell["weighted"].get<double>();
+  for (const json& row : all["parts"]) parts += row["weighted"].get<double>();
+  EXPECT_GT(weighted, 0.1);
+  EXPECT_NEAR(weighted, all["whole_body"]["weighted"], kSums);
+  EXPECT_NEAR(cells, parts, kSums);
+  EXPECT_EQ(all["phases"].size(), 5u) << "2.5 s";
+  EXPECT_NEAR(all["whole_body"]["time"], 2.5 * kPeople, kSums);
+  EXPECT_EQ(all["whole_body"]["near_misses"], all["approaches"].size());
+  const std::string page = readFile(out("page.html"));
+  for (const char* there :
+       {"<h2>Exposure</h2>", "exposure on the body", "exposure on the floor", "left side"})
+    EXPECT_NE(page.find(there), std::string::npos) << there;
+  const std::string csv = readFile(out("table.csv"));
+  EXPECT_EQ(csv.substr(0, 20), "of,part,link,t0,t1,t");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+            2 + all["parts"].size() + all["links"].size() + all["pairs"].size() + all["phases"].size());
+  for (const char* mesh : {"room.ply", "body.ply"})
+    EXPECT_EQ(readFile(out(mesh), 1 << 28, true).substr(0, 4), "ply\n");
+  EXPECT_EQ(run("merge " + both + " --report " + out("margins.html")).code, 0);
+  EXPECT_NE(readFile(out("margins.html")).find("<h2>Exposure</h2>"), std::string::npos);
+  EXPECT_EQ(run("exposure " + out("nothing")).code, 2);
+  EXPECT_EQ(run("exposure " + both + " --segment 0").code, 2);
+}
+
+TEST_F(Tune, WritesASpeedProfileThatItHasProven) {
+  // A person who stands; contacts nearer than 1 m count, which only the trunk is: its chest allows a wall
+  // 0.28 m/s.
+  const std::string person = " --recordings " + out("person0.csv"), rule = " --speed-rule contact --near 1.0";
+  const json j = runJson("tune " + scene_ + person + rule + " --speed-profile " + out("slow"));
+  EXPECT_EQ(j["speed_rule"], "contact");
+  double slowest = 1.0;
+  for (const json& s : j["speeds"]) {
+    EXPECT_EQ(s["speed_scale"], s["by_contact"]) << s;
+    slowest = std::min(slowest, s["speed_scale"].get<double>());
+    EXPECT_EQ(s["limited_by"].is_null(), s["speed_scale"] == 1.0) << s;
+    if (!s["limited_by"].is_null()) {
+      EXPECT_EQ(s["limited_by"]["kind"], "contact") << s;
+    }
+  }
+  EXPECT_NEAR(slowest, 0.28 / 0.5, 2e-3);
+  ASSERT_EQ(j["proof"].size(), 1u);
+  const json& proof = j["proof"][0];
+  EXPECT_EQ(proof["motion"], "slide");
+  EXPECT_TRUE(proof["proven"]);
+  EXPECT_EQ(proof["broken_contacts"], 0);
+  EXPECT_GE(proof["iterations"], 1);
+  EXPECT_GT(proof["cycle_time"], 2.5);
+  EXPECT_EQ(proof["file"], out("slow") + "/slide.csv");
+  // The file is a motion that the scene can have; what it does now breaks nothing.
+  std::string scene = readFile(scene_);
+  scene.replace(scene.find("go.csv"), 6, "slow/slide.csv");
+  write("again.yaml", scene);
+  const json again = runJson("tune " + out("again.yaml") + person + rule);
+  for (const json& s : again["speeds"]) EXPECT_EQ(s["by_contact"], 1.0) << s;
+  // In processes of their own the answer is the same.
+  json parallel = runJson("tune " + scene_ + person + rule + " --jobs 2 --speed-profile " + out("slow2"));
+  EXPECT_EQ(readFile(out("slow2") + "/slide.csv"), readFile(out("slow") + "/slide.csv"));
+  EXPECT_EQ(parallel["proof"][0]["cycle_time"], proof["cycle_time"]);
+}
+
+TEST_F(Tune, WritesNoSpeedProfileWhereTheRobotWouldHaveToStand) {
+  // The fastest person comes near while the robot moves; the protective distance leaves no speed.
+  const Answer a = run("tune " + scene_ + " --recordings " + out("person6.csv") + " --json --speed-profile " +
+                       out("slow"));
+  EXPECT_EQ(a.code, 1) << a.err;
+  EXPECT_NE(a.err.find("the robot would have to stand"), std::string::npos) << a.err;
+  EXPECT_EQ(std::count(a.err.begin(), a.err.end(), '\n'), 1) << a.err;
+  const json j = json::parse(a.out, nullptr, false);
+  EXPECT_FALSE(j["proof"][0]["proven"]);
+  EXPECT_EQ(j["proof"][0]["iterations"], 0);
+  EXPECT_TRUE(j["proof"][0]["file"].is_null());
+  EXPECT_TRUE(j["proof"][0]["stands"]["part"].is_string());
+  EXPECT_FALSE(fs::exists(out("slow")));
+}
+
+TEST_F(Tune, TradesSpeedForMarginAndTime) {
+  const json j = runJson("tune " + scene_ + " --recordings " + out("person6.csv") +
+                         " --deceleration 1000 --reaction-time 0.2 --speed-scales 0.5,1");
+  ASSERT_EQ(j["trade"].size(), 2u);
+  double whole_body = 0.0;
+  for (const json& p : j["proposed"]) whole_body = std::max(whole_body, p["margin"].get<double>());
+  for (const json& p : j["trade"]) {
+    const double scale = p["speed_scale"];
+    EXPECT_NEAR(p["cycle_time"].get<double>(), 2.5 / scale, 1e-9);
+    // 0.5 m/s of the ball and 0.6 m/s of the person for 0.2 s, and a frame of 10 ms at most.
+    EXPECT_GT(p["margin"], 0.2 * (0.5 * scale + 0.6)) << p;
+    EXPECT_LT(p["margin"], 0.21 * (0.5 * scale + 0.6) + 0.002) << p;
+    EXPECT_TRUE(p["stopped_share"].is_number());
+  }
+  EXPECT_EQ(j["trade"][1]["margin"], whole_body) << "at full speed it is the proposed one";
+  EXPECT_EQ(j["trade"][0]["speed_scale"], 0.5);
+}
+
+TEST_F(Tune, JudgesKeptResultsByAnySpeedRule) {
+  const std::string person = " --recordings " + out("person4.csv"), folder = out("rules");
+  json whole = runJson("tune " + scene_ + person + " --out " + folder);
+  for (const std::string rule : {"both", "separation", "contact"}) {
+    const json merged = runJson("merge " + folder + " --speed-rule " + rule);
+    ASSERT_EQ(merged["speeds"].size(), whole["speeds"].size());
+    for (const json& s : merged["speeds"]) {
+      const double separation = s["by_separation"], contact = s["by_contact"];
+      EXPECT_EQ(s["speed_scale"].get<double>(), rule == "both"         ? std::min(separation, contact)
+                                                : rule == "separation" ? separation
+                                                                       : contact)
+          << rule << s;
+    }
+    if (rule == "both") {
+      EXPECT_EQ(merged["speeds"], whole["speeds"]);
+    }
+  }
+}
+
+TEST_F(Tune, RefusesASpeedProfileThatCannotBe) {
+  const std::vector<std::string> all{"--speed-rule all",
+                                     "--speed-scales 0",
+                                     "--speed-scales 2",
+                                     "--speed-scales a",
+                                     "--max-iterations 0 --speed-profile " + out("x"),
+                                     "--shard 1/2 --speed-profile " + out("x"),
+                                     "--speed-profile " + scene_};
+  for (const std::string& wrong : all) EXPECT_EQ(run("tune " + scene_ + " " + wrong).code, 2) << wrong;
+  // A motion that is read is not replaced.
+  write("slide.csv", "t,q0\n0,0\n2,0.5\n");
+  std::string scene = readFile(scene_);
+  scene.replace(scene.find("go.csv"), 6, "slide.csv");
+  write("in_place.yaml", scene);
+  const Answer a = run("tune " + out("in_place.yaml") + " --speed-profile " + folder_.path().string());
+  EXPECT_EQ(a.code, 2) << a.err;
+  EXPECT_NE(a.err.find("input"), std::string::npos) << a.err;
+  write("plan.yaml",
+        "abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv]\n"
+        "programs: [{slide: go.csv}, {slide: slide.csv}]\n");
+  EXPECT_EQ(run("tune " + out("plan.yaml") + " --speed-scales 0.5").code, 2);
+  EXPECT_FALSE(fs::exists(out("x")));
 }
 
 TEST_F(Tune, RefusesWhatMakesNoSense) {

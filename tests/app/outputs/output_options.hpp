@@ -27,11 +27,18 @@ inline const std::vector<Output> kFiles{
     {"run session", "run scene.yaml", "--session", "scene.yaml"},
     {"check junit", "check scene.yaml --min-distance 0.01", "--junit", "scene.yaml"},
     {"check report", "check scene.yaml --min-distance 0.01", "--report", "scene.yaml"},
+    {"export csv", "export study", "--csv", "study/results/one.h5"},
+    {"export mcap", "export study", "--mcap", "study/results/one.h5"},
+    {"report html", "report study", "--html", "study/results/one.h5"},
     {"pairs out", "pairs pair.urdf --voxel 0.05 --samples 20 --searches 0", "--out", "pair.urdf"},
     {"pairs srdf", "pairs pair.urdf --voxel 0.05 --samples 20 --searches 0", "--srdf", "pair.urdf"},
     {"convert", "convert pair.urdf --postures 2", "", "pair.urdf", ".urdf"},
     {"dynamics", "dynamics pair.urdf --motion slide.csv", "--out", "slide.csv"},
     {"calibrate", "calibrate points.csv --camera camera.yaml", "--out", "camera.yaml"},
+    {"exposure html", "exposure study", "--html", ""},
+    {"exposure csv", "exposure study", "--csv", ""},
+    {"exposure room", "exposure study", "--room", ""},
+    {"exposure body", "exposure study", "--body", ""},
     {"verify", "verify --quick --only continuity --poses 1", "--report", ""},
     {"track", "track clip --height 1.75 --usual-body --facing camera", "--out", "clip/depth_000000.png"},
     {"bench out", "bench --scenario peer --variant h50p50", "--out", "peer/poses.csv", "", true},
@@ -48,6 +55,7 @@ class OutputFiles : public Outputs {
   void SetUp() override {
     makePeerScene();
     makeClip();
+    makeStudy();
   }
 };
 

@@ -92,6 +92,20 @@ class Outputs : public Cli {
     ASSERT_EQ(a.code, 0) << a.err;
   }
 
+  /// The folder "study" of `tune --out` with one result, made once.
+  void makeStudy() {
+    static std::string result;
+    if (result.empty()) {
+      write("study.yaml", std::string(kScene) + "humans: [{name: person, recording: {file: person.csv}}]\n");
+      const Answer a = run("tune study.yaml --out made");
+      ASSERT_EQ(a.code, 0) << a.err;
+      for (const auto& entry : fs::directory_iterator(in("made/results"))) result = readFile(entry.path());
+      fs::remove_all(in("made"));
+    }
+    fs::create_directories(in("study/results"));
+    write("study/results/one.h5", result);
+  }
+
   /// The folder "peer" of a scene of the peer benchmark: two tetrahedra in one frame.
   void makePeerScene() {
     fs::create_directory(in("peer"));

@@ -119,7 +119,7 @@ TEST(SpeedTable, TakesTheSlowestMomentOfEachSegment) {
   EXPECT_EQ(segments.front().speed_scale, 1.0);
   EXPECT_EQ(segments.back().speed_scale, 0.0);
   EXPECT_EQ(cycleTime(segments), kInfinity);
-  EXPECT_NEAR(cycleTime({{0.0, 1.0, 0.5, {}}, {1.0, 2.0, 1.0, {}}}), 3.0, 1e-12);
+  EXPECT_NEAR(cycleTime({{0.0, 1.0, 0.5, {}, 0.5, 1.0}, {1.0, 2.0, 1.0, {}, 1.0, 1.0}}), 3.0, 1e-12);
 }
 
 TEST(Separation, OfARobotThatStandsOrGoesAwayIsNotAsked) {

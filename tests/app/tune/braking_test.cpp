@@ -20,7 +20,7 @@ TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
   const auto session =
       depth::openSession(scene_file::loadScene(testing::projectFile("data/scenes/hug_reach.yaml")), options);
   const BrakingOptions braking{0.1, 1.0};
-  MotionWindow window(*session, watchedPairs(*session), braking);
+  MotionWindow window(*session, watchedPairs(*session), braking, 0.0);
   ASSERT_GT(window.pairs().size(), 100u);
   BrakingClearance clearance(*session, window, 0.0);
   run::SweptCheck swept(session->scene());
@@ -38,7 +38,7 @@ TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
     for (std::size_t i = 0; i < paths.size(); ++i) paths[i].add(t, session->scene().objects()[i].X_WB);
     std::vector<double> between;
     for (const auto& b : swept.frame(t, results, limits)) between.push_back(b.lower);
-    window.add(t, results, between);
+    window.add(t, results, between, swept.motions());
     while (clearance.ofFirst(found)) {
       const double begin = window.frames().front().t;
       // Some pairs of some frames: a query of each sample is slow.

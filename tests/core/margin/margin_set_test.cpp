@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/base/error.hpp"
+#include "tests/core/margin/same_outcome.hpp"
 
 namespace abstand::margin {
 namespace {
@@ -25,17 +26,6 @@ ClearanceTrack walk(std::uint32_t seed, int frames) {
   }
   track.between.back() = kInfinity;
   return track;
-}
-
-void expectEqual(const MarginOutcome& a, const MarginOutcome& b) {
-  EXPECT_EQ(a.stops, b.stops);
-  EXPECT_EQ(a.false_stops, b.false_stops);
-  EXPECT_EQ(a.missed_stops, b.missed_stops);
-  EXPECT_EQ(a.unseen, b.unseen);
-  EXPECT_EQ(a.stopped_time, b.stopped_time);
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.min_clearance, b.min_clearance);
-  EXPECT_EQ(a.lead_time, b.lead_time);
 }
 
 TEST(MarginSets, OfOneTrackAreTheFrameByFramePass) {

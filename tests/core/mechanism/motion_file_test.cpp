@@ -43,6 +43,13 @@ TEST(MotionFile, TakesWhatSpreadsheetsWrite) {
   EXPECT_DOUBLE_EQ(q[0], 1.25);
 }
 
+TEST(MotionFile, IsWrittenToTheLastBit) {
+  const std::vector<double> t{-0.1, 1.0 / 3.0, 2e3}, q{0.1, -kPi, 1e-300, 0.0, 1.0 / 7.0, 1e9};
+  const MotionTable again = parseMotion(formatMotion({t, q, 2}), "again.csv", 2);
+  EXPECT_THAT(again.times(), ::testing::ElementsAreArray(t));
+  EXPECT_THAT(again.values(), ::testing::ElementsAreArray(q));
+}
+
 TEST(MotionFile, MayHoldOneRow) {
   const MotionTable table = parseMotion("t,q0\n5,7", "m.csv", 1);
   std::vector<double> q(1);

@@ -1,0 +1,39 @@
+#include "app/cli/question_arguments.hpp"
+
+#include <algorithm>
+
+#include "app/cli/tune_arguments.hpp"
+#include "app/cli/tune_speeds.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+
+namespace abstand::cli {
+
+void QuestionArguments::add(CLI::App& command, CommandLine& line) {
+  command.add_option("--margins", margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
+  command.add_option("--margin-set", margin_sets,
+                     "files of margins by part, link and pair, judged too (docs/margins.md)");
+  line.output(command.add_option("--margins-out", margins_out, "the smallest safe margins as such a file"));
+  command.add_option("--by", by, "of --margins-out: part, link or pair (default: part)")
+      ->check(CLI::IsMember({"part", "link", "pair"}));
+  command.add_option("--segment", segment, "s: stretches of the program that get a speed each (default: 1)");
+  addSpeedRule(command, speed_rule);
+  line.output(command.add_option("--report", report, "HTML page for people, to be signed"));
+}
+
+tune::TuneQuestions QuestionArguments::questions() const {
+  tune::TuneQuestions questions{marginList(margins), segmentLength(segment), {}, speedRule(speed_rule)};
+  for (const std::string& file : margin_sets) questions.margin_sets.push_back(tune::loadMarginRules(file));
+  return questions;
+}
+
+void QuestionArguments::writeMargins(const tune::TuneAnswer& answer) const {
+  if (margins_out.empty()) return;
+  const auto set = std::find_if(answer.strategies.begin(), answer.strategies.end(),
+                                [&](const tune::StrategyOutcome& s) { return s.rules.name == "per_" + by; });
+  if (set == answer.strategies.end())
+    throw UsageError("--margins-out: found a " + by + " for which no margin would do, expected one for each");
+  writeFile(margins_out, tune::marginRulesText(set->rules));
+}
+
+}  // namespace abstand::cli

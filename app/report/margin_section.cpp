@@ -1,0 +1,97 @@
+#include "app/report/margin_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/page.hpp"
+#include "core/text/message_text.hpp"
+
+namespace abstand::report {
+namespace {
+
+std::string millimetresText(double metres, int digits = 0) {
+  if (std::isinf(metres)) return metres > 0.0 ? "none" : "not seen";
+  return text::rounded(1e3 * metres, digits) + " mm";
+}
+
+std::string secondsText(double t) { return text::rounded(t, 3) + " s"; }
+
+std::string linkTable(const tune::TuneAnswer& answer) {
+  std::vector<std::vector<std::string>> rows;
+  for (const tune::GroupNeed& need : answer.links) {
+    std::vector<std::string> row{need.link,
+                                 std::isinf(need.margin) ? "none would do" : millimetresText(need.margin)};
+    row.push_back(need.recording
+                      ? answer.recordings[*need.recording].recording + " at " + secondsText(need.need.t)
+                      : "no stop was ever needed");
+    rows.push_back(std::move(row));
+  }
+  return htmlTable({"link", "smallest safe margin", "decided by"}, rows);
+}
+
+}  // namespace
+
+std::string closestSection(const tune::TuneAnswer& answer) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> header{"part",        "distance",    "engine (mm)",         "pose (mm)",
+                                  "calib. (mm)", "frames (mm)", "certified clearance", "verdict",
+                                  "link",        "at (s)"};
+  const bool several = answer.recordings.size() > 1;
+  if (several) header.push_back("recording");
+  for (const tune::ClosestApproach& c : answer.closest) {
+    if (c.link.empty()) {
+      rows.push_back({c.part, "never seen", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
+      if (several) rows.back().push_back("");
+      continue;
+    }
+    rows.push_back({c.part, text::rounded(1e3 * c.distance, 1) + " \u00b1 " + millimetresText(c.error(), 1),
+                    text::rounded(1e3 * c.bound, 1), text::rounded(1e3 * c.pose, 1),
+                    text::rounded(1e3 * c.calibration, 1), text::rounded(1e3 * c.between_frames, 1),
+                    millimetresText(c.clearance(), 1), tune::verdictText(c.verdict()), c.link,
+                    text::rounded(c.t, 3)});
+    if (several) rows.back().push_back(answer.recordings[c.recording].recording);
+  }
+  return "<h2>How near people came</h2>\n<p>Of each body part the moment with the least certified clearance: "
+         "the "
+         "measured distance, and how much smaller the true one may be. The error is the sum of its shares: "
+         "the "
+         "engine's bound, what is not known of the person's pose (tracking, gaps), the calibration between "
+         "recording "
+         "and robot (an assumption, below), and the motion between two frames.</p>\n" +
+         htmlTable(header, rows);
+}
+
+std::string marginSetSection(const tune::TuneAnswer& answer) {
+  std::vector<std::vector<std::string>> rows;
+  for (const tune::StrategyOutcome& s : answer.strategies) {
+    const margin::MarginOutcome& o = s.outcome;
+    rows.push_back({s.rules.name, std::to_string(o.stops), text::rounded(100.0 * o.stoppedShare(), 1) + " %",
+                    std::to_string(o.false_stops), std::to_string(o.missed_stops),
+                    millimetresText(o.min_clearance)});
+  }
+  return "<h2>One margin, or many</h2>\n<p>The smallest safe margins as one margin for all, by part, by link "
+         "and by "
+         "pair, judged over all pairs together. A finer set costs fewer false stops as a rule; the counts "
+         "are its outcome on these recordings.</p>\n" +
+         htmlTable({"set of margins", "stops", "time stopped", "false", "missed",
+                    "least clearance to a moving robot"},
+                   rows) +
+         "<p>The smallest safe margin of each link, with the nearest part of anyone:</p>\n" +
+         linkTable(answer);
+}
+
+std::string bandSection(const tune::TuneAnswer& answer) {
+  if (answer.bands.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const tune::VariantBand& b : answer.bands)
+    rows.push_back({b.part, millimetresText(b.margin.least) + " to " + millimetresText(b.margin.largest),
+                    answer.recordings[b.margin.of_largest].recording,
+                    millimetresText(b.clearance.least) + " to " + millimetresText(b.clearance.largest),
+                    answer.recordings[b.clearance.of_least].recording});
+  return "<h2>The same recording as others would have done it</h2>\n<p>Runs of one recording with other "
+         "people, places "
+         "or speeds: the smallest and the largest value of each part.</p>\n" +
+         htmlTable({"part", "smallest safe margin", "largest for", "closest clearance", "closest for"}, rows);
+}
+
+}  // namespace abstand::report

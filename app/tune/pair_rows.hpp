@@ -1,0 +1,37 @@
+// The pairs of a result file, frame by frame.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/hdf5/table_reader.hpp"
+#include "app/tune/recording_tune.hpp"
+#include "core/margin/pair_margins.hpp"
+
+namespace abstand::tune {
+
+/// Reads the values of all pairs of a recording from its result file, some thousand frames at a time, so that
+/// memory does not grow with the recording. One thread.
+class PairRows {
+ public:
+  /// The recording was read from a result file (TunedRecording::file) and outlives this. Throws ParseError.
+  explicit PairRows(const TunedRecording& recording);
+
+  std::size_t pairs() const { return recording_.pass.pairs.size(); }
+  /// Goes to the next frame; false behind the last one. Throws ParseError.
+  bool next();
+  /// Certified clearances of the file, which are rounded to the safe side. Its lists live until next().
+  margin::PairFrame frame() const;
+  std::size_t index() const { return index_; }
+
+ private:
+  void readBlock();
+
+  const TunedRecording& recording_;
+  hdf5::TableReader file_;
+  std::size_t index_{0}, first_{0}, rows_{0};  ///< of the frame; of the block in memory
+  bool begun_{false};
+  std::vector<double> clearance_, robot_speed_, person_speed_;  ///< of the block, row by row
+};
+
+}  // namespace abstand::tune

@@ -1,0 +1,70 @@
+#include "core/margin/outcome_stream.hpp"
+
+#include <algorithm>
+
+namespace abstand::margin {
+
+void OutcomeStream::start(double t) {
+  if (!begun_) first_ = t;
+  begun_ = true;
+  last_ = t;
+  // What ended before this frame is not cut off by the end of the recording.
+  auto open = stopped_.begin();
+  for (; open != stopped_.end() && open->until <= t; ++open)
+    outcome_.stopped_time += std::max(0.0, open->until - open->from);
+  stopped_.erase(stopped_.begin(), open);
+}
+
+void OutcomeStream::add(const MarginFrame& frame) {
+  if (running_ && !frame.inside) endStop(frame.t);
+  start(frame.t);
+  if (!frame.inside) {
+    outcome_.min_clearance = std::min({outcome_.min_clearance, frame.clearance, frame.between});
+    if (frame.between <= options_.limit) ++outcome_.unseen;
+    return;
+  }
+  if (!running_) {
+    running_ = true;
+    stop_ = {};
+    stop_.begin = frame.t;
+    stop_.braking = frame.braking;
+  }
+  const double least = std::min(frame.clearance, frame.between);
+  if (least <= options_.limit && !stop_.lead_time) stop_.lead_time = frame.t - stop_.begin;
+  stop_.min_clearance = std::min(stop_.min_clearance, least);
+}
+
+void OutcomeStream::addOutside(double first, double t, double least) {
+  start(first);
+  start(t);
+  outcome_.min_clearance = std::min(outcome_.min_clearance, least);
+}
+
+void OutcomeStream::endStop(double t) {
+  running_ = false;
+  stop_.end = t;
+  stop_.false_stop = stop_.min_clearance > options_.limit;
+  stop_.missed = stop_.braking <= options_.limit;
+  const double until = t + options_.restart_time;
+  stopped_.push_back({std::max(stop_.begin, stopped_until_), until});
+  stopped_until_ = std::max(stopped_until_, until);
+  ++outcome_.stops;
+  outcome_.false_stops += stop_.false_stop;
+  outcome_.missed_stops += stop_.missed;
+  outcome_.min_clearance = std::min(outcome_.min_clearance, stop_.braking);
+  if (stop_.lead_time && (!outcome_.lead_time || *stop_.lead_time < *outcome_.lead_time))
+    outcome_.lead_time = stop_.lead_time;
+  if (on_stop) on_stop(stop_);
+}
+
+MarginOutcome OutcomeStream::finish() {
+  if (running_) endStop(last_);
+  for (const Interval& open : stopped_)
+    outcome_.stopped_time += std::max(0.0, std::min(open.until, last_) - open.from);
+  stopped_.clear();
+  outcome_.time = last_ - first_;
+  outcome_.missed_stops += outcome_.unseen;
+  return outcome_;
+}
+
+}  // namespace abstand::margin

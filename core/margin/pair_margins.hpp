@@ -1,0 +1,70 @@
+// Margins of single pairs, and what many sets of them would have done.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/margin/outcome_stream.hpp"
+
+namespace abstand::margin {
+
+/// The margin of a pair of a body part and a link. It grows with the speeds at which the nearest points of
+/// the two bodies go towards each other; a body that goes away adds nothing.
+struct PairMargin {
+  double margin{0.0};       ///< m
+  double robot_time{0.0};   ///< s: m per m/s of the link
+  double person_time{0.0};  ///< s: m per m/s of the part
+
+  /// m, at these speeds (m/s).
+  double at(double robot_speed, double person_speed) const;
+  bool operator==(const PairMargin&) const = default;
+};
+
+/// Throws UsageError for what is negative or not finite.
+void validate(const PairMargin& margin);
+
+/// One frame of a recording. Lists have an entry for each pair.
+struct PairFrame {
+  double t{0.0};                                      ///< s
+  std::span<const double> clearance;                  ///< m, certified
+  std::span<const double> robot_speed, person_speed;  ///< m/s, towards each other
+  double between{kInfinity}, braking{kInfinity};      ///< m, the least of all pairs
+};
+
+/// The outcomes of many sets of margins, a margin for each pair in each set, in one pass over a recording.
+/// The robot is told to stop where any pair is inside its own. Memory does not grow with the recording. One
+/// thread.
+class PairMarginSets {
+ public:
+  /// Frames that are judged together: a set whose margins nobody comes near in them costs a comparison a
+  /// pair.
+  static constexpr std::size_t kBlock = 64;
+
+  /// Throws UsageError for no set, for sets of different lengths and for bad margins.
+  PairMarginSets(std::vector<std::vector<PairMargin>> sets, const MarginOptions& options);
+
+  void add(const PairFrame& frame);
+  /// Of each set, in order. After the last frame; once.
+  std::vector<MarginOutcome> finish();
+  /// Called at the end of each stop with the number of the set.
+  void onStop(const std::function<void(std::size_t set, const Stop& stop)>& hear);
+
+ private:
+  struct Row {
+    double t, clearance, between, braking;
+  };
+  void settle();
+  void judge(std::size_t set);
+
+  std::size_t pairs_;
+  MarginOptions options_;
+  std::vector<std::vector<PairMargin>> sets_;
+  std::vector<OutcomeStream> streams_;
+  std::vector<Row> rows_;
+  std::vector<double> clearance_, robot_speed_, person_speed_;  ///< of the block, row by row
+  std::vector<double> least_, fastest_robot_, fastest_person_;  ///< of each pair in the block
+  double block_least_{kInfinity}, block_between_{kInfinity};
+  std::vector<std::size_t> near_;  ///< pairs that may be inside in the block
+};
+
+}  // namespace abstand::margin

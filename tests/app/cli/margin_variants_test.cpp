@@ -1,0 +1,91 @@
+// Uncertainty with its shares, and one recording as several people, places and sides.
+#include <map>
+
+#include "tests/app/program.hpp"
+#include "tests/app/tune/slide_scene.hpp"
+
+namespace abstand::testing {
+namespace {
+
+// m: rounding to whole millimetres, and one to the next frame of two bodies at 0.8 m/s.
+constexpr double kMillimetre = 1e-3, kFrame = 0.008;
+
+class MarginVariants : public Cli {
+ protected:
+  MarginVariants() {
+    ::setenv("ABSTAND_CACHE", (folder_.path() / "cache").c_str(), 1);
+    scene_ = writeSlide(folder_, {.robot = 0.5, .person = 0.3, .seconds = 3.5}).string();
+  }
+  std::string plan(const std::string& text) {
+    return folder_.write("plan.yaml", "abstand_plan: 1\nscenes: [slide.yaml]\n" + text).string();
+  }
+  static const json& ofPart(const json& rows, const std::string& part) {
+    for (const json& row : rows)
+      if (row["part"] == part) return row;
+    throw std::runtime_error("no row of " + part);
+  }
+
+  std::string scene_, options_{" --margins 0.1 --reaction-time 0.2 --deceleration 1000"};
+};
+
+TEST_F(MarginVariants, ACalibrationErrorIsAShareOfEveryUncertainty) {
+  const json without = runJson("tune " + scene_ + options_),
+             with = runJson("tune " + scene_ + options_ + " --calibration-error 0.03");
+  EXPECT_EQ(with["assumed"]["calibration_error"], 0.03);
+  const json &a = ofPart(without["closest"], "torso"), &b = ofPart(with["closest"], "torso");
+  EXPECT_EQ(a["shares"]["calibration"], 0.0);
+  EXPECT_EQ(b["shares"]["calibration"], 0.03);
+  EXPECT_NEAR(b["clearance"].get<double>(), a["clearance"].get<double>() - 0.03, kMillimetre);
+  for (const json* row : {&a, &b}) {
+    double sum = 0.0;
+    for (const auto& [name, share] : (*row)["shares"].items()) sum += share.get<double>();
+    EXPECT_NEAR((*row)["error"], sum, 1e-12);
+    EXPECT_NEAR((*row)["clearance"].get<double>(), (*row)["distance"].get<double>() - sum, 1e-12);
+  }
+  // A margin is broken by the clearance, which is smaller by the error, and has to end above it.
+  const double margin = ofPart(with["proposed"], "torso")["margin"],
+               before = ofPart(without["proposed"], "torso")["margin"];
+  EXPECT_NEAR(margin, before, kFrame + kMillimetre) << "both sides of the comparison lose it";
+}
+
+TEST_F(MarginVariants, ABandIsOverTheRunsOfOneRecording) {
+  // Nearer by 0.1 m, and the ball passes by at the side, farther than the trunk is wide.
+  const json j =
+      runJson("tune " + plan("places: [{}, {shift: [-0.1, 0, 0]}, {shift: [0, 3, 0]}]\n") + options_);
+  ASSERT_EQ(j["recordings"], 3);
+  const json& band = ofPart(j["bands"], "torso");
+  EXPECT_EQ(band["runs"], 3);
+  std::vector<double> clearance;
+  for (const char* end : {"min", "max"}) clearance.push_back(band["clearance"][end]);
+  EXPECT_NE(band["clearance"]["max_of"].get<std::string>().find("shift 0 3 0"), std::string::npos);
+  EXPECT_GT(clearance[1], 2.0);
+  EXPECT_LT(clearance[0], 0.0);
+  EXPECT_EQ(band["margin"]["min"], 0.0) << "nobody needs a margin three metres beside";
+  EXPECT_GT(band["margin"]["max"], 0.1);
+}
+
+TEST_F(MarginVariants, AMirroredPersonExchangesTheSides) {
+  const json j =
+      runJson("tune " + plan("mirror: [false, true]\nplaces: [{shift: [0, 0.9, 0]}]\n") + options_);
+  ASSERT_EQ(j["recordings"], 2);
+  // The rest pose is its own mirror image but for the names, so the sides' bands are those of the other side.
+  std::map<std::string, double> closest;
+  for (const json& band : j["bands"]) {
+    EXPECT_EQ(band["runs"], 2);
+    EXPECT_NEAR(band["clearance"]["min"], band["clearance"]["max"], 2e-3) << band["part"] << ": symmetric";
+  }
+  const std::string name = ofPart(j["bands"], "torso")["clearance"]["max_of"];
+  EXPECT_FALSE(name.empty());
+}
+
+TEST_F(MarginVariants, APlanRefusesWhatItDoesNotKnow) {
+  for (const std::string text :
+       {"places: [{shift: [1, 2]}]\n", "places: [{turns: 1}]\n", "mirror: [perhaps]\n"}) {
+    const Answer answer = run("tune " + plan(text) + options_);
+    EXPECT_EQ(answer.code, 3) << text;
+    EXPECT_NE(answer.err.find("plan.yaml:3:"), std::string::npos) << answer.err;
+  }
+}
+
+}  // namespace
+}  // namespace abstand::testing

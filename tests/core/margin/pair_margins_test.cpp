@@ -1,0 +1,175 @@
+#include "core/margin/pair_margins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/base/error.hpp"
+#include "core/margin/margin_set.hpp"
+#include "core/margin/safe_margin.hpp"
+#include "tests/core/margin/same_outcome.hpp"
+
+namespace abstand::margin {
+namespace {
+
+/// Clearances of some pairs over one recording, with stretches far away, near, inside and not seen.
+struct PairTracks {
+  std::vector<ClearanceTrack> of;
+  std::vector<std::vector<double>> robot_speed, person_speed;
+
+  std::size_t frames() const { return of.front().frames(); }
+  PairFrame frame(std::size_t i, std::vector<double> (&lists)[3]) const {
+    PairFrame frame{of.front().t[i], {}, {}, {}, kInfinity, kInfinity};
+    for (auto& list : lists) list.clear();
+    for (std::size_t p = 0; p < of.size(); ++p) {
+      lists[0].push_back(of[p].clearance[i]);
+      lists[1].push_back(robot_speed[p][i]);
+      lists[2].push_back(person_speed[p][i]);
+      frame.between = std::min(frame.between, of[p].between[i]);
+      frame.braking = std::min(frame.braking, of[p].braking[i]);
+    }
+    frame.clearance = lists[0], frame.robot_speed = lists[1], frame.person_speed = lists[2];
+    return frame;
+  }
+};
+
+PairTracks tracksOf(std::uint32_t seed, std::size_t pairs, int frames) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> step(0.0, 0.03);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  PairTracks tracks;
+  for (std::size_t p = 0; p < pairs; ++p) {
+    ClearanceTrack track;
+    std::vector<double> robot, person;
+    double c = 0.8;
+    for (int i = 0; i < frames; ++i) {
+      c = std::clamp(c + step(random), -0.1, 2.0);
+      track.t.push_back(0.01 * i);
+      track.clearance.push_back(uniform(random) < 0.001 ? -kInfinity : c);
+      track.between.push_back(uniform(random) < 0.005 ? c - 0.3 : c - 0.005);
+      track.braking.push_back(uniform(random) < 0.05 ? c - 0.4 : kInfinity);
+      robot.push_back(4.0 * uniform(random) - 2.0);
+      person.push_back(4.0 * uniform(random) - 2.0);
+    }
+    track.between.back() = kInfinity;
+    tracks.of.push_back(std::move(track));
+    tracks.robot_speed.push_back(std::move(robot));
+    tracks.person_speed.push_back(std::move(person));
+  }
+  return tracks;
+}
+
+std::vector<MarginOutcome> outcomesOf(const PairTracks& tracks,
+                                      const std::vector<std::vector<PairMargin>>& sets,
+                                      const MarginOptions& options) {
+  PairMarginSets all(sets, options);
+  std::vector<double> lists[3];
+  for (std::size_t i = 0; i < tracks.frames(); ++i) all.add(tracks.frame(i, lists));
+  return all.finish();
+}
+
+TEST(PairMarginSets, WithoutSpeedsAreTheSetsOfTracks) {
+  for (const int frames : {1, 63, 64, 65, 900})
+    for (std::uint32_t seed = 0; seed < 10; ++seed) {
+      const PairTracks tracks = tracksOf(seed, 5, frames);
+      std::vector<const ClearanceTrack*> pointers;
+      for (const ClearanceTrack& t : tracks.of) pointers.push_back(&t);
+      const MarginSets reference(pointers);
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> uniform(0.0, 0.9);
+      std::vector<std::vector<PairMargin>> sets;
+      std::vector<std::vector<double>> margins;
+      for (int s = 0; s < 12; ++s) {
+        margins.emplace_back();
+        sets.emplace_back();
+        for (std::size_t p = 0; p < tracks.of.size(); ++p) {
+          margins.back().push_back(uniform(random));
+          sets.back().push_back({margins.back().back(), 0.0, 0.0});
+        }
+      }
+      for (const MarginOptions& options : {MarginOptions{}, MarginOptions{0.05, 0.2}}) {
+        const std::vector<MarginOutcome> outcomes = outcomesOf(tracks, sets, options);
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+          SCOPED_TRACE(testing::Message() << frames << " frames, seed " << seed << ", set " << s);
+          expectEqual(outcomes[s], reference.outcome(margins[s], options));
+        }
+      }
+    }
+}
+
+TEST(PairMarginSets, GrowWithTheSpeedsOfBodiesThatApproach) {
+  // Every pair that is inside is found frame by frame, without blocks.
+  const MarginOptions options{0.02, 0.1};
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    const PairTracks tracks = tracksOf(100 + seed, 4, 700);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0.0, 0.2);
+    std::vector<PairMargin> set;
+    for (std::size_t p = 0; p < tracks.of.size(); ++p)
+      set.push_back({uniform(random), uniform(random), uniform(random)});
+    OutcomeStream expected(options);
+    std::vector<double> lists[3];
+    for (std::size_t i = 0; i < tracks.frames(); ++i) {
+      const PairFrame frame = tracks.frame(i, lists);
+      MarginFrame all{frame.t, false, kInfinity, frame.between, frame.braking};
+      for (std::size_t p = 0; p < set.size(); ++p) {
+        const double robot = std::max(0.0, tracks.robot_speed[p][i]),
+                     person = std::max(0.0, tracks.person_speed[p][i]);
+        const double needed = set[p].margin + set[p].robot_time * robot + set[p].person_time * person;
+        all.inside = all.inside || tracks.of[p].clearance[i] < needed;
+        all.clearance = std::min(all.clearance, tracks.of[p].clearance[i]);
+      }
+      expected.add(all);
+    }
+    expectEqual(outcomesOf(tracks, {set}, options).front(), expected.finish());
+  }
+}
+
+TEST(PairMarginSets, TellTheirStops) {
+  const PairTracks tracks = tracksOf(7, 3, 500);
+  PairMarginSets sets({{{0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {});
+  long stops[2] = {0, 0}, missed[2] = {0, 0};
+  sets.onStop([&](std::size_t set, const Stop& stop) {
+    ++stops[set];
+    missed[set] += stop.missed;
+    EXPECT_LE(stop.begin, stop.end);
+  });
+  std::vector<double> lists[3];
+  for (std::size_t i = 0; i < tracks.frames(); ++i) sets.add(tracks.frame(i, lists));
+  const std::vector<MarginOutcome> outcomes = sets.finish();
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(stops[s], outcomes[s].stops);
+    EXPECT_EQ(missed[s], outcomes[s].missed_stops - outcomes[s].unseen);
+  }
+  EXPECT_GT(stops[0], 0);
+}
+
+TEST(PairMarginSets, RefuseWhatDoesNotFit) {
+  EXPECT_THROW(PairMarginSets({}, {}), UsageError);
+  EXPECT_THROW(PairMarginSets({{{0.1, 0, 0}}, {}}, {}), UsageError);
+  EXPECT_THROW(PairMarginSets({{{-0.1, 0, 0}}}, {}), UsageError);
+  EXPECT_THROW(PairMarginSets({{{0.1, kInfinity, 0}}}, {}), UsageError);
+}
+
+TEST(SafeMarginWatch, IsTheSmallestSafeMarginFromTheFirstFrameThatCanBeJudged) {
+  const MarginOptions options{0.01, 0.0};
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    const PairTracks tracks = tracksOf(200 + seed, 1, 300);
+    const ClearanceTrack& track = tracks.of.front();
+    SafeMarginWatch watch(options);
+    for (std::size_t i = 0; i < track.frames(); ++i)
+      watch.add(track.clearance[i], track.between[i], track.braking[i]);
+    const std::size_t first = firstJudgedFrame(track, options);
+    const SafeMargin expected = smallestSafeMargin(from(track, first), options);
+    EXPECT_TRUE(watch.judged());
+    EXPECT_EQ(watch.value().decided, expected.decided);
+    EXPECT_EQ(watch.value().margin, expected.margin);
+    EXPECT_EQ(watch.value().sampling, expected.sampling);
+    if (expected.decided) {
+      EXPECT_EQ(watch.value().frame, expected.frame + first);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace abstand::margin
