@@ -107,15 +107,17 @@ bool ApproachJudge::excluded(const std::string& part) {
 }
 
 double ApproachJudge::contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
-                                   const ClosingMotion& motion) {
+                                   const ClosingMotion& motion, double wanted) {
   if (excluded(part)) return 0.0;
-  if (!(motion.closing() > 0.0)) return 1.0;
+  const double wanted_closing = wanted * motion.robot_speed + motion.person_speed;
+  if (!(wanted_closing > 0.0)) return wanted;
   ClosingMotion complete_motion = motion;
   complete(frame, pair, complete_motion);
   const contact::AllowedSpeed allowed = contact::allowedSpeed(
-      regionsOf(part), {complete_motion.robot_mass, contact::RobotMassSource::kPosture}, motion.closing(),
+      regionsOf(part), {complete_motion.robot_mass, contact::RobotMassSource::kPosture}, wanted_closing,
       [&](double indentation) { return areaAt(complete_motion, pair, indentation); });
-  return contact::speedShare(allowed.speed, motion.robot_speed, motion.person_speed);
+  if (allowed.speed >= wanted_closing) return wanted;
+  return std::min(wanted, contact::speedShare(allowed.speed, motion.robot_speed, motion.person_speed));
 }
 
 }  // namespace abstand::tune

@@ -63,11 +63,12 @@ class ApproachJudge {
                        const std::string& part);
   /// No speed of contact is allowed with the part called `part`: the table excludes it, or none is known.
   bool excluded(const std::string& part);
-  /// 0 to 1: share of the robot's speed at which a transient contact of the pair would stay within the limits
-  /// of every region of the part, with the person's speed as it is (contact::allowedSpeed). The robot moves
-  /// towards the person. 0 for what is excluded. `motion` need not be complete().
+  /// 0 to `wanted`, which is 1 at most: share of the robot's speed at which a transient contact of the pair
+  /// would stay within the limits of every region of the part, with the person's speed as it is
+  /// (contact::allowedSpeed). The robot moves towards the person. 0 for what is excluded. `motion` need not
+  /// be complete(). The less is wanted, the less is computed.
   double contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
-                      const ClosingMotion& motion);
+                      const ClosingMotion& motion, double wanted);
 
  private:
   const std::vector<const contact::RegionLimits*>& regionsOf(const std::string& part);

@@ -192,7 +192,7 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
     if (part.contact_excluded || !(frame.clearance[p] < options_.near) || !(robot_speed > 0.0) ||
         !(scale > 0.0))
       continue;
-    scale = std::min(scale, unseen ? 0.0 : judge_.contactShare(frame, pair, part.part, motion));
+    scale = unseen ? 0.0 : judge_.contactShare(frame, pair, part.part, motion, scale);
   }
   for (PartClearance& part : result_.parts) {
     double &missing = part.separation.missing.back(), &scale = part.separation.speed_scale.back();

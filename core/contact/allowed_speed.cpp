@@ -16,7 +16,9 @@ AllowedSpeed speedOf(const RegionLimits& region, const RobotMass& robot, double 
     return predictPressure(region, contact, area(contact.indentation), ContactKind::kTransient).share <= 1.0;
   };
   const AllowedSpeed force{std::min(by_force, wanted), LimitKind::kForce, &region};
-  if (pressed(by_force) || (wanted < by_force && pressed(wanted))) return force;
+  // A small indentation has the smaller patch; that of a large one may be certain where the small one's is
+  // not.
+  if (pressed(force.speed) || (wanted < by_force && pressed(by_force))) return force;
   double kept = 0.0, broken = force.speed;
   for (int i = 0; i < kPressureHalvings; ++i) {
     const double speed = 0.5 * (kept + broken);

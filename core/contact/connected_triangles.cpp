@@ -2,20 +2,23 @@
 
 namespace abstand::contact {
 
-ConnectedTriangles connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points,
-                                  std::uint32_t start, double level) {
-  ConnectedTriangles found{{}, start};
-  std::vector<char> seen(points.size(), 0), taken(surface.mesh().triangles.size(), 0);
-  std::vector<std::uint32_t> open{start};
+void connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points, std::uint32_t start,
+                    double level, ConnectedTriangles& found) {
+  auto& [triangles, foremost, open, seen, taken] = found;
+  triangles.clear();
+  foremost = start;
+  seen.assign(points.size(), 0);
+  taken.assign(surface.mesh().triangles.size(), 0);
+  open.assign(1, start);
   seen[start] = 1;
   while (!open.empty()) {
     const std::uint32_t vertex = open.back();
     open.pop_back();
-    if (points[vertex].z() > points[found.foremost].z()) found.foremost = vertex;
+    if (points[vertex].z() > points[foremost].z()) foremost = vertex;
     for (const std::uint32_t t : surface.around(vertex)) {
       if (taken[t]) continue;
       taken[t] = 1;
-      found.triangles.push_back(t);
+      triangles.push_back(t);
       for (const std::uint32_t next : surface.mesh().triangles[t])
         if (!seen[next] && points[next].z() >= level) {
           seen[next] = 1;
@@ -23,7 +26,6 @@ ConnectedTriangles connectedAbove(const ContactSurface& surface, std::span<const
         }
     }
   }
-  return found;
 }
 
 }  // namespace abstand::contact

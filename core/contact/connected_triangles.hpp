@@ -8,12 +8,16 @@ namespace abstand::contact {
 struct ConnectedTriangles {
   std::vector<std::uint32_t> triangles;  ///< indices into the mesh
   std::uint32_t foremost{0};             ///< the highest vertex
+
+  /// Memory of the search.
+  std::vector<std::uint32_t> open;
+  std::vector<char> seen, taken;  ///< of each vertex, of each triangle
 };
 
 /// The triangles that are reached from the vertex `start` over vertices at or above `level` (m). `points` are
 /// the mesh's vertices with their height as z. Two vertices are connected where a triangle has both; a
 /// triangle belongs to any of its own.
-ConnectedTriangles connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points,
-                                  std::uint32_t start, double level);
+void connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points, std::uint32_t start,
+                    double level, ConnectedTriangles& found);
 
 }  // namespace abstand::contact

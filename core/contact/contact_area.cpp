@@ -39,11 +39,11 @@ ContactArea contactArea(const ContactSurface& surface, const ContactPlace& place
   const double x = certainIndentation(surface, place);
   if (!(x > 0.0)) return result;
 
-  const ContactPatch patch = contactPatch(surface, place, x);
+  const ContactPatch& patch = contactPatch(surface, place, x);
   result.foremost_B = patch.foremost_B;
   result.offset = patch.offset;
-  result.triangles = patch.front.size();
   const PatchExtent extent = visibleExtent(patch);
+  result.triangles = extent.pieces;
   result.area = extent.area;
   result.volume = extent.volume;
   return result;

@@ -4,18 +4,26 @@
 #include <cmath>
 
 #include "core/contact/connected_triangles.hpp"
-#include "core/contact/curved_pieces.hpp"
 
 namespace abstand::contact {
 namespace {
 
+/// What a search leaves behind, so that the next one need not allocate it.
+struct PatchMemory {
+  std::vector<Vector3d> points;  ///< of the mesh: u, v, height
+  std::vector<PatchTriangle> open;
+  ConnectedTriangles connected;
+  ContactPatch patch;
+};
+
 class PatchSearch {
  public:
-  PatchSearch(const ContactSurface& surface, const ContactPlace& place, double x)
-      : surface_{surface}, x_{x}, radius_{place.body_radius} {
+  PatchSearch(const ContactSurface& surface, const ContactPlace& place, double x, PatchMemory& memory)
+      : surface_{surface}, x_{x}, radius_{place.body_radius}, memory_{memory}, points_{memory.points} {
     const Vector3d u_B = place.n_B.unitOrthogonal(), v_B = place.n_B.cross(u_B);
     Matrix3d R_PB;
     R_PB << u_B.transpose(), v_B.transpose(), place.n_B.transpose();
+    points_.clear();
     points_.reserve(surface.mesh().vertices.size());
     for (const Vector3d& p_B : surface.mesh().vertices) points_.push_back(R_PB * (p_B - place.p_B));
     const ContactSurface::Nearest contact = surface.nearest(place.p_B);
@@ -24,19 +32,24 @@ class PatchSearch {
                                [&](std::uint32_t a, std::uint32_t b) { return height(a) < height(b); });
   }
 
-  ContactPatch search() {
-    ConnectedTriangles patch = connectedAbove(surface_, points_, start_, contact_height_ - x_);
-    const double top = height(patch.foremost);
-    if (top > contact_height_) patch = connectedAbove(surface_, points_, patch.foremost, top - x_);
-    ContactPatch result;
+  const ContactPatch& search() {
+    ConnectedTriangles& connected = memory_.connected;
+    connectedAbove(surface_, points_, start_, contact_height_ - x_, connected);
+    const double top = height(connected.foremost);
+    if (top > contact_height_) connectedAbove(surface_, points_, connected.foremost, top - x_, connected);
+    ContactPatch& result = memory_.patch;
+    result.pieces.clear();
+    result.back.clear();
+    result.floor = 0.0;
     result.body_radius = radius_;
-    result.foremost_B = surface_.mesh().vertices[patch.foremost];
+    result.foremost_B = surface_.mesh().vertices[connected.foremost];
     result.offset = top - contact_height_;
-    std::vector<PatchTriangle> pieces;
-    for (const std::uint32_t t : patch.triangles) pieces.push_back(triangle(t));
-    if (!divideForCurve({radius_, x_, contact_height_ - x_}, pieces)) return result;
-    result.floor = topOf(pieces, top) - x_;
-    for (const PatchTriangle& piece : pieces) addFront(piece, result);
+    for (const std::uint32_t t : connected.triangles) result.pieces.push_back(triangle(t));
+    if (!divideForCurve({radius_, x_, contact_height_ - x_}, memory_.open, result.pieces)) {
+      result.pieces.clear();
+      return result;
+    }
+    result.floor = topOf(result.pieces, top) - x_;
     addBacks(top - x_, result);
     return result;
   }
@@ -58,23 +71,6 @@ class PatchSearch {
     return std::min(flat_top, top + kPieceError * x_);
   }
 
-  /// Keeps what lies deeper than 0. Depth is concave over a piece, so the straight cut stays within.
-  static PatchPolygon deep(const PatchTriangle& t, const ContactPatch& patch) {
-    PatchPolygon polygon;
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d &a = corner(t, i), &b = corner(t, i + 1);
-      const double da = patch.depth(a), db = patch.depth(b);
-      if (da >= 0.0) polygon.add(a);
-      if ((da >= 0.0) != (db >= 0.0)) polygon.add(a + da / (da - db) * (b - a));
-    }
-    return polygon;
-  }
-
-  static void addFront(const PatchTriangle& piece, ContactPatch& patch) {
-    const PatchPolygon polygon = deep(piece, patch);
-    if (polygon.count >= 3 && polygon.area() > 0.0) patch.front.push_back(polygon);
-  }
-
   void addBacks(double level, ContactPatch& patch) const {
     for (std::uint32_t t = 0; t < surface_.mesh().triangles.size(); ++t) {
       const PatchTriangle c = triangle(t);
@@ -87,7 +83,8 @@ class PatchSearch {
 
   const ContactSurface& surface_;
   double x_, radius_;
-  std::vector<Vector3d> points_;  ///< of the mesh: u, v, height
+  PatchMemory& memory_;
+  std::vector<Vector3d>& points_;  ///< of the mesh: u, v, height
   double contact_height_{0.0};
   std::uint32_t start_{0};
 };
@@ -103,8 +100,9 @@ double PatchPolygon::area() const {
   return 0.5 * twice;
 }
 
-ContactPatch contactPatch(const ContactSurface& surface, const ContactPlace& place, double x) {
-  return PatchSearch(surface, place, x).search();
+const ContactPatch& contactPatch(const ContactSurface& surface, const ContactPlace& place, double x) {
+  static thread_local PatchMemory memory;
+  return PatchSearch(surface, place, x, memory).search();
 }
 
 }  // namespace abstand::contact

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/contact/contact_area.hpp"
+#include "core/contact/curved_pieces.hpp"
 
 namespace abstand::contact {
 
@@ -23,9 +24,9 @@ struct PatchPolygon {
 };
 
 struct ContactPatch {
-  std::vector<PatchPolygon> front;  ///< of the patch, facing the person
-  std::vector<PatchPolygon> back;   ///< of the whole surface above the patch's lowest height, facing away
-  double floor{0.0};                ///< m: depth = height - rho^2 / (2 body_radius) - floor
+  std::vector<PatchTriangle> pieces;  ///< of the patch, some of them in part or wholly below depth 0
+  std::vector<PatchPolygon> back;     ///< of the whole surface above the patch's lowest height, facing away
+  double floor{0.0};                  ///< m: depth = height - rho^2 / (2 body_radius) - floor
   double body_radius{kInfinity};
   Vector3d foremost_B{Vector3d::Zero()};
   double offset{0.0};
@@ -34,7 +35,9 @@ struct ContactPatch {
   }
 };
 
-/// The patch of `place` for an indentation x > 0 (m) that may be less than the place's own.
-ContactPatch contactPatch(const ContactSurface& surface, const ContactPlace& place, double x);
+/// The patch of `place` for an indentation x > 0 (m) that may be less than the place's own. It lives in
+/// memory of the calling thread, until that thread calls again: patches are asked for thousands of times a
+/// second.
+const ContactPatch& contactPatch(const ContactSurface& surface, const ContactPlace& place, double x);
 
 }  // namespace abstand::contact

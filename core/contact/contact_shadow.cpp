@@ -20,6 +20,19 @@ struct Rectangle {
   }
 };
 
+/// Keeps what lies deeper than 0. Depth is concave over a piece, so the straight cut stays within.
+PatchPolygon deepPart(const PatchTriangle& t, const ContactPatch& patch) {
+  const std::array<double, 3> depths{patch.depth(t[0]), patch.depth(t[1]), patch.depth(t[2])};
+  PatchPolygon polygon;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const double da = depths[i], db = depths[next];
+    if (da >= 0.0) polygon.add(t[i]);
+    if ((da >= 0.0) != (db >= 0.0)) polygon.add(t[i] + da / (da - db) * (t[next] - t[i]));
+  }
+  return polygon;
+}
+
 PatchExtent extentOf(const PatchPolygon& polygon, const ContactPatch& patch) {
   PatchExtent extent;
   for (int i = 1; i + 1 < polygon.count; ++i) {
@@ -73,7 +86,10 @@ bool isAbove(const PatchPolygon& back, const PatchPolygon& part_of_front) {
 PatchExtent visibleExtent(const ContactPatch& patch) {
   std::vector<Rectangle> backs(patch.back.begin(), patch.back.end());
   PatchExtent sum;
-  for (const PatchPolygon& front : patch.front) {
+  for (const PatchTriangle& piece : patch.pieces) {
+    const PatchPolygon front = deepPart(piece, patch);
+    if (front.count < 3 || !(front.area() > 0.0)) continue;
+    ++sum.pieces;
     const Rectangle box(front);
     PatchExtent visible = extentOf(front, patch);
     for (std::size_t i = 0; i < backs.size(); ++i) {

@@ -29,11 +29,12 @@ std::pair<int, double> longestEdge(const PatchTriangle& t) {
 
 }  // namespace
 
-bool divideForCurve(const CurvedPerson& person, std::vector<PatchTriangle>& pieces) {
+bool divideForCurve(const CurvedPerson& person, std::vector<PatchTriangle>& open,
+                    std::vector<PatchTriangle>& pieces) {
   if (std::isinf(person.radius)) return true;
   const double most2 = kPieceShare * person.radius * person.indentation;
-  std::vector<PatchTriangle> open;
   open.swap(pieces);
+  pieces.clear();
   while (!open.empty()) {
     const PatchTriangle piece = open.back();
     open.pop_back();

@@ -27,7 +27,9 @@ struct CurvedPerson {
 };
 
 /// Divides the triangles; those of a flat person (infinite radius) stay as they are. False, with `pieces` in
-/// no particular state, where it takes more than kMaxPieces.
-bool divideForCurve(const CurvedPerson& person, std::vector<PatchTriangle>& pieces);
+/// no particular state, where it takes more than kMaxPieces. `open` is memory for those that are not divided
+/// yet.
+bool divideForCurve(const CurvedPerson& person, std::vector<PatchTriangle>& open,
+                    std::vector<PatchTriangle>& pieces);
 
 }  // namespace abstand::contact
