@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/margin/margin_set.hpp"
+#include "core/margin/margin_outcome.hpp"
 
 namespace abstand::tune {
 namespace {
@@ -68,12 +68,11 @@ ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string&
 void addRows(const std::string& part, const std::vector<const margin::ClearanceTrack*>& tracks,
              const std::vector<double>& margins, const margin::MarginOptions& options,
              std::vector<MarginRow>& rows) {
-  std::vector<margin::MarginSets> sets;
-  for (const margin::ClearanceTrack* track : tracks) sets.emplace_back(std::vector{track});
-  for (const double m : margins) {
-    MarginRow row{part, m, {}};
-    for (const margin::MarginSets& set : sets) row.outcome.add(set.outcome({&m, 1}, options));
-    rows.push_back(std::move(row));
+  const std::size_t first = rows.size();
+  for (const double m : margins) rows.push_back({part, m, {}});
+  for (const margin::ClearanceTrack* track : tracks) {
+    const std::vector<margin::MarginOutcome> outcomes = margin::outcomes(*track, margins, options);
+    for (std::size_t k = 0; k < outcomes.size(); ++k) rows[first + k].outcome.add(outcomes[k]);
   }
 }
 

@@ -4,33 +4,13 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/margin/outcome_stream.hpp"
+#include "core/margin/pair_margins.hpp"
 
 namespace abstand::margin {
 namespace {
 
-/// Frame after `begin` is outside again, or there is none.
-std::size_t endOf(const ClearanceTrack& track, std::size_t begin, double margin) {
-  std::size_t i = begin;
-  while (i < track.frames() && track.clearance[i] < margin) ++i;
-  return i;
-}
-
-Intrusion intrusionAt(const ClearanceTrack& track, std::size_t begin, std::size_t end,
-                      const MarginOptions& options) {
-  Intrusion in;
-  in.begin = begin;
-  in.end = end;
-  in.min_clearance = kInfinity;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double least = std::min(track.clearance[i], track.between[i]);
-    if (least <= options.limit && !in.lead_time) in.lead_time = track.t[i] - track.t[begin];
-    in.min_clearance = std::min(in.min_clearance, least);
-  }
-  in.braking = track.braking[begin];
-  in.false_stop = in.min_clearance > options.limit;
-  in.missed = in.braking <= options.limit;
-  return in;
+MarginFrame frameOf(const ClearanceTrack& track, std::size_t i, bool inside) {
+  return {track.t[i], inside, track.clearance[i], track.between[i], track.braking[i]};
 }
 
 }  // namespace
@@ -55,21 +35,44 @@ void MarginOutcome::add(const MarginOutcome& other) {
 
 std::vector<Intrusion> intrusions(const ClearanceTrack& track, double margin, const MarginOptions& options) {
   std::vector<Intrusion> all;
-  for (std::size_t i = 0; i < track.frames(); ++i) {
-    if (!(track.clearance[i] < margin)) continue;
-    const std::size_t end = endOf(track, i, margin);
-    all.push_back(intrusionAt(track, i, end, options));
-    i = end;
+  OutcomeStream stream(options);
+  std::size_t begin = 0, frame = 0;
+  stream.on_stop = [&](const Stop& stop) {
+    all.push_back(
+        {begin, frame, stop.min_clearance, stop.braking, stop.false_stop, stop.missed, stop.lead_time});
+  };
+  bool was_inside = false;
+  for (; frame < track.frames(); ++frame) {
+    const bool inside = track.clearance[frame] < margin;
+    if (inside && !was_inside) begin = frame;
+    was_inside = inside;
+    stream.add(frameOf(track, frame, inside));
   }
+  stream.finish();
   return all;
 }
 
 MarginOutcome outcome(const ClearanceTrack& track, double margin, const MarginOptions& options) {
   OutcomeStream stream(options);
-  for (std::size_t i = 0; i < track.frames(); ++i)
-    stream.add(
-        {track.t[i], track.clearance[i] < margin, track.clearance[i], track.between[i], track.braking[i]});
+  for (std::size_t i = 0; i < track.frames(); ++i) stream.add(frameOf(track, i, track.clearance[i] < margin));
   return stream.finish();
+}
+
+std::vector<MarginOutcome> outcomes(const ClearanceTrack& track, std::span<const double> margins,
+                                    const MarginOptions& options) {
+  if (margins.empty()) return {};
+  std::vector<std::vector<PairMargin>> sets;
+  for (const double m : margins) sets.push_back({{m, 0.0, 0.0}});
+  PairMarginSets judge(std::move(sets), options);
+  const double no_speed = 0.0;
+  for (std::size_t i = 0; i < track.frames(); ++i)
+    judge.add({track.t[i],
+               {&track.clearance[i], 1},
+               {&no_speed, 1},
+               {&no_speed, 1},
+               track.between[i],
+               track.braking[i]});
+  return judge.finish();
 }
 
 }  // namespace abstand::margin

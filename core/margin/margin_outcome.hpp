@@ -44,6 +44,10 @@ struct MarginOutcome {
 /// Intrusions into `margin` (m), in order of time.
 std::vector<Intrusion> intrusions(const ClearanceTrack& track, double margin, const MarginOptions& options);
 
+/// outcome() of each of `margins` (m), which are finite and not negative, in one pass.
+std::vector<MarginOutcome> outcomes(const ClearanceTrack& track, std::span<const double> margins,
+                                    const MarginOptions& options);
+
 /// Each stop is judged by itself: until the margin is broken, robot and person are in step with the
 /// recording, and after the intrusion they are again.
 MarginOutcome outcome(const ClearanceTrack& track, double margin, const MarginOptions& options);

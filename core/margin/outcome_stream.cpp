@@ -16,28 +16,31 @@ void OutcomeStream::start(double t) {
 }
 
 void OutcomeStream::add(const MarginFrame& frame) {
-  if (running_ && !frame.inside) endStop(frame.t);
-  start(frame.t);
-  if (!frame.inside) {
-    outcome_.min_clearance = std::min({outcome_.min_clearance, frame.clearance, frame.between});
-    if (frame.between <= options_.limit) ++outcome_.unseen;
-    return;
-  }
+  MarginFrames one{frame.t, frame.t, std::min(frame.clearance, frame.between), frame.braking, {}, 0};
+  if (one.least <= options_.limit) one.at_limit = frame.t;
+  if (frame.between <= options_.limit) one.unseen = 1;
+  frame.inside ? addInside(one) : addOutside(one);
+}
+
+void OutcomeStream::addOutside(const MarginFrames& frames) {
+  if (running_) endStop(frames.first);
+  start(frames.first);
+  start(frames.last);
+  outcome_.min_clearance = std::min(outcome_.min_clearance, frames.least);
+  outcome_.unseen += frames.unseen;
+}
+
+void OutcomeStream::addInside(const MarginFrames& frames) {
+  start(frames.first);
+  start(frames.last);
   if (!running_) {
     running_ = true;
     stop_ = {};
-    stop_.begin = frame.t;
-    stop_.braking = frame.braking;
+    stop_.begin = frames.first;
+    stop_.braking = frames.braking;
   }
-  const double least = std::min(frame.clearance, frame.between);
-  if (least <= options_.limit && !stop_.lead_time) stop_.lead_time = frame.t - stop_.begin;
-  stop_.min_clearance = std::min(stop_.min_clearance, least);
-}
-
-void OutcomeStream::addOutside(double first, double t, double least) {
-  start(first);
-  start(t);
-  outcome_.min_clearance = std::min(outcome_.min_clearance, least);
+  if (frames.at_limit && !stop_.lead_time) stop_.lead_time = *frames.at_limit - stop_.begin;
+  stop_.min_clearance = std::min(stop_.min_clearance, frames.least);
 }
 
 void OutcomeStream::endStop(double t) {

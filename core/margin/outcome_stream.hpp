@@ -17,6 +17,15 @@ struct MarginFrame {
   double braking{kInfinity};    ///< m, ClearanceTrack::braking, the least
 };
 
+/// Consecutive frames of one kind: all inside, or all outside.
+struct MarginFrames {
+  double first{0.0}, last{0.0};    ///< s
+  double least{kInfinity};         ///< m, of clearance and between of all of them
+  double braking{kInfinity};       ///< m, of the first one
+  std::optional<double> at_limit;  ///< s, the first frame whose clearance or between is at the limit or below
+  long unseen{0};                  ///< frames whose `between` is at the limit or below
+};
+
 /// A stop: from the first frame inside a margin to the first one outside again.
 struct Stop {
   double begin{0.0}, end{0.0};      ///< s
@@ -34,10 +43,9 @@ class OutcomeStream {
 
   /// Times rise.
   void add(const MarginFrame& frame);
-  /// Several frames at once, the last one at time `t`, all of them outside and with every `between` above the
-  /// limit. `least`: m, of their clearances and of what is between. Not while stopping().
-  void addOutside(double first, double t, double least);
-  bool stopping() const { return running_; }
+  /// The same for consecutive frames that are all outside, or all inside.
+  void addOutside(const MarginFrames& frames);
+  void addInside(const MarginFrames& frames);
   /// Called at the end of each stop.
   std::function<void(const Stop&)> on_stop;
 

@@ -1,10 +1,12 @@
 // Margins of single pairs, and what many sets of them would have done.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/margin/outcome_stream.hpp"
+#include "core/margin/frame_block.hpp"
+#include "core/margin/threshold_masks.hpp"
 
 namespace abstand::margin {
 
@@ -32,14 +34,11 @@ struct PairFrame {
 };
 
 /// The outcomes of many sets of margins, a margin for each pair in each set, in one pass over a recording.
-/// The robot is told to stop where any pair is inside its own. Memory does not grow with the recording. One
-/// thread.
+/// The robot is told to stop where any pair is inside its own. Frames are judged in blocks: a set costs a
+/// comparison for each pair, a search for each pair that is near, and a few operations for each stop. Memory
+/// does not grow with the recording. One thread.
 class PairMarginSets {
  public:
-  /// Frames that are judged together: a set whose margins nobody comes near in them costs a comparison a
-  /// pair.
-  static constexpr std::size_t kBlock = 64;
-
   /// Throws UsageError for no set, for sets of different lengths and for bad margins.
   PairMarginSets(std::vector<std::vector<PairMargin>> sets, const MarginOptions& options);
 
@@ -50,21 +49,29 @@ class PairMarginSets {
   void onStop(const std::function<void(std::size_t set, const Stop& stop)>& hear);
 
  private:
-  struct Row {
-    double t, clearance, between, braking;
+  struct Set {
+    std::vector<PairMargin> margins;
+    std::vector<double> fixed;  ///< m, of margins that do not depend on speeds; else empty
+    double largest{0.0};        ///< m, of `fixed`
+    OutcomeStream stream;
   };
   void settle();
-  void judge(std::size_t set);
+  /// Frames of the block in which some pair is inside its margin, a bit each.
+  std::uint64_t inside(const Set& set);
+  std::uint64_t insideFixed(const std::vector<double>& margins, double largest_margin);
+  /// Of one pair in the block.
+  std::uint64_t inside(std::size_t pair, const PairMargin& margin) const;
+  std::size_t at(std::size_t pair) const { return pair * FrameBlock::kFrames; }
 
   std::size_t pairs_;
   MarginOptions options_;
-  std::vector<std::vector<PairMargin>> sets_;
-  std::vector<OutcomeStream> streams_;
-  std::vector<Row> rows_;
-  std::vector<double> clearance_, robot_speed_, person_speed_;  ///< of the block, row by row
-  std::vector<double> least_, fastest_robot_, fastest_person_;  ///< of each pair in the block
-  double block_least_{kInfinity}, block_between_{kInfinity};
-  std::vector<std::size_t> near_;  ///< pairs that may be inside in the block
+  std::vector<Set> sets_;
+  FrameBlock block_;
+  std::vector<double> clearance_, robot_speed_, person_speed_;    ///< of the block's frames, pair by pair
+  std::vector<double> least_, largest_;                           ///< m, of each pair in the block
+  double least_of_all_{kInfinity}, smallest_maximum_{kInfinity};  ///< m, the least of those two lists
+  std::vector<double> fastest_robot_, fastest_person_;            ///< m/s, likewise
+  std::vector<std::optional<ThresholdMasks>> masks_;              ///< of pairs that were near in the block
 };
 
 }  // namespace abstand::margin

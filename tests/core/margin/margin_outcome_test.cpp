@@ -87,6 +87,28 @@ TEST(MarginOutcome, OfSeveralRecordingsIsTheirSum) {
   EXPECT_NEAR(all.stopped_time, 0.3, kRounding);
 }
 
+TEST(Intrusions, HaveTheirFramesAndAreJudgedAsInTheOutcome) {
+  ClearanceTrack track = trackOf({0.5, 0.2, 0.5, 0.25, 0.1, -0.01});
+  track.braking[1] = -0.02;
+  track.braking[3] = 0.05;
+  const std::vector<Intrusion> all = intrusions(track, 0.3, {});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].begin, 1u);
+  EXPECT_EQ(all[0].end, 2u);
+  EXPECT_EQ(all[0].min_clearance, 0.2);
+  EXPECT_TRUE(all[0].false_stop);
+  EXPECT_TRUE(all[0].missed);
+  EXPECT_FALSE(all[0].lead_time);
+  EXPECT_EQ(all[1].begin, 3u);
+  EXPECT_EQ(all[1].end, 6u) << "the recording ends inside";
+  EXPECT_EQ(all[1].min_clearance, -0.01);
+  EXPECT_EQ(all[1].braking, 0.05);
+  EXPECT_FALSE(all[1].false_stop);
+  EXPECT_FALSE(all[1].missed);
+  ASSERT_TRUE(all[1].lead_time);
+  EXPECT_NEAR(*all[1].lead_time, 0.1, kRounding);
+}
+
 TEST(ClearanceTrack, RefusesWhatIsNoTrack) {
   ClearanceTrack track = trackOf({0.5, 0.4});
   EXPECT_NO_THROW(validate(track));

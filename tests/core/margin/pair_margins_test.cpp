@@ -5,8 +5,8 @@
 #include <random>
 
 #include "core/base/error.hpp"
-#include "core/margin/margin_set.hpp"
 #include "core/margin/safe_margin.hpp"
+#include "tests/core/margin/naive_outcome.hpp"
 #include "tests/core/margin/same_outcome.hpp"
 
 namespace abstand::margin {
@@ -68,61 +68,89 @@ std::vector<MarginOutcome> outcomesOf(const PairTracks& tracks,
   return all.finish();
 }
 
-TEST(PairMarginSets, WithoutSpeedsAreTheSetsOfTracks) {
-  for (const int frames : {1, 63, 64, 65, 900})
+/// The frames as one set sees them: inside where some pair is within its own margin.
+std::vector<MarginFrame> framesOf(const PairTracks& tracks, const std::vector<PairMargin>& set) {
+  std::vector<MarginFrame> frames;
+  std::vector<double> lists[3];
+  for (std::size_t i = 0; i < tracks.frames(); ++i) {
+    const PairFrame frame = tracks.frame(i, lists);
+    MarginFrame all{frame.t, false, kInfinity, frame.between, frame.braking};
+    for (std::size_t p = 0; p < set.size(); ++p) {
+      const double robot = std::max(0.0, tracks.robot_speed[p][i]),
+                   person = std::max(0.0, tracks.person_speed[p][i]);
+      const double needed = set[p].margin + set[p].robot_time * robot + set[p].person_time * person;
+      all.inside = all.inside || tracks.of[p].clearance[i] < needed;
+      all.clearance = std::min(all.clearance, tracks.of[p].clearance[i]);
+    }
+    frames.push_back(all);
+  }
+  return frames;
+}
+
+/// Sets without and with terms of speed, in no order.
+std::vector<std::vector<PairMargin>> randomSets(std::uint32_t seed, std::size_t pairs, int count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<std::vector<PairMargin>> sets;
+  for (int s = 0; s < count; ++s) {
+    sets.emplace_back();
+    const double most = s % 4 == 3 ? 3.0 : 0.9, time = s % 2 == 0 ? 0.0 : 0.2;
+    for (std::size_t p = 0; p < pairs; ++p)
+      sets.back().push_back({most * uniform(random), time * uniform(random), time * uniform(random)});
+  }
+  return sets;
+}
+
+TEST(PairMarginSets, AreJudgedAsTheirDefinitionsSay) {
+  for (const int frames : {1, 2, 63, 64, 65, 900})
     for (std::uint32_t seed = 0; seed < 10; ++seed) {
       const PairTracks tracks = tracksOf(seed, 5, frames);
-      std::vector<const ClearanceTrack*> pointers;
-      for (const ClearanceTrack& t : tracks.of) pointers.push_back(&t);
-      const MarginSets reference(pointers);
-      std::mt19937 random(seed);
-      std::uniform_real_distribution<double> uniform(0.0, 0.9);
-      std::vector<std::vector<PairMargin>> sets;
-      std::vector<std::vector<double>> margins;
-      for (int s = 0; s < 12; ++s) {
-        margins.emplace_back();
-        sets.emplace_back();
-        for (std::size_t p = 0; p < tracks.of.size(); ++p) {
-          margins.back().push_back(uniform(random));
-          sets.back().push_back({margins.back().back(), 0.0, 0.0});
-        }
-      }
+      const std::vector<std::vector<PairMargin>> sets = randomSets(seed, tracks.of.size(), 12);
       for (const MarginOptions& options : {MarginOptions{}, MarginOptions{0.05, 0.2}}) {
         const std::vector<MarginOutcome> outcomes = outcomesOf(tracks, sets, options);
         for (std::size_t s = 0; s < sets.size(); ++s) {
           SCOPED_TRACE(testing::Message() << frames << " frames, seed " << seed << ", set " << s);
-          expectEqual(outcomes[s], reference.outcome(margins[s], options));
+          expectEqual(outcomes[s], naiveOutcome(framesOf(tracks, sets[s]), options));
         }
       }
     }
 }
 
-TEST(PairMarginSets, GrowWithTheSpeedsOfBodiesThatApproach) {
-  // Every pair that is inside is found frame by frame, without blocks.
-  const MarginOptions options{0.02, 0.1};
-  for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    const PairTracks tracks = tracksOf(100 + seed, 4, 700);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(0.0, 0.2);
-    std::vector<PairMargin> set;
-    for (std::size_t p = 0; p < tracks.of.size(); ++p)
-      set.push_back({uniform(random), uniform(random), uniform(random)});
-    OutcomeStream expected(options);
-    std::vector<double> lists[3];
-    for (std::size_t i = 0; i < tracks.frames(); ++i) {
-      const PairFrame frame = tracks.frame(i, lists);
-      MarginFrame all{frame.t, false, kInfinity, frame.between, frame.braking};
-      for (std::size_t p = 0; p < set.size(); ++p) {
-        const double robot = std::max(0.0, tracks.robot_speed[p][i]),
-                     person = std::max(0.0, tracks.person_speed[p][i]);
-        const double needed = set[p].margin + set[p].robot_time * robot + set[p].person_time * person;
-        all.inside = all.inside || tracks.of[p].clearance[i] < needed;
-        all.clearance = std::min(all.clearance, tracks.of[p].clearance[i]);
-      }
-      expected.add(all);
+TEST(PairMarginSets, OfOneMarginForAllPairsAreTheLeastOfAllTracks) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const PairTracks tracks = tracksOf(seed, 3, 700);
+    const ClearanceTrack* all[] = {&tracks.of[0], &tracks.of[1], &tracks.of[2]};
+    const ClearanceTrack least = leastOf(all);
+    std::vector<std::vector<PairMargin>> sets;
+    std::vector<double> margins;
+    for (double m = 0.0; m < 2.2; m += 0.07) {
+      margins.push_back(m);
+      sets.push_back(std::vector<PairMargin>(3, {m, 0.0, 0.0}));
     }
-    expectEqual(outcomesOf(tracks, {set}, options).front(), expected.finish());
+    const std::vector<MarginOutcome> together = outcomesOf(tracks, sets, {}),
+                                     of_least = outcomes(least, margins, {});
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      expectEqual(together[s], outcome(least, margins[s], {}));
+      expectEqual(of_least[s], together[s]);
+    }
   }
+}
+
+TEST(PairMarginSets, StopWhereAnyPairIsInsideItsOwn) {
+  PairTracks tracks;
+  tracks.of.push_back({{0, 1, 2, 3}, {0.5, 0.3, 0.3, 0.5}, {0.3, 0.3, 0.3, kInfinity}, {0.2, 0.2, 0.2, 0.2}});
+  tracks.of.push_back(
+      {{0, 1, 2, 3}, {0.9, 0.9, 0.6, 0.9}, {0.6, 0.6, 0.6, kInfinity}, {0.5, 0.5, -0.1, 0.5}});
+  tracks.robot_speed = tracks.person_speed = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+  const std::vector<MarginOutcome> got = outcomesOf(
+      tracks, {{{0.2, 0, 0}, {0.5, 0, 0}}, {{0.4, 0, 0}, {0.5, 0, 0}}, {{0.2, 0, 0}, {0.7, 0, 0}}}, {});
+  EXPECT_EQ(got[0].stops, 0);
+  EXPECT_EQ(got[1].stops, 1);
+  EXPECT_EQ(got[1].missed_stops, 0);
+  EXPECT_EQ(got[1].stopped_time, 2.0);
+  EXPECT_EQ(got[2].stops, 1);
+  EXPECT_EQ(got[2].missed_stops, 1);
+  EXPECT_EQ(got[2].stopped_time, 1.0);
 }
 
 TEST(PairMarginSets, TellTheirStops) {
