@@ -4,7 +4,8 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
 #include "app/cli/tune_texts.hpp"
-#include "app/tune/margin_events.hpp"
+#include "app/tune/margin_strategy.hpp"
+#include "app/tune/set_events.hpp"
 #include "app/tune/tune_answer.hpp"
 
 namespace abstand::cli {
@@ -14,8 +15,35 @@ using Json = nlohmann::ordered_json;
 
 struct EventArguments {
   std::vector<std::string> folders;
-  std::string margin, part, fail_on;
+  std::string margin, margin_set, part, fail_on;
 };
+
+/// One margin for each part by itself, or a set for all pairs together.
+struct Asked {
+  std::optional<double> margin;  ///< m
+  std::optional<tune::MarginRules> rules;
+
+  std::vector<tune::MarginEvent> of(const tune::TunedRecording& recording,
+                                    const margin::MarginOptions& options, const std::string& part) const {
+    if (!rules) return tune::marginEvents(recording, *margin, options, part);
+    std::vector<tune::MarginEvent> events = tune::setEvents(recording, *rules, options);
+    std::erase_if(events, [&](const tune::MarginEvent& e) {
+      return !part.empty() && recording.pass.parts[e.told_part].part != part;
+    });
+    return events;
+  }
+  std::string text() const {
+    return rules ? "the margins of " + rules->name : format("a margin of %.0f mm", 1e3 * *margin);
+  }
+};
+
+Asked askedFor(const EventArguments& args) {
+  if (args.margin.empty() == args.margin_set.empty())
+    throw UsageError(std::string("found ") + (args.margin.empty() ? "neither" : "both") +
+                     " --margin and --margin-set, expected one of them");
+  if (!args.margin_set.empty()) return {{}, tune::loadMarginRules(args.margin_set)};
+  return {numberWithin(args.margin, "--margin", 0.0, 10.0, "m"), {}};
+}
 
 /// What `--fail-on` says.
 bool fails(const std::string& on, const tune::MarginEvent& event) {
@@ -40,10 +68,15 @@ Json eventJson(const tune::MarginEvent& e) {
           {"braking_clearance", e.braking},
           {"false_stop", e.false_stop},
           {"missed_stop", e.missed},
-          {"lead_time", orNull(e.lead_time)}};
+          {"lead_time", orNull(e.lead_time)},
+          {"told_by",
+           {{"part", pass.parts[e.told_part].part},
+            {"link", pass.links[e.told_link]},
+            {"margin", e.told_margin}}}};
 }
 
-std::string eventText(const tune::MarginEvent& e) {
+/// `by_pair`: the margins differ, so that it matters which one stopped the robot.
+std::string eventText(const tune::MarginEvent& e, bool by_pair) {
   const tune::PassResult& pass = e.recording->pass;
   const std::string what = e.kind == tune::MarginEvent::Kind::kBetweenFrames ? "between frames, nobody told"
                            : e.missed                                        ? "missed stop"
@@ -51,28 +84,34 @@ std::string eventText(const tune::MarginEvent& e) {
                                                                              : "stop in time";
   const std::string nearest =
       std::isinf(e.min_clearance) ? std::string("not known") : format("%.1f mm", 1e3 * e.min_clearance);
-  return format("%9.3f to %9.3f s  %-14s %-20s %12s  %s\n", e.t0, e.t1, pass.parts[e.part].part.c_str(),
-                pass.links[e.link].c_str(), nearest.c_str(), what.c_str());
+  const bool told = by_pair && e.kind == tune::MarginEvent::Kind::kIntrusion;
+  const std::string by = told ? format(", told by %s and %s (%.0f mm)", pass.parts[e.told_part].part.c_str(),
+                                       pass.links[e.told_link].c_str(), 1e3 * e.told_margin)
+                              : std::string();
+  return format("%9.3f to %9.3f s  %-14s %-20s %12s  %s%s\n", e.t0, e.t1, pass.parts[e.part].part.c_str(),
+                pass.links[e.link].c_str(), nearest.c_str(), what.c_str(), by.c_str());
 }
 
 int runEvents(const CommandLine& line, const EventArguments& args) {
-  const double margin = numberWithin(args.margin, "--margin", 0.0, 10.0, "m");
+  const Asked asked = askedFor(args);
   if (!args.part.empty()) bodyPart(args.part, "--part");
   const tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
+  if (asked.rules) tune::checkNames(answer.recordings, *asked.rules);
   Json document{{"recordings", answer.recordings.size()},
-                {"margin", margin},
+                {"margin", orNull(asked.margin)},
+                {"margin_set", asked.rules ? Json(asked.rules->name) : Json()},
                 {"limit", answer.options.pass.limit},
                 {"events", Json::array()},
                 {"approaches", Json::array()}};
   std::string text;
   std::size_t count = 0, missed = 0, false_stops = 0, failing = 0;
   for (const tune::TunedRecording& recording : answer.recordings) {
-    const auto events = tune::marginEvents(recording, margin, answer.options.margins(), args.part);
+    const auto events = asked.of(recording, answer.options.margins(), args.part);
     if (!events.empty()) text += recording.recording + "\n";
     count += events.size();
     for (const tune::MarginEvent& e : events) {
       document["events"].push_back(eventJson(e));
-      text += eventText(e);
+      text += eventText(e, asked.rules.has_value());
       missed += e.missed;
       false_stops += e.false_stop;
       failing += fails(args.fail_on, e);
@@ -81,8 +120,8 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
   for (const tune::RankedApproach& r : tune::rankedApproaches(answer))
     if (args.part.empty() || r.recording->pass.parts[r.approach->part].part == args.part)
       document["approaches"].push_back(approachJson(r));
-  text += format("%zu events at a margin of %.0f mm in %zu runs: %zu false stops, %zu missed\n", count,
-                 1e3 * margin, answer.recordings.size(), false_stops, missed);
+  text += format("%zu events at %s in %zu runs: %zu false stops, %zu missed\n", count, asked.text().c_str(),
+                 answer.recordings.size(), false_stops, missed);
   line.print(document, text);
   return failing > 0 ? kLimitBroken : kDone;
 }
@@ -95,8 +134,10 @@ void addEvents(CLI::App& root, CommandLine& line) {
                  "abstand events results --margin 0.2");
   auto args = std::make_shared<EventArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  command->add_option("--margin", args->margin, "metres")->required();
-  command->add_option("--part", args->part, "of this body part only, such as hand_left");
+  command->add_option("--margin", args->margin, "metres, of each body part by itself");
+  command->add_option("--margin-set", args->margin_set,
+                      "file of margins for parts, links and pairs, all together");
+  command->add_option("--part", args->part, "stops by this body part only, such as hand_left");
   command->add_option("--fail-on", args->fail_on, "exit 1 for a missed stop, or for any intrusion")
       ->check(CLI::IsMember({"missed", "intrusion"}));
   command->callback([&line, args] { line.run = [&line, args] { return runEvents(line, *args); }; });

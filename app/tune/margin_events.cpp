@@ -5,7 +5,8 @@
 namespace abstand::tune {
 namespace {
 
-MarginEvent eventOf(const TunedRecording& recording, std::size_t part, const margin::Intrusion& in) {
+MarginEvent eventOf(const TunedRecording& recording, std::size_t part, double margin,
+                    const margin::Intrusion& in) {
   const PartClearance& p = recording.pass.parts[part];
   const auto first = p.track.clearance.begin() + static_cast<std::ptrdiff_t>(in.begin);
   const auto nearest = static_cast<std::size_t>(
@@ -22,7 +23,10 @@ MarginEvent eventOf(const TunedRecording& recording, std::size_t part, const mar
           in.braking,
           in.false_stop,
           in.missed,
-          in.lead_time};
+          in.lead_time,
+          static_cast<std::uint16_t>(part),
+          p.link[in.begin],
+          margin};
 }
 
 void addBetweenFrames(const TunedRecording& recording, std::size_t part, double margin,
@@ -30,22 +34,25 @@ void addBetweenFrames(const TunedRecording& recording, std::size_t part, double 
   const PartClearance& p = recording.pass.parts[part];
   for (std::size_t i = 0; i + 1 < p.track.frames(); ++i) {
     if (p.track.clearance[i] < margin || !(p.track.between[i] <= options.limit)) continue;
-    events.push_back({MarginEvent::Kind::kBetweenFrames,
-                      &recording,
-                      static_cast<std::uint16_t>(part),
-                      p.link[i],
-                      p.track.t[i],
-                      p.track.t[i + 1],
-                      p.track.t[i],
-                      p.track.between[i],
-                      p.track.between[i],
-                      false,
-                      true,
-                      {}});
+    events.push_back(betweenFramesEvent(recording, part, i));
   }
 }
 
 }  // namespace
+
+MarginEvent betweenFramesEvent(const TunedRecording& recording, std::size_t part, std::size_t index) {
+  const PartClearance& p = recording.pass.parts[part];
+  MarginEvent event;
+  event.kind = MarginEvent::Kind::kBetweenFrames;
+  event.recording = &recording;
+  event.part = event.told_part = static_cast<std::uint16_t>(part);
+  event.link = event.told_link = p.link[index];
+  event.t0 = event.t_nearest = p.track.t[index];
+  event.t1 = p.track.t[std::min(index + 1, p.track.frames() - 1)];
+  event.min_clearance = event.braking = p.track.between[index];
+  event.missed = true;
+  return event;
+}
 
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part) {
@@ -54,7 +61,7 @@ std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double ma
     const PartClearance& p = recording.pass.parts[i];
     if (!part.empty() && p.part != part) continue;
     for (const margin::Intrusion& in : margin::intrusions(p.track, margin, options))
-      events.push_back(eventOf(recording, i, in));
+      events.push_back(eventOf(recording, i, margin, in));
     addBetweenFrames(recording, i, margin, options, events);
   }
   std::stable_sort(events.begin(), events.end(),

@@ -23,11 +23,18 @@ struct MarginEvent {
   double braking{0.0};             ///< m, certified, until the robot is at rest
   bool false_stop{false}, missed{false};
   std::optional<double> lead_time;  ///< s
+  /// Of an intrusion: the pair whose margin stopped the robot, of several the one farthest inside, and that
+  /// margin (m, at the speeds of the moment).
+  std::uint16_t told_part{0}, told_link{0};
+  double told_margin{0.0};
 };
 
 /// In order of time, then of parts. `part`: this one's only; empty: of all. The recording must outlive the
 /// events.
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part = {});
+
+/// At the limit between frame `index` of the part and the next one.
+MarginEvent betweenFramesEvent(const TunedRecording& recording, std::size_t part, std::size_t index);
 
 }  // namespace abstand::tune

@@ -10,34 +10,6 @@
 namespace abstand::tune {
 namespace {
 
-std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const MarginRules& rules) {
-  std::vector<margin::PairMargin> margins;
-  for (const PassResult::PairOfNames& pair : recording.pass.pairs) {
-    const std::string &part = recording.pass.parts[pair.part].part, &link = recording.pass.links[pair.link];
-    const auto margin = rules.of(part, link);
-    if (!margin)
-      throw UsageError(rules.name + ": found no margin for " + part + " and " + link +
-                       ", expected one for every pair, or `default`");
-    margins.push_back(*margin);
-  }
-  return margins;
-}
-
-/// A rule that nothing fits is a slip of the pen, and the pair that was meant has another margin.
-void checkNames(const std::vector<TunedRecording>& recordings, const MarginRules& rules) {
-  std::set<std::string> parts, links;
-  for (const TunedRecording& r : recordings) {
-    for (const PartClearance& p : r.pass.parts) parts.insert(p.part);
-    links.insert(r.pass.links.begin(), r.pass.links.end());
-  }
-  for (const MarginRule& rule : rules.rules) {
-    if (!rule.part.empty() && !parts.count(rule.part))
-      throw UsageError(rules.name + ": found the part `" + rule.part + "`, expected one of the recordings");
-    if (!rule.link.empty() && !links.count(rule.link))
-      throw UsageError(rules.name + ": found the link `" + rule.link + "`, expected one of the recordings");
-  }
-}
-
 /// By part and link in the order in which the recordings name them; the largest of all recordings.
 template <class NeedsOf>
 std::vector<GroupNeed> largestNeeds(const std::vector<TunedRecording>& recordings, const NeedsOf& needs_of) {
@@ -68,6 +40,33 @@ bool wouldDo(const MarginRules& rules) {
 }
 
 }  // namespace
+
+std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const MarginRules& rules) {
+  std::vector<margin::PairMargin> margins;
+  for (const PassResult::PairOfNames& pair : recording.pass.pairs) {
+    const std::string &part = recording.pass.parts[pair.part].part, &link = recording.pass.links[pair.link];
+    const auto margin = rules.of(part, link);
+    if (!margin)
+      throw UsageError(rules.name + ": found no margin for " + part + " and " + link +
+                       ", expected one for every pair, or `default`");
+    margins.push_back(*margin);
+  }
+  return margins;
+}
+
+void checkNames(const std::vector<TunedRecording>& recordings, const MarginRules& rules) {
+  std::set<std::string> parts, links;
+  for (const TunedRecording& r : recordings) {
+    for (const PartClearance& p : r.pass.parts) parts.insert(p.part);
+    links.insert(r.pass.links.begin(), r.pass.links.end());
+  }
+  for (const MarginRule& rule : rules.rules) {
+    if (!rule.part.empty() && !parts.count(rule.part))
+      throw UsageError(rules.name + ": found the part `" + rule.part + "`, expected one of the recordings");
+    if (!rule.link.empty() && !links.count(rule.link))
+      throw UsageError(rules.name + ": found the link `" + rule.link + "`, expected one of the recordings");
+  }
+}
 
 std::vector<GroupNeed> linkNeeds(const std::vector<TunedRecording>& recordings) {
   return largestNeeds(recordings, [](const TunedRecording& r) {

@@ -11,6 +11,13 @@ struct StrategyOutcome {
   margin::MarginOutcome outcome;
 };
 
+/// The margin of each pair of the recording, in its order. Throws UsageError for a pair without one.
+std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const MarginRules& rules);
+
+/// Throws UsageError for a rule that names a part or a link of no recording: it is a slip of the pen, and the
+/// pair that was meant has another margin.
+void checkNames(const std::vector<TunedRecording>& recordings, const MarginRules& rules);
+
 /// Judges every set over every recording, whose result files are read (TunedRecording::file). Recordings
 /// count from the first frame on from which every part can be judged. Throws UsageError for a rule that names
 /// a part or a link of no recording, and for a pair without a margin; ParseError for a damaged file.

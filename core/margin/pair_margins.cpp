@@ -74,9 +74,9 @@ void PairMarginSets::add(const PairFrame& frame) {
 void PairMarginSets::settle() {
   if (block_.empty()) return;
   block_.close(options_.limit);
-  least_of_all_ = smallest_maximum_ = kInfinity;
+  block_minimum_ = smallest_maximum_ = kInfinity;
   for (std::size_t p = 0; p < pairs_; ++p) {
-    least_of_all_ = std::min(least_of_all_, least_[p]);
+    block_minimum_ = std::min(block_minimum_, least_[p]);
     smallest_maximum_ = std::min(smallest_maximum_, largest_[p]);
   }
   for (Set& set : sets_) block_.judge(inside(set), set.stream);
@@ -99,7 +99,7 @@ std::uint64_t PairMarginSets::inside(const Set& set) {
 
 std::uint64_t PairMarginSets::insideFixed(const std::vector<double>& margins, double largest_margin) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
-  if (!(least_of_all_ < largest_margin)) return 0;
+  if (!(block_minimum_ < largest_margin)) return 0;
   if (smallest_maximum_ < largest_margin) {
     unsigned within = 0;
     for (std::size_t p = 0; p < pairs_; ++p) within |= largest_[p] < margins[p];

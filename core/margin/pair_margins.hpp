@@ -67,11 +67,11 @@ class PairMarginSets {
   MarginOptions options_;
   std::vector<Set> sets_;
   FrameBlock block_;
-  std::vector<double> clearance_, robot_speed_, person_speed_;    ///< of the block's frames, pair by pair
-  std::vector<double> least_, largest_;                           ///< m, of each pair in the block
-  double least_of_all_{kInfinity}, smallest_maximum_{kInfinity};  ///< m, the least of those two lists
-  std::vector<double> fastest_robot_, fastest_person_;            ///< m/s, likewise
-  std::vector<std::optional<ThresholdMasks>> masks_;              ///< of pairs that were near in the block
+  std::vector<double> clearance_, robot_speed_, person_speed_;     ///< of the block's frames, pair by pair
+  std::vector<double> least_, largest_;                            ///< m, of each pair in the block
+  double block_minimum_{kInfinity}, smallest_maximum_{kInfinity};  ///< m, the least of those two lists
+  std::vector<double> fastest_robot_, fastest_person_;             ///< m/s, likewise
+  std::vector<std::optional<ThresholdMasks>> masks_;               ///< of pairs that were near in the block
 };
 
 }  // namespace abstand::margin

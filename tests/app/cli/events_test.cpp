@@ -1,0 +1,151 @@
+// abstand events and report as a user runs them on results of `tune`.
+#include "tests/app/cli/seven_people.hpp"
+
+namespace abstand::testing {
+namespace {
+
+using Events = SevenPeople;
+
+TEST_F(Events, OfASetAreItsStopsAndSayWhichPairStoppedTheRobot) {
+  const std::string folder = out("results");
+  runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder + " --margins 0.2:0.4:0.2");
+  const std::string torso = folder_
+                                .write("torso.yaml",
+                                       "abstand_margins: 1\ndefault: {margin: 0.01}\nmargins:\n"
+                                       "  - {part: torso, margin: 0.1, person_time: 0.5}\n")
+                                .string();
+  const std::string all = folder_.write("all.yaml", "abstand_margins: 1\ndefault: {margin: 0.4}\n").string();
+  for (const std::string& set : {torso, all}) {
+    const json events = runJson("events " + folder + " --margin-set " + set);
+    EXPECT_TRUE(events["margin"].is_null());
+    EXPECT_EQ(events["margin_set"], set);
+    const json outcome = runJson("merge " + folder + " --margin-set " + set)["margin_sets"].back();
+    int stops = 0, false_stops = 0, missed = 0;
+    for (const json& e : events["events"]) {
+      stops += e["kind"] == "intrusion";
+      false_stops += e["false_stop"].get<bool>();
+      missed += e["missed_stop"].get<bool>();
+      EXPECT_LE(e["t0"], e["t_nearest"]);
+      EXPECT_LE(e["t_nearest"], e["t1"]);
+      EXPECT_LT(e["min_clearance"], 0.4);
+      if (e["kind"] != "intrusion") continue;
+      EXPECT_EQ(e["told_by"]["link"], "ball");
+      if (set == all) {
+        EXPECT_EQ(e["told_by"]["margin"], 0.4);
+      } else if (e["told_by"]["part"] == "torso") {
+        EXPECT_GE(e["told_by"]["margin"], 0.1);
+        EXPECT_LE(e["told_by"]["margin"], 0.1 + 0.5 * 0.1 * kPeople);
+      } else {
+        EXPECT_EQ(e["told_by"]["margin"], 0.01);
+      }
+    }
+    EXPECT_EQ(stops, outcome["stops"]);
+    EXPECT_EQ(false_stops, outcome["false_stops"]);
+    EXPECT_EQ(missed, outcome["missed_stops"]);
+    EXPECT_GT(stops, 0);
+    EXPECT_NE(run("events " + folder + " --margin-set " + set).out.find(", told by "), std::string::npos);
+  }
+  const std::string events = "events " + folder;
+  EXPECT_EQ(run(events).code, 2);
+  EXPECT_EQ(run(events + " --margin 0.2 --margin-set " + all).code, 2);
+  EXPECT_EQ(run(events + " --margin-set " + out("none.yaml")).code, 3);
+  EXPECT_EQ(run(events + " --margin-set " +
+                folder_
+                    .write("slip.yaml",
+                           "abstand_margins: 1\ndefault: {margin: 0.1}\n"
+                           "margins: [{link: bal, margin: 0.1}]\n")
+                    .string())
+                .code,
+            2);
+}
+
+TEST_F(Events, DiffComparesTwoSetsOverOneStudyAndOverTwo) {
+  const std::string few = out("few"), many = out("many");
+  runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + many + " --margins 0.2:0.4:0.2");
+  runJson("tune " + scene_ + " --recordings " + out("person1.csv") + " --out " + few +
+          " --margins 0.2:0.4:0.2");
+  const std::string a = folder_.write("a.yaml", "abstand_margins: 1\ndefault: {margin: 0.3}\n").string();
+  const std::string b = folder_
+                            .write("b.yaml",
+                                   "abstand_margins: 1\ndefault: {margin: 0.3}\nmargins:\n"
+                                   "  - {part: torso, margin: 0.4}\n")
+                            .string();
+  const std::string sets = " --margin-set " + a + " --margin-set " + b;
+  const json one = runJson("diff " + many + sets);
+  EXPECT_TRUE(one["proposed"].empty());
+  ASSERT_EQ(one["margin_sets"].size(), 2u);
+  ASSERT_EQ(one["differences"].size(), 1u);
+  EXPECT_EQ(one["differences"][0]["part"], "torso");
+  EXPECT_EQ(one["differences"][0]["margins"][0]["margin"], 0.3);
+  EXPECT_EQ(one["differences"][0]["margins"][1]["margin"], 0.4);
+  EXPECT_GT(one["margin_sets"][1]["stopped_share"][0], one["margin_sets"][0]["stopped_share"][0]);
+  const json two = runJson("diff " + few + " " + many + sets);
+  EXPECT_FALSE(two["proposed"].empty());
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(two["margin_sets"][s]["stops"][1], one["margin_sets"][s]["stops"][0]);
+    const json merged = runJson("merge " + few + " --margin-set " + (s == 0 ? a : b))["margin_sets"].back();
+    EXPECT_EQ(two["margin_sets"][s]["stops"][0], merged["stops"]);
+    EXPECT_EQ(two["margin_sets"][s]["missed_stops"][0], merged["missed_stops"]);
+  }
+  EXPECT_EQ(run("diff " + many).code, 2);
+  EXPECT_EQ(run("diff " + many + " --margin-set " + a).code, 2);
+}
+
+TEST_F(Events, TellsTheEventsThatItCounts) {
+  const std::string folder = out("events");
+  const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder +
+                             " --margins 0.2:0.4:0.2");
+  for (const double margin : {0.2, 0.4}) {
+    const std::string at = "events " + folder + " --margin " + std::to_string(margin);
+    const json all = runJson(at);
+    EXPECT_EQ(all["recordings"], kPeople);
+    bool some = false;
+    for (const json& row : tuned["margins"]) {
+      if (row["part"] == "whole_body" || std::abs(row["margin"].get<double>() - margin) > 1e-9) continue;
+      int stops = 0, false_stops = 0, missed = 0;
+      for (const json& e : all["events"]) {
+        if (e["part"] != row["part"]) continue;
+        stops += e["kind"] == "intrusion";
+        false_stops += e["false_stop"].get<bool>();
+        missed += e["missed_stop"].get<bool>();
+        EXPECT_LE(e["t0"], e["t_nearest"]);
+        EXPECT_LE(e["t_nearest"], e["t1"]);
+        EXPECT_LT(e["min_clearance"], margin);
+      }
+      EXPECT_EQ(row["stops"], stops) << row;
+      EXPECT_EQ(row["false_stops"], false_stops) << row;
+      EXPECT_EQ(row["missed_stops"], missed) << row;
+      some = some || stops > 0;
+    }
+    EXPECT_TRUE(some) << margin;
+    EXPECT_EQ(run(at + " --fail-on intrusion").code, 1);
+    bool any_missed = false;
+    for (const json& e : all["events"]) any_missed = any_missed || e["missed_stop"].get<bool>();
+    EXPECT_EQ(run(at + " --fail-on missed").code, any_missed ? 1 : 0);
+  }
+  for (const double margin : {0.0, 0.4}) {
+    const std::string at = std::to_string(margin);
+    const json report = runJson("report " + folder + " --html " + out("page.html") + " --junit " +
+                                out("junit.xml") + " --margin " + at);
+    std::set<std::string> not_passed;
+    const json events = runJson("events " + folder + " --margin " + at);
+    for (const json& e : events["events"])
+      if (e["missed_stop"].get<bool>()) not_passed.insert(e["recording"]);
+    EXPECT_EQ(report["failed"], not_passed.size()) << margin;
+    const std::string xml = readFile(out("junit.xml"));
+    EXPECT_NE(xml.find("tests=\"" + std::to_string(kPeople) + "\" failures=\"" +
+                       std::to_string(not_passed.size()) + "\""),
+              std::string::npos)
+        << xml;
+    EXPECT_GT(std::filesystem::file_size(out("page.html")), 1000u);
+  }
+  EXPECT_EQ(run("report " + folder).code, 2);
+  EXPECT_EQ(run("report " + folder + " --junit " + out("junit.xml")).code, 2);
+  const json torso = runJson("events " + folder + " --margin 0.4 --part torso");
+  ASSERT_FALSE(torso["events"].empty());
+  for (const json& e : torso["events"]) EXPECT_EQ(e["part"], "torso");
+  EXPECT_EQ(run("events " + folder + " --margin 0.2 --part torsso").code, 2);
+}
+
+}  // namespace
+}  // namespace abstand::testing
