@@ -55,27 +55,31 @@ const char* kindOf(const tune::MarginEvent& event) {
   return event.kind == tune::MarginEvent::Kind::kIntrusion ? "intrusion" : "between_frames";
 }
 
-Json eventJson(const tune::MarginEvent& e) {
+Json toldJson(const tune::MarginEvent& e) {
   const tune::PassResult& pass = e.recording->pass;
-  return {{"kind", kindOf(e)},
-          {"recording", e.recording->recording},
-          {"part", pass.parts[e.part].part},
-          {"link", pass.links[e.link]},
-          {"t0", e.t0},
-          {"t1", e.t1},
-          {"t_nearest", e.t_nearest},
-          {"min_clearance", e.min_clearance},
-          {"braking_clearance", e.braking},
-          {"false_stop", e.false_stop},
-          {"missed_stop", e.missed},
-          {"lead_time", orNull(e.lead_time)},
-          {"told_by",
-           {{"part", pass.parts[e.told_part].part},
-            {"link", pass.links[e.told_link]},
-            {"margin", e.told_margin}}}};
+  return {
+      {"part", pass.parts[e.told_part].part}, {"link", pass.links[e.told_link]}, {"margin", e.told_margin}};
 }
 
 /// `by_pair`: the margins differ, so that it matters which one stopped the robot.
+Json eventJson(const tune::MarginEvent& e, bool by_pair) {
+  const tune::PassResult& pass = e.recording->pass;
+  Json event{{"kind", kindOf(e)},
+             {"recording", e.recording->recording},
+             {"part", pass.parts[e.part].part},
+             {"link", pass.links[e.link]},
+             {"t0", e.t0},
+             {"t1", e.t1},
+             {"t_nearest", e.t_nearest},
+             {"min_clearance", e.min_clearance},
+             {"braking_clearance", e.braking},
+             {"false_stop", e.false_stop},
+             {"missed_stop", e.missed},
+             {"lead_time", orNull(e.lead_time)}};
+  if (by_pair) event["told_by"] = e.kind == tune::MarginEvent::Kind::kIntrusion ? toldJson(e) : Json();
+  return event;
+}
+
 std::string eventText(const tune::MarginEvent& e, bool by_pair) {
   const tune::PassResult& pass = e.recording->pass;
   const std::string what = e.kind == tune::MarginEvent::Kind::kBetweenFrames ? "between frames, nobody told"
@@ -110,7 +114,7 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
     if (!events.empty()) text += recording.recording + "\n";
     count += events.size();
     for (const tune::MarginEvent& e : events) {
-      document["events"].push_back(eventJson(e));
+      document["events"].push_back(eventJson(e, asked.rules.has_value()));
       text += eventText(e, asked.rules.has_value());
       missed += e.missed;
       false_stops += e.false_stop;

@@ -152,6 +152,7 @@ int runRun(const CommandLine& line, RunArguments& args) {
   args.run.mode = args.mode == "live" ? run::RunMode::kLive : run::RunMode::kLockstep;
   args.run.progress = progressBar(line, "run");
   args.run.interrupted = interrupted;
+  args.run.program = kVersion;
   args.session.cache = line.cache;
   args.session.monitor = buildMonitor(line);
   if (!args.person_speed.empty())
@@ -212,7 +213,8 @@ void addRun(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame"));
   command->add_flag("--profile", args->run.profile,
                     "processor time of the cycles, and the delays of empty loops of the same length");
-  line.output(command->add_option("--session", args->run.session_log, "HDF5 log of the run"));
+  line.output(
+      command->add_option("--session", args->run.session_log, "HDF5 log of the run: docs/session-log.md"));
   command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
       ->check(CLI::Range(1, 1000000));
   addPackagePath(command, args->packages);

@@ -78,11 +78,10 @@ struct Table {
 }  // namespace
 
 struct TableWriter::Impl {
-  Impl(const std::filesystem::path& name, bool with_seal) : file(name), out(name), sealed(with_seal) {}
+  explicit Impl(const std::filesystem::path& name) : file(name), out(name) {}
 
   std::filesystem::path file;
   OutputFile out;
-  bool sealed;
   Handle handle;
   std::vector<Table> tables;
   hsize_t pending{0};
@@ -124,13 +123,18 @@ struct TableWriter::Impl {
     expect(made && H5Awrite(made.get(), type, value) >= 0);
     check();
   }
+  void text(const Handle& of, const std::string& name, const std::string& value) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.get(), value.size() + 1);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    attribute(of, name, type.get(), value.c_str());
+  }
 };
 
-TableWriter::TableWriter(const std::filesystem::path& file, bool sealed)
-    : impl_(std::make_unique<Impl>(file, sealed)) {
+TableWriter::TableWriter(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
   startLibrary();
   const Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  if (sealed) H5Pset_userblock(list.get(), kSealBytes);
+  H5Pset_userblock(list.get(), kSealBytes);
   impl_->handle =
       Handle(H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, list.get(), H5P_DEFAULT), H5Fclose);
   impl_->expect(static_cast<bool>(impl_->handle));
@@ -150,10 +154,7 @@ void TableWriter::attribute(const std::string& name, double value) {
 }
 
 void TableWriter::attribute(const std::string& name, const std::string& value) {
-  const Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(text.get(), value.size() + 1);
-  H5Tset_cset(text.get(), H5T_CSET_UTF8);
-  impl_->attribute(impl_->handle, name, text.get(), value.c_str());
+  impl_->text(impl_->handle, name, value);
 }
 
 void TableWriter::texts(const std::string& name, const std::vector<std::string>& values) {
@@ -200,6 +201,13 @@ std::size_t TableWriter::table(const std::string& name, std::vector<std::size_t>
   return impl_->tables.size() - 1;
 }
 
+void TableWriter::describe(std::size_t table, const std::string& unit, const std::string& columns) {
+  const Handle& set = impl_->tables[table].set;
+  if (!set) return;
+  impl_->text(set, "unit", unit);
+  if (!columns.empty()) impl_->text(set, "columns", columns);
+}
+
 void TableWriter::add(std::size_t table, double value) { impl_->tables[table].add(value); }
 
 void TableWriter::add(std::size_t table, std::span<const double> values) {
@@ -220,7 +228,7 @@ void TableWriter::finish() {
   impl_->flush();
   impl_->close();
   impl_->check();
-  if (impl_->sealed) seal(impl_->out.named());
+  seal(impl_->out.named());
   impl_->out.finish();
 }
 

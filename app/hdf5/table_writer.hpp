@@ -21,8 +21,8 @@ enum class Storage : std::uint8_t {
 /// the same bytes. One thread at a time uses the library in a process.
 class TableWriter {
  public:
-  /// `sealed`: with a checksum in front (file_seal.hpp), which TableReader asks for. Throws WriteError.
-  explicit TableWriter(const std::filesystem::path& file, bool sealed = true);
+  /// With a checksum in front (file_seal.hpp), which TableReader asks for. Throws WriteError.
+  explicit TableWriter(const std::filesystem::path& file);
   ~TableWriter();
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;
@@ -40,6 +40,8 @@ class TableWriter {
   /// large, which the table says in its attribute `step`.
   std::size_t table(const std::string& name, std::vector<std::size_t> row, Storage storage = Storage::kDouble,
                     double step = 1.0);
+  /// What the numbers of a table are, as attributes of it: "m", and "x y z" for the columns of a row.
+  void describe(std::size_t table, const std::string& unit, const std::string& columns = {});
   /// Numbers of the next row of a table, in order. Kept until endRow() has gathered a chunk.
   void add(std::size_t table, double value);
   void add(std::size_t table, std::span<const double> values);

@@ -59,7 +59,7 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
   CsvOutputs csv(last ? options.csv : CsvPaths{}, session, source.loop(), live);
   std::unique_ptr<SessionLog> log;
   if (last && !options.session_log.empty())
-    log = std::make_unique<SessionLog>(options.session_log, session, live);
+    log = std::make_unique<SessionLog>(options.session_log, session, live, options.program);
   Extremes extremes(session);
   PairClock pair_clock(session.scene());
   PoseWatch poses(session);

@@ -31,6 +31,7 @@ struct RunOptions {
   bool profile{false};  ///< of the cycles of lock step and of the closed loop; doubles the time of a run
   CsvPaths csv;
   std::filesystem::path session_log;  ///< HDF5; empty: none
+  std::string program;                ///< version of the program, for the session log
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> interrupted;  ///< asked once a frame
   /// Called once a frame, in the closed loop once a cycle up to a frame, with the results in scene order; the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/session/input_content.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/margin/safe_margin.hpp"
 
@@ -20,7 +21,7 @@ std::string contentOf(const session::Session& session) {
   ContentHash hash;
   bool any = false;
   for (const auto& human : session.description().humans) {
-    addContent(hash, human.recording.file);
+    session::addContent(hash, human.recording.file);
     any = any || !human.recording.file.empty();
   }
   return any ? hash.value().hex() : std::string();

@@ -1,14 +1,12 @@
 #include "app/tune/result_key.hpp"
 
-#include <algorithm>
-
+#include "app/session/input_content.hpp"
 #include "app/tune/result_fingerprint.hpp"
-#include "core/base/text_file.hpp"
 
 namespace abstand::tune {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+using session::addContent;
 
 void addText(ContentHash& hash, const std::string& text) {
   hash.add(text.size());
@@ -16,22 +14,6 @@ void addText(ContentHash& hash, const std::string& text) {
 }
 
 }  // namespace
-
-void addContent(ContentHash& hash, const std::filesystem::path& file) {
-  if (file.empty()) return;
-  if (std::error_code ec; std::filesystem::is_directory(file, ec)) {
-    // A recording of depth images.
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(file))
-      if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& f : files) addText(hash, f.filename().string()), addContent(hash, f);
-    return;
-  }
-  const std::string content = readFile(file, kMaxFileBytes);
-  hash.add(content.size());
-  hash.add(content.data(), content.size());
-}
 
 std::string resultVersion() { return std::to_string(kResultFingerprint); }
 

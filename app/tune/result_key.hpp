@@ -20,8 +20,4 @@ std::string resultVersion();
 ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
                      const TuneOptions& options, const std::string& settings);
 
-/// Adds what a file holds; of a folder, all of its files with their names; of no name, nothing. Throws
-/// ParseError.
-void addContent(ContentHash& hash, const std::filesystem::path& file);
-
 }  // namespace abstand::tune

@@ -265,13 +265,6 @@ TEST_F(Cli, DryRunPrintsASceneThatReadsBack) {
   EXPECT_EQ(again.out, a.out);
 }
 
-TEST_F(Cli, SessionLogIsHdf5) {
-  const std::string log = (folder_.path() / "run.h5").string();
-  runJson("run " + write("s.yaml", kBallAndWall) + " --poses " + write("m.csv", ballPoses(0.12)) +
-          " --session " + log);
-  EXPECT_EQ(readFile(log).substr(1, 3), "HDF");
-}
-
 TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
   const std::string page = (folder_.path() / "v.html").string();
   const json j = runJson("verify --only 'third law' --poses 1000 --report " + page);

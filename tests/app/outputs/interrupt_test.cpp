@@ -1,4 +1,5 @@
 // Signals end a command like Ctrl-C: it reports what was done so far.
+#include "app/hdf5/table_reader.hpp"
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
@@ -43,7 +44,7 @@ TEST_F(Interrupts, SignalsEndLikeCtrlC) {
     EXPECT_GT(j["frames"].get<long>(), 0);
     // What was done is readable.
     EXPECT_GT(readFile(in("pairs.csv")).size(), 100u);
-    EXPECT_EQ(readFile(in("log.h5"), 1 << 30).substr(1, 3), "HDF");
+    EXPECT_EQ(hdf5::TableReader(in("log.h5")).extents("t").rows, j["frames"].get<std::size_t>());
     for (const char* used : {"pairs.csv", "log.h5"}) fs::remove(in(used));
     EXPECT_EQ(names(), before) << signal;
   }
