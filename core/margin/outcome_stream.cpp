@@ -23,15 +23,24 @@ void OutcomeStream::add(const MarginFrame& frame) {
     if (frame.between <= options_.limit) ++outcome_.unseen;
     return;
   }
-  if (!running_) {
-    running_ = true;
-    stop_ = {};
-    stop_.begin = frame.t;
-    stop_.braking = frame.braking;
-  }
+  if (!running_) beginStop(frame.t, frame.braking);
   const double least = std::min(frame.clearance, frame.between);
   if (least <= options_.limit && !stop_.lead_time) stop_.lead_time = frame.t - stop_.begin;
   stop_.min_clearance = std::min(stop_.min_clearance, least);
+}
+
+void OutcomeStream::beginStop(double t, double braking) {
+  running_ = true;
+  stop_ = {};
+  stop_.begin = t;
+  stop_.braking = braking;
+}
+
+void OutcomeStream::addInside(double first, double t, double least, double braking) {
+  start(first);
+  if (!running_) beginStop(first, braking);
+  stop_.min_clearance = std::min(stop_.min_clearance, least);
+  start(t);
 }
 
 void OutcomeStream::addOutside(double first, double t, double least) {

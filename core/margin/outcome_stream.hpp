@@ -37,7 +37,13 @@ class OutcomeStream {
   /// Several frames at once, the last one at time `t`, all of them outside and with every `between` above the
   /// limit. `least`: m, of their clearances and of what is between. Not while stopping().
   void addOutside(double first, double t, double least);
+  /// Several frames at once, the last one at time `t`, all of them inside. `least`: m, of their clearances
+  /// and of what is between: above the limit, unless touched(). `braking`: m, MarginFrame::braking of the
+  /// first.
+  void addInside(double first, double t, double least, double braking);
   bool stopping() const { return running_; }
+  /// The limit was reached in the stop that is under way.
+  bool touched() const { return running_ && stop_.lead_time.has_value(); }
   /// Called at the end of each stop.
   std::function<void(const Stop&)> on_stop;
 
@@ -49,6 +55,7 @@ class OutcomeStream {
     double from, until;  ///< s
   };
   void start(double t);
+  void beginStop(double t, double braking);
   void endStop(double t);
 
   MarginOptions options_;
