@@ -13,10 +13,14 @@
 #include <QTimer>
 
 #include "ui/menus.hpp"
+#include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recording_review.hpp"
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/model/time_axis.hpp"
+#include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -41,7 +45,7 @@ constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 4;
+constexpr int kLayoutVersion = 5;
 
 using Id = ActionId;
 
@@ -64,6 +68,9 @@ MainWindow::MainWindow(QWidget* parent)
       history_{std::make_unique<RunHistory>()},
       actions_{new Actions(this)},
       playback_{new Playback(this)},
+      review_{new RecordingReview(this)},
+      axis_{new TimeAxis(this)},
+      rules_{new PlayRules(*playback_, *axis_, *review_, this)},
       selection_{new Selection(this)},
       tree_model_{new SceneTreeModel(this)} {
   const QVariant dark = QSettings().value(QStringLiteral("window/dark"));
@@ -84,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectView();
   connectPlayback();
   connectPanels();
+  connectReview();
   resize(1440, 900);
   arrangeDocks();
   restore();
@@ -107,7 +115,8 @@ void MainWindow::buildDocks() {
   notes_ = new NotePanel(this);
   plots_ = new PlotPanel(this);
   pairs_ = new PairPanel(*selection_, this);
-  timeline_ = new TimelinePanel(*actions_, *playback_, this);
+  timeline_ = new TimelinePanel(*actions_, *playback_, *review_, *axis_, this);
+  events_ = new EventPanel(*review_, this);
   docks_ = {
       addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
       addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
@@ -121,7 +130,9 @@ void MainWindow::buildDocks() {
       addDock("groups", tr("Pair groups"), tr("Show or hide the groups of pairs"), QStringLiteral("Ctrl+7"),
               groups_),
       addDock("notes", tr("Reservations"), tr("Show or hide what to know of the scene before believing it"),
-              QStringLiteral("Ctrl+8"), notes_)};
+              QStringLiteral("Ctrl+8"), notes_),
+      addDock("events", tr("Events"), tr("Show or hide the events of the recording"),
+              QStringLiteral("Ctrl+9"), events_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -134,8 +145,8 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots, groups, notes] =
-      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7]);
+  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events] = std::tie(
+      docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7], docks_[8]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -150,13 +161,15 @@ void MainWindow::arrangeDocks() {
   tabifyDockWidget(robots, groups);
   tabifyDockWidget(groups, notes);
   margins->raise();
-  for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
-    tabs->setAccessibleName(tr("Panels"));
   addDockWidget(Qt::BottomDockWidgetArea, timeline);
   addDockWidget(Qt::BottomDockWidgetArea, pairs);
   splitDockWidget(timeline, pairs, Qt::Vertical);
+  tabifyDockWidget(pairs, events);
+  pairs->raise();
+  for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    tabs->setAccessibleName(tr("Panels"));
   resizeDocks({scene, plots}, {264, 370}, Qt::Horizontal);
-  resizeDocks({timeline, pairs}, {86, 190}, Qt::Vertical);
+  resizeDocks({timeline, pairs}, {236, 110}, Qt::Vertical);
   resizeDocks({plots, margins}, {560, 300}, Qt::Vertical);
 }
 
@@ -172,6 +185,8 @@ void MainWindow::setSession(SessionPort* session) {
   history_->open(outline);
   std::vector<double> margins;
   for (const view::ObjectSnapshot& object : snapshot_.objects) margins.push_back(object.margin);
+  axis_->open(outline.start, outline.end, outline.frame_period);
+  review_->open(session_ ? session_->analysis() : nullptr, outline, margins);
   tree_model_->open(outline);
   pairs_->open(outline);
   margins_->open(outline, margins);
@@ -228,6 +243,7 @@ void MainWindow::pull() {
 
 void MainWindow::refreshSlow() {
   if (!session_) return;
+  review_->pull();
   const view::SceneOutline& outline = session_->outline();
   if (std::exchange(news_, false)) {
     pairs_->refresh(snapshot_);

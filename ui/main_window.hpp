@@ -14,18 +14,22 @@ class QTimer;
 namespace abstand::ui {
 
 class Actions;
+class EventPanel;
 class GroupPanel;
 class MarginPanel;
 class NotePanel;
 class PairPanel;
 class Playback;
+class PlayRules;
 class PlotPanel;
+class RecordingReview;
 class RobotPanel;
 class RunHistory;
 class SceneTreeModel;
 class SceneTreePanel;
 class Selection;
 class StatusPanel;
+class TimeAxis;
 class TimelinePanel;
 class Viewport;
 struct Opening;
@@ -60,6 +64,11 @@ class MainWindow : public QMainWindow {
   RobotPanel& robotPanel() const { return *robots_; }
   GroupPanel& groupPanel() const { return *groups_; }
   NotePanel& notePanel() const { return *notes_; }
+  EventPanel& eventPanel() const { return *events_; }
+  /// The whole recording under the present margins.
+  RecordingReview& review() const { return *review_; }
+  /// What the lanes show, and the range between IN and OUT.
+  TimeAxis& timeAxis() const { return *axis_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers scenes.
@@ -83,12 +92,14 @@ class MainWindow : public QMainWindow {
   void connectView();
   void connectPlayback();
   void connectPanels();
+  void connectReview();
+  void choosePair(int part, int link);
   void restore();
   void save() const;
   void showRecent();
   void applyOptions();
   void refreshSlow();
-  void goToContact(bool next);
+  void goToEvent(bool next);
   void saveScreenshot();
 
   std::unique_ptr<RunHistory> history_;
@@ -98,6 +109,9 @@ class MainWindow : public QMainWindow {
 
   Actions* actions_;
   Playback* playback_;
+  RecordingReview* review_;
+  TimeAxis* axis_;
+  PlayRules* rules_;
   Selection* selection_;
   SceneTreeModel* tree_model_;
   Viewport* viewport_;
@@ -108,6 +122,7 @@ class MainWindow : public QMainWindow {
   RobotPanel* robots_;
   GroupPanel* groups_;
   NotePanel* notes_;
+  EventPanel* events_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;

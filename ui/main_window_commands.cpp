@@ -10,19 +10,27 @@
 #include <QStatusBar>
 
 #include "ui/main_window.hpp"
+#include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
+#include "ui/model/recording_review.hpp"
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/model/time_axis.hpp"
+#include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
+#include "ui/panels/lane_view.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
+#include "ui/panels/status_panel.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
+#include "ui/style/format.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/picture_file.hpp"
 #include "ui/style/theme.hpp"
@@ -101,8 +109,8 @@ void MainWindow::connectPlayback() {
   on(Id::kToEnd, [this] { playback_->toEnd(); });
   on(Id::kFaster, [this] { playback_->faster(); });
   on(Id::kSlower, [this] { playback_->slower(); });
-  on(Id::kNextContact, [this] { goToContact(true); });
-  on(Id::kPreviousContact, [this] { goToContact(false); });
+  on(Id::kNextContact, [this] { goToEvent(true); });
+  on(Id::kPreviousContact, [this] { goToEvent(false); });
   on(Id::kResetMargins, [this] { margins_->reset(); });
   connect((*actions_)[Id::kLoop], &QAction::toggled, playback_, &Playback::setLoop);
   connect((*actions_)[Id::kReact], &QAction::toggled, this, [this](bool react) {
@@ -121,6 +129,7 @@ void MainWindow::connectPanels() {
   connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
   connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
     if (session_) session_->setMargin(object, metres);
+    review_->setMargin(object, metres);
   });
   connect(groups_, &GroupPanel::stateWanted, this, [this](int group, view::PairGroupState state) {
     if (session_) session_->setGroup(group, state);
@@ -139,6 +148,40 @@ void MainWindow::connectPanels() {
   connect(playback_, &Playback::timeChanged, plots_, &PlotPanel::setTime);
 }
 
+void MainWindow::connectReview() {
+  const auto on = [&](Id id, auto&& command) {
+    connect((*actions_)[id], &QAction::triggered, this, command);
+  };
+  on(Id::kGoToTime, [this] {
+    docks_[2]->show();
+    timeline_->timeField()->setFocus(Qt::ShortcutFocusReason);
+  });
+  on(Id::kSetIn, [this] { axis_->setIn(playback_->time()); });
+  on(Id::kSetOut, [this] { axis_->setOut(playback_->time()); });
+  on(Id::kClearRange, [this] { axis_->setRange({}); });
+  on(Id::kZoomTimeIn, [this] { axis_->zoomSteps(2.0, playback_->time()); });
+  on(Id::kZoomTimeOut, [this] { axis_->zoomSteps(-2.0, playback_->time()); });
+  on(Id::kZoomTimeAll, [this] { axis_->showAll(); });
+  connect((*actions_)[Id::kPauseOnEvent], &QAction::toggled, rules_, &PlayRules::setPauseOnEvents);
+  connect(rules_, &PlayRules::pausedAt, this, [this](double t) {
+    statusBar()->showMessage(tr("Paused at an event, %1").arg(secondsWithUnit(t)), 3000);
+  });
+  connect(playback_, &Playback::timeChanged, axis_, &TimeAxis::reveal);
+  connect(timeline_->laneView(), &LaneView::pairPicked, this, &MainWindow::choosePair);
+  connect(events_, &EventPanel::picked, this, [this](double t, int part, int link) {
+    playback_->seek(t);
+    choosePair(part, link);
+  });
+  connect(review_, &RecordingReview::changed, this, [this] { status_->showAnalysis(*review_); });
+}
+
+void MainWindow::choosePair(int part, int link) {
+  const int pair = review_->pairOf(static_cast<std::size_t>(part), static_cast<std::size_t>(link));
+  if (!session_ || pair < 0) return;
+  const auto [a, b] = session_->outline().pairs[static_cast<std::size_t>(pair)];
+  selection_->setPair(pair, a, b);
+}
+
 void MainWindow::applyOptions() {
   const auto checked = [this](Id id) { return (*actions_)[id]->isChecked(); };
   ViewOptions options = viewport_->options();
@@ -155,13 +198,17 @@ void MainWindow::applyOptions() {
   viewport_->setOptions(options);
 }
 
-void MainWindow::goToContact(bool next) {
-  const auto t =
-      next ? history_->nextContact(playback_->time()) : history_->previousContact(playback_->time());
+void MainWindow::goToEvent(bool next) {
+  const double now = playback_->time();
+  std::optional<double> t;
+  if (review_->available())
+    t = next ? review_->nextEvent(now) : review_->previousEvent(now);
+  else
+    t = next ? history_->nextContact(now) : history_->previousContact(now);
   if (t)
     playback_->seek(*t);
   else
-    statusBar()->showMessage(next ? tr("No later contact known yet") : tr("No earlier contact known"), 3000);
+    statusBar()->showMessage(next ? tr("No later event known") : tr("No earlier event known"), 3000);
 }
 
 void MainWindow::openFile(const QString& path) {

@@ -3,21 +3,35 @@
 
 #include <memory>
 
+#include "app/analysis/analysis_feed.hpp"
 #include "app/loop/live_session.hpp"
 #include "ui/model/session_port.hpp"
 
 namespace abstand::studio {
 
+/// From the feed of an analysis to the window.
+class FeedPort final : public ui::AnalysisPort {
+ public:
+  explicit FeedPort(std::shared_ptr<analysis::AnalysisFeed> feed) : feed_(std::move(feed)) {}
+  bool takeNews(view::AnalysisNews& out) override { return feed_->take(out); }
+
+ private:
+  std::shared_ptr<analysis::AnalysisFeed> feed_;
+};
+
 /// Hands the window's wishes to the loop's thread as values.
 class LivePort final : public ui::SessionPort {
  public:
-  LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes)
-      : live_(std::move(live)), notes_(std::move(notes)) {}
+  /// `analysis`: null for none.
+  LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes,
+           std::unique_ptr<FeedPort> analysis = nullptr)
+      : live_(std::move(live)), notes_(std::move(notes)), analysis_(std::move(analysis)) {}
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
   bool takeSnapshot(view::SceneSnapshot& out) override { return live_->takeSnapshot(out); }
   void drainPlot(std::vector<view::PlotSample>& out) override { live_->drainPlot(out); }
+  ui::AnalysisPort* analysis() override { return analysis_.get(); }
   void play(bool on) override { live_->send(loop::command::Play{on}); }
   void step(int frames) override { live_->send(loop::command::Step{frames}); }
   void seek(double t) override { live_->send(loop::command::Seek{t}); }
@@ -36,6 +50,7 @@ class LivePort final : public ui::SessionPort {
  private:
   std::unique_ptr<loop::LiveSession> live_;
   std::vector<scene::SceneNote> notes_;
+  std::unique_ptr<FeedPort> analysis_;
 };
 
 }  // namespace abstand::studio

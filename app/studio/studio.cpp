@@ -16,6 +16,7 @@ struct Studio::Loaded {
   QString scene;
   std::unique_ptr<loop::LiveSession> live;
   std::vector<scene::SceneNote> notes;
+  std::optional<analysis::AnalysisRequest> analysis;
   QString problem;
 };
 
@@ -64,6 +65,7 @@ void Studio::openScene(const QString& scene, const QString& recording, double t)
       options.monitor.cancelled = [this] { return cancelled_.load(); };
       auto session = depth::openSession(scene_file::loadScene(scene.toStdString(), packages_), options);
       loaded->notes = run::notesOf(*session);
+      loaded->analysis = analysis::requestFor(*session, options.recording);
       loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
@@ -91,7 +93,10 @@ void Studio::take(std::shared_ptr<Loaded> loaded) {
     return;
   }
   window_.setSession(nullptr);
-  port_ = std::make_unique<LivePort>(std::move(loaded->live), std::move(loaded->notes));
+  analyses_.stop();
+  std::unique_ptr<FeedPort> feed;
+  if (loaded->analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded->analysis)));
+  port_ = std::make_unique<LivePort>(std::move(loaded->live), std::move(loaded->notes), std::move(feed));
   scene_ = loaded->scene;
   window_.setSession(port_.get());
   Q_EMIT ready();

@@ -8,6 +8,7 @@
 #include <future>
 #include <memory>
 
+#include "app/analysis/analysis_runner.hpp"
 #include "app/studio/live_port.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
@@ -43,6 +44,7 @@ class Studio : public QObject {
   const robot_file::PackagePaths packages_;
   std::unique_ptr<LivePort> port_;
   QString scene_;
+  analysis::AnalysisRunner analyses_;
   std::future<void> loading_;
   std::atomic<bool> cancelled_{false};
   int request_{0};  ///< number of the newest request; answers to older ones are dropped

@@ -113,15 +113,23 @@ void DistancePass::settle() {
   while (!window_.empty() && braking_.ofFirst(braking_of_first_)) {
     const auto& frames = window_.frames();
     take(frames.front(), frames.size() > 1 ? &frames[1] : nullptr);
-    if (options_.on_frame) options_.on_frame({frames.front(), motions_}, result_);
+    if (options_.on_frame)
+      options_.on_frame({frames.front(), motions_, between_moving_, braking_of_first_}, result_);
     window_.drop();
   }
 }
 
-void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
-  const std::size_t i = result_.parts.front().track.frames();
+void DistancePass::addFrame(double t) {
   for (PartClearance& part : result_.parts) {
-    part.track.t.push_back(frame.t);
+    if (!options_.keep_frames) {
+      for (auto* list :
+           {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
+            &part.bound, &part.uncertainty, &part.robot_speed, &part.person_speed, &part.separation.missing,
+            &part.separation.speed_scale, &part.contact_scale})
+        list->clear();
+      part.link.clear();
+    }
+    part.track.t.push_back(t);
     part.track.clearance.push_back(kInfinity);
     part.track.between.push_back(kInfinity);
     part.track.braking.push_back(kInfinity);
@@ -135,6 +143,11 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     part.separation.speed_scale.push_back(1.0);
     part.contact_scale.push_back(1.0);
   }
+}
+
+void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
+  addFrame(frame.t);
+  const std::size_t i = result_.parts.front().track.frames() - 1;
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     PartClearance& part = result_.parts[result_.pairs[p].part];
     if (frame.clearance[p] < part.track.clearance[i] || part.track.clearance[i] == kInfinity) {

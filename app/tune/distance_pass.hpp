@@ -21,6 +21,8 @@ struct PassResult;
 struct SettledFrame {
   const WindowFrame& frame;
   std::span<const ClosingMotion> motions;  ///< of each pair
+  /// m, of each pair, as ClearanceTrack::between and braking.
+  std::span<const double> between, braking;
 };
 
 struct PassOptions {
@@ -33,11 +35,13 @@ struct PassOptions {
   double calibration_error{0.0};
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
   safety::SeparationOptions separation;
+  /// False: the lists of PartClearance hold the last frame alone, so that memory does not grow.
+  bool keep_frames{true};
   /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
   std::function<void(const SettledFrame&, const PassResult&)> on_frame;
 };
 
-/// What a body part did in a pass. Lists of `track`: one entry a frame.
+/// What a body part did in a pass. Lists, those of `track` too: one entry a frame (PassOptions::keep_frames).
 struct PartClearance {
   std::string part;  ///< "hand_left"; of several people the nearest one's
   margin::ClearanceTrack track;
@@ -89,6 +93,7 @@ class DistancePass {
  private:
   void settle();
   void take(const WindowFrame& frame, const WindowFrame* next);
+  void addFrame(double t);
   void watchNeeds(const WindowFrame& frame);
   void watchSpeeds(const WindowFrame& frame);
   void watchApproach(std::size_t part, const WindowFrame& frame);

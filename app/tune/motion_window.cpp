@@ -18,6 +18,10 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   now.t = t;
   for (const scene::Object& o : scene.objects()) now.X_WB.push_back(o.X_WB);
   for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());
+  const auto lost = [&](std::size_t object) {
+    const scene::PoseState state = scene.objects()[object].pose_state;
+    return state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
+  };
   for (const WatchedPair& p : pairs_) {
     const query::PairResult& r = results[p.id.index()];
     const double uncertainty = scene.pairUncertainty(p.id) + calibration_error_;
@@ -27,6 +31,7 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
     now.on_link.push_back(p.part_is_a ? r.witness_b : r.witness_a);
     now.clearance.push_back(safety::certifiedClearance({r.distance, r.bound, uncertainty}));
     now.uncertainty.push_back(uncertainty);
+    now.lost.push_back(lost(p.part) || lost(p.link));
   }
   if (!frames_.empty()) {
     WindowFrame& last = frames_.back();

@@ -21,6 +21,7 @@ struct WindowFrame {
   std::vector<Vector3d> on_part, on_link;  ///< m, world, of pairs: the nearest points
   std::vector<double> clearance;           ///< m, of pairs: distance - bound - uncertainty
   std::vector<double> uncertainty;         ///< m, of pairs
+  std::vector<bool> lost;                  ///< of pairs: a pose is stale or was rejected
   std::vector<double> between;  ///< to next: m, of pairs: certified least distance, without uncertainty
   std::vector<safety::PoseSegment> motion;  ///< to next, of objects
   std::vector<double> speed;                ///< to next: m/s, of objects, of the fastest point

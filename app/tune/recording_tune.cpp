@@ -27,15 +27,6 @@ std::string contentOf(const session::Session& session) {
   return any ? hash.value().hex() : std::string();
 }
 
-/// Nobody asks for the distances of other pairs here.
-void pauseOthers(const DistancePass& pass, session::Session& session) {
-  scene::Scene& scene = session.scene();
-  std::vector<bool> watched(scene.pairs().size(), false);
-  for (const WatchedPair& pair : pass.watched()) watched[pair.id.index()] = true;
-  for (std::size_t i = 0; i < watched.size(); ++i)
-    scene.setPaused(PairId(static_cast<std::uint32_t>(i)), !watched[i], 0.0);
-}
-
 }  // namespace
 
 std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options) {
@@ -49,7 +40,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
                              const run::RunOptions& run, const std::string& name) {
   margin::validate(options.margins());
   DistancePass pass(session, options.pass);
-  pauseOthers(pass, session);
+  pauseOthers(pass.watched(), session);
   run::RunOptions as_recorded = run;
   as_recorded.react = false;
   as_recorded.on_cycle = [&](double t, const std::vector<query::PairResult>& results) {

@@ -31,4 +31,12 @@ std::vector<WatchedPair> watchedPairs(const session::Session& session) {
   return watched;
 }
 
+void pauseOthers(const std::vector<WatchedPair>& watched, session::Session& session) {
+  scene::Scene& scene = session.scene();
+  std::vector<bool> asked(scene.pairs().size(), false);
+  for (const WatchedPair& pair : watched) asked[pair.id.index()] = true;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    scene.setPaused(PairId(static_cast<std::uint32_t>(i)), !asked[i], 0.0);
+}
+
 }  // namespace abstand::tune

@@ -19,4 +19,7 @@ struct WatchedPair {
 /// Every pair of a person's part with a robot's link, in the order of the scene's pairs.
 std::vector<WatchedPair> watchedPairs(const session::Session& session);
 
+/// Lets the scene check no other pairs: nobody asks for their distances.
+void pauseOthers(const std::vector<WatchedPair>& watched, session::Session& session);
+
 }  // namespace abstand::tune

@@ -46,6 +46,9 @@ class OutcomeStream {
   /// The same for consecutive frames that are all outside, or all inside.
   void addOutside(const MarginFrames& frames);
   void addInside(const MarginFrames& frames);
+  bool stopping() const { return running_; }
+  /// The limit was reached in the stop that is under way.
+  bool touched() const { return running_ && stop_.lead_time.has_value(); }
   /// Called at the end of each stop.
   std::function<void(const Stop&)> on_stop;
 

@@ -16,6 +16,7 @@ class FakeSession : public SessionPort {
 
   const view::SceneOutline& outline() const override { return outline_; }
   const std::vector<scene::SceneNote>& notes() const override { return scene_notes; }
+  AnalysisPort* analysis() override { return recording; }
   bool takeSnapshot(view::SceneSnapshot& out) override;
   void drainPlot(std::vector<view::PlotSample>& out) override;
   void play(bool on) override;
@@ -47,6 +48,7 @@ class FakeSession : public SessionPort {
     fresh_ = true;
   }
 
+  AnalysisPort* recording{nullptr};  ///< of the whole recording; lives in the owner
   std::vector<scene::SceneNote> scene_notes;
   double speed{1.0};
   bool loop{false};

@@ -5,6 +5,7 @@
 
 #include "core/scene/scene_note.hpp"
 #include "core/view/snapshot.hpp"
+#include "ui/model/analysis_port.hpp"
 
 namespace abstand::ui {
 
@@ -23,6 +24,9 @@ class SessionPort {
   virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.
   virtual void drainPlot(std::vector<view::PlotSample>& out) = 0;
+
+  /// Of the whole recording; null: there is none. Lives as long as the session.
+  virtual AnalysisPort* analysis() { return nullptr; }
 
   virtual void play(bool on) = 0;
   /// Moves by this many frame periods (negative: back) and stays paused.

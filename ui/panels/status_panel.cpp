@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/event_text.hpp"
 #include "ui/model/nearest_classes.hpp"
 #include "ui/model/stop_text.hpp"
 #include "ui/style/format.hpp"
@@ -74,6 +75,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
       nearest_{new QLabel(bar)},
       opening_{new QLabel(bar)},
       opening_bar_{new QProgressBar(bar)},
+      analysis_{new QLabel(bar)},
       robots_{new QLabel(bar)},
       left_out_{new QLabel(bar)},
       cycle_{new QLabel(bar)},
@@ -94,6 +96,8 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   opening_bar_->setMaximumWidth(kBarWidth);
   opening_bar_->setTextVisible(false);
   left_out_->setObjectName(QStringLiteral("left_out"));
+  analysis_->setObjectName(QStringLiteral("analysis"));
+  analysis_->setAccessibleName(tr("Progress of the analysis"));
   robots_->setObjectName(QStringLiteral("robots"));
   robots_->setAccessibleName(tr("State of the robots that react"));
   left_out_->setAccessibleName(tr("Pairs that were checked"));
@@ -101,7 +105,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
   hideOpening();
-  for (QLabel* label : {robots_, left_out_, cycle_, overruns_, real_time_}) {
+  for (QLabel* label : {analysis_, robots_, left_out_, cycle_, overruns_, real_time_}) {
     label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
@@ -171,6 +175,17 @@ void StatusPanel::showOpening(const Opening& opening) {
   nearest_->hide();
   opening_->show();
   opening_bar_->show();
+}
+
+void StatusPanel::showAnalysis(const RecordingReview& review) {
+  const QString text = analysisText(review);
+  analysis_->setText(text);
+  analysis_->setVisible(!text.isEmpty());
+  analysis_->setToolTip(
+      review.problem().isEmpty()
+          ? tr("Distances of the whole recording are computed for the timeline and the events")
+          : review.problem());
+  colourText(analysis_, review.state() == view::AnalysisNews::State::kFailed);
 }
 
 void StatusPanel::hideOpening() {

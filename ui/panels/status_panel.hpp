@@ -12,6 +12,8 @@ class QStatusBar;
 
 namespace abstand::ui {
 
+class RecordingReview;
+
 /// How far the opening of a scene is.
 struct Opening {
   int begun{0};          ///< structures that are done or under way; 0: files are being read
@@ -30,6 +32,8 @@ class StatusPanel : public QObject {
   /// Takes the place of the nearest pair, until hideOpening().
   void showOpening(const Opening& opening);
   void hideOpening();
+  /// How far the analysis of the recording is; nothing once it is done.
+  void showAnalysis(const RecordingReview& review);
 
  private:
   void showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
@@ -37,6 +41,7 @@ class StatusPanel : public QObject {
   QLabel* nearest_;
   QLabel* opening_;
   QProgressBar* opening_bar_;
+  QLabel* analysis_;
   QLabel* robots_;
   QLabel* left_out_;
   QLabel* cycle_;

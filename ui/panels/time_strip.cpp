@@ -5,36 +5,23 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "ui/model/event_text.hpp"
+#include "ui/panels/lane_image.hpp"
+#include "ui/panels/range_paint.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/heat.hpp"
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
-constexpr int kSide = 10;        // px left and right, for the playhead's handle at the ends
 constexpr int kMarkHeight = 9;   // px above the band
 constexpr int kTickHeight = 16;  // px below
-
-/// Cividis, which stays ordered for every kind of colour vision [Nunez, Anderton, Renslow 2018]: nine stops
-/// from near (bright) to far (dark).
-constexpr std::array<QRgb, 9> kCividis{0xfffee838, 0xffe1cc55, 0xffc3b369, 0xffa59c74, 0xff8a8678,
-                                       0xff707173, 0xff575d6d, 0xff35456c, 0xff00224e};
-constexpr double kFarDistance = 1.0;  // m; everything beyond is equally dark
-
-QRgb heat(double distance) {
-  // The square root gives the first decimetres most of the colours.
-  const double position = std::sqrt(std::clamp(distance / kFarDistance, 0.0, 1.0)) * (kCividis.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(position), kCividis.size() - 2);
-  const double f = position - static_cast<double>(i);
-  const QColor near(kCividis[i]), far(kCividis[i + 1]);
-  const auto mix = [f](int a, int b) { return static_cast<int>(std::lround((1.0 - f) * a + f * b)); };
-  return qRgb(mix(near.red(), far.red()), mix(near.green(), far.green()), mix(near.blue(), far.blue()));
-}
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double niceStep(double least) {
@@ -46,12 +33,19 @@ double niceStep(double least) {
 
 }  // namespace
 
-TimeStrip::TimeStrip(QWidget* parent) : QWidget(parent) {
+TimeStrip::TimeStrip(const RecordingReview& review, TimeAxis& axis, QWidget* parent)
+    : QWidget(parent), review_(review), axis_(axis) {
   setMouseTracking(true);
   setCursor(Qt::PointingHandCursor);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Time slider with the smallest distance"));
   setAccessibleDescription(tr("Move it with the arrow keys, Home and End"));
+  connect(&review_, &RecordingReview::changed, this, [this] {
+    rebuild();
+    update();
+  });
+  connect(&axis_, &TimeAxis::viewChanged, this, QOverload<>::of(&QWidget::update));
+  connect(&axis_, &TimeAxis::rangeChanged, this, QOverload<>::of(&QWidget::update));
 }
 
 void TimeStrip::setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end) {
@@ -71,7 +65,7 @@ void TimeStrip::setTime(double t) {
 }
 
 void TimeStrip::refresh() {
-  if (!distance_ || distance_->revision() == shown_revision_) return;
+  if (review_.available() || !distance_ || distance_->revision() == shown_revision_) return;
   rebuild();
   update();
 }
@@ -95,6 +89,10 @@ int TimeStrip::xOf(double t) const {
 void TimeStrip::rebuild() {
   const int width = std::max(1, band().width());
   if (heat_.width() != width) heat_ = QImage(width, 1, QImage::Format_RGB32);
+  if (review_.available()) {
+    rebuildFromReview();
+    return;
+  }
   contact_.assign(static_cast<std::size_t>(width), false);
   const QRgb unknown = palette().color(QPalette::Mid).rgb();
   auto* row = reinterpret_cast<QRgb*>(heat_.scanLine(0));
@@ -111,10 +109,20 @@ void TimeStrip::rebuild() {
   shown_revision_ = distance_ ? distance_->revision() : -1;
 }
 
+void TimeStrip::rebuildFromReview() {
+  const LaneRow row = wholeRow(review_, {start_, end_}, heat_.width());
+  auto* line = reinterpret_cast<QRgb*>(heat_.scanLine(0));
+  const QRgb unknown = palette().color(QPalette::Mid).rgb();
+  for (std::size_t x = 0; x < row.colour.size(); ++x) line[x] = row.unknown[x] ? unknown : row.colour[x];
+  contact_ = row.inside;
+}
+
 void TimeStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.drawImage(band(), heat_);
   paintMarks(painter);
+  paintRange(painter, band(), axis_, [this](double t) { return xOf(t); });
+  paintView(painter);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(band().adjusted(-1, -1, 0, 0));
@@ -178,6 +186,21 @@ void TimeStrip::paintPlayhead(QPainter& painter) const {
   painter.drawEllipse(QPointF(x, area.top() - 4.0), 6.0, 6.0);
 }
 
+/// What the lanes show.
+void TimeStrip::paintView(QPainter& painter) const {
+  if (!axis_.zoomed()) return;
+  const QRect shown(QPoint(xOf(axis_.view().from), band().top() - 2),
+                    QPoint(xOf(axis_.view().to), band().bottom() + 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawRect(shown);
+}
+
+void TimeStrip::wheelEvent(QWheelEvent* event) {
+  const double steps = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
+  axis_.zoomSteps(steps, timeAt(static_cast<int>(event->position().x())));
+}
+
 void TimeStrip::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) Q_EMIT scrubbed(timeAt(event->x()));
 }
@@ -195,16 +218,17 @@ void TimeStrip::leaveEvent(QEvent*) {
 
 void TimeStrip::resizeEvent(QResizeEvent*) { rebuild(); }
 
+QString TimeStrip::textAt(double t) const {
+  if (review_.available()) return nearestMomentText(review_, t);
+  const double d = distance_->at(t);
+  return std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))
+                       : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d));
+}
+
 bool TimeStrip::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip && distance_) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    const double t = timeAt(help->pos().x());
-    const double d = distance_->at(t);
-    QToolTip::showText(help->globalPos(),
-                       std::isnan(d)
-                           ? tr("%1: not computed yet").arg(secondsWithUnit(t))
-                           : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d)),
-                       this);
+    QToolTip::showText(help->globalPos(), textAt(timeAt(help->pos().x())), this);
     return true;
   }
   if (event->type() == QEvent::PaletteChange) rebuild();

@@ -6,17 +6,23 @@
 #include <vector>
 
 #include "ui/model/frame_series.hpp"
+#include "ui/model/recording_review.hpp"
+#include "ui/model/time_axis.hpp"
 
 namespace abstand::ui {
 
-/// Bright where the smallest distance was small, dark where it was large, grey where not yet computed,
-/// vermillion ticks with a triangle where there was contact. The playhead follows the pointer while the left
-/// button is down.
+/// The whole recording. Bright where the smallest distance was small, dark where it was large, grey where not
+/// yet computed, vermillion ticks with a triangle where an intrusion begins: of the review, where there is
+/// one, else of the series that have been played, and there where a contact begins. The playhead follows the
+/// pointer while the left button is down; the wheel zooms the lanes, whose part of the time has a frame.
 class TimeStrip : public QWidget {
   Q_OBJECT
 
  public:
-  explicit TimeStrip(QWidget* parent = nullptr);
+  static constexpr int kSide = 10;  ///< px left and right, for the playhead's handle at the ends
+
+  /// Both outlive it.
+  TimeStrip(const RecordingReview& review, TimeAxis& axis, QWidget* parent = nullptr);
 
   /// Series live in the owner; null for none.
   void setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end);
@@ -37,6 +43,7 @@ class TimeStrip : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -46,13 +53,18 @@ class TimeStrip : public QWidget {
   void paintTicks(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
   void paintPlayhead(QPainter& painter) const;
+  void paintView(QPainter& painter) const;
+  void rebuildFromReview();
+  QString textAt(double t) const;
 
+  const RecordingReview& review_;
+  TimeAxis& axis_;
   const FrameSeries* distance_{nullptr};
   const FrameSeries* force_{nullptr};
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
   QImage heat_;                // one row, a pixel a column
-  std::vector<bool> contact_;  // by column
+  std::vector<bool> contact_;  // by column: contact, or inside a margin
   long shown_revision_{-1};
 };
 

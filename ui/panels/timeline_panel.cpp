@@ -1,4 +1,4 @@
-// Transport buttons, speed, time and the scrub bar.
+// Transport buttons, speed, time, the scrub bar and the lanes.
 #include "ui/panels/timeline_panel.hpp"
 
 #include <QComboBox>
@@ -8,9 +8,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QStyle>
 #include <QToolButton>
 
+#include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/time_text.hpp"
+#include "ui/panels/lane_view.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/format.hpp"
@@ -29,16 +33,54 @@ QString speedText(double factor) { return QStringLiteral("%1×").arg(QLocale().t
 
 }  // namespace
 
-TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, QWidget* parent)
+TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const RecordingReview& review,
+                             TimeAxis& axis, QWidget* parent)
     : QWidget(parent),
       playback_{playback},
-      strip_{new TimeStrip(this)},
+      review_{review},
+      axis_{axis},
+      strip_{new TimeStrip(review, axis, this)},
+      lanes_{new LaneView(review, axis, this)},
+      go_to_{new QLineEdit(this)},
+      what_if_{new QLabel(this)},
+      no_lanes_{new QLabel(this)},
       speed_{new QComboBox(this)},
       time_{new QLabel(this)},
       frame_{new QLabel(this)} {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 6, 8, 6);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(2);
+  buildTransport(actions);
+  // The strip stands over the lanes.
+  auto* strip_row = new QHBoxLayout;
+  strip_row->setContentsMargins(LaneView::kNameWidth - TimeStrip::kSide, 0,
+                                style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
+  strip_row->addWidget(strip_);
+  layout->addLayout(strip_row);
+  layout->addWidget(lanes_, 1);
+  no_lanes_->setText(tr("Body parts have lanes here where a scene has a person and a robot"));
+  no_lanes_->setForegroundRole(QPalette::PlaceholderText);
+  no_lanes_->setAlignment(Qt::AlignCenter);
+  no_lanes_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
+  layout->addWidget(no_lanes_, 1);
+
+  connect(strip_, &TimeStrip::scrubbed, &playback_, &Playback::seek);
+  connect(lanes_, &LaneView::scrubbed, &playback_, &Playback::seek);
+  connect(&playback_, &Playback::timeChanged, this, &TimelinePanel::showTime);
+  connect(&playback_, &Playback::rangeChanged, this, &TimelinePanel::showTime);
+  connect(&playback_, &Playback::speedChanged, this, &TimelinePanel::showSpeed);
+  connect(&review_, &RecordingReview::changed, this, &TimelinePanel::showReview);
+  connect(speed_, QOverload<int>::of(&QComboBox::activated), this, &TimelinePanel::takeSpeed);
+  connect(speed_->lineEdit(), &QLineEdit::editingFinished, this, &TimelinePanel::takeSpeed);
+  connect(go_to_, &QLineEdit::returnPressed, this, &TimelinePanel::goToTyped);
+  showSpeed(playback_.speed());
+  showTime();
+  showReview();
+}
+
+void TimelinePanel::buildTransport(const Actions& actions) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
   for (const ActionId id : kButtons) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(actions[id]);
@@ -48,7 +90,7 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, QWidget
     button->setFixedSize(size, size);
     button->setIconSize(QSize(size - 10, size - 10));
     button->setAccessibleName(actions[id]->text().remove(QLatin1Char('&')));
-    layout->addWidget(button);
+    row->addWidget(button);
   }
 
   speed_->setEditable(true);
@@ -58,46 +100,68 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, QWidget
   speed_->setAccessibleName(tr("Playback speed"));
   speed_->setToolTip(tr("Speed, 0.05 to 8 times that of the recording (+ and −)"));
   speed_->setFixedWidth(78);
-  layout->addSpacing(6);
-  layout->addWidget(speed_);
-  layout->addSpacing(8);
-  layout->addWidget(strip_, 1);
-  layout->addSpacing(8);
+  row->addSpacing(6);
+  row->addWidget(speed_);
+  row->addSpacing(6);
 
-  auto* readout = new QVBoxLayout;
-  readout->setSpacing(0);
+  go_to_->setPlaceholderText(tr("Go to"));
+  go_to_->setAccessibleName(tr("Go to time or frame"));
+  go_to_->setToolTip(tr("Go to a time or a frame: 12.5, 1:02.5 or f120 (Ctrl+G)"));
+  go_to_->setFixedWidth(78);
+  row->addWidget(go_to_);
+  row->addSpacing(10);
+
+  what_if_->setObjectName(QStringLiteral("what_if"));
+  what_if_->setAccessibleName(tr("What the present margins would have done"));
+  what_if_->setToolTip(whatIfTip());
+  what_if_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(what_if_, 1);
+  row->addSpacing(8);
+
   QFont digits = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   digits.setPointSizeF(font().pointSizeF() + 2.0);
   digits.setWeight(QFont::DemiBold);
   time_->setFont(digits);
-  time_->setAlignment(Qt::AlignRight | Qt::AlignBottom);
+  time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setAccessibleName(tr("Time"));
-  frame_->setAlignment(Qt::AlignRight | Qt::AlignTop);
+  frame_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   frame_->setAccessibleName(tr("Frame"));
   frame_->setForegroundRole(QPalette::PlaceholderText);
-  readout->addWidget(time_);
-  readout->addWidget(frame_);
-  layout->addLayout(readout);
+  row->addWidget(frame_);
+  row->addSpacing(8);
+  row->addWidget(time_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
 
-  connect(strip_, &TimeStrip::scrubbed, &playback_, &Playback::seek);
-  connect(&playback_, &Playback::timeChanged, this, &TimelinePanel::showTime);
-  connect(&playback_, &Playback::rangeChanged, this, &TimelinePanel::showTime);
-  connect(&playback_, &Playback::speedChanged, this, &TimelinePanel::showSpeed);
-  connect(speed_, QOverload<int>::of(&QComboBox::activated), this, &TimelinePanel::takeSpeed);
-  connect(speed_->lineEdit(), &QLineEdit::editingFinished, this, &TimelinePanel::takeSpeed);
-  showSpeed(playback_.speed());
-  showTime();
+void TimelinePanel::showReview() {
+  const bool available = review_.available();
+  lanes_->setVisible(available);
+  what_if_->setText(whatIfText(review_));
+  no_lanes_->setVisible(!available);
+}
+
+void TimelinePanel::goToTyped() {
+  const auto t = timeFromText(go_to_->text(), playback_);
+  if (!t) {
+    go_to_->selectAll();
+    return;
+  }
+  playback_.seek(*t);
+  axis_.reveal(playback_.time());
+  go_to_->clear();
+  go_to_->clearFocus();
 }
 
 void TimelinePanel::showTime() {
   strip_->setTime(playback_.time());
+  lanes_->setTime(playback_.time());
   time_->setText(secondsWithUnit(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
-  // Room for the longest text, so that the strip keeps its width.
+  // Room for the longest text, so that what stands beside it keeps its place.
   const int widest = time_->fontMetrics().horizontalAdvance(secondsWithUnit(playback_.end()));
+  time_->setMinimumWidth(widest + 4);
   const QString count = QString::number(playback_.frameCount());
-  const int widest_frame = frame_->fontMetrics().horizontalAdvance(tr("frame %1 / %2").arg(count, count));
-  time_->setMinimumWidth(std::max(widest, widest_frame) + 4);
+  frame_->setMinimumWidth(frame_->fontMetrics().horizontalAdvance(tr("frame %1 / %2").arg(count, count)) + 4);
 }
 
 void TimelinePanel::showSpeed(double factor) { speed_->setEditText(speedText(factor)); }

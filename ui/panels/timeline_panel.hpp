@@ -1,32 +1,52 @@
-// Transport buttons, speed, time and the scrub bar.
+// Transport buttons, speed, time, the scrub bar and the lanes.
 #pragma once
 
 #include <QWidget>
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 
 namespace abstand::ui {
 
 class Actions;
+class LaneView;
 class Playback;
+class RecordingReview;
+class TimeAxis;
 class TimeStrip;
 
-/// Shows and drives a Playback; the buttons are the window's actions. GUI thread only.
+/// Shows and drives a Playback; the buttons are the window's actions. Lanes and the sentence on the present
+/// margins are there while the review is available. GUI thread only.
 class TimelinePanel : public QWidget {
   Q_OBJECT
 
  public:
-  TimelinePanel(const Actions& actions, Playback& playback, QWidget* parent = nullptr);
+  /// All of them outlive it.
+  TimelinePanel(const Actions& actions, Playback& playback, const RecordingReview& review, TimeAxis& axis,
+                QWidget* parent = nullptr);
   TimeStrip* strip() const { return strip_; }
+  LaneView* laneView() const { return lanes_; }
+  /// Where a time is typed.
+  QLineEdit* timeField() const { return go_to_; }
+  QLabel* whatIf() const { return what_if_; }
 
  private:
+  void buildTransport(const Actions& actions);
   void showTime();
+  void showReview();
+  void goToTyped();
   void showSpeed(double factor);
   void takeSpeed();
 
   Playback& playback_;
+  const RecordingReview& review_;
+  TimeAxis& axis_;
   TimeStrip* strip_;
+  LaneView* lanes_;
+  QLineEdit* go_to_;
+  QLabel* what_if_;
+  QLabel* no_lanes_;
   QComboBox* speed_;
   QLabel* time_;
   QLabel* frame_;

@@ -1,0 +1,49 @@
+// Runs the analysis of the recording that is shown.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "app/analysis/analysis_feed.hpp"
+#include "app/session/session.hpp"
+
+namespace abstand::analysis {
+
+/// What to run: the scene, with the options of the session that is shown.
+struct AnalysisRequest {
+  scene_file::SceneDescription scene;
+  session::SessionOptions options;
+};
+
+/// The request for what `session` shows: it shares the session's structures. Nothing for a scene without a
+/// pair of a person and a robot.
+std::optional<AnalysisRequest> requestFor(const session::Session& session,
+                                          const std::filesystem::path& recording);
+
+/// Runs the recording as recorded, without reactions, as `tune` does with its usual options, and fills
+/// `feed`. Ends within a few frames once that is cancelled. Throws nothing.
+void runAnalysis(const AnalysisRequest& request, AnalysisFeed& feed);
+
+/// Runs one analysis at a time, on a thread with low priority. start() and stop() wait for nobody: what was
+/// under way is cancelled and ends by itself. The destructor waits. One thread.
+class AnalysisRunner {
+ public:
+  ~AnalysisRunner();
+
+  std::shared_ptr<AnalysisFeed> start(AnalysisRequest request);
+  void stop();
+  /// Threads that have not ended yet.
+  std::size_t running();
+
+ private:
+  struct Job {
+    std::shared_ptr<AnalysisFeed> feed;
+    std::shared_ptr<std::atomic<bool>> ended;
+    std::jthread thread;
+  };
+  std::vector<Job> jobs_;
+};
+
+}  // namespace abstand::analysis

@@ -1,0 +1,121 @@
+// The window on a real session: what it says of margins is what the command line says.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+
+#include <nlohmann/json.hpp>
+
+#include "app/studio/studio.hpp"
+#include "core/base/text_file.hpp"
+#include "tests/app/tune/slide_scene.hpp"
+#include "ui/model/event_text.hpp"
+#include "ui/model/playback.hpp"
+#include "ui/model/recording_review.hpp"
+#include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_row.hpp"
+#include "ui/panels/timeline_panel.hpp"
+
+namespace abstand::studio {
+namespace {
+
+constexpr int kLimitMs = 240000;  // nothing takes so long, under a sanitizer either
+using State = view::AnalysisNews::State;
+
+struct StudioSession : ::testing::Test {
+  StudioSession() {
+    QSettings().clear();
+    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
+    scene = testing::writeSlide(folder, {.robot = 0.5, .person = 0.3, .stops_at = 1.8, .seconds = 4.0});
+    window.resize(1400, 1000);
+    window.show();
+    studio = std::make_unique<Studio>(window);
+  }
+  bool analysed() {
+    return QTest::qWaitFor([this] { return window.review().state() == State::kDone; }, kLimitMs);
+  }
+  void open() {
+    QSignalSpy ready(studio.get(), &Studio::ready);
+    studio->openScene(QString::fromStdString(scene.string()), {}, 0.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLimitMs));
+  }
+  /// The row of `abstand tune` for all parts with this margin (m).
+  nlohmann::json tuned(const std::string& margin) {
+    const auto out = folder.path() / "tune.json";
+    const std::string command = "'" ABSTAND_PROGRAM "' tune '" + scene.string() + "' --margins " + margin +
+                                " --json >'" + out.string() + "' 2>'" + (folder.path() / "err").string() +
+                                "'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    const auto answer = nlohmann::json::parse(readFile(out, 1 << 28, true));
+    for (const auto& row : answer["margins"])
+      if (row["part"] == "whole_body") return row;
+    return {};
+  }
+  /// By the sliders of all parts of a group, mm.
+  void drag(const char* group, int millimetres) {
+    window.marginPanel().groupRow(QString::fromLatin1(group))->findChild<QSlider*>()->setValue(millimetres);
+  }
+
+  testing::ScratchFolder folder;
+  std::filesystem::path scene;
+  ui::MainWindow window;
+  std::unique_ptr<Studio> studio;
+};
+
+TEST_F(StudioSession, DraggingMarginsGivesTheNumbersOfTune) {
+  open();
+  ASSERT_TRUE(analysed()) << window.review().problem().toStdString();
+  const ui::RecordingReview& review = window.review();
+  long stops = 0;
+  for (const auto& [person, robot] : {std::pair{0, 0}, {50, 0}, {120, 30}, {0, 250}, {300, 300}}) {
+    drag("person", person);
+    drag("slide", robot);
+    const double margin = 1e-3 * person + 1e-3 * robot;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(review.marginOf(0, 0) - margin) < 1e-9; }, kLimitMs));
+    QCoreApplication::processEvents();
+    const auto row = tuned(std::to_string(1e-3 * (person + robot)));
+    const margin::MarginOutcome& outcome = review.review().outcome;
+    EXPECT_EQ(outcome.stops, row["stops"].get<long>());
+    EXPECT_EQ(outcome.false_stops, row["false_stops"].get<long>());
+    EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
+    EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
+    EXPECT_EQ(window.timelinePanel().whatIf()->text(), ui::whatIfText(review));
+    stops += outcome.stops;
+  }
+  EXPECT_GT(stops, 0);
+}
+
+TEST_F(StudioSession, AnotherSceneEndsTheAnalysis) {
+  open();
+  EXPECT_TRUE(window.review().available());
+  open();
+  ASSERT_TRUE(analysed());
+  const auto wall = folder.write("wall.yaml",
+                                 "abstand: 1\ndefaults: {voxel: 0.1, point: 0.1}\nobjects:\n"
+                                 "  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}}\n");
+  scene = wall;
+  open();
+  EXPECT_FALSE(window.review().available());
+  studio.reset();
+  EXPECT_FALSE(window.review().available());
+}
+
+TEST_F(StudioSession, ItsEventsAreThereWithoutPlaying) {
+  open();
+  ASSERT_TRUE(analysed());
+  drag("person", 300);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().marginOf(0, 0) > 0.29; }, kLimitMs));
+  QCoreApplication::processEvents();
+  const auto event = window.review().nextEvent(0.0);
+  ASSERT_TRUE(event);
+  window.playback().seek(*event);
+  // The live session shows the same moment, with a pair whose margin is broken or near.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - *event) < 1e-9; }, kLimitMs));
+}
+
+}  // namespace
+}  // namespace abstand::studio

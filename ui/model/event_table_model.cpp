@@ -1,0 +1,125 @@
+// The events of a recording under the present margins.
+#include "ui/model/event_table_model.hpp"
+
+#include <QColor>
+#include <cmath>
+
+#include "ui/model/event_text.hpp"
+#include "ui/style/format.hpp"
+#include "ui/style/theme.hpp"
+
+namespace abstand::ui {
+
+using Kind = margin::ReviewEvent::Kind;
+
+EventTableModel::EventTableModel(const RecordingReview& review, QObject* parent)
+    : QAbstractTableModel(parent), review_(review) {}
+
+void EventTableModel::refresh() {
+  beginResetModel();
+  events_ = review_.review().events;
+  endResetModel();
+}
+
+int EventTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(events_.size());
+}
+
+int EventTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant EventTableModel::text(const margin::ReviewEvent& event, int column) const {
+  const margin::ClearanceStore& store = *review_.store();
+  const margin::ClearanceChunk::Nearest nearest = store.nearest(event.part, event.nearest);
+  switch (column) {
+    case kTime:
+      return secondsWithUnit(event.t0);
+    case kDuration:
+      return secondsWithUnit(event.t1 - event.t0);
+    case kKind:
+      return kindText(event.kind);
+    case kPart:
+      return partText(store, event.part);
+    case kLink:
+      return linkText(store, event.link);
+    case kClearance:
+      return std::isinf(event.min_clearance) ? tr("not known") : millimetresWithUnit(event.min_clearance);
+    case kError:
+      return std::isinf(nearest.clearance) ? tr("not seen")
+                                           : millimetresWithUnit(nearest.distance - nearest.clearance);
+    case kClosing:
+      return std::isinf(nearest.closing) ? QString() : tr("%1 m/s").arg(fixed(nearest.closing, 2));
+    case kStop:
+      return stopText(event);
+    default:
+      return {};
+  }
+}
+
+QVariant EventTableModel::key(const margin::ReviewEvent& event, int column) const {
+  const margin::ClearanceChunk::Nearest nearest = review_.store()->nearest(event.part, event.nearest);
+  switch (column) {
+    case kTime:
+      return event.t0;
+    case kDuration:
+      return event.t1 - event.t0;
+    case kClearance:
+      return event.min_clearance;
+    case kError:
+      return nearest.distance - nearest.clearance;
+    case kClosing:
+      return nearest.closing;
+    default:
+      return text(event, column);
+  }
+}
+
+QVariant EventTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount() || !review_.store()) return {};
+  const margin::ReviewEvent& event = this->event(index.row());
+  const bool number = index.column() != kKind && index.column() != kPart && index.column() != kLink &&
+                      index.column() != kStop;
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(event, index.column());
+    case kSortRole:
+      return key(event, index.column());
+    case Qt::TextAlignmentRole:
+      return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+      if (index.column() == kStop && event.missed) return QColor(kVermillion);
+      return {};
+    case Qt::ToolTipRole:
+      return momentText(review_, event.part, event.t_nearest);
+    default:
+      return {};
+  }
+}
+
+QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  struct Head {
+    const char *name, *tip;
+  };
+  static constexpr Head kHeads[kColumns] = {
+      {QT_TR_NOOP("Time"), QT_TR_NOOP("When it begins")},
+      {QT_TR_NOOP("Duration"), QT_TR_NOOP("How long it lasts")},
+      {QT_TR_NOOP("Event"), QT_TR_NOOP("Inside the margin; touch between frames: two frames outside of the "
+                                       "margin between which a touch is not excluded;\nnear miss: nearer "
+                                       "than twice the margin, never inside")},
+      {QT_TR_NOOP("Part"), QT_TR_NOOP("The part of the person")},
+      {QT_TR_NOOP("Link"), QT_TR_NOOP("The nearest link of a robot")},
+      {QT_TR_NOOP("Least clearance"),
+       QT_TR_NOOP("Certified: the true distance was never below it, had the robot not stopped")},
+      {QT_TR_NOOP("Error"),
+       QT_TR_NOOP("By how much the measured distance may be too large: engine and pose")},
+      {QT_TR_NOOP("Closing"), QT_TR_NOOP("Speed of the nearest points towards each other at the least "
+                                         "clearance; negative: they part")},
+      {QT_TR_NOOP("Stop"),
+       QT_TR_NOOP("What a stop at the beginning would have been: too late, or not needed; "
+                  "empty: needed and in time")}};
+  if (role == Qt::DisplayRole) return tr(kHeads[section].name);
+  if (role == Qt::ToolTipRole) return tr(kHeads[section].tip);
+  return {};
+}
+
+}  // namespace abstand::ui

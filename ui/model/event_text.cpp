@@ -1,0 +1,122 @@
+// What the review of a recording says, in words.
+#include "ui/model/event_text.hpp"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/style/format.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+using Kind = margin::ReviewEvent::Kind;
+
+QString trEvent(const char* text) { return QCoreApplication::translate("Events", text); }
+
+std::string personOf(const std::string& name) { return name.substr(0, name.rfind('/')); }
+
+/// Outside of what has been analysed.
+bool isMissing(const margin::ClearanceStore* store, double t) {
+  if (!store || store->empty() || t < store->t(0)) return true;
+  const std::size_t last = store->frames() - 1;
+  const double period = last > 0 ? store->t(last) - store->t(last - 1) : 0.0;
+  return t > store->t(last) + period;
+}
+
+}  // namespace
+
+QString partText(const margin::ClearanceStore& store, std::size_t part) {
+  const auto& parts = store.layout().parts;
+  const std::string& name = parts[part].name;
+  const std::string person = personOf(name);
+  for (const auto& other : parts)
+    if (personOf(other.name) != person) return QString::fromStdString(name);
+  return QString::fromStdString(name.substr(name.rfind('/') + 1));
+}
+
+QString linkText(const margin::ClearanceStore& store, std::size_t link) {
+  return QString::fromStdString(store.layout().links[link].name);
+}
+
+QString kindText(Kind kind) {
+  switch (kind) {
+    case Kind::kIntrusion:
+      return trEvent("inside margin");
+    case Kind::kBetweenFrames:
+      return trEvent("touch between frames");
+    case Kind::kNear:
+      break;
+  }
+  return trEvent("near miss");
+}
+
+QString stopText(const margin::ReviewEvent& event) {
+  if (event.kind == Kind::kNear) return {};
+  if (event.missed) return trEvent("⚠ too late");
+  return event.false_stop ? trEvent("not needed") : QString();
+}
+
+QString momentText(const RecordingReview& review, std::size_t part, double t) {
+  const margin::ClearanceStore* store = review.store();
+  if (isMissing(store, t)) return trEvent("%1: not analysed yet").arg(secondsWithUnit(t));
+  const margin::ClearanceChunk::Nearest nearest = store->nearest(part, store->frameAt(t));
+  const QString head = trEvent("%1, %2").arg(secondsWithUnit(t), partText(*store, part));
+  if (std::isinf(nearest.clearance)) return trEvent("%1: not seen").arg(head);
+  const double margin = review.marginOf(part, nearest.link);
+  const QString verdict =
+      nearest.clearance < margin ? trEvent("inside the margin of %1") : trEvent("margin %1");
+  return trEvent("%1 – %2: at least %3 (measured %4, error %5), %6%7")
+      .arg(head, linkText(*store, nearest.link), millimetresWithUnit(nearest.clearance),
+           millimetresWithUnit(nearest.distance), millimetresWithUnit(nearest.distance - nearest.clearance),
+           verdict.arg(millimetresWithUnit(margin)),
+           nearest.unknown ? trEvent("; the pose is lost") : QString());
+}
+
+QString nearestMomentText(const RecordingReview& review, double t) {
+  const margin::ClearanceStore* store = review.store();
+  if (isMissing(store, t)) return trEvent("%1: not analysed yet").arg(secondsWithUnit(t));
+  const std::size_t frame = store->frameAt(t);
+  std::size_t nearest = 0;
+  for (std::size_t part = 1; part < store->layout().parts.size(); ++part)
+    if (store->nearest(part, frame).clearance < store->nearest(nearest, frame).clearance) nearest = part;
+  return momentText(review, nearest, t);
+}
+
+QString whatIfText(const RecordingReview& review) {
+  if (!review.store() || review.store()->empty()) return {};
+  const margin::MarginOutcome& outcome = review.review().outcome;
+  const QString text = trEvent("%1 stops, %2 % of the time; %3 not needed, %4 too late")
+                           .arg(outcome.stops)
+                           .arg(fixed(100.0 * outcome.stoppedShare(), 1))
+                           .arg(outcome.false_stops)
+                           .arg(outcome.missed_stops);
+  return review.progress() < 1.0 ? trEvent("So far: %1").arg(text) : text;
+}
+
+QString whatIfTip() {
+  return trEvent(
+      "What the present margins would have done over the whole recording, as recorded and without\n"
+      "reactions: protective stops, and the share of time in which the robot would have stood.\n"
+      "Not needed: even without the stop nobody would have been touched.\n"
+      "Too late: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration\n"
+      "5 rad/s² or m/s²). The same numbers as those of \"abstand tune\".");
+}
+
+QString analysisText(const RecordingReview& review) {
+  using State = view::AnalysisNews::State;
+  if (!review.available()) return {};
+  switch (review.state()) {
+    case State::kOpening:
+      return trEvent("Analysis: reading files");
+    case State::kRunning:
+      return trEvent("Analysis %1 %").arg(static_cast<int>(100.0 * review.progress()));
+    case State::kFailed:
+      return trEvent("⚠ Analysis failed");
+    case State::kDone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace abstand::ui

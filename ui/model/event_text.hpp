@@ -1,0 +1,32 @@
+// What the review of a recording says, in words.
+#pragma once
+
+#include <QString>
+
+#include "ui/model/recording_review.hpp"
+
+namespace abstand::ui {
+
+/// "hand_left"; with its person, "operator/hand_left", where there are several.
+QString partText(const margin::ClearanceStore& store, std::size_t part);
+QString linkText(const margin::ClearanceStore& store, std::size_t link);
+
+/// "inside margin", "touch between frames", "near miss".
+QString kindText(margin::ReviewEvent::Kind kind);
+/// What a stop at the beginning of an event would have been: "too late", "not needed"; empty: needed and in
+/// time, or no stop.
+QString stopText(const margin::ReviewEvent& event);
+
+/// A part at a moment (s): pair, distance, uncertainty and margin, or why there is none.
+QString momentText(const RecordingReview& review, std::size_t part, double t);
+/// The part that was nearest at a moment, likewise.
+QString nearestMomentText(const RecordingReview& review, double t);
+
+/// "12 stops, 20.5 % of the time; 12 not needed, 0 too late": what the present margins would have done.
+QString whatIfText(const RecordingReview& review);
+/// How the numbers of whatIfText() come about.
+QString whatIfTip();
+/// "Analysis 45 %"; empty once it is done or where there is none.
+QString analysisText(const RecordingReview& review);
+
+}  // namespace abstand::ui

@@ -1,0 +1,93 @@
+// The whole recording under the present margins.
+#include "ui/model/recording_review.hpp"
+
+#include <QTimer>
+#include <algorithm>
+
+#include "ui/style/theme.hpp"
+
+namespace abstand::ui {
+
+RecordingReview::RecordingReview(QObject* parent) : QObject(parent), later_{new QTimer(this)} {
+  later_->setSingleShot(true);
+  later_->setInterval(0);
+  connect(later_, &QTimer::timeout, this, &RecordingReview::judge);
+}
+
+void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline,
+                           std::vector<double> margins) {
+  port_ = port;
+  state_ = {};
+  done_ = frames_ = 0;
+  problem_.clear();
+  margins_ = std::move(margins);
+  margins_.resize(outline.objects.size(), 0.0);
+  pair_of_.clear();
+  for (std::size_t p = 0; p < outline.pairs.size(); ++p)
+    pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
+  store_.reset();
+  half_frame_ = 0.5 * outline.frame_period;
+  judge();
+}
+
+void RecordingReview::pull() {
+  view::AnalysisNews news;
+  if (!port_ || !port_->takeNews(news)) return;
+  state_ = news.state;
+  done_ = news.done;
+  frames_ = news.frames;
+  problem_ = QString::fromStdString(news.problem);
+  if (!store_ && news.layout) store_.emplace(news.layout);
+  for (auto& chunk : news.chunks) store_->add(std::move(chunk));
+  judge();
+}
+
+void RecordingReview::setMargin(int object, double metres) {
+  const auto i = static_cast<std::size_t>(object);
+  if (i >= margins_.size() || margins_[i] == metres) return;
+  margins_[i] = metres;
+  if (store_ && !later_->isActive()) later_->start();
+}
+
+void RecordingReview::judge() {
+  later_->stop();
+  review_ = {};
+  stops_at_.clear();
+  if (store_) review_ = margin::review(*store_, margins_, {{}, kNearFactor});
+  for (const margin::ReviewEvent& event : review_.events)
+    stops_at_.push_back(event.kind == margin::ReviewEvent::Kind::kNear ? event.t_nearest : event.t0);
+  std::sort(stops_at_.begin(), stops_at_.end());
+  ++revision_;
+  Q_EMIT changed();
+}
+
+double RecordingReview::progress() const {
+  if (state_ == view::AnalysisNews::State::kDone) return 1.0;
+  return frames_ > 0 ? static_cast<double>(done_) / static_cast<double>(frames_) : 0.0;
+}
+
+double RecordingReview::marginOf(std::size_t part, std::size_t link) const {
+  const margin::StoreLayout& layout = store_->layout();
+  return margins_[layout.parts[part].object] + margins_[layout.links[link].object];
+}
+
+int RecordingReview::pairOf(std::size_t part, std::size_t link) const {
+  const margin::StoreLayout& layout = store_->layout();
+  const auto found = pair_of_.find(
+      std::minmax(static_cast<int>(layout.parts[part].object), static_cast<int>(layout.links[link].object)));
+  return found == pair_of_.end() ? -1 : found->second;
+}
+
+std::optional<double> RecordingReview::nextEvent(double t) const {
+  const auto at = std::upper_bound(stops_at_.begin(), stops_at_.end(), t + half_frame_);
+  if (at == stops_at_.end()) return {};
+  return *at;
+}
+
+std::optional<double> RecordingReview::previousEvent(double t) const {
+  const auto at = std::lower_bound(stops_at_.begin(), stops_at_.end(), t - half_frame_);
+  if (at == stops_at_.begin()) return {};
+  return *std::prev(at);
+}
+
+}  // namespace abstand::ui

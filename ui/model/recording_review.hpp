@@ -1,0 +1,73 @@
+// The whole recording under the present margins: what lanes, events and markers are drawn from.
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <optional>
+
+#include "core/margin/margin_review.hpp"
+#include "core/view/snapshot.hpp"
+#include "ui/model/analysis_port.hpp"
+
+class QTimer;
+
+namespace abstand::ui {
+
+/// Gathers what an analysis finds and judges it anew when margins change. Times are those of the recording,
+/// in seconds; objects and pairs are those of the outline. GUI thread only.
+class RecordingReview : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RecordingReview(QObject* parent = nullptr);
+
+  /// Forgets everything. Null: there is no analysis. The port must outlive its stay here. `margins`: m, of
+  /// each object.
+  void open(AnalysisPort* port, const view::SceneOutline& outline, std::vector<double> margins);
+  /// Takes what the analysis has found since.
+  void pull();
+  /// m. Judges anew before the next turn of the event loop, once for all changes before it.
+  void setMargin(int object, double metres);
+
+  bool available() const { return port_ != nullptr; }
+  view::AnalysisNews::State state() const { return state_; }
+  /// 0 to 1, of the frames.
+  double progress() const;
+  const QString& problem() const { return problem_; }
+
+  /// Null: nothing is known yet.
+  const margin::ClearanceStore* store() const { return store_ ? &*store_ : nullptr; }
+  const margin::MarginReview& review() const { return review_; }
+  /// Of a part and a link of the store, m.
+  double marginOf(std::size_t part, std::size_t link) const;
+  /// Index of the outline's pairs, or -1.
+  int pairOf(std::size_t part, std::size_t link) const;
+  /// Grows whenever changed() is emitted.
+  long revision() const { return revision_; }
+
+  /// Where an event after `t` begins, or the last one before it: intrusions, touches between frames, and near
+  /// misses, these at their nearest.
+  std::optional<double> nextEvent(double t) const;
+  std::optional<double> previousEvent(double t) const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void judge();
+
+  AnalysisPort* port_{nullptr};
+  view::AnalysisNews::State state_{};
+  std::size_t done_{0}, frames_{0};
+  QString problem_;
+  std::vector<double> margins_;
+  std::map<std::pair<int, int>, int> pair_of_;
+  std::optional<margin::ClearanceStore> store_;
+  margin::MarginReview review_;
+  std::vector<double> stops_at_;  ///< s, rising: where events are
+  double half_frame_{0.0};        ///< s
+  long revision_{0};
+  QTimer* later_;
+};
+
+}  // namespace abstand::ui
