@@ -12,6 +12,9 @@
 #include <QTabBar>
 #include <QTimer>
 
+#include "ui/document/autosave.hpp"
+#include "ui/document/document.hpp"
+#include "ui/document/left_overs.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
@@ -31,6 +34,7 @@
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
+#include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
 #include "ui/style/format.hpp"
@@ -66,6 +70,8 @@ constexpr Remembered kRemembered[] = {
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       history_{std::make_unique<RunHistory>()},
+      document_{new Document(this)},
+      projects_{new ProjectCommands(*document_, this)},
       actions_{new Actions(this)},
       playback_{new Playback(this)},
       review_{new RecordingReview(this)},
@@ -92,9 +98,13 @@ MainWindow::MainWindow(QWidget* parent)
   connectPlayback();
   connectPanels();
   connectReview();
+  connectDocument();
   resize(1440, 900);
   arrangeDocks();
   restore();
+  Project first;
+  first.work.view = document_->work().view;
+  document_->open(first, QString(), false);
 
   pull_timer_ = new QTimer(this);
   pull_timer_->setInterval(kPullMs);
@@ -174,6 +184,7 @@ void MainWindow::arrangeDocks() {
 }
 
 void MainWindow::setSession(SessionPort* session) {
+  if (session_) kept_selection_.keep(*selection_, session_->outline());
   session_ = session;
   selection_->clear();
   snapshot_ = {};
@@ -183,13 +194,13 @@ void MainWindow::setSession(SessionPort* session) {
   if (session_) session_->takeSnapshot(snapshot_);
 
   history_->open(outline);
-  std::vector<double> margins;
-  for (const view::ObjectSnapshot& object : snapshot_.objects) margins.push_back(object.margin);
   axis_->open(outline.start, outline.end, outline.frame_period);
-  review_->open(session_ ? session_->analysis() : nullptr, outline, margins);
+  axis_->setRange(document_->work().range);
+  follower_.attach(session_, snapshot_, document_->work());
+  review_->open(session_ ? session_->analysis() : nullptr, outline, follower_.margins(document_->work()));
   tree_model_->open(outline);
   pairs_->open(outline);
-  margins_->open(outline, margins);
+  margins_->open(outline, follower_.margins(document_->work()));
   robots_->open(outline);
   loops_ = snapshot_.loops;
   docks_[outline.reacting.empty() ? 4 : 5]->raise();
@@ -202,6 +213,7 @@ void MainWindow::setSession(SessionPort* session) {
   notes_->open(session_ ? session_->notes() : kNoNotes);
   docks_[7]->setWindowTitle(notes_->title());
   playback_->setPort(session_);
+  if (session_) playback_->onSnapshot(snapshot_);
   status_->clear();
   for (const auto& entry : actions_->all())
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
@@ -214,8 +226,7 @@ void MainWindow::setSession(SessionPort* session) {
 
   if (session_) {
     viewport_->open(outline, snapshot_);
-    setWindowTitle(outline.title.empty() ? tr("Abstand")
-                                         : tr("%1 – Abstand").arg(QString::fromStdString(outline.title)));
+    attachDocument();
     news_ = true;
     refreshSlow();
     pull_timer_->start();
@@ -224,9 +235,11 @@ void MainWindow::setSession(SessionPort* session) {
     pull_timer_->stop();
     slow_timer_->stop();
     viewport_->close();
-    viewport_->setMessage(tr("Open a scene (Ctrl+O), or drop a scene file or a recording here"));
-    setWindowTitle(tr("Abstand"));
+    viewport_->setMessage(
+        tr("Open a project or a scene (Ctrl+O),\n"
+           "or drop a project, a scene, a robot or a recording here"));
   }
+  showTitle();
 }
 
 void MainWindow::pull() {
@@ -300,6 +313,11 @@ void MainWindow::save() const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!projects_->mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  if (autosave_) autosave_->finish();
   save();
   QMainWindow::closeEvent(event);
 }
@@ -310,11 +328,13 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  // A scene before the recordings that shall run in it.
-  for (const FileKind kind : {FileKind::kScene, FileKind::kRecording})
-    for (const QUrl& url : event->mimeData()->urls())
-      if (kindOf(url.toLocalFile()) == kind) openFile(url.toLocalFile());
   event->acceptProposedAction();
+  // A scene before the recordings that shall run in it.
+  QStringList paths;
+  for (const FileKind kind : {FileKind::kProject, FileKind::kScene, FileKind::kRecording})
+    for (const QUrl& url : event->mimeData()->urls())
+      if (kindOf(url.toLocalFile()) == kind) paths << url.toLocalFile();
+  openFiles(paths);
 }
 
 }  // namespace abstand::ui

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "ui/document/session_follower.hpp"
+#include "ui/model/kept_selection.hpp"
 #include "ui/model/session_port.hpp"
 
 class QDockWidget;
@@ -14,6 +16,8 @@ class QTimer;
 namespace abstand::ui {
 
 class Actions;
+class Autosave;
+class Document;
 class EventPanel;
 class GroupPanel;
 class MarginPanel;
@@ -22,6 +26,7 @@ class PairPanel;
 class Playback;
 class PlayRules;
 class PlotPanel;
+class ProjectCommands;
 class RecordingReview;
 class RobotPanel;
 class RunHistory;
@@ -32,6 +37,7 @@ class StatusPanel;
 class TimeAxis;
 class TimelinePanel;
 class Viewport;
+struct LeftOver;
 struct Opening;
 
 /// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and
@@ -44,7 +50,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Shows a session; null for none. The session must outlive its stay here. Layout and view settings stay.
+  /// Shows a session as the document has it; null for none. The session must outlive its stay here. Layout,
+  /// selection and camera stay.
   void setSession(SessionPort* session);
   /// Takes over what is new now, instead of at the next tick.
   void pull();
@@ -54,6 +61,11 @@ class MainWindow : public QMainWindow {
   void showOpening(const Opening& opening);
   void hideOpening();
 
+  /// Keeps autosaves of the document in a folder, and offers what it finds there.
+  void keepAutosaves(const QString& folder);
+
+  Document& document() const { return *document_; }
+  ProjectCommands& projects() const { return *projects_; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
   Selection& selection() const { return *selection_; }
@@ -71,12 +83,16 @@ class MainWindow : public QMainWindow {
   TimeAxis& timeAxis() const { return *axis_; }
 
  public Q_SLOTS:
-  /// Asks for the file by its kind, and remembers scenes.
+  /// Asks for the file by its kind, and remembers it.
   void openFile(const QString& path);
 
  Q_SIGNALS:
   void openSceneRequested(const QString& path);
   void openRecordingRequested(const QString& path);
+  /// `modified`: `project` is not what `file` holds.
+  void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
+  /// The user wants to begin with nothing.
+  void closeRequested();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -94,6 +110,15 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectReview();
   void choosePair(int part, int link);
+  void connectDocument();
+  void followWork(const Work& before, const Work& after);
+  void showDocument();
+  void showHidden(const QSet<QString>& before, const QSet<QString>& after);
+  void showView();
+  void showTitle();
+  void attachDocument();
+  void openFiles(const QStringList& paths);
+  QString nameOf(int object) const;
   void restore();
   void save() const;
   void showRecent();
@@ -106,6 +131,14 @@ class MainWindow : public QMainWindow {
   SessionPort* session_{nullptr};
   view::SceneSnapshot snapshot_;
   std::vector<view::PlotSample> samples_;
+
+  Document* document_;
+  ProjectCommands* projects_;
+  Autosave* autosave_{nullptr};
+  std::unique_ptr<LeftOver> recovered_;  // until its work is in an autosave of this program
+  SessionFollower follower_;
+  KeptSelection kept_selection_;
+  bool fresh_document_{true};  // no session was shown since it was opened
 
   Actions* actions_;
   Playback* playback_;

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDateTime>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,20 +10,20 @@
 #include <QSlider>
 #include <QStatusBar>
 
+#include "ui/document/document.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
+#include "ui/model/recent_folder.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
 #include "ui/panels/event_panel.hpp"
-#include "ui/panels/group_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/lane_view.hpp"
-#include "ui/panels/margin_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
@@ -41,22 +42,24 @@ namespace abstand::ui {
 
 namespace {
 using Id = ActionId;
-}
+constexpr int kFeedbackMs = 4000;
+}  // namespace
 
 void MainWindow::connectFile() {
   connect((*actions_)[Id::kOpenScene], &QAction::triggered, this,
-          [this] { openFile(QFileDialog::getOpenFileName(this, tr("Open scene"), {}, sceneFilter())); });
+          [this] { openFile(QFileDialog::getOpenFileName(this, tr("Open"), recentFolder(), openFilter())); });
   connect((*actions_)[Id::kOpenRecording], &QAction::triggered, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), {}, recordingFilter());
-    if (!path.isEmpty()) Q_EMIT openRecordingRequested(path);
+    openFile(QFileDialog::getOpenFileName(this, tr("Open recording"), recentFolder(), recordingFilter()));
   });
   for (int i = 0; i < kRecentFiles; ++i) {
     QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
     connect(action, &QAction::triggered, this, [this, action] { openFile(action->data().toString()); });
   }
   connect((*actions_)[Id::kScreenshot], &QAction::triggered, this, &MainWindow::saveScreenshot);
-  connect((*actions_)[Id::kCopyPicture], &QAction::triggered, this,
-          [this] { QApplication::clipboard()->setImage(viewport_->picture()); });
+  connect((*actions_)[Id::kCopyPicture], &QAction::triggered, this, [this] {
+    QApplication::clipboard()->setImage(viewport_->picture());
+    statusBar()->showMessage(tr("The picture is on the clipboard"), kFeedbackMs);
+  });
   connect((*actions_)[Id::kQuit], &QAction::triggered, this, &QWidget::close);
   connect((*actions_)[Id::kShortcuts], &QAction::triggered, this, [this] { showShortcuts(*actions_, this); });
   connect((*actions_)[Id::kAbout], &QAction::triggered, this, [this] { showAbout(this); });
@@ -111,7 +114,6 @@ void MainWindow::connectPlayback() {
   on(Id::kSlower, [this] { playback_->slower(); });
   on(Id::kNextContact, [this] { goToEvent(true); });
   on(Id::kPreviousContact, [this] { goToEvent(false); });
-  on(Id::kResetMargins, [this] { margins_->reset(); });
   connect((*actions_)[Id::kLoop], &QAction::toggled, playback_, &Playback::setLoop);
   connect((*actions_)[Id::kReact], &QAction::toggled, this, [this](bool react) {
     if (session_) session_->setReact(react);
@@ -127,19 +129,6 @@ void MainWindow::connectPlayback() {
 
 void MainWindow::connectPanels() {
   connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
-  connect(margins_, &MarginPanel::marginChanged, this, [this](int object, double metres) {
-    if (session_) session_->setMargin(object, metres);
-    review_->setMargin(object, metres);
-  });
-  connect(groups_, &GroupPanel::stateWanted, this, [this](int group, view::PairGroupState state) {
-    if (session_) session_->setGroup(group, state);
-  });
-  connect(groups_, &GroupPanel::addWanted, this, [this](int group, int pair) {
-    if (session_) session_->addPair(group, pair);
-  });
-  connect(groups_, &GroupPanel::removeWanted, this, [this](int pair) {
-    if (session_) session_->removePair(pair);
-  });
   connect(plots_, &PlotPanel::jointChosen, this, [this](int joint) {
     history_->torqueOf(joint);
     history_->add(snapshot_);
@@ -156,9 +145,21 @@ void MainWindow::connectReview() {
     docks_[2]->show();
     timeline_->timeField()->setFocus(Qt::ShortcutFocusReason);
   });
-  on(Id::kSetIn, [this] { axis_->setIn(playback_->time()); });
-  on(Id::kSetOut, [this] { axis_->setOut(playback_->time()); });
-  on(Id::kClearRange, [this] { axis_->setRange({}); });
+  const auto keep_range = [this](const QString& text) {
+    document_->edit(text, [this](Work& work) { work.range = axis_->range(); });
+  };
+  on(Id::kSetIn, [=, this] {
+    axis_->setIn(playback_->time());
+    keep_range(tr("set IN"));
+  });
+  on(Id::kSetOut, [=, this] {
+    axis_->setOut(playback_->time());
+    keep_range(tr("set OUT"));
+  });
+  on(Id::kClearRange, [=, this] {
+    axis_->setRange({});
+    keep_range(tr("clear IN and OUT"));
+  });
   on(Id::kZoomTimeIn, [this] { axis_->zoomSteps(2.0, playback_->time()); });
   on(Id::kZoomTimeOut, [this] { axis_->zoomSteps(-2.0, playback_->time()); });
   on(Id::kZoomTimeAll, [this] { axis_->showAll(); });
@@ -182,22 +183,6 @@ void MainWindow::choosePair(int part, int link) {
   selection_->setPair(pair, a, b);
 }
 
-void MainWindow::applyOptions() {
-  const auto checked = [this](Id id) { return (*actions_)[id]->isChecked(); };
-  ViewOptions options = viewport_->options();
-  options.forces = checked(Id::kForces);
-  options.torques = checked(Id::kTorques);
-  options.velocities = checked(Id::kVelocities);
-  options.closest = checked(Id::kClosest);
-  options.labels = checked(Id::kLabels);
-  options.floor = checked(Id::kFloor);
-  options.shadows = checked(Id::kShadows);
-  options.auto_scale = checked(Id::kAutoScale);
-  options.human_opacity = checked(Id::kTransparent) ? opacity_->value() / 100.0 : 1.0;
-  opacity_->setEnabled(checked(Id::kTransparent));
-  viewport_->setOptions(options);
-}
-
 void MainWindow::goToEvent(bool next) {
   const double now = playback_->time();
   std::optional<double> t;
@@ -212,30 +197,52 @@ void MainWindow::goToEvent(bool next) {
 }
 
 void MainWindow::openFile(const QString& path) {
-  switch (path.isEmpty() ? FileKind::kUnknown : kindOf(path)) {
-    case FileKind::kScene:
-      if (QFileInfo::exists(path)) {
-        rememberFile(path);
-        showRecent();
-      }
-      Q_EMIT openSceneRequested(path);
-      break;
-    case FileKind::kRecording:
-      Q_EMIT openRecordingRequested(path);
-      break;
-    case FileKind::kUnknown:
-      break;
+  if (!path.isEmpty()) openFiles({path});
+}
+
+void MainWindow::openFiles(const QStringList& paths) {
+  for (const QString& path : paths) {
+    if (QFileInfo::exists(path)) {
+      rememberFolder(path);
+      if (kindOf(path) != FileKind::kUnknown) rememberFile(path);
+    }
+    switch (kindOf(path)) {
+      case FileKind::kProject:
+        projects_->open(path);
+        break;
+      case FileKind::kScene:
+        // The same scene is read anew, and the document stays.
+        if (QFileInfo(path).absoluteFilePath() == document_->work().scene || projects_->mayDiscard())
+          Q_EMIT openSceneRequested(path);
+        break;
+      case FileKind::kRecording:
+        Q_EMIT openRecordingRequested(path);
+        break;
+      case FileKind::kUnknown:
+        showProblem(
+            tr("Cannot open"),
+            tr("%1 is no file that this program opens.\n\nIt opens projects (.abstand), scenes (.yaml), "
+               "robots (.urdf, .mech) and recordings: folders of depth images and the files %2.")
+                .arg(path, recordingEndings()));
+    }
   }
+  showRecent();
 }
 
 void MainWindow::showRecent() {
-  const QStringList files = recentFiles();
+  QStringList files;
+  for (const QString& file : recentFiles())
+    if (QFileInfo::exists(file)) files << file;
   for (int i = 0; i < kRecentFiles; ++i) {
     QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
     action->setVisible(i < files.size());
     if (i >= files.size()) continue;
     action->setData(files[i]);
-    action->setText(QFileInfo(files[i]).fileName().replace(QLatin1Char('&'), QLatin1String("&&")));
+    // Files of the same name differ by their folders.
+    const QFileInfo info(files[i]);
+    action->setText(tr("%1  (%2)")
+                        .arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))
+                        .replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setStatusTip(files[i]);
   }
 }
@@ -244,8 +251,8 @@ void MainWindow::saveScreenshot() {
   const QImage picture = grabWindow(*this);
   const QString name = QStringLiteral("abstand-%1.png")
                            .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")));
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save screenshot"), name, tr("Pictures (*.png)"));
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save screenshot"), QDir(recentFolder()).filePath(name), tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
   try {
     savePicture(picture, path);

@@ -38,13 +38,17 @@ QMenu* addGroup(QWidget* parent, const Actions& actions, ActionGroup group) {
 QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   QMenuBar* bar = window.menuBar();
   QMenu* file = bar->addMenu(Actions::groupName(ActionGroup::kFile));
-  addRange(file, actions, Id::kOpenScene, Id::kOpenRecording);
+  addRange(file, actions, Id::kNew, Id::kOpenRecording);
   QMenu* recent = file->addMenu(Actions::tr("Open re&cent"));
   addRange(recent, actions, Id::kRecent1, Id::kRecent5);
+  file->addSeparator();
+  addRange(file, actions, Id::kSave, Id::kSaveAs);
   file->addSeparator();
   addRange(file, actions, Id::kScreenshot, Id::kCopyPicture);
   file->addSeparator();
   file->addAction(actions[Id::kQuit]);
+
+  bar->addMenu(addGroup(bar, actions, ActionGroup::kEdit));
 
   QMenu* view = bar->addMenu(Actions::groupName(ActionGroup::kView));
   addRange(view, actions, Id::kForces, Id::kAutoScale);

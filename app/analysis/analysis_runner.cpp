@@ -17,11 +17,11 @@ constexpr int kNice = 10;
 }  // namespace
 
 std::optional<AnalysisRequest> requestFor(const session::Session& session,
-                                          const std::filesystem::path& recording) {
+                                          const session::SessionOptions& options) {
   if (tune::watchedPairs(session).empty()) return {};
   AnalysisRequest request;
   request.scene = session.description();
-  request.options.recording = recording;
+  request.options = options;
   for (const scene::Object& object : session.scene().objects())
     request.options.made[object.spec.name] = object.spec.structure;
   return request;

@@ -17,10 +17,10 @@ struct AnalysisRequest {
   session::SessionOptions options;
 };
 
-/// The request for what `session` shows: it shares the session's structures. Nothing for a scene without a
-/// pair of a person and a robot.
+/// The request for what `session` shows: it shares the session's structures. `options`: how its recording was
+/// read. Nothing for a scene without a pair of a person and a robot.
 std::optional<AnalysisRequest> requestFor(const session::Session& session,
-                                          const std::filesystem::path& recording);
+                                          const session::SessionOptions& options = {});
 
 /// Runs the recording as recorded, without reactions, as `tune` does with its usual options, and fills
 /// `feed`. Ends within a few frames once that is cancelled. Throws nothing.

@@ -1,6 +1,7 @@
 // The window's view of a live session.
 #pragma once
 
+#include <deque>
 #include <memory>
 
 #include "app/analysis/analysis_feed.hpp"
@@ -19,7 +20,8 @@ class FeedPort final : public ui::AnalysisPort {
   std::shared_ptr<analysis::AnalysisFeed> feed_;
 };
 
-/// Hands the window's wishes to the loop's thread as values.
+/// Hands the window's wishes to the loop's thread as values. What the loop has no room for waits here, in
+/// order, so that a change of many margins reaches it whole.
 class LivePort final : public ui::SessionPort {
  public:
   /// `analysis`: null for none.
@@ -29,28 +31,35 @@ class LivePort final : public ui::SessionPort {
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
-  bool takeSnapshot(view::SceneSnapshot& out) override { return live_->takeSnapshot(out); }
-  void drainPlot(std::vector<view::PlotSample>& out) override { live_->drainPlot(out); }
   ui::AnalysisPort* analysis() override { return analysis_.get(); }
-  void play(bool on) override { live_->send(loop::command::Play{on}); }
-  void step(int frames) override { live_->send(loop::command::Step{frames}); }
-  void seek(double t) override { live_->send(loop::command::Seek{t}); }
-  void setSpeed(double factor) override { live_->send(loop::command::Speed{factor}); }
-  void setLoop(bool on) override { live_->send(loop::command::Loop{on}); }
-  void setReact(bool on) override { live_->send(loop::command::React{on}); }
-  void resetStops() override { live_->send(loop::command::ResetStops{}); }
-  void setMargin(int object, double metres) override { live_->send(loop::command::Margin{object, metres}); }
-  void setTorques(bool on) override { live_->send(loop::command::Torques{on}); }
-  void setGroup(int group, view::PairGroupState state) override {
-    live_->send(loop::command::SetGroup{group, state});
+  bool takeSnapshot(view::SceneSnapshot& out) override {
+    flush();
+    return live_->takeSnapshot(out);
   }
-  void addPair(int group, int pair) override { live_->send(loop::command::AddPair{group, pair}); }
-  void removePair(int pair) override { live_->send(loop::command::RemovePair{pair}); }
+  void drainPlot(std::vector<view::PlotSample>& out) override { live_->drainPlot(out); }
+  void play(bool on) override { send(loop::command::Play{on}); }
+  void step(int frames) override { send(loop::command::Step{frames}); }
+  void seek(double t) override { send(loop::command::Seek{t}); }
+  void setSpeed(double factor) override { send(loop::command::Speed{factor}); }
+  void setLoop(bool on) override { send(loop::command::Loop{on}); }
+  void setReact(bool on) override { send(loop::command::React{on}); }
+  void resetStops() override { send(loop::command::ResetStops{}); }
+  void setMargin(int object, double metres) override { send(loop::command::Margin{object, metres}); }
+  void setTorques(bool on) override { send(loop::command::Torques{on}); }
+  void setGroup(int group, view::PairGroupState state) override {
+    send(loop::command::SetGroup{group, state});
+  }
+  void addPair(int group, int pair) override { send(loop::command::AddPair{group, pair}); }
+  void removePair(int pair) override { send(loop::command::RemovePair{pair}); }
 
  private:
+  void send(const loop::Command& command);
+  void flush();
+
   std::unique_ptr<loop::LiveSession> live_;
   std::vector<scene::SceneNote> notes_;
   std::unique_ptr<FeedPort> analysis_;
+  std::deque<loop::Command> waiting_;
 };
 
 }  // namespace abstand::studio

@@ -16,8 +16,11 @@
 #include "core/base/input_log.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_place.hpp"
+#include "ui/document/autosave.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/file_kinds.hpp"
 #include "ui/style/picture_file.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/opengl.hpp"
@@ -37,7 +40,7 @@ int fail(int code, const QString& text) {
 }
 
 struct Arguments {
-  QString scene, recording, screenshot;
+  QString file, recording, screenshot;
   robot_file::PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
@@ -46,7 +49,7 @@ struct Arguments {
 };
 
 /// False, with a sentence on stderr, for wrong usage.
-bool parse(const QApplication& app, Arguments& args) {
+bool parse(const QStringList& arguments, Arguments& args) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QCoreApplication::translate(
       "main",
@@ -54,9 +57,11 @@ bool parse(const QApplication& app, Arguments& args) {
       "Example: abstand-studio data/scenes/hug_boxing.yaml --at 5"));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("scene", QCoreApplication::translate("main", "scene file"), "[SCENE]");
-  parser.addOption(
-      {"recording", QCoreApplication::translate("main", "recording that replaces the scene's"), "FILE"});
+  parser.addPositionalArgument(
+      "file", QCoreApplication::translate("main", "project, scene, robot or recording"), "[FILE]");
+  parser.addOption({"recording",
+                    QCoreApplication::translate("main", "recording that replaces those of the scene"),
+                    "FILE"});
   parser.addOption(
       {"package-path",
        QCoreApplication::translate("main", "folder that holds ROS packages; may be given several times"),
@@ -69,7 +74,7 @@ bool parse(const QApplication& app, Arguments& args) {
                     "FILE.png"});
   parser.addOption({"size", QCoreApplication::translate("main", "size of the window"), "WxH"});
   parser.addOption({"play", QCoreApplication::translate("main", "play this long first"), "SECONDS"});
-  if (!parser.parse(app.arguments())) {
+  if (!parser.parse(arguments)) {
     fail(kWrongUsage, "abstand-studio: error: " + parser.errorText());
     return false;
   }
@@ -100,17 +105,13 @@ bool parse(const QApplication& app, Arguments& args) {
     return false;
   }
   args.react = react == "on";
-  args.scene = parser.positionalArguments().value(0);
+  args.file = parser.positionalArguments().value(0);
   args.recording = parser.value("recording");
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
   if (parser.positionalArguments().size() > 1) {
-    fail(kWrongUsage, "abstand-studio: error: expected one scene");
-    return false;
-  }
-  if (args.scene.isEmpty() && !args.recording.isEmpty()) {
-    fail(kWrongUsage, "abstand-studio: error: --recording: found no scene, expected one with a person");
+    fail(kWrongUsage, "abstand-studio: error: found several files, expected one");
     return false;
   }
   return true;
@@ -139,6 +140,26 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
   });
 }
 
+/// Asks for the files of the command line.
+void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args) {
+  switch (args.file.isEmpty() ? ui::FileKind::kUnknown : ui::kindOf(args.file)) {
+    case ui::FileKind::kProject:
+      if (args.at > 0.0)
+        QObject::connect(&studio, &studio::Studio::ready, &window,
+                         [&window, t = args.at] { window.playback().seek(t); });
+      window.projects().open(args.file);
+      break;
+    case ui::FileKind::kRecording:
+      studio.openRecording(args.file);
+      break;
+    case ui::FileKind::kScene:
+    case ui::FileKind::kUnknown:
+      // What a scene is its reader says best.
+      if (!args.file.isEmpty()) return studio.openScene(args.file, args.recording, args.at);
+  }
+  if (!args.recording.isEmpty()) studio.openRecording(args.recording);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -152,9 +173,13 @@ int main(int argc, char** argv) {
   QCoreApplication::setOrganizationName("Abstand");
   QCoreApplication::setApplicationName("abstand-studio");
   QCoreApplication::setApplicationVersion(cli::kVersion);
-  QApplication app(argc, argv);
   Arguments args;
-  if (!parse(app, args)) return kWrongUsage;
+  {
+    // What needs no window needs no display.
+    QCoreApplication words(argc, argv);
+    if (!parse(words.arguments(), args)) return kWrongUsage;
+  }
+  QApplication app(argc, argv);
   if (!args.screenshot.isEmpty()) {
     // Seen before anything costly is built; a picture does not replace what it shows.
     keepInputLog();
@@ -169,13 +194,18 @@ int main(int argc, char** argv) {
   window.resize(args.size);
   window.show();
   window.actions()[ui::ActionId::kReact]->setChecked(args.react);
+  window.projects().setDialogs(args.screenshot.isEmpty());
   Studio studio(window, args.packages);
-  if (!args.scene.isEmpty()) studio.openScene(args.scene, args.recording, args.at);
   if (!args.screenshot.isEmpty()) {
     QObject::connect(&studio, &Studio::ready, &window, [&] { takePicture(window, args); });
-    QObject::connect(&studio, &Studio::failed, &window,
-                     [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); });
-    if (args.scene.isEmpty()) takePicture(window, args);
+    // Later, when the event loop runs and can be ended.
+    QObject::connect(
+        &studio, &Studio::failed, &window,
+        [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); }, Qt::QueuedConnection);
+    if (args.file.isEmpty() && args.recording.isEmpty()) takePicture(window, args);
+  } else {
+    window.keepAutosaves(ui::Autosave::standardFolder());
   }
+  open(studio, window, args);
   return QApplication::exec();
 }

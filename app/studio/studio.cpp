@@ -1,103 +1,153 @@
 #include "app/studio/studio.hpp"
-#include "app/depth/open_session.hpp"
 
 #include <QApplication>
-#include <QMetaObject>
+#include <QFileInfo>
 
-#include "app/run/scene_notes.hpp"
-#include "app/studio/opening_progress.hpp"
-#include "core/base/error.hpp"
+#include "ui/document/document.hpp"
+#include "ui/model/playback.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/project_commands.hpp"
 
 namespace abstand::studio {
 
-struct Studio::Loaded {
-  int request{0};
-  QString scene;
-  std::unique_ptr<loop::LiveSession> live;
-  std::vector<scene::SceneNote> notes;
-  std::optional<analysis::AnalysisRequest> analysis;
-  QString problem;
+namespace {
+
+bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
+  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading;
+}
+
+QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
+
+}  // namespace
+
+/// What becomes of the document when the load has succeeded.
+struct Studio::Request {
+  enum class Kind {
+    kNew,        ///< `project` takes its place
+    kRecording,  ///< an edit: the recording of `project`
+    kFollow      ///< nothing: it is as it should be
+  };
+  Kind kind{Kind::kFollow};
+  ui::Project project;
+  QString file;
+  bool modified{false};
+  ui::Work before;  ///< of the document when the request was made
 };
 
 Studio::Studio(ui::MainWindow& window, robot_file::PackagePaths packages)
-    : window_(window), packages_(std::move(packages)) {
+    : window_(window), loader_(std::move(packages)) {
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
+  connect(&window, &ui::MainWindow::openProjectRequested, this, &Studio::openProject);
+  connect(&window, &ui::MainWindow::closeRequested, this, &Studio::close);
+  connect(&window.projects(), &ui::ProjectCommands::failed, this,
+          [this](const QString&, const QString& problem) { Q_EMIT failed(problem); });
+  connect(&window.document(), &ui::Document::workChanged, this,
+          [this](const ui::Work&, const ui::Work& after) { followWork(after); });
+  connect(&loader_, &Loader::progressed, &window, &ui::MainWindow::showOpening);
+  connect(&loader_, &Loader::finished, this, [this](const auto& loaded) { take(*loaded); });
 }
 
-Studio::~Studio() {
-  window_.setSession(nullptr);
-  stopLoading();
-}
+Studio::~Studio() { window_.setSession(nullptr); }
 
-void Studio::stopLoading() {
-  cancelled_ = true;
-  if (loading_.valid()) loading_.wait();
-  cancelled_ = false;
+void Studio::load(Request request) {
+  if (!loader_.isLoading()) QApplication::setOverrideCursor(Qt::BusyCursor);
+  request.before = window_.document().work();
+  request_ = std::make_unique<Request>(std::move(request));
+  window_.showOpening({});
+  loader_.start(request_->project.work, request_->project.viewpoint.t);
 }
 
 void Studio::openScene(const QString& scene, const QString& recording, double t) {
-  stopLoading();
-  QApplication::setOverrideCursor(Qt::BusyCursor);
-  const int request = ++request_;
-  window_.showOpening({});
-  loading_ = std::async(std::launch::async, [this, scene, recording, t, request] {
-    auto loaded = std::make_shared<Loaded>();
-    loaded->request = request;
-    loaded->scene = scene;
-    try {
-      session::SessionOptions options;
-      options.recording = recording.toStdString();
-      OpeningProgress progress([this, request](const ui::Opening& opening) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, request, opening] {
-              if (request == request_) window_.showOpening(opening);
-            },
-            Qt::QueuedConnection);
-      });
-      options.planned = [&progress](std::size_t structures) { progress.plan(structures); };
-      options.monitor.progress = [&progress](double fraction, std::string_view name) {
-        progress.hear(fraction, name);
-      };
-      options.monitor.cancelled = [this] { return cancelled_.load(); };
-      auto session = depth::openSession(scene_file::loadScene(scene.toStdString(), packages_), options);
-      loaded->notes = run::notesOf(*session);
-      loaded->analysis = analysis::requestFor(*session, options.recording);
-      loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
-    } catch (const std::exception& e) {
-      loaded->problem = QString::fromUtf8(e.what());
-    }
-    QMetaObject::invokeMethod(
-        this, [this, loaded] { take(loaded); }, Qt::QueuedConnection);
-  });
+  const ui::Work& work = window_.document().work();
+  Request request;
+  if (port_ && absolute(scene) == work.scene && recording.isEmpty()) {
+    request.project = window_.document().project();
+    request.project.viewpoint.t = window_.playback().time();
+  } else {
+    request.kind = Request::Kind::kNew;
+    request.project.work.view = work.view;
+    request.project.work.scene = absolute(scene);
+    request.project.work.recording = absolute(recording);
+    request.project.viewpoint.t = t;
+  }
+  load(std::move(request));
 }
 
 void Studio::openRecording(const QString& recording) {
-  if (scene_.isEmpty()) {
-    window_.showProblem(tr("No scene"), tr("Open a scene first: a recording moves the person of a scene."));
-    return;
+  // Into the scene that is on its way, where one is.
+  if (request_ && request_->kind == Request::Kind::kNew) {
+    Request request = std::move(*request_);
+    request.project.work.recording = absolute(recording);
+    request.modified |= !request.file.isEmpty();
+    return load(std::move(request));
   }
-  openScene(scene_, recording, 0.0);
+  Request request;
+  request.kind = port_ ? Request::Kind::kRecording : Request::Kind::kNew;
+  request.project = window_.document().project();
+  request.project.work.recording = absolute(recording);
+  request.project.viewpoint.t = 0.0;
+  load(std::move(request));
 }
 
-void Studio::take(std::shared_ptr<Loaded> loaded) {
-  QApplication::restoreOverrideCursor();
-  if (loaded->request != request_) return;
+void Studio::openProject(const ui::Project& project, const QString& file, bool modified) {
+  Request request;
+  request.kind = Request::Kind::kNew;
+  request.project = project;
+  request.file = file;
+  request.modified = modified;
+  if (!project.work.scene.isEmpty() || !project.work.recording.isEmpty()) return load(std::move(request));
+  close();
+  window_.document().open(project, file, modified);
+}
+
+void Studio::close() {
+  if (loader_.isLoading()) QApplication::restoreOverrideCursor();
+  loader_.abandon();
+  request_.reset();
   window_.hideOpening();
-  if (!loaded->live) {
-    window_.showProblem(tr("Cannot open"), loaded->problem);
-    Q_EMIT failed(loaded->problem);
+  window_.setSession(nullptr);
+  analyses_.stop();
+  port_.reset();
+  shown_ = {};
+  ui::Project empty;
+  empty.work.view = window_.document().work().view;
+  window_.document().open(empty, QString(), false);
+}
+
+void Studio::followWork(const ui::Work& after) {
+  if (!port_ || isLoadedAlike(after, request_ ? request_->project.work : shown_)) return;
+  Request request;
+  request.project = window_.document().project();
+  load(std::move(request));
+}
+
+void Studio::take(Loaded& loaded) {
+  QApplication::restoreOverrideCursor();
+  const std::unique_ptr<Request> request = std::move(request_);
+  window_.hideOpening();
+  if (!loaded.live) {
+    window_.showProblem(tr("Cannot open"), loaded.problem);
+    Q_EMIT failed(loaded.problem);
     return;
   }
+  ui::Document& document = window_.document();
+  const bool is_new = request->kind == Request::Kind::kNew;
+  // Work that was done while it was loading.
+  if (is_new && !(document.work() == request->before) && !window_.projects().mayDiscard()) return;
   window_.setSession(nullptr);
   analyses_.stop();
   std::unique_ptr<FeedPort> feed;
-  if (loaded->analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded->analysis)));
-  port_ = std::make_unique<LivePort>(std::move(loaded->live), std::move(loaded->notes), std::move(feed));
-  scene_ = loaded->scene;
+  if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
+  port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed));
+  const ui::Work& wanted = request->project.work;
+  shown_ = wanted;
+  if (is_new)
+    document.open(request->project, request->file, request->modified);
+  else if (request->kind == Request::Kind::kRecording)
+    document.edit(tr("open recording %1").arg(QFileInfo(wanted.recording).fileName()),
+                  [&](ui::Work& work) { work.recording = wanted.recording; });
   window_.setSession(port_.get());
   Q_EMIT ready();
 }

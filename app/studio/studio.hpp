@@ -1,23 +1,22 @@
-// Opens scenes and recordings in the window.
+// Opens projects, scenes and recordings in the window.
 #pragma once
 
 #include <QObject>
 #include <QString>
-#include <atomic>
-#include <functional>
-#include <future>
 #include <memory>
+#include <optional>
 
 #include "app/analysis/analysis_runner.hpp"
 #include "app/studio/live_port.hpp"
+#include "app/studio/loader.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 
 namespace abstand::studio {
 
-/// Owns the session that the window shows. Loading runs on a thread of its own, so that the window stays
-/// alive and shows how far it is; a file that cannot be read leaves what was there before. A newer request,
-/// and the end of the program, end the building of structures for an older one.
+/// Owns the session that the window shows, and keeps it in step with the scene and the recording of the
+/// window's document. Loading runs on a thread of its own; a file that cannot be read leaves what was there
+/// before.
 class Studio : public QObject {
   Q_OBJECT
 
@@ -26,28 +25,33 @@ class Studio : public QObject {
   explicit Studio(ui::MainWindow& window, robot_file::PackagePaths packages = {});
   ~Studio() override;
 
-  /// Begins to load; ready() or failed() follows. An empty recording: as the scene says.
+  /// Begins to load; ready() or failed() follows. An empty recording: as the scene says. The scene of the
+  /// present document is loaded anew, and the document stays; any other begins a new document.
   void openScene(const QString& scene, const QString& recording, double t);
-  /// Replaces the recording of the people in the present scene.
+  /// Replaces the recordings of the people in the present scene, as an edit of the document. Without a scene
+  /// the person of the recording is shown alone.
   void openRecording(const QString& recording);
+  /// Begins with a document that was read.
+  void openProject(const ui::Project& project, const QString& file, bool modified);
+  /// Begins with nothing.
+  void close();
 
  Q_SIGNALS:
   void ready();
   void failed(const QString& problem);
 
  private:
-  struct Loaded;
-  void stopLoading();
-  void take(std::shared_ptr<Loaded> loaded);
+  struct Request;
+  void load(Request request);
+  void take(Loaded& loaded);
+  void followWork(const ui::Work& after);
 
   ui::MainWindow& window_;
-  const robot_file::PackagePaths packages_;
+  Loader loader_;
   std::unique_ptr<LivePort> port_;
-  QString scene_;
   analysis::AnalysisRunner analyses_;
-  std::future<void> loading_;
-  std::atomic<bool> cancelled_{false};
-  int request_{0};  ///< number of the newest request; answers to older ones are dropped
+  std::unique_ptr<Request> request_;  // of the load that is under way
+  ui::Work shown_;                    // what port_ was loaded from
 };
 
 }  // namespace abstand::studio

@@ -79,6 +79,12 @@ abstand_pkg_config(abstand-engine "Distances and contact of two bodies, with cer
 abstand_pkg_config(abstand-mechanism "Kinematics of robots in URDF and tables" "facade_mechanism;mechanism"
   REQUIRES abstand-engine PRIVATE urdfdom console_bridge)
 abstand_pkg_config(abstand-human "People of fourteen parts" "facade_human;humanmodel" REQUIRES abstand-engine)
+abstand_pkg_config(abstand-tracking "Recordings of people" "facade_tracking;tracking;body;scene;config"
+  REQUIRES abstand-human abstand-mechanism PRIVATE zlib SYSTEM -lyaml-cpp)
+# OpenCV's packages for single modules bring no file for pkg-config.
+abstand_pkg_config(abstand-scene "Scenes of people and robots, frame by frame" "facade_scene;app;tracker;depth;verify;physics"
+  REQUIRES abstand-tracking PRIVATE ode pcl_common pcl_sample_consensus hdf5-serial sqlite3 libzstd
+  SYSTEM -lopencv_calib3d -lopencv_imgcodecs -lopencv_imgproc -lopencv_core -ldl)
 
 # Programs, their data and what is said of them.
 if(BUILD_SHARED_LIBS)

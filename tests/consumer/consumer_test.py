@@ -78,10 +78,13 @@ def main():
             pc = dict(env, PKG_CONFIG_PATH=str(next(prefix.rglob("pkgconfig"))))
             said = run("pkg-config", "--modversion", "abstand-engine", env=pc).strip()
             expect(said == version, f"pkg-config says version {said}")
-            flags = shlex.split(run("pkg-config", "--cflags", "--libs", "abstand-engine", env=pc))
-            run("c++", "-std=c++20", place / "examples/01_distance.cpp", "-o", place / "by_pkg_config", *flags, env=env)
             libraries = next(prefix.rglob("libabstand_engine.*")).parent
-            run(place / "by_pkg_config", env=dict(env, LD_LIBRARY_PATH=str(libraries)))
+            for package, example in (("engine", "01_distance"), ("scene", "04_live_loop")):
+                flags = shlex.split(run("pkg-config", "--cflags", "--libs", f"abstand-{package}", env=pc))
+                program = place / f"{example}_by_pkg_config"
+                run("c++", "-std=c++20", place / f"examples/{example}.cpp", "-o", program, *flags, env=env)
+                run(program, env=dict(env, LD_LIBRARY_PATH=str(libraries)), timeout=120)
+            run("pkg-config", "--exists", *(f"abstand-{c}" for c in names), env=pc)
         print("\n".join(out.values()))
 
 

@@ -1,4 +1,4 @@
-// Margins: sliders, spin boxes, masters, reset.
+// Margins: sliders, spin boxes, masters.
 #include "ui/panels/margin_panel.hpp"
 
 #include <gtest/gtest.h>
@@ -26,44 +26,63 @@ struct MarginPanelTest : testing::Test {
   int hand{session.indexOf("operator/hand_left")};
   std::vector<double> margins;
   MarginPanel panel;
-  QSignalSpy changes{&panel, &MarginPanel::marginChanged};
+  QMap<int, double> sent() { return changes.takeFirst()[0].value<QMap<int, double>>(); }
+  int known_type{qRegisterMetaType<QMap<int, double>>("QMap<int,double>")};  // before the spy asks for it
+  QSignalSpy changes{&panel, &MarginPanel::marginsChanged};
+  QSignalSpy finished{&panel, &MarginPanel::editFinished};
 };
 
-TEST_F(MarginPanelTest, ADraggedSliderSendsItsNewestValueOnceInMetres) {
+TEST_F(MarginPanelTest, ValuesThatFollowEachOtherAreSentOnceInMetres) {
   auto* slider = panel.row(hand)->findChild<QSlider*>();
   for (int mm = 41; mm <= 120; ++mm) slider->setValue(mm);
   EXPECT_EQ(changes.size(), 0);
   ASSERT_TRUE(changes.wait(kWaitMs));
   ASSERT_EQ(changes.size(), 1);
-  EXPECT_EQ(changes[0][0].toInt(), hand);
-  EXPECT_NEAR(changes[0][1].toDouble(), 0.120, kSame);
+  EXPECT_EQ(finished.size(), 1);
+  const QMap<int, double> last = sent();
+  ASSERT_EQ(last.size(), 1);
+  EXPECT_NEAR(last.value(hand), 0.120, kSame);
   EXPECT_EQ(panel.row(hand)->findChild<QDoubleSpinBox*>()->value(), 120.0);
+}
+
+TEST_F(MarginPanelTest, ADragIsFinishedWhenTheSliderIsReleased) {
+  auto* slider = panel.row(hand)->findChild<QSlider*>();
+  slider->setSliderDown(true);
+  slider->setValue(100);
+  ASSERT_TRUE(changes.wait(kWaitMs));
+  slider->setValue(110);
+  ASSERT_TRUE(changes.wait(kWaitMs));
+  EXPECT_EQ(finished.size(), 0);
+  slider->setValue(120);
+  slider->setSliderDown(false);
+  ASSERT_EQ(changes.size(), 3) << "the last value is sent at once";
+  EXPECT_EQ(finished.size(), 1);
+  const auto last = changes[2][0].value<QMap<int, double>>();
+  EXPECT_NEAR(last.value(hand), 0.120, kSame);
 }
 
 TEST_F(MarginPanelTest, TheSpinBoxGoesBeyondTheSlider) {
   panel.row(hand)->findChild<QDoubleSpinBox*>()->setValue(750.0);
   ASSERT_TRUE(changes.wait(kWaitMs));
-  EXPECT_NEAR(changes[0][1].toDouble(), 0.75, kSame);
+  EXPECT_NEAR(sent().value(hand), 0.75, kSame);
   EXPECT_EQ(panel.row(hand)->findChild<QSlider*>()->value(), 300);
 }
 
-TEST_F(MarginPanelTest, AMasterSetsItsGroupOnly) {
+TEST_F(MarginPanelTest, AMasterSetsItsGroupOnlyAndAtOnce) {
   panel.groupRow("arm")->findChild<QSlider*>()->setValue(77);
   ASSERT_TRUE(changes.wait(kWaitMs));
-  EXPECT_EQ(changes.size(), 5);
+  ASSERT_EQ(changes.size(), 1);
+  EXPECT_EQ(sent().size(), 5);
   EXPECT_NEAR(panel.row(session.indexOf("arm/link2"))->metres(), 0.077, kSame);
   EXPECT_NEAR(panel.row(hand)->metres(), 0.04, kSame);
 }
 
-TEST_F(MarginPanelTest, ResetSendsOnlyWhatDiffers) {
-  panel.row(hand)->findChild<QSlider*>()->setValue(200);
-  ASSERT_TRUE(changes.wait(kWaitMs));
-  changes.clear();
-  panel.reset();
-  ASSERT_TRUE(changes.wait(kWaitMs));
-  ASSERT_EQ(changes.size(), 1);
-  EXPECT_NEAR(changes[0][1].toDouble(), 0.04, kSame);
-  EXPECT_NEAR(panel.groupRow("operator")->metres(), 0.04, kSame);
+TEST_F(MarginPanelTest, ShowsOtherMarginsWithoutASignal) {
+  margins[static_cast<std::size_t>(hand)] = 0.2;
+  panel.show(margins);
+  EXPECT_EQ(panel.row(hand)->metres(), 0.2);
+  EXPECT_EQ(panel.groupRow("operator")->metres(), 0.2) << "the largest of its members";
+  EXPECT_FALSE(changes.wait(3 * MarginPanel::kGatherMs));
 }
 
 }  // namespace

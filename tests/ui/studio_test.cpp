@@ -78,13 +78,37 @@ TEST_F(StudioProgram, FindsRobotsInPackages) {
   EXPECT_TRUE(fs::exists(in("a.png")));
 }
 
-TEST_F(StudioProgram, ARecordingNeedsAPersonInAScene) {
+TEST_F(StudioProgram, ARecordingNeedsNoSceneButAPersonInOne) {
   folder.write("p.csv", "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n0,0,0,1,0,0,1.5\n");
-  EXPECT_EQ(run("--recording p.csv --screenshot a.png").code, 2);
+  const Answer alone = run("p.csv --screenshot alone.png");
+  EXPECT_EQ(alone.code, 0) << alone.err;
   const Answer nobody = run("scene.yaml --recording p.csv --screenshot a.png");
   EXPECT_EQ(nobody.code, 3);
   EXPECT_NE(nobody.err.find("found no person"), std::string::npos) << nobody.err;
   EXPECT_FALSE(fs::exists(in("a.png")));
+}
+
+TEST_F(StudioProgram, AProjectIsOpened) {
+  folder.write("p.abstand", "{\"abstand_project\": 1, \"scene\": \"scene.yaml\"}\n");
+  const Answer good = run("p.abstand --screenshot a.png");
+  EXPECT_EQ(good.code, 0) << good.err;
+  folder.write("lost.abstand", "{\"abstand_project\": 1, \"scene\": \"gone.yaml\"}\n");
+  const Answer lost = run("lost.abstand --screenshot b.png");
+  EXPECT_EQ(lost.code, 3);
+  EXPECT_NE(lost.err.find("gone.yaml"), std::string::npos) << lost.err;
+  folder.write("bad.abstand", "{\"abstand_project\": 7}\n");
+  EXPECT_EQ(run("bad.abstand --screenshot b.png").code, 3);
+  EXPECT_FALSE(fs::exists(in("b.png")));
+}
+
+TEST_F(StudioProgram, VersionAndHelpNeedNoDisplay) {
+  for (const char* option : {"--version", "--help"}) {
+    const int status =
+        std::system((std::string("env -u DISPLAY -u WAYLAND_DISPLAY timeout 100 '" ABSTAND_STUDIO "' ") +
+                     option + " >/dev/null 2>&1")
+                        .c_str());
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0) << option;
+  }
 }
 
 }  // namespace

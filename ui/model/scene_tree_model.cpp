@@ -195,16 +195,20 @@ QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const 
 bool SceneTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || index.column() != 0 || role != Qt::CheckStateRole) return false;
   const bool visible = value.toInt() != Qt::Unchecked;
-  for (const int object : objectsOf(index)) {
-    Row& row = rows_[static_cast<std::size_t>(object)];
-    if (row.visible == visible) continue;
-    row.visible = visible;
-    const QModelIndex changed = indexOf(object);
-    Q_EMIT dataChanged(changed, changed);
-    Q_EMIT dataChanged(changed.parent(), changed.parent());
-    Q_EMIT visibilityChanged(object, visible);
-  }
+  const std::vector<int> objects = objectsOf(index);
+  for (const int object : objects) setVisible(object, visible);
+  Q_EMIT visibilityEdited(objects, visible);
   return true;
+}
+
+void SceneTreeModel::setVisible(int object, bool visible) {
+  Row& row = rows_[static_cast<std::size_t>(object)];
+  if (row.visible == visible) return;
+  row.visible = visible;
+  const QModelIndex changed = indexOf(object);
+  Q_EMIT dataChanged(changed, changed);
+  Q_EMIT dataChanged(changed.parent(), changed.parent());
+  Q_EMIT visibilityChanged(object, visible);
 }
 
 QVariant SceneTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -21,6 +21,7 @@ class SceneTreeModel : public QAbstractItemModel {
   /// Takes over contact marks and distances; tells the views only about what changed.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   void setTheme(Theme theme);
+  void setVisible(int object, bool visible);
 
   const std::vector<Group>& groups() const { return groups_; }
   /// Objects of an index: one, or all of a group.
@@ -38,6 +39,8 @@ class SceneTreeModel : public QAbstractItemModel {
 
  Q_SIGNALS:
   void visibilityChanged(int object, bool visible);
+  /// The user has ticked these, all at once.
+  void visibilityEdited(const std::vector<int>& objects, bool visible);
 
  private:
   struct Row {

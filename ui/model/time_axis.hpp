@@ -4,16 +4,9 @@
 #include <QObject>
 #include <optional>
 
+#include "ui/model/time_range.hpp"
+
 namespace abstand::ui {
-
-/// From `from` to `to`, s.
-struct TimeRange {
-  double from{0.0}, to{0.0};
-
-  double length() const { return to - from; }
-  bool contains(double t) const { return t >= from && t <= to; }
-  bool operator==(const TimeRange&) const = default;
-};
 
 /// Shared by the strip, the lanes and whoever stores the chosen range. Times in seconds of the recording. GUI
 /// thread only.

@@ -27,8 +27,6 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   group_rows_.clear();
   masters_.clear();
   rows_.assign(outline.objects.size(), nullptr);
-  first_ = margins;
-  first_.resize(outline.objects.size(), 0.0);
 
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -36,31 +34,22 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   layout->setSpacing(2);
   if (!outline.objects.empty()) {
     auto* reset = new QPushButton(tr("Reset all"), content);
-    reset->setToolTip(tr("All safety margins as when the scene was opened"));
-    connect(reset, &QPushButton::clicked, this, &MarginPanel::reset);
+    reset->setToolTip(tr("All safety margins as the scene file says"));
+    connect(reset, &QPushButton::clicked, this, &MarginPanel::resetWanted);
     layout->addWidget(reset, 0, Qt::AlignRight);
   }
   for (const Group& group : groupsOf(outline)) {
     const QString name = QString::fromStdString(group.name);
     auto* master = new MarginRow(name, true, content);
-    double largest = 0.0;
     layout->addWidget(master);
     for (const int object : group.objects) {
       const auto i = static_cast<std::size_t>(object);
       auto* row = new MarginRow(QString::fromStdString(shortName(outline.objects[i])), false, content);
-      row->show(first_[i]);
-      largest = std::max(largest, first_[i]);
       rows_[i] = row;
       layout->addWidget(row);
-      connect(row, &MarginRow::edited, this, [this, object](double metres) { change(object, metres); });
+      connectRow(row, {object});
     }
-    master->show(largest);
-    connect(master, &MarginRow::edited, this, [this, objects = group.objects](double metres) {
-      for (const int object : objects) {
-        rows_[static_cast<std::size_t>(object)]->show(metres);
-        change(object, metres);
-      }
-    });
+    connectRow(master, group.objects);
     group_rows_[name] = master;
     masters_.emplace_back(master, group.objects);
     auto* line = new QFrame(content);
@@ -73,6 +62,34 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   }
   layout->addStretch();
   setWidget(content);
+  show(margins);
+}
+
+void MarginPanel::connectRow(MarginRow* row, const std::vector<int>& objects) {
+  connect(row, &MarginRow::edited, this, [this, objects](double metres) {
+    for (const int object : objects) {
+      rows_[static_cast<std::size_t>(object)]->show(metres);
+      change(object, metres);
+    }
+  });
+  connect(row, &MarginRow::released, this, [this] {
+    gather_->stop();
+    send();
+  });
+}
+
+void MarginPanel::show(const std::vector<double>& margins) {
+  // A row that shows its margin already may be in the middle of an edit.
+  const auto set = [](MarginRow* row, double metres) {
+    if (row->metres() != metres) row->show(metres);
+  };
+  for (std::size_t i = 0; i < std::min(rows_.size(), margins.size()); ++i) set(rows_[i], margins[i]);
+  for (const auto& [master, objects] : masters_) {
+    double largest = 0.0;
+    for (const int object : objects)
+      largest = std::max(largest, rows_[static_cast<std::size_t>(object)]->metres());
+    set(master, largest);
+  }
 }
 
 MarginRow* MarginPanel::row(int object) const {
@@ -86,27 +103,22 @@ MarginRow* MarginPanel::groupRow(const QString& group) const {
   return found == group_rows_.end() ? nullptr : found->second;
 }
 
-void MarginPanel::reset() {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i]->metres() == first_[i]) continue;
-    rows_[i]->show(first_[i]);
-    change(static_cast<int>(i), first_[i]);
-  }
-  for (const auto& [master, objects] : masters_) {
-    double largest = 0.0;
-    for (const int object : objects) largest = std::max(largest, first_[static_cast<std::size_t>(object)]);
-    master->show(largest);
-  }
-}
-
 void MarginPanel::change(int object, double metres) {
   waiting_[object] = metres;
   if (!gather_->isActive()) gather_->start();
 }
 
+bool MarginPanel::isDragged() const {
+  const auto dragged = [](const MarginRow* row) { return row->isDragged(); };
+  return std::any_of(rows_.begin(), rows_.end(), dragged) ||
+         std::any_of(masters_.begin(), masters_.end(),
+                     [&](const auto& master) { return dragged(master.first); });
+}
+
 void MarginPanel::send() {
-  const std::map<int, double> changes = std::exchange(waiting_, {});
-  for (const auto& [object, metres] : changes) Q_EMIT marginChanged(object, metres);
+  const QMap<int, double> margins = std::exchange(waiting_, {});
+  if (!margins.isEmpty()) Q_EMIT marginsChanged(margins);
+  if (!isDragged()) Q_EMIT editFinished();
 }
 
 }  // namespace abstand::ui

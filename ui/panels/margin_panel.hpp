@@ -1,6 +1,7 @@
 // Safety margins of every link, body part and object, by group.
 #pragma once
 
+#include <QMap>
 #include <QScrollArea>
 #include <map>
 #include <vector>
@@ -14,8 +15,9 @@ namespace abstand::ui {
 
 class MarginRow;
 
-/// One row an object and a master row a group. Changes are gathered for a moment, so that dragging a slider
-/// sends its newest value instead of every one on the way. GUI thread only.
+/// One row an object and a master row a group, which shows the largest of its members. Changes are gathered
+/// for a moment, so that dragging a slider sends its newest value instead of every one on the way. GUI thread
+/// only.
 class MarginPanel : public QScrollArea {
   Q_OBJECT
 
@@ -24,27 +26,32 @@ class MarginPanel : public QScrollArea {
 
   explicit MarginPanel(QWidget* parent = nullptr);
 
-  /// `margins`: metres, by object; what reset() returns to.
+  /// `margins`: metres, by object.
   void open(const view::SceneOutline& outline, const std::vector<double>& margins);
+  /// Other margins, without a signal.
+  void show(const std::vector<double>& margins);
   /// Null for an index that is not there.
   MarginRow* row(int object) const;
   MarginRow* groupRow(const QString& group) const;
 
- public Q_SLOTS:
-  void reset();
-
  Q_SIGNALS:
-  void marginChanged(int object, double metres);
+  /// The user changed margins (object -> metres).
+  void marginsChanged(const QMap<int, double>& margins);
+  /// What was sent since the last time is one edit: a drag has ended, or a value was set at once.
+  void editFinished();
+  /// All margins shall be as the scene says.
+  void resetWanted();
 
  private:
   void change(int object, double metres);
+  void connectRow(MarginRow* row, const std::vector<int>& objects);
+  bool isDragged() const;
   void send();
 
   std::vector<MarginRow*> rows_;
   std::map<QString, MarginRow*> group_rows_;
   std::vector<std::pair<MarginRow*, std::vector<int>>> masters_;
-  std::vector<double> first_;
-  std::map<int, double> waiting_;
+  QMap<int, double> waiting_;
   QTimer* gather_;
 };
 

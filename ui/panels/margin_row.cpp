@@ -74,9 +74,12 @@ MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
   layout->addWidget(box_);
 
   connect(slider_, &QSlider::valueChanged, this, [this](int mm) { take(mm * 1e-3, slider_); });
+  connect(slider_, &QSlider::sliderReleased, this, &MarginRow::released);
   connect(box_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           [this](double mm) { take(mm * 1e-3, box_); });
 }
+
+bool MarginRow::isDragged() const { return slider_->isSliderDown(); }
 
 void MarginRow::show(double metres) {
   metres_ = metres;

@@ -20,12 +20,16 @@ class MarginRow : public QWidget {
   MarginRow(const QString& name, bool heading, QWidget* parent = nullptr);
 
   double metres() const { return metres_; }
+  /// The user holds the slider.
+  bool isDragged() const;
   /// Without a signal.
   void show(double metres);
 
  Q_SIGNALS:
   /// The user moved it.
   void edited(double metres);
+  /// The user let go of the slider.
+  void released();
 
  private:
   void take(double metres, const QObject* from);

@@ -24,21 +24,29 @@ using In = ActionGroup;
 #define TEXT(s) QT_TRANSLATE_NOOP("abstand::ui::Actions", s)
 
 const Spec kSpecs[] = {
-    {Id::kOpenScene, In::kFile, TEXT("&Open scene…"), TEXT("Open a scene file"), "Ctrl+O", Kind::kPlain,
-     Glyph::kOpen},
+    {Id::kNew, In::kFile, TEXT("&New project"), TEXT("Begin with an empty window"), "Ctrl+N"},
+    {Id::kOpenScene, In::kFile, TEXT("&Open…"), TEXT("Open a project, a scene or a robot"), "Ctrl+O",
+     Kind::kPlain, Glyph::kOpen},
     {Id::kOpenRecording, In::kFile, TEXT("Open &recording…"), TEXT("Let the person move as in a recording"),
      "Ctrl+Shift+O", Kind::kPlain, Glyph::kRecording},
-    {Id::kRecent1, In::kFile, TEXT("Recent scene 1"), TEXT("Open the scene that was opened last"),
+    {Id::kRecent1, In::kFile, TEXT("Recent file 1"), TEXT("Open the file that was opened last"),
      "Ctrl+Alt+1"},
-    {Id::kRecent2, In::kFile, TEXT("Recent scene 2"), TEXT("Open an earlier scene"), "Ctrl+Alt+2"},
-    {Id::kRecent3, In::kFile, TEXT("Recent scene 3"), TEXT("Open an earlier scene"), "Ctrl+Alt+3"},
-    {Id::kRecent4, In::kFile, TEXT("Recent scene 4"), TEXT("Open an earlier scene"), "Ctrl+Alt+4"},
-    {Id::kRecent5, In::kFile, TEXT("Recent scene 5"), TEXT("Open an earlier scene"), "Ctrl+Alt+5"},
-    {Id::kScreenshot, In::kFile, TEXT("&Screenshot…"), TEXT("Save a picture of the window"), "Ctrl+Shift+S",
+    {Id::kRecent2, In::kFile, TEXT("Recent file 2"), TEXT("Open an earlier file"), "Ctrl+Alt+2"},
+    {Id::kRecent3, In::kFile, TEXT("Recent file 3"), TEXT("Open an earlier file"), "Ctrl+Alt+3"},
+    {Id::kRecent4, In::kFile, TEXT("Recent file 4"), TEXT("Open an earlier file"), "Ctrl+Alt+4"},
+    {Id::kRecent5, In::kFile, TEXT("Recent file 5"), TEXT("Open an earlier file"), "Ctrl+Alt+5"},
+    {Id::kSave, In::kFile, TEXT("&Save project"),
+     TEXT("Save margins, pairs, visibility, bookmarks and view with the scene and the recording"), "Ctrl+S"},
+    {Id::kSaveAs, In::kFile, TEXT("Save project &as…"), TEXT("Save into another project file"), "Ctrl+Alt+S"},
+    {Id::kScreenshot, In::kFile, TEXT("Screens&hot…"), TEXT("Save a picture of the window"), "Ctrl+Shift+S",
      Kind::kPlain, Glyph::kCamera},
     {Id::kCopyPicture, In::kFile, TEXT("&Copy picture"),
      TEXT("Put a picture of the 3D view on the clipboard"), "Ctrl+Shift+C"},
     {Id::kQuit, In::kFile, TEXT("&Quit"), TEXT("Close the window"), "Ctrl+Q"},
+
+    {Id::kUndo, In::kEdit, TEXT("&Undo"), TEXT("Take back the last change"), "Ctrl+Z"},
+    {Id::kRedo, In::kEdit, TEXT("&Redo"), TEXT("Make the change again that was taken back"),
+     "Ctrl+Shift+Z Ctrl+Y"},
 
     {Id::kForces, In::kView, TEXT("&Forces"), TEXT("Show contact forces as arrows"), "C", Kind::kOn,
      Glyph::kForce},
@@ -59,8 +67,8 @@ const Spec kSpecs[] = {
      TEXT("Scale arrows to the largest force in sight instead of a fixed length per newton"), "A", Kind::kOn},
     {Id::kFollowPlots, In::kView, TEXT("Plots f&ollow the time"),
      TEXT("Keep the playhead in the plots' window"), "P", Kind::kOn},
-    {Id::kResetMargins, In::kView, TEXT("Reset &margins"),
-     TEXT("All safety margins as when the scene was opened"), "Ctrl+Shift+R"},
+    {Id::kResetMargins, In::kView, TEXT("Reset &margins"), TEXT("All safety margins as the scene file says"),
+     "Ctrl+Shift+R"},
     {Id::kFindPair, In::kView, TEXT("Fi&nd pair"), TEXT("Go to the filter of the pair table"), "Ctrl+F"},
     {Id::kClearSelection, In::kView, TEXT("Clear &selection"), TEXT("Choose nothing"), "Esc"},
     {Id::kDarkTheme, In::kView, TEXT("&Dark theme"), TEXT("Light on dark"), "Ctrl+D", Kind::kOff,
@@ -162,6 +170,8 @@ QString Actions::groupName(ActionGroup group) {
   switch (group) {
     case ActionGroup::kFile:
       return tr("&File");
+    case ActionGroup::kEdit:
+      return tr("&Edit");
     case ActionGroup::kView:
       return tr("&View");
     case ActionGroup::kCamera:

@@ -10,6 +10,7 @@
 namespace abstand::ui {
 
 enum class ActionId {
+  kNew,
   kOpenScene,
   kOpenRecording,
   kRecent1,
@@ -17,9 +18,13 @@ enum class ActionId {
   kRecent3,
   kRecent4,
   kRecent5,
+  kSave,
+  kSaveAs,
   kScreenshot,
   kCopyPicture,
   kQuit,
+  kUndo,
+  kRedo,
   kForces,
   kTorques,
   kVelocities,
@@ -70,7 +75,7 @@ enum class ActionId {
   kCount
 };
 
-enum class ActionGroup { kFile, kView, kCamera, kPanels, kPlayback, kHelp };
+enum class ActionGroup { kFile, kEdit, kView, kCamera, kPanels, kPlayback, kHelp };
 
 /// Actions are enabled or not by the owner; what they do is connected by the owner. GUI thread only.
 class Actions : public QObject {

@@ -9,8 +9,13 @@ namespace abstand::ui {
 
 namespace {
 
+const QStringList& projectSuffixes() {
+  static const QStringList suffixes{"abstand"};
+  return suffixes;
+}
+
 const QStringList& sceneSuffixes() {
-  static const QStringList suffixes{"yaml", "yml"};
+  static const QStringList suffixes{"yaml", "yml", "urdf", "mech"};
   return suffixes;
 }
 
@@ -37,13 +42,23 @@ FileKind kindOf(const QString& path) {
   const QFileInfo info(path);
   if (info.isDir()) return FileKind::kRecording;
   const QString suffix = info.suffix().toLower();
+  if (projectSuffixes().contains(suffix)) return FileKind::kProject;
   if (sceneSuffixes().contains(suffix)) return FileKind::kScene;
   if (recordingSuffixes().contains(suffix)) return FileKind::kRecording;
   return FileKind::kUnknown;
 }
 
-QString sceneFilter() {
-  return withAll(QCoreApplication::translate("file_kinds", "Scenes"), sceneSuffixes());
+QString openFilter() {
+  return withAll(QCoreApplication::translate("file_kinds", "Projects, scenes and robots"),
+                 projectSuffixes() + sceneSuffixes());
+}
+QString projectFilter() {
+  return withAll(QCoreApplication::translate("file_kinds", "Projects"), projectSuffixes());
+}
+QString recordingEndings() {
+  QStringList endings;
+  for (const QString& suffix : recordingSuffixes()) endings << QLatin1Char('.') + suffix;
+  return endings.join(QStringLiteral(", "));
 }
 QString recordingFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Recordings"), recordingSuffixes());

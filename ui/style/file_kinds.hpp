@@ -5,12 +5,16 @@
 
 namespace abstand::ui {
 
-enum class FileKind { kScene, kRecording, kUnknown };
+/// A robot file counts as a scene with that robot alone.
+enum class FileKind { kProject, kScene, kRecording, kUnknown };
 
 /// A folder counts as a (depth) recording.
 FileKind kindOf(const QString& path);
 /// Filters for the file dialogues, translated.
-QString sceneFilter();
+QString openFilter();
+QString projectFilter();
 QString recordingFilter();
+/// ".bvh, .c3d ..."
+QString recordingEndings();
 
 }  // namespace abstand::ui

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "core/view/snapshot.hpp"
+#include "ui/document/view_options.hpp"
 #include "ui/viewport/arrow_batch.hpp"
-#include "ui/viewport/view_options.hpp"
 
 namespace abstand::ui {
 

@@ -55,6 +55,12 @@ void Camera::pan(double dx, double dy) {
   place(focus_ + per_pixel * (-dx * R_CW_.row(0) + dy * R_CW_.row(1)).transpose(), distance_);
 }
 
+void Camera::setView(const CameraView& view) {
+  azimuth_ = view.azimuth;
+  elevation_ = std::clamp(view.elevation, -kSteepest, kSteepest);
+  place(view.focus, view.distance);
+}
+
 void Camera::zoom(double factor) { place(focus_, distance_ * factor); }
 
 void Camera::look(CameraPreset preset, const geometry::Bounds& box) {

@@ -7,7 +7,8 @@
 #include <QSizeF>
 
 #include "core/geometry/triangle_mesh.hpp"
-#include "ui/viewport/view_options.hpp"
+#include "ui/document/camera_view.hpp"
+#include "ui/document/view_options.hpp"
 
 namespace abstand::ui {
 
@@ -25,6 +26,10 @@ class Camera {
   void look(CameraPreset preset, const geometry::Bounds& box);
   /// Keeps the direction and brings the box into sight.
   void fit(const geometry::Bounds& box);
+
+  CameraView view() const { return {focus_, distance_, azimuth_, elevation_}; }
+  /// Values out of range are clamped.
+  void setView(const CameraView& view);
 
   /// Where a point is on the screen, from the upper left corner; depth > 0 before the camera.
   QPointF project(const Vector3d& p_W, double* depth = nullptr) const;

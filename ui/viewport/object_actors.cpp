@@ -136,14 +136,23 @@ bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const Selection&
   bool changed = false;
   const std::size_t n = std::min(items_.size(), snapshot.objects.size());
   for (std::size_t i = 0; i < n; ++i) {
-    changed |= place(items_[i], snapshot.objects[i].X_WB);
+    if (place(items_[i], snapshot.objects[i].X_WB)) {
+      castShadow(items_[i]);
+      changed = true;
+    }
     changed |= paint(items_[i], snapshot.objects[i], selection.contains(static_cast<int>(i)), options);
   }
   return changed;
 }
 
-bool ObjectActors::place(Item& item, const Transform& X_WB) {
-  if (!assign(item.pose, X_WB.matrix())) return false;
+bool ObjectActors::place(Item& item, const Transform& X_WB) { return assign(item.pose, X_WB.matrix()); }
+
+void ObjectActors::setFloorHeight(double z) {
+  floor_ = z;
+  for (Item& item : items_) castShadow(item);
+}
+
+void ObjectActors::castShadow(Item& item) const {
   // Slanting projection onto the floor along the key light.
   Eigen::Matrix4d flat = Eigen::Matrix4d::Identity();
   flat(0, 2) = -kLightX;
@@ -152,8 +161,10 @@ bool ObjectActors::place(Item& item, const Transform& X_WB) {
   flat(1, 3) = kLightY * floor_;
   flat(2, 2) = kShadowThickness;
   flat(2, 3) = floor_ * (1.0 - kShadowThickness) + kShadowLift;
-  assign(item.shadow_pose, flat * X_WB.matrix());
-  return true;
+  Eigen::Matrix4d X_WB;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) X_WB(r, c) = item.pose->GetElement(r, c);
+  assign(item.shadow_pose, flat * X_WB);
 }
 
 bool ObjectActors::veil(Item& item, const view::ObjectSnapshot& now, bool hollow) {
@@ -180,7 +191,7 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chose
   // An inferred pose is between known and lost: whole, but with its edges.
   look->SetEdgeVisibility(now.pose_state == scene::PoseState::kInferred);
   look->SetEdgeColor(0.45, 0.5, 0.55);
-  look->SetOpacity(item.human && !marked ? options.human_opacity : 1.0);
+  look->SetOpacity(item.human && !marked ? options.shownOpacity() : 1.0);
   bool changed = look->GetMTime() != before;
 
   vtkProperty* edge = item.outline->GetProperty();

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/view/snapshot.hpp"
+#include "ui/document/view_options.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/viewport/view_options.hpp"
 
 namespace abstand::ui {
 
@@ -33,7 +33,9 @@ class ObjectActors {
   /// True when something looks different now.
   bool refresh(const view::SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);
   void setVisible(int object, bool visible);
-  void setFloorHeight(double z) { floor_ = z; }
+  bool isVisible(int object) const { return items_[static_cast<std::size_t>(object)].visible; }
+  /// m; shadows lie there.
+  void setFloorHeight(double z);
 
   /// World box of what is visible, of the chosen objects where there are any.
   geometry::Bounds bounds(const std::vector<int>& only = {}) const;
@@ -52,7 +54,8 @@ class ObjectActors {
   };
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
-  bool place(Item& item, const Transform& X_WB);
+  static bool place(Item& item, const Transform& X_WB);
+  void castShadow(Item& item) const;
   bool veil(Item& item, const view::ObjectSnapshot& now, bool hollow);
   bool paint(Item& item, const view::ObjectSnapshot& now, bool chosen, const ViewOptions& options);
 

@@ -144,7 +144,8 @@ void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot
   my.room.fitTo(my.objects.bounds());
   my.objects.setFloorHeight(my.room.floorHeight());
   my.refresh();
-  look(CameraPreset::kIso);
+  my.camera.look(CameraPreset::kIso, my.objects.bounds());
+  my.askForFrame();
 }
 
 void Viewport::close() {
@@ -181,15 +182,25 @@ void Viewport::setObjectVisible(int object, bool visible) {
 void Viewport::look(CameraPreset preset) {
   impl_->camera.look(preset, impl_->objects.bounds());
   impl_->askForFrame();
+  Q_EMIT cameraMoved();
 }
 
 void Viewport::fit() {
   impl_->camera.fit(impl_->objects.bounds());
   impl_->askForFrame();
+  Q_EMIT cameraMoved();
 }
 
 void Viewport::fitSelection() {
   impl_->camera.fit(impl_->objects.bounds(impl_->selection.objects()));
+  impl_->askForFrame();
+  Q_EMIT cameraMoved();
+}
+
+CameraView Viewport::cameraView() const { return impl_->camera.view(); }
+
+void Viewport::setCameraView(const CameraView& view) {
+  impl_->camera.setView(view);
   impl_->askForFrame();
 }
 
@@ -236,6 +247,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       else
         return true;
       my.askForFrame();
+      Q_EMIT cameraMoved();
       return true;
     }
     case QEvent::MouseButtonRelease: {
@@ -257,6 +269,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       const auto* wheel = static_cast<QWheelEvent*>(event);
       my.camera.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
       my.askForFrame();
+      Q_EMIT cameraMoved();
       return true;
     }
     default:

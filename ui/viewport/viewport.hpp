@@ -6,7 +6,8 @@
 #include <memory>
 
 #include "core/view/snapshot.hpp"
-#include "ui/viewport/view_options.hpp"
+#include "ui/document/camera_view.hpp"
+#include "ui/document/view_options.hpp"
 
 namespace abstand::ui {
 
@@ -32,6 +33,9 @@ class Viewport : public QWidget {
   void look(CameraPreset preset);
   void fit();
   void fitSelection();
+  /// Where the camera stands; without OpenGL where it would.
+  CameraView cameraView() const;
+  void setCameraView(const CameraView& view);
   /// In the middle of the view while no scene is open.
   void setMessage(const QString& text);
 
@@ -39,6 +43,10 @@ class Viewport : public QWidget {
   QImage picture();
   /// Number of frames drawn so far.
   long framesDrawn() const;
+
+ Q_SIGNALS:
+  /// The user has moved the camera.
+  void cameraMoved();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

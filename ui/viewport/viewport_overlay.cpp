@@ -49,8 +49,19 @@ void Viewport::Impl::addClosest() {
     const view::PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
     return std::isnan(p.result.distance) || p.paused ? kInfinity : p.result.distance;
   };
-  // A chosen pair comes first, then by distance.
-  const auto key = [&](int pair) { return pair == selection.pair() ? -kInfinity : distance(pair); };
+  // A hidden body has an outline while it is in contact; else a line would end in the air.
+  const auto drawn = [&](int object) {
+    return objects.isVisible(object) || snapshot.objects[static_cast<std::size_t>(object)].colliding;
+  };
+  const auto hidden = [&](int pair) {
+    const auto& [a, b] = outline->pairs[static_cast<std::size_t>(pair)];
+    return !drawn(a) || !drawn(b);
+  };
+  // A selected pair comes first, then by distance; pairs of hidden bodies come last.
+  const auto key = [&](int pair) {
+    if (hidden(pair)) return kInfinity;
+    return pair == selection.pair() ? -kInfinity : distance(pair);
+  };
   const std::size_t shown = std::min(kClosestPairs, order_.size());
   std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(shown), order_.end(),
                     [&](int a, int b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
@@ -59,7 +70,7 @@ void Viewport::Impl::addClosest() {
     const int pair = order_[k];
     const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const query::PairResult& result = now.result;
-    if (now.paused) continue;
+    if (now.paused || hidden(pair)) continue;
     if (!(result.distance < kFarLine) && pair != selection.pair()) break;
     if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
     double depth_a = 0.0, depth_b = 0.0;

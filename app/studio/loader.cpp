@@ -1,0 +1,105 @@
+#include "app/studio/loader.hpp"
+
+#include <QFile>
+#include <QMetaObject>
+#include <algorithm>
+
+#include "app/depth/open_session.hpp"
+#include "app/run/scene_notes.hpp"
+#include "app/studio/opening_progress.hpp"
+#include "app/studio/scene_of_file.hpp"
+#include "core/base/error.hpp"
+
+namespace abstand::studio {
+
+struct Loader::Job {
+  std::atomic<bool> cancelled{false}, ended{false};
+  std::jthread thread;
+};
+
+namespace {
+
+/// How the recording is read.
+session::SessionOptions optionsOf(const ui::Work& work) {
+  session::SessionOptions options;
+  options.recording = QFile::encodeName(work.recording).toStdString();
+  options.person_speed = work.reading.speed;
+  options.cut_things = work.reading.cut_things;
+  return options;
+}
+
+/// Runs on the load's thread.
+std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_file::PackagePaths& packages,
+                                              const std::atomic<bool>& cancelled,
+                                              const OpeningProgress::Show& show) {
+  scene_file::SceneDescription scene = sceneOf(work.scene, work.recording, packages);
+  session::SessionOptions options = optionsOf(work);
+  for (scene_file::HumanDescription& human : scene.humans) {
+    if (!work.reading.units.isEmpty()) human.recording.options.units = work.reading.units.toStdString();
+    if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
+  }
+  OpeningProgress progress(show);
+  options.planned = [&progress](std::size_t structures) { progress.plan(structures); };
+  options.monitor.progress = [&progress](double fraction, std::string_view name) {
+    progress.hear(fraction, name);
+  };
+  options.monitor.cancelled = [&cancelled] { return cancelled.load(); };
+  return depth::openSession(std::move(scene), options);
+}
+
+}  // namespace
+
+Loader::Loader(robot_file::PackagePaths packages, QObject* parent)
+    : QObject(parent), packages_(std::move(packages)) {}
+
+Loader::~Loader() {
+  abandon();
+  // Each thread is joined by its job.
+  jobs_.clear();
+}
+
+void Loader::abandon() {
+  if (current_) current_->cancelled = true;
+  current_.reset();
+}
+
+void Loader::removeEnded() {
+  std::erase_if(jobs_, [](const auto& job) { return job->ended.load(); });
+}
+
+void Loader::start(const ui::Work& work, double t) {
+  abandon();
+  removeEnded();
+  auto job = std::make_shared<Job>();
+  current_ = job;
+  jobs_.push_back(job);
+  // The thread outlives neither the job nor the loader; what it has posted may outlive the job.
+  job->thread = std::jthread([this, job = job.get(), weak = std::weak_ptr<Job>(job), work, t] {
+    const auto post = [this, weak](auto&& call) {
+      const auto if_current = [this, weak, call] {
+        if (current_ && weak.lock() == current_) call();
+      };
+      QMetaObject::invokeMethod(this, if_current, Qt::QueuedConnection);
+    };
+    auto loaded = std::make_shared<Loaded>();
+    try {
+      const auto show = [&](const ui::Opening& opening) {
+        post([this, opening] { Q_EMIT progressed(opening); });
+      };
+      auto session = makeSession(work, packages_, job->cancelled, show);
+      loaded->notes = run::notesOf(*session);
+      loaded->analysis = analysis::requestFor(*session, optionsOf(work));
+      if (job->cancelled) throw UsageError("abandoned");
+      loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
+    } catch (const std::exception& e) {
+      loaded->problem = QString::fromUtf8(e.what());
+    }
+    post([this, loaded] {
+      current_.reset();
+      Q_EMIT finished(loaded);
+    });
+    job->ended = true;
+  });
+}
+
+}  // namespace abstand::studio

@@ -1,0 +1,57 @@
+// Loads sessions on threads of their own.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "app/analysis/analysis_runner.hpp"
+#include "app/loop/live_session.hpp"
+#include "core/robot_file/mesh_reference.hpp"
+#include "core/scene/scene_note.hpp"
+#include "ui/document/work.hpp"
+#include "ui/panels/status_panel.hpp"
+
+namespace abstand::studio {
+
+/// What a load gives.
+struct Loaded {
+  std::unique_ptr<loop::LiveSession> live;  ///< null where it failed
+  std::vector<scene::SceneNote> notes;
+  std::optional<analysis::AnalysisRequest> analysis;  ///< of a scene with people beside robots
+  QString problem;                                    ///< why it failed
+};
+
+/// One load at a time counts, the newest. An older one is abandoned: it is told to end, and nobody waits for
+/// it before the program ends. GUI thread only.
+class Loader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Loader(robot_file::PackagePaths packages, QObject* parent = nullptr);
+  /// Waits for all loads, which are told to end.
+  ~Loader() override;
+
+  /// Scene, recording and reading of `work`; the session starts at `t`.
+  void start(const ui::Work& work, double t);
+  void abandon();
+  bool isLoading() const { return current_ != nullptr; }
+
+ Q_SIGNALS:
+  void progressed(const abstand::ui::Opening& opening);
+  /// The newest load has ended.
+  void finished(std::shared_ptr<abstand::studio::Loaded> loaded);
+
+ private:
+  struct Job;
+  void removeEnded();
+
+  const robot_file::PackagePaths packages_;
+  std::shared_ptr<Job> current_;
+  std::vector<std::shared_ptr<Job>> jobs_;  // with their threads, those that were abandoned too
+};
+
+}  // namespace abstand::studio

@@ -1,0 +1,28 @@
+// A project in which everything is set.
+#pragma once
+
+#include "ui/document/work.hpp"
+
+namespace abstand::ui {
+
+inline Project sampleProject() {
+  Project project;
+  Work& work = project.work;
+  work.scene = "/cell/scenes/hug \"one\".yaml";
+  work.recording = "/recordings/Bücher/walk.bvh";
+  work.reading = {"cm", "-y", 1.5, true};
+  work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
+  work.groups = {{"people", view::PairGroupState::kPaused}, {"things", view::PairGroupState::kStopped}};
+  work.moved = {{{"arm/link1", "table"}, "people"}, {{"arm/link2", "table"}, ""}};
+  work.hidden = {"table", "ball", "arm/link0"};
+  work.bookmarks = {{0.1, "first \\ \"contact\"", std::nullopt},
+                    {2.5, "", CameraView{{0.1, -0.2, 1e-9}, 2.0, -3.1, 0.7}}};
+  work.range = TimeRange{0.3, 11.7};
+  work.view.forces = false;
+  work.view.velocities = true;
+  work.view.human_opacity = 0.35;
+  project.viewpoint = {CameraView{{1.0 / 7.0, 2.0, 0.9}, 5.5, 0.25, -0.125}, 6.02};
+  return project;
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,68 @@
+// What the session hears of the document.
+#include "ui/document/session_follower.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/fake_session.hpp"
+
+namespace abstand::ui {
+namespace {
+
+struct SessionFollowerTest : testing::Test {
+  void attach(const Work& work) {
+    view::SceneSnapshot first;
+    session.takeSnapshot(first);
+    follower.attach(&session, first, work);
+  }
+  std::string command(const char* name, const char* object, const char* value) const {
+    return name + (" " + std::to_string(session.indexOf(object))) + " " + value;
+  }
+  FakeSession session;
+  SessionFollower follower;
+};
+
+using Log = std::vector<std::string>;
+
+TEST_F(SessionFollowerTest, OnlyWhatDiffersIsSentAndUndoneAsTheSceneSays) {
+  Work work;
+  work.margins = {{"arm/link1", 0.2}, {"table", 0.01}, {"nobody", 0.3}};
+  attach(work);
+  EXPECT_EQ(session.log, Log{command("margin", "arm/link1", "0.2")}) << "the table has this margin already";
+  session.log.clear();
+  follower.follow(work, {});
+  EXPECT_EQ(session.log, Log{command("margin", "arm/link1", "0.01")});
+  EXPECT_EQ(follower.margin(work, session.indexOf("arm/link1")), 0.2);
+  EXPECT_EQ(follower.unknownNames(work), QStringList{"nobody"});
+}
+
+TEST_F(SessionFollowerTest, GroupsAndMovedPairsFollow) {
+  attach({});
+  const auto [a, b] = session.outline().pairs.front();
+  const auto name = [&](int i) {
+    return QString::fromStdString(session.outline().objects[static_cast<std::size_t>(i)].name);
+  };
+  Work work;
+  work.groups["things"] = view::PairGroupState::kPaused;
+  work.moved[{name(a), name(b)}] = "things";
+  follower.follow({}, work);
+  EXPECT_EQ(session.log, (Log{"remove 0", "add 1 0", "pause 1"}));
+  session.log.clear();
+  Work none = work;
+  none.moved[{name(a), name(b)}] = "";
+  follower.follow(work, none);
+  EXPECT_EQ(session.log, Log{"remove 0"});
+  session.log.clear();
+  follower.follow(none, {});
+  EXPECT_EQ(session.log, (Log{"add 0 0", "run 1"}));
+}
+
+TEST_F(SessionFollowerTest, WithoutASessionNothingIsSent) {
+  Work work;
+  work.margins["arm/link1"] = 0.2;
+  follower.attach(nullptr, {}, work);
+  follower.follow(work, {});
+  EXPECT_TRUE(session.log.empty());
+}
+
+}  // namespace
+}  // namespace abstand::ui

@@ -1,0 +1,131 @@
+// Opening, replacing and undoing with real sessions.
+#include "tests/ui/studio_window.hpp"
+
+#include <QAction>
+#include <QMessageBox>
+
+#include "ui/document/project_file.hpp"
+#include "ui/model/playback.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_row.hpp"
+#include "ui/style/actions.hpp"
+
+namespace abstand::studio {
+namespace {
+
+using ui::ActionId;
+
+struct StudioDocument : StudioWindow {
+  void SetUp() override {
+    ASSERT_TRUE(opens([&] { window.openFile(in("scene.yaml")); })) << problem;
+  }
+  /// Everything that shall outlive another recording.
+  void makeWork() {
+    window.document().edit("work", [](ui::Work& work) {
+      work.margins["anna/torso"] = 0.25;
+      work.hidden.insert("wall");
+    });
+    window.actions()[ActionId::kTop]->trigger();
+    camera = window.viewport().cameraView();
+    window.selection().setObjects({0});
+  }
+  void expectWork() {
+    EXPECT_EQ(work().margins.value("anna/torso"), 0.25);
+    EXPECT_TRUE(work().hidden.contains("wall"));
+    EXPECT_EQ(window.viewport().cameraView(), camera);
+    EXPECT_EQ(window.selection().objects(), std::vector<int>{0});
+    int row = 0;
+    while (window.marginPanel().row(row) && window.marginPanel().row(row)->metres() != 0.25) ++row;
+    EXPECT_TRUE(window.marginPanel().row(row)) << "no row shows the margin";
+  }
+  ui::CameraView camera;
+};
+
+TEST_F(StudioDocument, AnotherRecordingKeepsTheWorkAndCanBeUndone) {
+  makeWork();
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  EXPECT_EQ(work().recording, in("turn.csv"));
+  expectWork();
+  EXPECT_TRUE(window.windowTitle().contains("turn.csv"));
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); })) << problem;
+  EXPECT_TRUE(work().recording.isEmpty());
+  expectWork();
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kRedo]->trigger(); })) << problem;
+  EXPECT_EQ(work().recording, in("turn.csv"));
+}
+
+TEST_F(StudioDocument, TheSameSceneAgainKeepsTheWorkAndTheTime) {
+  makeWork();
+  window.playback().seek(0.7);
+  ASSERT_TRUE(opens([&] { window.openFile(in("scene.yaml")); })) << problem;
+  expectWork();
+  EXPECT_NEAR(window.playback().time(), 0.7, 0.05);
+  EXPECT_TRUE(window.document().steps().canUndo());
+}
+
+TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
+  makeWork();
+  folder.write("bad.csv", "t,foo\n0,1\n");
+  EXPECT_FALSE(opens([&] { window.openFile(in("bad.csv")); }));
+  EXPECT_FALSE(problem.empty());
+  EXPECT_TRUE(work().recording.isEmpty());
+  expectWork();
+}
+
+TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
+  makeWork();
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  window.playback().seek(1.1);
+  ui::Project project = window.document().project();
+  project.viewpoint.t = 1.1;
+  ui::writeProject(project, in("p.abstand"));
+  window.document().setSaved(in("p.abstand"));
+  Q_EMIT window.closeRequested();
+  EXPECT_TRUE(work().scene.isEmpty());
+  EXPECT_TRUE(window.document().file().isEmpty());
+  ASSERT_TRUE(opens([&] { window.openFile(in("p.abstand")); })) << problem;
+  EXPECT_EQ(work().recording, in("turn.csv"));
+  EXPECT_EQ(work().margins.value("anna/torso"), 0.25);
+  EXPECT_EQ(window.viewport().cameraView(), camera);
+  EXPECT_FALSE(window.document().modified());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.1) < 0.05; }, kLoadMs));
+}
+
+TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
+  const QSignalSpy ready(&studio, &Studio::ready);
+  for (int i = 0; i < 5; ++i) studio.openScene(in("none.yaml"), {}, 0.0);
+  for (int i = 0; i < 3; ++i) studio.openScene(in("scene.yaml"), {}, 0.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLoadMs));
+  EXPECT_EQ(ready.size(), 1);
+  EXPECT_EQ(work().scene, in("scene.yaml"));
+  EXPECT_FALSE(window.findChild<QMessageBox*>()) << "nobody hears of what was abandoned";
+}
+
+TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {
+  ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
+  EXPECT_TRUE(work().scene.isEmpty());
+  EXPECT_EQ(work().recording, in("walk.csv"));
+  EXPECT_TRUE(window.marginPanel().groupRow("person"));
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+}
+
+TEST_F(StudioWindow, ARobotAloneIsAScene) {
+  folder.write("arm.urdf",
+               "<robot name='r'><link name='a'><collision><geometry><box size='1 1 1'/></geometry>"
+               "</collision></link></robot>");
+  ASSERT_TRUE(opens([&] { window.openFile(in("arm.urdf")); })) << problem;
+  EXPECT_TRUE(window.marginPanel().groupRow("robot"));
+}
+
+TEST_F(StudioWindow, SceneAndRecordingThatComeTogetherAreOneDocument) {
+  ASSERT_TRUE(opens([&] {
+    window.openFile(in("scene.yaml"));
+    window.openFile(in("turn.csv"));
+  })) << problem;
+  EXPECT_EQ(work().scene, in("scene.yaml"));
+  EXPECT_EQ(work().recording, in("turn.csv"));
+}
+
+}  // namespace
+}  // namespace abstand::studio

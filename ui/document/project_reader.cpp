@@ -1,0 +1,158 @@
+// Reads project files, which may be damaged or come from strangers.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/base/text_file.hpp"
+#include "core/config/yaml_reader.hpp"
+#include "ui/document/project_file.hpp"
+#include "ui/document/project_names.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+using config::YamlFields;
+using config::YamlNode;
+using config::YamlRange;
+
+constexpr YamlRange kTime{-1e9, 1e9, "s"};
+constexpr YamlRange kLength{-1e6, 1e6, "m"};
+constexpr YamlRange kDistance{0.0, 1e6, "m", true};
+constexpr YamlRange kAngle{-1e6, 1e6, "rad"};
+constexpr YamlRange kMargin{0.0, kMaxMargin, "m"};
+constexpr YamlRange kSpeed{0.0, 1e3, "", true};
+constexpr YamlRange kOpacity{0.0, 1.0};
+
+[[noreturn]] void fail(const YamlFields& in, const YamlNode& node, const std::string& expected) {
+  throw ParseError(in.pos(node), "found " + config::yamlFound(node) + ", expected " + expected);
+}
+
+/// The map under a key with keys that the reader does not know beforehand; null when absent.
+const YamlNode* namesOf(const YamlFields& in, std::string_view key) {
+  const YamlNode* node = in.find(key);
+  if (node && node->kind != YamlNode::Kind::kMap) fail(in, *node, "a map");
+  return node;
+}
+
+QString textOf(const YamlFields& in, std::string_view key) {
+  return QString::fromStdString(in.text(key).value_or(""));
+}
+
+QString pathOf(const YamlFields& in, std::string_view key, const QString& folder) {
+  const QString path = textOf(in, key);
+  return path.isEmpty() ? path : QDir::cleanPath(QDir(folder).absoluteFilePath(path));
+}
+
+bool flagOf(const YamlFields& in, std::string_view key, bool standard) {
+  const auto word = in.choice(key, {"true", "false"});
+  return word ? *word == "true" : standard;
+}
+
+std::optional<CameraView> cameraOf(const YamlFields& in) {
+  const YamlNode* node = in.find("camera");
+  if (!node) return std::nullopt;
+  const YamlFields fields(*node, in.file(), "a camera", {"focus", "distance", "azimuth", "elevation"});
+  CameraView camera;
+  camera.focus = fields.vector("focus", kLength).value_or(camera.focus);
+  camera.distance = fields.number("distance", kDistance).value_or(camera.distance);
+  camera.azimuth = fields.number("azimuth", kAngle).value_or(camera.azimuth);
+  camera.elevation = fields.number("elevation", kAngle).value_or(camera.elevation);
+  return camera;
+}
+
+void readReading(const YamlFields& in, ReadingOptions& reading) {
+  const YamlNode* node = in.find("reading");
+  if (!node) return;
+  const YamlFields fields(*node, in.file(), "`reading`", {"units", "up", "speed", "cut_things"});
+  reading.units = textOf(fields, "units");
+  reading.up = textOf(fields, "up");
+  reading.speed = fields.number("speed", kSpeed).value_or(reading.speed);
+  reading.cut_things = flagOf(fields, "cut_things", reading.cut_things);
+}
+
+void readMargins(const YamlFields& in, Work& work) {
+  const YamlNode* node = namesOf(in, "margins");
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i)
+    work.margins[QString::fromStdString(node->keys[i].text)] =
+        config::yamlNumber(node->items[i], in.file(), "`" + node->keys[i].text + "`", kMargin);
+}
+
+void readPairs(const YamlFields& in, Work& work) {
+  const YamlNode* node = namesOf(in, "pair_groups");
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
+    const std::string word =
+        config::yamlChoice(node->items[i], in.file(), "`" + node->keys[i].text + "`", kGroupStates);
+    const auto at = std::find(kGroupStates.begin(), kGroupStates.end(), word) - kGroupStates.begin();
+    work.groups[QString::fromStdString(node->keys[i].text)] = static_cast<view::PairGroupState>(at);
+  }
+  for (const YamlNode& item : in.list("moved_pairs")) {
+    const YamlFields pair(item, in.file(), "a pair", {"a", "b", "group"});
+    pair.need("a");
+    pair.need("b");
+    work.moved[{textOf(pair, "a"), textOf(pair, "b")}] = textOf(pair, "group");
+  }
+}
+
+void readTimes(const YamlFields& in, Work& work) {
+  for (const YamlNode& item : in.list("bookmarks")) {
+    const YamlFields fields(item, in.file(), "a bookmark", {"time", "note", "camera"});
+    fields.need("time");
+    work.bookmarks.push_back({*fields.number("time", kTime), textOf(fields, "note"), cameraOf(fields)});
+  }
+  std::stable_sort(work.bookmarks.begin(), work.bookmarks.end(),
+                   [](const Bookmark& a, const Bookmark& b) { return a.t < b.t; });
+  const YamlNode* node = in.find("range");
+  if (!node) return;
+  const YamlFields fields(*node, in.file(), "`range`", {"in", "out"});
+  fields.need("in");
+  fields.need("out");
+  const TimeRange range{*fields.number("in", kTime), *fields.number("out", kTime)};
+  if (range.from > range.to) throw ParseError(fields.pos(), "found `in` after `out`, expected it before");
+  work.range = range;
+}
+
+void readView(const YamlFields& in, ViewOptions& view) {
+  const YamlNode* node = in.find("view");
+  if (!node) return;
+  std::vector<std::string> known{"people_opacity"};
+  for (const ViewFlag& flag : kViewFlags) known.emplace_back(flag.name);
+  const YamlFields fields(*node, in.file(), "`view`", known);
+  for (const ViewFlag& flag : kViewFlags) view.*flag.member = flagOf(fields, flag.name, view.*flag.member);
+  view.human_opacity = fields.number("people_opacity", kOpacity).value_or(view.human_opacity);
+}
+
+}  // namespace
+
+ProjectFile parseProject(const std::string& text, const QString& file, const QString& folder) {
+  const std::string name = file.toStdString();
+  const YamlNode root = config::parseYaml(text, name);
+  const YamlFields in(root, name, "a project",
+                      {kVersionKey, "saved_as", "scene", "recording", "reading", "margins", "pair_groups",
+                       "moved_pairs", "hidden", "bookmarks", "range", "view", "camera", "time"});
+  const YamlNode& version = in.need(kVersionKey);
+  if (version.text != std::to_string(kProjectVersion))
+    fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
+  ProjectFile out;
+  Work& work = out.project.work;
+  out.saved_as = pathOf(in, "saved_as", folder);
+  work.scene = pathOf(in, "scene", folder);
+  work.recording = pathOf(in, "recording", folder);
+  readReading(in, work.reading);
+  readMargins(in, work);
+  readPairs(in, work);
+  for (const YamlNode& item : in.list("hidden"))
+    work.hidden.insert(QString::fromStdString(config::yamlText(item, name, "`hidden`")));
+  readTimes(in, work);
+  readView(in, work.view);
+  out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0)};
+  return out;
+}
+
+Project readProject(const QString& file) {
+  const std::string text = readFile(QFile::encodeName(file).toStdString(), config::kMaxYamlBytes);
+  return parseProject(text, file, QFileInfo(file).absolutePath()).project;
+}
+
+}  // namespace abstand::ui

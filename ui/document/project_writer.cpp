@@ -1,0 +1,121 @@
+// Writes project files.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "ui/document/json_text.hpp"
+#include "ui/document/project_file.hpp"
+#include "ui/document/project_names.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+std::string fileName(const QString& file, const QString& folder) {
+  return (folder.isEmpty() ? file : QDir(folder).relativeFilePath(file)).toStdString();
+}
+
+void addCamera(JsonText& json, const CameraView& camera) {
+  json.open("camera", '{');
+  json.open("focus", '[');
+  for (const double x : camera.focus) json.addNumber("", x);
+  json.close();
+  json.addNumber("distance", camera.distance);
+  json.addNumber("azimuth", camera.azimuth);
+  json.addNumber("elevation", camera.elevation);
+  json.close();
+}
+
+void addReading(JsonText& json, const ReadingOptions& reading) {
+  json.open("reading", '{');
+  if (!reading.units.isEmpty()) json.addText("units", reading.units.toStdString());
+  if (!reading.up.isEmpty()) json.addText("up", reading.up.toStdString());
+  json.addNumber("speed", reading.speed);
+  json.addFlag("cut_things", reading.cut_things);
+  json.close();
+}
+
+void addPairs(JsonText& json, const Work& work) {
+  json.open("pair_groups", '{');
+  for (auto it = work.groups.begin(); it != work.groups.end(); ++it)
+    json.addText(it.key().toStdString(), kGroupStates[static_cast<std::size_t>(it.value())]);
+  json.close();
+  json.open("moved_pairs", '[');
+  for (auto it = work.moved.begin(); it != work.moved.end(); ++it) {
+    json.open("", '{');
+    json.addText("a", it.key().first.toStdString());
+    json.addText("b", it.key().second.toStdString());
+    if (!it.value().isEmpty()) json.addText("group", it.value().toStdString());
+    json.close();
+  }
+  json.close();
+}
+
+void addTimes(JsonText& json, const Work& work) {
+  json.open("bookmarks", '[');
+  for (const Bookmark& mark : work.bookmarks) {
+    json.open("", '{');
+    json.addNumber("time", mark.t);
+    if (!mark.note.isEmpty()) json.addText("note", mark.note.toStdString());
+    if (mark.camera) addCamera(json, *mark.camera);
+    json.close();
+  }
+  json.close();
+  if (!work.range) return;
+  json.open("range", '{');
+  json.addNumber("in", work.range->from);
+  json.addNumber("out", work.range->to);
+  json.close();
+}
+
+void addView(JsonText& json, const ViewOptions& view) {
+  json.open("view", '{');
+  for (const ViewFlag& flag : kViewFlags) json.addFlag(flag.name, view.*flag.member);
+  json.addNumber("people_opacity", view.human_opacity);
+  json.close();
+}
+
+}  // namespace
+
+std::string projectText(const Project& project, const QString& folder, const QString& saved_as) {
+  const Work& work = project.work;
+  JsonText json;
+  json.open("", '{');
+  json.add(kVersionKey, std::to_string(kProjectVersion));
+  if (!saved_as.isEmpty()) json.addText("saved_as", fileName(saved_as, folder));
+  if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
+  if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
+  addReading(json, work.reading);
+  json.open("margins", '{');
+  for (auto it = work.margins.begin(); it != work.margins.end(); ++it)
+    json.addNumber(it.key().toStdString(), it.value());
+  json.close();
+  addPairs(json, work);
+  json.open("hidden", '[');
+  QStringList hidden = work.hidden.values();
+  std::sort(hidden.begin(), hidden.end());
+  for (const QString& name : hidden) json.addText("", name.toStdString());
+  json.close();
+  addTimes(json, work);
+  addView(json, work.view);
+  if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);
+  json.addNumber("time", project.viewpoint.t);
+  json.close();
+  return json.text();
+}
+
+void writeProject(const Project& project, const QString& file) {
+  const QString folder = QFileInfo(file).absolutePath();
+  const std::string text = projectText(project, folder);
+  try {
+    parseProject(text, file, folder);
+  } catch (const ParseError& e) {
+    throw UsageError(file.toStdString() + ": cannot be saved: " + e.message());
+  }
+  writeFile(QFile::encodeName(file).toStdString(), text);
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,90 @@
+#include "ui/document/session_follower.hpp"
+
+#include <algorithm>
+
+namespace abstand::ui {
+
+void SessionFollower::attach(SessionPort* port, const view::SceneSnapshot& first, const Work& work) {
+  port_ = port;
+  names_.clear();
+  margins_.clear();
+  pair_group_.clear();
+  groups_.clear();
+  group_of_name_.clear();
+  if (!port_) return;
+  for (const auto& object : port_->outline().objects) names_.push_back(QString::fromStdString(object.name));
+  for (const view::ObjectSnapshot& object : first.objects) margins_.push_back(object.margin);
+  margins_.resize(names_.size(), 0.0);
+  pair_group_ = first.pair_group;
+  pair_group_.resize(port_->outline().pairs.size(), -1);
+  for (const std::string& name : port_->outline().pair_groups) {
+    groups_.push_back(QString::fromStdString(name));
+    group_of_name_.emplace(groups_.back(), static_cast<int>(groups_.size()) - 1);
+  }
+  follow({}, work);
+}
+
+void SessionFollower::follow(const Work& before, const Work& after) {
+  if (!port_) return;
+  if (before.margins != after.margins)
+    for (int i = 0; i < static_cast<int>(names_.size()); ++i)
+      if (margin(before, i) != margin(after, i)) port_->setMargin(i, margin(after, i));
+  if (before.moved != after.moved)
+    for (int p = 0; p < static_cast<int>(pair_group_.size()); ++p) {
+      const int from = group(before, p), to = group(after, p);
+      if (from == to) continue;
+      if (from >= 0) port_->removePair(p);
+      if (to >= 0) port_->addPair(to, p);
+    }
+  if (before.groups != after.groups)
+    for (int g = 0; g < static_cast<int>(groups_.size()); ++g)
+      if (state(before, g) != state(after, g)) port_->setGroup(g, state(after, g));
+}
+
+double SessionFollower::margin(const Work& work, int object) const {
+  const auto i = static_cast<std::size_t>(object);
+  return work.margins.value(names_[i], margins_[i]);
+}
+
+std::vector<double> SessionFollower::margins(const Work& work) const {
+  std::vector<double> all(names_.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = margin(work, static_cast<int>(i));
+  return all;
+}
+
+int SessionFollower::group(const Work& work, int pair) const {
+  const auto p = static_cast<std::size_t>(pair);
+  const auto [a, b] = port_->outline().pairs[p];
+  const auto found =
+      work.moved.find({names_[static_cast<std::size_t>(a)], names_[static_cast<std::size_t>(b)]});
+  if (found == work.moved.end()) return pair_group_[p];
+  const auto known = group_of_name_.find(*found);
+  if (known != group_of_name_.end()) return known->second;
+  return found->isEmpty() ? -1 : pair_group_[p];
+}
+
+view::PairGroupState SessionFollower::state(const Work& work, int group) const {
+  return work.groups.value(groups_[static_cast<std::size_t>(group)], view::PairGroupState::kRunning);
+}
+
+QStringList SessionFollower::unknownNames(const Work& work) const {
+  QSet<QString> objects, groups{QString()}, unknown;
+  for (const QString& name : names_) objects.insert(name);
+  for (const QString& name : groups_) groups.insert(name);
+  const auto check = [&](const QSet<QString>& known, const QString& name) {
+    if (!known.contains(name)) unknown.insert(name);
+  };
+  for (const QString& name : work.margins.keys()) check(objects, name);
+  for (const QString& name : work.hidden) check(objects, name);
+  for (const QString& name : work.groups.keys()) check(groups, name);
+  for (auto it = work.moved.begin(); it != work.moved.end(); ++it) {
+    check(objects, it.key().first);
+    check(objects, it.key().second);
+    check(groups, it.value());
+  }
+  QStringList sorted = unknown.values();
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+}  // namespace abstand::ui

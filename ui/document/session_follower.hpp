@@ -1,0 +1,40 @@
+// Hands the document's margins and pairs to a session.
+#pragma once
+
+#include <QStringList>
+#include <map>
+
+#include "ui/document/work.hpp"
+#include "ui/model/session_port.hpp"
+
+namespace abstand::ui {
+
+/// Sends commands for what differs from the scene, and later for what changes. GUI thread only.
+class SessionFollower {
+ public:
+  /// Sends all of `work`. `first`: the session's first snapshot, which shows what the scene says. Null: no
+  /// session; nothing is sent.
+  void attach(SessionPort* port, const view::SceneSnapshot& first, const Work& work);
+  /// Sends what differs.
+  void follow(const Work& before, const Work& after);
+
+  /// m, of an object as `work` has it.
+  double margin(const Work& work, int object) const;
+  /// Of all objects.
+  std::vector<double> margins(const Work& work) const;
+  /// Names of objects and groups in `work` that the scene does not have, sorted.
+  QStringList unknownNames(const Work& work) const;
+
+ private:
+  int group(const Work& work, int pair) const;
+  view::PairGroupState state(const Work& work, int group) const;
+
+  SessionPort* port_{nullptr};
+  std::vector<QString> names_;   // by object
+  std::vector<double> margins_;  // m, by object, of the scene
+  std::vector<int> pair_group_;  // by pair, of the scene; -1: none
+  std::vector<QString> groups_;
+  std::map<QString, int> group_of_name_;
+};
+
+}  // namespace abstand::ui

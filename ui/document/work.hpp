@@ -1,0 +1,69 @@
+// What a user makes of a scene, as values.
+#pragma once
+
+#include <QMap>
+#include <QMetaType>
+#include <QPair>
+#include <QSet>
+#include <QString>
+#include <QVector>
+#include <optional>
+
+#include "core/view/snapshot.hpp"
+#include "ui/document/camera_view.hpp"
+#include "ui/document/view_options.hpp"
+#include "ui/model/time_range.hpp"
+
+namespace abstand::ui {
+
+/// A moment to come back to.
+struct Bookmark {
+  double t{0.0};  ///< s
+  QString note;   ///< one line; may be empty
+  std::optional<CameraView> camera;
+  bool operator==(const Bookmark&) const = default;
+};
+
+/// How a recording is understood that replaces those of the scene.
+struct ReadingOptions {
+  QString units;           ///< as `units` of a scene's recording ("cm"); empty: as the scene says
+  QString up;              ///< as `up` of a scene's recording ("y"); empty: as the scene says
+  double speed{1.0};       ///< 2: people move twice as fast as recorded; greater than 0
+  bool cut_things{false};  ///< robots and objects of the scene are cut out of depth images
+  bool operator==(const ReadingOptions&) const = default;
+};
+
+/// Everything that can be undone. Objects, groups and pairs go by their names, so that they outlive another
+/// recording and a scene that was edited. What is not named here is as the scene file says.
+struct Work {
+  QString scene;      ///< absolute path; empty: none
+  QString recording;  ///< absolute path; empty: those of the scene
+  ReadingOptions reading;
+  QMap<QString, double> margins;                 ///< m, by object
+  QMap<QString, view::PairGroupState> groups;    ///< by name of a pair group
+  QMap<QPair<QString, QString>, QString> moved;  ///< pair -> group that it was moved to; empty: none
+  QSet<QString> hidden;                          ///< objects that the 3D view leaves out
+  QVector<Bookmark> bookmarks;                   ///< in order of time
+  std::optional<TimeRange> range;                ///< between the marks IN and OUT; none: the whole recording
+  ViewOptions view;
+
+  bool operator==(const Work&) const = default;
+};
+
+/// What goes into a project file but is not undone: where the user was.
+struct Viewpoint {
+  std::optional<CameraView> camera;  ///< none: the whole scene from a corner
+  double t{0.0};                     ///< s
+  bool operator==(const Viewpoint&) const = default;
+};
+
+/// The content of a project file.
+struct Project {
+  Work work;
+  Viewpoint viewpoint;
+  bool operator==(const Project&) const = default;
+};
+
+}  // namespace abstand::ui
+
+Q_DECLARE_METATYPE(abstand::ui::Project)

@@ -1,0 +1,249 @@
+// How the window edits the document, and follows it.
+#include <QFileInfo>
+#include <QSlider>
+#include <QStatusBar>
+
+#include "ui/document/autosave.hpp"
+#include "ui/document/document.hpp"
+#include "ui/document/left_overs.hpp"
+#include "ui/main_window.hpp"
+#include "ui/model/playback.hpp"
+#include "ui/model/recent_files.hpp"
+#include "ui/model/recording_review.hpp"
+#include "ui/model/scene_tree_model.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/model/time_axis.hpp"
+#include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_panel.hpp"
+#include "ui/project_commands.hpp"
+#include "ui/recovery.hpp"
+#include "ui/style/actions.hpp"
+#include "ui/viewport/viewport.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+constexpr int kNamesInMessage = 10;
+
+/// The switches of the view menu.
+struct ViewSwitch {
+  ActionId id;
+  bool ViewOptions::*member;
+};
+constexpr ViewSwitch kViewSwitches[] = {
+    {ActionId::kForces, &ViewOptions::forces},          {ActionId::kTorques, &ViewOptions::torques},
+    {ActionId::kVelocities, &ViewOptions::velocities},  {ActionId::kClosest, &ViewOptions::closest},
+    {ActionId::kLabels, &ViewOptions::labels},          {ActionId::kFloor, &ViewOptions::floor},
+    {ActionId::kShadows, &ViewOptions::shadows},        {ActionId::kAutoScale, &ViewOptions::auto_scale},
+    {ActionId::kTransparent, &ViewOptions::transparent}};
+
+}  // namespace
+
+QString MainWindow::nameOf(int object) const {
+  return QString::fromStdString(session_->outline().objects[static_cast<std::size_t>(object)].name);
+}
+
+void MainWindow::connectDocument() {
+  QUndoStack& steps = document_->steps();
+  QAction* undo = (*actions_)[ActionId::kUndo];
+  QAction* redo = (*actions_)[ActionId::kRedo];
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(undo, &QAction::triggered, &steps, &QUndoStack::undo);
+  connect(redo, &QAction::triggered, &steps, &QUndoStack::redo);
+  connect(&steps, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&steps, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  const auto name = [](QAction* action, const QString& word, const QString& step) {
+    QString safe = step;
+    safe.replace(QLatin1Char('&'), QLatin1String("&&"));
+    action->setText(step.isEmpty() ? word : tr("%1: %2").arg(word, safe));
+  };
+  connect(&steps, &QUndoStack::undoTextChanged, undo,
+          [=](const QString& step) { name(undo, tr("&Undo"), step); });
+  connect(&steps, &QUndoStack::redoTextChanged, redo,
+          [=](const QString& step) { name(redo, tr("&Redo"), step); });
+
+  connect(document_, &Document::workChanged, this, &MainWindow::followWork);
+  connect(document_, &Document::opened, this, &MainWindow::showDocument);
+  connect(document_, &Document::titleChanged, this, &MainWindow::showTitle);
+  connect(viewport_, &Viewport::cameraMoved, this, [this] {
+    if (session_) document_->setViewpoint({viewport_->cameraView(), playback_->time()});
+  });
+
+  connect((*actions_)[ActionId::kNew], &QAction::triggered, this, [this] {
+    if (projects_->mayDiscard()) Q_EMIT closeRequested();
+  });
+  connect((*actions_)[ActionId::kSave], &QAction::triggered, projects_, &ProjectCommands::save);
+  connect((*actions_)[ActionId::kSaveAs], &QAction::triggered, projects_, &ProjectCommands::saveAs);
+  connect(projects_, &ProjectCommands::aboutToSave, this, [this] {
+    if (session_) document_->setViewpoint({document_->viewpoint().camera, playback_->time()});
+  });
+  connect(projects_, &ProjectCommands::openWanted, this, &MainWindow::openProjectRequested);
+  connect(projects_, &ProjectCommands::failed, this, &MainWindow::showProblem);
+  connect(projects_, &ProjectCommands::saved, this, [this](const QString& file) {
+    rememberFile(file);
+    showRecent();
+    statusBar()->showMessage(tr("Saved %1").arg(file), 4000);
+  });
+
+  connect(tree_model_, &SceneTreeModel::visibilityEdited, this,
+          [this](const std::vector<int>& objects, bool visible) {
+            const QString what = objects.size() == 1
+                                     ? nameOf(objects.front())
+                                     : tr("%n objects", nullptr, static_cast<int>(objects.size()));
+            document_->edit(visible ? tr("show %1").arg(what) : tr("hide %1").arg(what), [&](Work& work) {
+              for (const int object : objects)
+                if (visible)
+                  work.hidden.remove(nameOf(object));
+                else
+                  work.hidden.insert(nameOf(object));
+            });
+          });
+  connect(margins_, &MarginPanel::marginsChanged, this, [this](const QMap<int, double>& margins) {
+    const QString what = margins.size() == 1 ? tr("margin of %1").arg(nameOf(margins.firstKey()))
+                                             : tr("margins of %n objects", nullptr, margins.size());
+    document_->edit(
+        what,
+        [&](Work& work) {
+          for (auto it = margins.begin(); it != margins.end(); ++it)
+            work.margins[nameOf(it.key())] = it.value();
+        },
+        QStringLiteral("margins"));
+  });
+  connect(margins_, &MarginPanel::editFinished, document_, &Document::endStep);
+  const auto reset = [this] {
+    document_->edit(tr("reset margins"), [](Work& work) { work.margins.clear(); });
+  };
+  connect(margins_, &MarginPanel::resetWanted, this, reset);
+  connect((*actions_)[ActionId::kResetMargins], &QAction::triggered, this, reset);
+
+  const auto group_name = [this](int group) {
+    return QString::fromStdString(session_->outline().pair_groups[static_cast<std::size_t>(group)]);
+  };
+  const auto pair_name = [this](int pair) {
+    const auto [a, b] = session_->outline().pairs[static_cast<std::size_t>(pair)];
+    return QPair<QString, QString>(nameOf(a), nameOf(b));
+  };
+  connect(groups_, &GroupPanel::stateWanted, this, [=, this](int group, view::PairGroupState state) {
+    const QString what = state == view::PairGroupState::kRunning  ? tr("run pair group %1")
+                         : state == view::PairGroupState::kPaused ? tr("pause pair group %1")
+                                                                  : tr("stop pair group %1");
+    document_->edit(what.arg(group_name(group)), [&](Work& work) {
+      if (state == view::PairGroupState::kRunning)
+        work.groups.remove(group_name(group));
+      else
+        work.groups[group_name(group)] = state;
+    });
+  });
+  const auto move = [=, this](int pair, const QString& group) {
+    const auto names = pair_name(pair);
+    const QString what = group.isEmpty() ? tr("remove %1 – %2 from its group") : tr("add %1 – %2 to a group");
+    document_->edit(what.arg(names.first, names.second), [&](Work& work) { work.moved[names] = group; });
+  };
+  connect(groups_, &GroupPanel::addWanted, this, [=](int group, int pair) { move(pair, group_name(group)); });
+  connect(groups_, &GroupPanel::removeWanted, this, [=](int pair) { move(pair, QString()); });
+}
+
+void MainWindow::followWork(const Work& before, const Work& after) {
+  follower_.follow(before, after);
+  if (session_ && before.margins != after.margins) {
+    const std::vector<double> margins = follower_.margins(after);
+    margins_->show(margins);
+    for (std::size_t i = 0; i < margins.size(); ++i) review_->setMargin(static_cast<int>(i), margins[i]);
+  }
+  if (before.range != after.range) axis_->setRange(after.range);
+  if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);
+  if (before.view != after.view) showView();
+}
+
+void MainWindow::showHidden(const QSet<QString>& before, const QSet<QString>& after) {
+  if (!session_) return;
+  for (int i = 0; i < static_cast<int>(session_->outline().objects.size()); ++i)
+    if (before.contains(nameOf(i)) != after.contains(nameOf(i)))
+      tree_model_->setVisible(i, !after.contains(nameOf(i)));
+}
+
+/// The switches, and with them the viewport, as the document has them.
+void MainWindow::showView() {
+  const ViewOptions view = document_->work().view;
+  for (const ViewSwitch& each : kViewSwitches) {
+    const QSignalBlocker quiet((*actions_)[each.id]);
+    (*actions_)[each.id]->setChecked(view.*each.member);
+  }
+  const QSignalBlocker quiet(opacity_);
+  opacity_->setValue(static_cast<int>(std::lround(100.0 * view.human_opacity)));
+  opacity_->setEnabled(view.transparent);
+  viewport_->setOptions(view);
+}
+
+/// What the user has switched becomes an edit.
+void MainWindow::applyOptions() {
+  ViewOptions view = document_->work().view;
+  QString text = tr("opacity of people");
+  for (const ViewSwitch& each : kViewSwitches) {
+    const bool on = (*actions_)[each.id]->isChecked();
+    if (view.*each.member == on) continue;
+    const QString what = (*actions_)[each.id]->text().remove(QLatin1Char('&'));
+    text = on ? tr("view: %1 on").arg(what) : tr("view: %1 off").arg(what);
+    view.*each.member = on;
+  }
+  view.human_opacity = opacity_->value() / 100.0;
+  document_->edit(
+      text, [&](Work& work) { work.view = view; }, text);
+  if (!opacity_->isSliderDown()) document_->endStep();
+}
+
+/// Another document is there; its session comes with setSession().
+void MainWindow::showDocument() {
+  kept_selection_.clear();
+  fresh_document_ = true;
+  showView();
+  if (!recovered_) return;
+  autosave_->write();
+  if (QFileInfo::exists(autosave_->file())) recovered_->remove();
+  recovered_.reset();
+}
+
+void MainWindow::attachDocument() {
+  const Work& work = document_->work();
+  showHidden({}, work.hidden);
+  if (document_->viewpoint().camera) viewport_->setCameraView(*document_->viewpoint().camera);
+  kept_selection_.restore(*selection_, session_->outline());
+  const QStringList unknown = follower_.unknownNames(work);
+  if (!std::exchange(fresh_document_, false) || unknown.isEmpty()) return;
+  QString names = unknown.mid(0, kNamesInMessage).join(QLatin1Char('\n'));
+  if (unknown.size() > kNamesInMessage) names += QStringLiteral("\n…");
+  showProblem(tr("Project"),
+              tr("The project has settings for %n names that the scene does not have. They have "
+                 "no effect:\n%1",
+                 nullptr, unknown.size())
+                  .arg(names));
+}
+
+void MainWindow::showTitle() {
+  const Work& work = document_->work();
+  QString name = QFileInfo(document_->file()).completeBaseName();
+  if (name.isEmpty() && session_) name = QString::fromStdString(session_->outline().title);
+  if (!work.recording.isEmpty()) {
+    const QString recording = QFileInfo(work.recording).fileName();
+    name = name.isEmpty() ? recording : tr("%1, %2").arg(name, recording);
+  }
+  setWindowTitle(name.isEmpty() ? tr("Abstand") : tr("%1[*] – Abstand").arg(name));
+  setWindowModified(document_->modified() && !name.isEmpty());
+}
+
+void MainWindow::keepAutosaves(const QString& folder) {
+  autosave_ = new Autosave(*document_, folder, this);
+  connect(autosave_, &Autosave::aboutToWrite, projects_, &ProjectCommands::aboutToSave);
+  connect(autosave_, &Autosave::failed, this, [this](const QString& problem) {
+    showProblem(tr("Autosave"), tr("Work is not kept for the case of a crash:\n%1").arg(problem));
+  });
+  std::optional<LeftOver> left = offerRecovery(folder, this);
+  if (!left) return;
+  recovered_ = std::make_unique<LeftOver>(std::move(*left));
+  const ProjectFile content = recovered_->content;
+  if (!projects_->recover(content.project, content.saved_as)) recovered_.reset();
+}
+
+}  // namespace abstand::ui
