@@ -20,8 +20,8 @@ class FacingParts {
     std::size_t of_points, of_field;
   };
 
-  /// P and F as in a query; all must outlive this object. `closely`: reaches of bodies that are one part are
-  /// looked up without the loss of their tables. `lines`: what is remembered of earlier poses of the two.
+  /// P and F as in a query; all must outlive this object. `closely`: uses exact support functions for bodies
+  /// of one part. `lines`: separating axes kept from earlier poses.
   FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F, const Transform& X_FP,
               double by, bool closely, PartAxes& lines) noexcept;
 
