@@ -1,4 +1,4 @@
-// The part of a surface above a height that hangs together.
+// Connected part of a surface above a height.
 #pragma once
 
 #include "core/contact/contact_surface.hpp"
@@ -10,9 +10,9 @@ struct ConnectedTriangles {
   std::uint32_t foremost{0};             ///< the highest vertex
 };
 
-/// The triangles that are reached from the vertex `start` over vertices at or above `level` (m). `points` are
-/// the mesh's vertices with their height as z. Two vertices are connected where a triangle has both; a
-/// triangle belongs to any of its own.
+/// Triangles reached from the vertex `start` over vertices at or above `level` (m). `points`: the mesh's
+/// vertices with their height as z. Two vertices are connected if a triangle has both; a triangle is included
+/// if one of its vertices is reached.
 ConnectedTriangles connectedAbove(const ContactSurface& surface, std::span<const Vector3d> points,
                                   std::uint32_t start, double level);
 

@@ -48,7 +48,7 @@ class PatchSearch {
     return {points_[corners(t)[0]], points_[corners(t)[1]], points_[corners(t)[2]]};
   }
 
-  /// Not below the height of the foremost point of the body, seen from the curved person.
+  /// Upper bound of the height of the body's foremost point, relative to the curved person.
   double topOf(const std::vector<PatchTriangle>& pieces, double flat_top) const {
     if (std::isinf(radius_)) return flat_top;
     double top = contact_height_;
@@ -58,7 +58,7 @@ class PatchSearch {
     return std::min(flat_top, top + kPieceError * x_);
   }
 
-  /// Keeps what lies deeper than 0. Depth is concave over a piece, so the straight cut stays within.
+  /// Clips to positive depth. Depth is concave over a polygon, so the straight cut stays inside.
   static PatchPolygon deep(const PatchTriangle& t, const ContactPatch& patch) {
     PatchPolygon polygon;
     for (int i = 0; i < 3; ++i) {
@@ -87,7 +87,7 @@ class PatchSearch {
 
   const ContactSurface& surface_;
   double x_, radius_;
-  std::vector<Vector3d> points_;  ///< of the mesh: u, v, height
+  std::vector<Vector3d> points_;  ///< vertices of the mesh: u, v, height
   double contact_height_{0.0};
   std::uint32_t start_{0};
 };

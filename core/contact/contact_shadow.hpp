@@ -1,4 +1,4 @@
-// Area and volume of a patch as the person sees it.
+// Visible area and volume of a patch.
 #pragma once
 
 #include "core/contact/contact_patch.hpp"
@@ -10,9 +10,9 @@ struct PatchExtent {
   double volume{0.0};  ///< m^3
 };
 
-/// The extent of the patch's front without what lies behind other surface. Between two sheets that both face
-/// the person there is one that faces away, as the body is closed; what lies behind such a sheet is left out.
-/// Where several hide the same place it is taken off as often: never more than the true extent.
+/// Area and volume of the patch's front without hidden parts. The body is closed, so between two sheets that
+/// face the person there is one that faces away; parts behind such a sheet are subtracted. If several hide
+/// the same place it is subtracted several times: the result never exceeds the true extent.
 PatchExtent visibleExtent(const ContactPatch& patch);
 
 }  // namespace abstand::contact
