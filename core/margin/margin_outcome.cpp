@@ -9,7 +9,7 @@
 namespace abstand::margin {
 namespace {
 
-/// Frame after `begin` is outside again, or there is none.
+/// First frame after `begin` that is outside, or the number of frames.
 std::size_t endOf(const ClearanceTrack& track, std::size_t begin, double margin) {
   std::size_t i = begin;
   while (i < track.frames() && track.clearance[i] < margin) ++i;

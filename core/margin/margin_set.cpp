@@ -64,7 +64,7 @@ MarginSets::Run MarginSets::runFrom(std::size_t begin, std::span<const double> m
   std::size_t i = begin;
   while (i < frames_) {
     const std::size_t b = i / kBlock;
-    // A block that touches the limit is looked at frame by frame, for the lead time.
+    // A block that reaches the limit is scanned frame by frame, for the lead time.
     const bool near = std::min(of_all_[b].least, of_all_[b].between) <= options.limit && !run.lead_time;
     if (i % kBlock == 0 && !near && allInside(b, margins)) {
       run.least = std::min({run.least, of_all_[b].least, of_all_[b].between});

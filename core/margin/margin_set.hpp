@@ -1,30 +1,31 @@
-// Many sets of margins over the same recording, quickly.
+// Fast evaluation of many sets of margins over one recording.
 #pragma once
 
 #include "core/margin/margin_outcome.hpp"
 
 namespace abstand::margin {
 
-/// Tracks of one recording with the least and largest values of every kBlock frames, so that blocks which are
-/// wholly outside or inside are passed at once. A set has a margin for each track; the robot is told to stop
-/// where any track is inside its own. Constant after construction; every function is safe from any thread.
+/// Tracks of one recording with the minimum and maximum of every kBlock frames, so that blocks entirely
+/// outside or inside are processed at once. A set has a margin for each track; a stop is commanded if any
+/// track is inside its own. Constant after construction; every function is thread-safe.
 class MarginSets {
  public:
   static constexpr std::size_t kBlock = 64;
 
-  /// The tracks must outlive this. Throws UsageError for none, and for tracks with different times.
+  /// The tracks must outlive this object. Throws UsageError for none, and for tracks with different times.
   explicit MarginSets(std::vector<const ClearanceTrack*> tracks);
 
   std::size_t tracks() const { return tracks_.size(); }
-  /// outcome() of the tracks together; of one track, exactly what outcome() gives. `margins`: m, one a track.
+  /// outcome() of all tracks together; for one track identical to outcome(). `margins`: m, one for each
+  /// track.
   MarginOutcome outcome(std::span<const double> margins, const MarginOptions& options) const;
 
  private:
   struct Block {
-    double least, largest;  ///< clearance
-    double between;         ///< least
+    double least, largest;  ///< of the clearance
+    double between;         ///< minimum
   };
-  /// The run of frames inside that begins at `begin`.
+  /// The run of inside frames that starts at `begin`.
   struct Run {
     std::size_t end{0};
     double least{kInfinity};
@@ -34,13 +35,13 @@ class MarginSets {
   bool inside(std::size_t frame, std::span<const double> margins) const;
   bool allOutside(std::size_t b, std::span<const double> margins) const;
   bool allInside(std::size_t b, std::span<const double> margins) const;
-  double leastAt(std::size_t frame) const;    ///< clearance
-  double betweenAt(std::size_t frame) const;  ///< least of all tracks
+  double leastAt(std::size_t frame) const;    ///< of the clearance
+  double betweenAt(std::size_t frame) const;  ///< minimum over all tracks
   Run runFrom(std::size_t begin, std::span<const double> margins, const MarginOptions& options) const;
 
   std::vector<const ClearanceTrack*> tracks_;
   std::size_t frames_{0}, block_count_{0};
-  std::vector<Block> blocks_;  ///< of each track, one after the other
+  std::vector<Block> blocks_;  ///< of each track, concatenated
   std::vector<Block> of_all_;  ///< of all tracks together
 };
 
