@@ -1,4 +1,4 @@
-// The dense log of a run (HDF5).
+// HDF5 log of a run.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace abstand::run {
 
-/// Datasets, one row a frame: /t [s], /distance and /bound [m] (frame x pair), /force [N] (frame x pair x 3,
-/// on the first body), /q and /effort (frame x joint), in live mode /age [s] (frame x pair), with the names
-/// in /objects and /pairs (index pairs) and the format's version as attribute `abstand`. Flushed every 1,024
-/// frames; renamed into place at commit().
+/// Datasets, one row for each frame: /t [s], /distance and /bound [m] (frame x pair), /force [N] (frame x
+/// pair x 3, on the first body), /q and /effort (frame x joint), in live mode /age [s] (frame x pair); names
+/// in /objects and /pairs (index pairs); the format version is the attribute `abstand`. Flushed every 1,024
+/// frames; renamed into place by commit().
 class SessionLog {
  public:
   SessionLog(const std::filesystem::path& file, const session::Session& session, bool live);
-  /// `shown`: s, of the poses that the scene shows. Throws WriteError as soon as the disk refuses something.
+  /// `shown`: s, time of the scene's poses. Throws WriteError immediately on disk errors.
   void write(double t, double shown, const session::Session& session,
              const std::vector<query::PairResult>& results);
-  /// Writes, closes and checks, so that commit() has only to rename. Throws WriteError.
+  /// Writes, closes and checks, so that commit() only renames. Throws WriteError.
   void finish();
   void commit();
 
