@@ -36,8 +36,8 @@ struct BodyPlan {
 /// Table B.1 of the thesis, with its torso and head rows exchanged.
 BodyPlan thesisPlan(double height);
 
-/// ANSUR II by height (m), mass (kg; without: the mean body mass index) and sex. With a percentile the
-/// girths, breadths and depths are those of sectionsOfPercentile; lengths are means.
+/// Body plan from ANSUR II by stature `height` (m), mass (kg; without: mean body mass index) and sex. With a
+/// percentile, girths, breadths and depths are those of sectionsOfPercentile; lengths are means.
 BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::optional<Sex> sex,
                             std::optional<double> percentile);
 

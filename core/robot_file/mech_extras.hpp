@@ -43,8 +43,8 @@ class MechExtras {
   std::vector<Item> names_, limits_, bodies_, geometries_;
 };
 
-/// Percent-encodes a text as a word of the file: %20 for a blank, %23 for #, %25 for %; and decodes it. Empty
-/// if empty.
+/// Percent-encodes a text as a word of the file: %20 for a blank, %23 for #, %25 for %; and decodes it,
+/// nullopt for an invalid code.
 std::string mechWord(const std::string& text);
 std::optional<std::string> fromMechWord(std::string_view word);
 

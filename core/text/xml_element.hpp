@@ -22,8 +22,8 @@ struct XmlElement {
   const XmlElement* child(std::string_view key) const;
 };
 
-/// The root element. Throws ParseError for what is not well-formed, not in UTF-8 or ASCII, or nested
-/// more than 256 deep. `name` is the file's. Entities of a document type are not expanded.
+/// Returns the root element. Throws ParseError if the document is not well-formed, not UTF-8 or ASCII, or
+/// nested deeper than 256. `name` is the file's name. Entities declared in a DTD are not expanded.
 XmlElement parseXml(std::string_view document, const std::string& name);
 
 }  // namespace abstand::text

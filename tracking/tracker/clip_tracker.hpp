@@ -53,8 +53,8 @@ struct ClipTrack {
   bool interrupted{false};
 };
 
-/// What an image showed of person `id` of the finder; `body` may be null: not found. `place` says where each
-/// number is in track.people, and grows. Frames are added where `keep`, with the camera's spread.
+/// Records the result of an image for person `id` of the finder; `body` null: not found. `place` maps ids to
+/// indices in track.people, and grows. Frames are added if `keep`, with the camera's spread.
 void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, double t,
                 const TrackedBody* body, bool keep);
 /// Call after the last image: turns sums of residuals into means and sorts people by the number of images
