@@ -26,7 +26,6 @@ struct EnclosedShare {
 ///
 /// `sex`: people to count; without: a population of half women and half men, weighted at the model's stature
 /// by shareOfSexAt. Independent of body mass: people of every mass are counted.
-/// stature each sex as shareOfSexAt says. Body mass is not looked at: people of every mass are counted.
 std::array<EnclosedShare, kBodyPartCount> enclosedShare(const HumanModel& model, std::optional<Sex> sex);
 
 }  // namespace abstand::humanmodel

@@ -31,7 +31,6 @@ std::unique_ptr<OutputFile> open(const std::filesystem::path& file, const std::s
 }
 
 /// Columns of reacting robots: plan, torque of the reaction, speed scale, state.
-/// state.
 std::string loopHeader(const loop::ClosedLoop& loop) {
   std::string header;
   for (std::size_t m = 0; m < loop.robots().size(); ++m) {

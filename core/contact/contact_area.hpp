@@ -22,7 +22,6 @@ struct ContactPlace {
 /// each point counts, depth = x - (distance behind the foremost point) - rho^2 / (2 body_radius), with rho
 /// the distance from the contact point perpendicular to the approach. Areas are projected onto the plane
 /// normal to the approach; overlapping parts of the patch count once.
-/// is hidden behind other parts of the patch counts once.
 ///
 /// If `certified`, `area` and `volume` are lower bounds, so that pressures are upper bounds: meshes and
 /// cuboids are cut exactly; for the other shapes x is reduced by the sagitta of their inscribed triangles.

@@ -26,8 +26,8 @@ struct SpeedScaleOptions {
 
 /// One pair of a robot's link and a person's part.
 struct Approach {
-  double distance{kInfinity};  ///< m/s, approach speed of the link at its planned speed; negative: it recedes
-  /// m/s, how fast the link would come nearer at its planned speed; negative: it goes away
+  double distance{kInfinity};  ///< m, lower bound of the true distance
+  /// m/s, approach speed of the link at its planned speed; negative: it recedes
   double robot{0.0};
   double person{kNaN};  ///< m/s, approach speed of the person's part; NaN: unknown
 };

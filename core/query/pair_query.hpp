@@ -111,7 +111,6 @@ bool pointsFromA(const structure::HapticStructure& a, const structure::HapticStr
 ///
 /// With a memory, distances beyond kRelativeFrom may exceed the smallest distance of the shell points by the
 /// share options.far_share, as far as the field distinguishes them; `bound` states the excess in each case.
-/// each case.
 void queryPair(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                const QueryContext& context, PairResult& result) noexcept;
 /// Cold query, without a memory.

@@ -29,7 +29,6 @@ struct PackagePaths {
 /// folders one by one, but never the file's name alone; a relative path likewise.
 ///
 /// One thread.
-/// One thread.
 class MeshFinder {
  public:
   /// `robot_file` need not exist.

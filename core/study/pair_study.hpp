@@ -66,7 +66,6 @@ struct StudiedPair {
 /// The result depends on the seed, not on the number of threads. Throws UsageError for invalid options. If
 /// interrupted, returns the results so far; pairs that would have needed more samples or searches are
 /// undecided.
-/// undecided.
 std::vector<StudiedPair> studyPairs(const std::vector<StudyMechanism>& mechanisms,
                                     const std::vector<StudyBody>& bodies,
                                     const std::vector<std::pair<int, int>>& pairs,

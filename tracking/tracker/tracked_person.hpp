@@ -32,7 +32,6 @@ struct KnownBody {
 /// pixel extents, unless given) and tracked as facing the camera; then, from the images explained well,
 /// facing is decided, lengths and girths are fitted, and the person is tracked with these. One thread, and
 /// another one for fit_aside. May allocate until it is fitted().
-/// fit_aside another. May allocate until it is fitted().
 class TrackedPerson {
  public:
   struct Options {
