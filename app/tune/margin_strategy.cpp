@@ -23,7 +23,7 @@ std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const
   return margins;
 }
 
-/// A rule that nothing fits is a slip of the pen, and the pair that was meant has another margin.
+/// An unused rule is probably a typing error, and the intended pair would get another margin.
 void checkNames(const std::vector<TunedRecording>& recordings, const MarginRules& rules) {
   std::set<std::string> parts, links;
   for (const TunedRecording& r : recordings) {
@@ -38,7 +38,7 @@ void checkNames(const std::vector<TunedRecording>& recordings, const MarginRules
   }
 }
 
-/// By part and link in the order in which the recordings name them; the largest of all recordings.
+/// By part and link in order of first use; the largest over all recordings.
 template <class NeedsOf>
 std::vector<GroupNeed> largestNeeds(const std::vector<TunedRecording>& recordings, const NeedsOf& needs_of) {
   std::vector<GroupNeed> groups;

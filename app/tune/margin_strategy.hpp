@@ -1,4 +1,4 @@
-// What sets of margins would have done over recordings, all parts and links together.
+// Outcomes of sets of margins over recordings, all parts and links together.
 #pragma once
 
 #include "app/tune/margin_rules.hpp"
@@ -11,23 +11,23 @@ struct StrategyOutcome {
   margin::MarginOutcome outcome;
 };
 
-/// Judges every set over every recording, whose result files are read (TunedRecording::file). Recordings
-/// count from the first frame on from which every part can be judged. Throws UsageError for a rule that names
-/// a part or a link of no recording, and for a pair without a margin; ParseError for a damaged file.
+/// Evaluates every set over every recording from its result file (TunedRecording::file). Recordings count
+/// from the first frame from which every part can be judged. Throws UsageError for a rule with an unknown
+/// part or link, and for a pair without a margin; ParseError for a damaged file.
 std::vector<StrategyOutcome> strategyOutcomes(const std::vector<TunedRecording>& recordings,
                                               const std::vector<MarginRules>& sets,
                                               const margin::MarginOptions& options);
 
-/// The smallest safe margins as sets: "uniform" (the largest one for all), "per_part", "per_link" and
-/// "per_pair". Rounded up to whole millimetres. Sets for which no margin would do are left out.
+/// Smallest safe margins as sets: "uniform" (the largest one for all), "per_part", "per_link" and "per_pair".
+/// Rounded up to whole millimetres. Sets without a sufficient margin are omitted.
 std::vector<MarginRules> proposedRules(const std::vector<TunedRecording>& recordings,
                                        const MarginTable& table);
 
-/// The smallest safe margin of a link or a pair over all recordings.
+/// Smallest safe margin of a link or a pair over all recordings.
 struct GroupNeed {
   std::string part, link;                ///< part: empty for a link
-  double margin{0.0};                    ///< m, rounded up to whole millimetres; infinite where none would do
-  std::optional<std::size_t> recording;  ///< index of the one that decides it; none: no stop was ever needed
+  double margin{0.0};                    ///< m, rounded up to whole millimetres; infinite if none suffices
+  std::optional<std::size_t> recording;  ///< index of the decisive one; nullopt: no stop was ever needed
   MarginNeed need;                       ///< of that recording
 };
 std::vector<GroupNeed> linkNeeds(const std::vector<TunedRecording>& recordings);

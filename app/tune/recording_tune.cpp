@@ -8,14 +8,14 @@
 namespace abstand::tune {
 namespace {
 
-/// s at the beginning in which nothing can be judged.
+/// Time (s) at the beginning that cannot be judged.
 double unjudged(const margin::ClearanceTrack& track, const margin::MarginOptions& options) {
   const std::size_t first = margin::firstJudgedFrame(track, options);
   if (first == 0) return 0.0;
   return first < track.frames() ? track.t[first] - track.t.front() : track.duration();
 }
 
-/// Of all recordings that people follow.
+/// Content hash of all recordings that people follow.
 std::string contentOf(const session::Session& session) {
   ContentHash hash;
   bool any = false;
@@ -26,7 +26,7 @@ std::string contentOf(const session::Session& session) {
   return any ? hash.value().hex() : std::string();
 }
 
-/// Nobody asks for the distances of other pairs here.
+/// Pauses other pairs, whose distances are not needed.
 void pauseOthers(const DistancePass& pass, session::Session& session) {
   scene::Scene& scene = session.scene();
   std::vector<bool> watched(scene.pairs().size(), false);
