@@ -36,7 +36,7 @@ struct GodObjectOptions {
 /// The object must not move along -normal by more than the gap at this point.
 struct ContactConstraint {
   Vector3d p_W{Vector3d::Zero()};       ///< on the object
-  Vector3d normal_W{Vector3d::Zero()};  ///< unit, out of the other body
+  Vector3d normal_W{Vector3d::Zero()};  ///< unit, outward normal of the other body
   double gap{0.0};                      ///< m, signed distance
 };
 
