@@ -1,4 +1,4 @@
-// abstand diff: two studies of `tune --out` beside each other.
+// abstand diff: compares two studies of `tune --out`.
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
@@ -14,7 +14,7 @@ struct DiffArguments {
   std::string before, after, margins{"0:0.5:0.05"};
 };
 
-/// The answer of one of the two.
+/// Answer of one of the two studies.
 tune::TuneAnswer sideOf(const std::string& folder, const std::vector<double>& margins) {
   tune::TuneAnswer side = tune::mergedAnswer({folder});
   side.table = tune::marginTable(side.recordings, margins, side.options);

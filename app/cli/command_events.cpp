@@ -1,4 +1,4 @@
-// abstand events: what happened at a margin, from results of `tune --out`.
+// abstand events: events at a margin, from results of `tune --out`.
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
@@ -17,7 +17,7 @@ struct EventArguments {
   std::string margin, part, fail_on;
 };
 
-/// What `--fail-on` says.
+/// Condition of `--fail-on`.
 bool fails(const std::string& on, const tune::MarginEvent& event) {
   if (on == "missed") return event.missed;
   return on == "intrusion";
