@@ -1,4 +1,4 @@
-// The window's view of a live session.
+// SessionPort of a live session.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace abstand::studio {
 
-/// Hands the window's wishes to the loop's thread as values.
+/// Passes the window's commands to the loop's thread as values.
 class LivePort final : public ui::SessionPort {
  public:
   LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes)

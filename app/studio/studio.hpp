@@ -1,4 +1,4 @@
-// Opens scenes and recordings in the window.
+// Opens scenes and recordings for the window.
 #pragma once
 
 #include <QObject>
@@ -14,20 +14,20 @@
 
 namespace abstand::studio {
 
-/// Owns the session that the window shows. Loading runs on a thread of its own, so that the window stays
-/// alive and shows how far it is; a file that cannot be read leaves what was there before. A newer request,
-/// and the end of the program, end the building of structures for an older one.
+/// Owns the session shown in the window. Loading runs on a separate thread, so that the window stays
+/// responsive and shows progress; after an error the previous session stays. A newer request, and the end of
+/// the program, cancel the building of structures for an older one.
 class Studio : public QObject {
   Q_OBJECT
 
  public:
-  /// `packages`: where the robots of all scenes have their meshes.
+  /// `packages`: search paths for the meshes of the robots.
   explicit Studio(ui::MainWindow& window, robot_file::PackagePaths packages = {});
   ~Studio() override;
 
-  /// Begins to load; ready() or failed() follows. An empty recording: as the scene says.
+  /// Starts loading; ready() or failed() follows. Empty `recording`: that of the scene.
   void openScene(const QString& scene, const QString& recording, double t);
-  /// Replaces the recording of the people in the present scene.
+  /// Replaces the recording of the people in the current scene.
   void openRecording(const QString& recording);
 
  Q_SIGNALS:
@@ -45,7 +45,7 @@ class Studio : public QObject {
   QString scene_;
   std::future<void> loading_;
   std::atomic<bool> cancelled_{false};
-  int request_{0};  ///< number of the newest request; answers to older ones are dropped
+  int request_{0};  ///< number of the newest request; results of older ones are dropped
 };
 
 }  // namespace abstand::studio
