@@ -145,7 +145,7 @@ void JointLimiter::limit(const mechanism::MassMatrix& mass, const LimitedStep& s
   findHolding(mass, step);
   const double least = keepBoundsAt(0.0, mass, step, free);
   if (least > 0.0) {
-    // Not even the holding efforts suffice: uses whichever violates less.
+    // Not even the holding efforts suffice: uses the one that violates less.
     if (worst <= least) keepBoundsAt(1.0, mass, step, free);
     return;
   }

@@ -40,7 +40,7 @@ class BrakingPath {
   double q(int joint, double t) const noexcept;
   double qd(int joint, double t) const noexcept;
   void at(double t, std::span<double> q) const noexcept;
-  /// highest absolute velocity from t0 on
+  /// Highest absolute velocity from t0 on.
   double fastest(int joint, double t0) const noexcept;
   double stopTime(int joint) const noexcept;  ///< s from now, including the reaction time
   double stopTime() const noexcept { return stop_time_; }

@@ -186,7 +186,7 @@ class Group {
     checked_.fetch_add(static_cast<long>(pairs.count) - rested, std::memory_order_relaxed);
     const long cycle = cycles_.load(std::memory_order_relaxed) + 1;
     out.cycle = cycle;
-    // Stored before the results, so that whoever sees them finds their cycle counted.
+    // Stored before the results, so that a thread that reads them finds their cycle counted.
     cycles_.store(cycle, std::memory_order_release);
     results_.publish();
   }

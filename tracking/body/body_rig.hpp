@@ -73,8 +73,8 @@ struct BodyRig {
   const RigPart& operator[](RigSegment s) const { return parts[index(s)]; }
 };
 
-/// Joint limits are the widest of healthy adults (Boone, Azen 1979; Kapandji), plus 10 degrees, as nobody's
-/// neutral pose is exactly the model's.
+/// Joint limits are the widest of healthy adults (Boone, Azen 1979; Kapandji), plus 10 degrees, as a
+/// person's neutral pose differs from the model's.
 BodyRig makeRig(const humanmodel::HumanModel& model);
 
 /// Pose of the rig: joint coordinates.
