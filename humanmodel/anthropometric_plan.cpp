@@ -1,4 +1,4 @@
-// Measured people as a body plan.
+// Body plan from anthropometric data.
 #include <algorithm>
 
 #include "core/math/transform.hpp"
@@ -11,13 +11,13 @@ namespace {
 
 using enum PartShape;
 
-// Shares of the largest girth that arms and legs keep at their joints. 0.6 of a forearm or calf is a wrist
-// (0.57, ANSUR II) or an ankle; two ellipsoids that meet with 0.6 of their girth also cover most of an elbow
-// or knee. A thigh is thick right up to the hip, and the torso hides the rest.
+// Share of the largest girth at the joints of arms and legs. 0.6 of a forearm or calf is a wrist (0.57, ANSUR
+// II) or an ankle; two adjacent ellipsoids with 0.6 of their girth also cover most of an elbow or knee. A
+// thigh keeps its girth up to the hip, inside of the torso.
 constexpr double kJointShare = 0.6, kHipShare = 0.8;
-// The upper arm must not stand far above the shoulder.
+// The upper arm must not extend far above the shoulder.
 constexpr double kShoulderShare = 0.5;
-// A hand ends nearly in a point: its longest finger.
+// A hand nearly ends in a point, the longest finger.
 constexpr double kFingerShare = 0.3;
 
 // Shares of stature.
@@ -38,7 +38,7 @@ BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::opti
       percentile ? sectionsOfPercentile(*percentile, height, mass, sex) : meanSections(height, mass, sex);
   BodyPlan plan;
 
-  // One cuboid round chest, waist and hips, from the crotch to the seventh cervical vertebra.
+  // One cuboid around chest, waist and hips, from the crotch to the seventh cervical vertebra.
   const double torso_length = m.cervicale_height - m.crotch_height;
   plan[PartKind::kTorso] = {kCuboid, torso_length,
                             std::max({s[kChest].breadth, s[kWaist].breadth, s[kButtock].breadth}),
@@ -54,8 +54,7 @@ BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::opti
   plan[PartKind::kHand] = limb(m.hand_length, s[kHand], kJointShare, kFingerShare);
   plan[PartKind::kFoot] = {kCuboid, m.foot_length, s[kFoot].breadth, s[kFoot].depth};
 
-  // Joints at the landmarks: the hip at the trochanter, shoulders at the acromion, the rest as lengths
-  // follow.
+  // Joints at landmarks: hip at the trochanter, shoulder at the acromion; the others follow from lengths.
   const double hip_height = m.acromial_height - m.acromion_trochanter;
   plan.ankle_height = hip_height - m.trochanter_epicondyle - m.epicondyle_malleolus;
   plan.toe_height = height * kToeHeight;

@@ -1,4 +1,4 @@
-// Tables of ANSUR II and how body mass changes them.
+// Tables of ANSUR II, and scaling with body mass.
 #include "humanmodel/anthropometry.hpp"
 
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace abstand::humanmodel {
 namespace {
 
-/// A mean of men and of women.
+/// Mean values of men and of women.
 struct Pair {
   double men, women;
   double at(std::optional<Sex> sex) const {
@@ -15,7 +15,7 @@ struct Pair {
   }
 };
 
-/// Girth as a share of stature = a + b BMI, by least squares over ANSUR II.
+/// Girth as a share of stature = a + b BMI, least squares over ANSUR II.
 struct Line {
   Pair a, b;
   double at(double bmi, std::optional<Sex> sex) const { return a.at(sex) + b.at(sex) * bmi; }
@@ -25,17 +25,17 @@ struct Line {
 constexpr Pair kMeanMass{85.5, 67.8};
 constexpr Pair kMeanStature{1.7562, 1.6285};
 
-// Of the four girths that mass explains best (r^2 0.66 to 0.83).
+// The four girths best explained by mass (r^2 0.66 to 0.83).
 constexpr Line kChestGirth{{.2976, .2820}, {.01104, .01176}};
 constexpr Line kWaistGirth{{.1458, .1528}, {.01409, .01475}};
 constexpr Line kThighGirth{{.1544, .1655}, {.00729, .00835}};
 constexpr Line kBicepsGirth{{.0938, .0706}, {.00398, .00459}};
 
-// Other parts have no line. The third root of the body mass index puts the 5th percentile woman and the 95th
-// percentile man within 3 % of their measured forearm, calf, chest breadth and hip breadth.
+// No regression for other parts. The cube root of the body mass index puts the 5th percentile woman and the
+// 95th percentile man within 3 % of their measured forearm, calf, chest breadth and hip breadth.
 constexpr double kMildGrowth = 1.0 / 3.0;
 
-// Means as shares of stature.
+// Means, as shares of stature.
 constexpr Pair kButtockGirth{.581, .627};
 constexpr Pair kChestBreadth{.165, .166}, kWaistBreadth{.186, .184}, kHipBreadth{.197, .217};
 constexpr Pair kChestDepth{.145, .152}, kWaistDepth{.136, .131}, kButtockDepth{.140, .143};
@@ -61,7 +61,7 @@ double meanBodyMassIndex(std::optional<Sex> sex) {
 
 BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex) {
   const double bmi = mass / (height * height), mean_bmi = meanBodyMassIndex(sex);
-  // Growth of each region against the mean person of the same stature.
+  // Growth of a girth relative to the mean person of the same stature.
   const auto growth = [&](const Line& line) { return line.at(bmi, sex) / line.at(mean_bmi, sex); };
   const double chest = growth(kChestGirth), waist = growth(kWaistGirth), thigh = growth(kThighGirth);
   const double mild = std::pow(bmi / mean_bmi, kMildGrowth);

@@ -1,11 +1,11 @@
-// Measured people: ANSUR II means by stature, sex and body mass.
+// Anthropometry: ANSUR II means by stature, sex and body mass.
 #pragma once
 
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::humanmodel {
 
-/// Body mass index of the mean person of ANSUR II, kg/m^2; without sex the mean of both.
+/// Body mass index (kg/m^2) of the mean person of ANSUR II; without sex the mean of both.
 double meanBodyMassIndex(std::optional<Sex> sex);
 
 /// Circumferences, m.
@@ -30,12 +30,12 @@ struct Lengths {
   double acromion_radiale, radiale_stylion, hand_length, foot_length;
 };
 
-/// Measures of one person, metres. Girths, breadths and depths at the body's own thickest place.
+/// Measures of one person, m. Girths, breadths and depths at the thickest place of each segment.
 struct BodyMeasures : Girths, Widths, Lengths {};
 
 /// Means of ANSUR II (Gordon et al. 2014, US Army, fit adults: 4,082 men, 1,986 women) as shares of stature.
-/// Chest, waist, thigh and biceps girths follow lines in the body mass index fitted to the same data; the
-/// rest of the body follows as the .cpp says. `height` m, `mass` kg, both in range.
+/// Chest, waist, thigh and biceps girths are linear in the body mass index, fitted to the same data; all
+/// others scale as described in the .cpp. `height` (stature, m) and `mass` (kg) are in range.
 BodyMeasures measuresOf(double height, double mass, std::optional<Sex> sex);
 
 }  // namespace abstand::humanmodel

@@ -8,7 +8,7 @@ namespace abstand::humanmodel {
 namespace {
 
 constexpr double kRows = static_cast<double>(kCellRows);
-// Of unit vectors: a second direction that is so strong is named as well.
+// Component of a unit vector above which a second side is named too.
 constexpr double kNamed = 0.5;
 
 struct CellIndex {
@@ -19,7 +19,7 @@ CellIndex indexOf(std::size_t cell) {
   return {cell / (kCellRows * kCellRows), cell / kCellRows % kCellRows, cell % kCellRows};
 }
 
-/// A point on a side; `x` and `y` count rows of cells.
+/// Direction of a point on a side; `x` and `y` in rows of cells.
 Vector3d onSide(std::size_t side, double x, double y) {
   const std::size_t axis = side / 2;
   const auto slope = [](double row) { return std::tan(0.25 * std::numbers::pi * (2.0 * row / kRows - 1.0)); };

@@ -1,4 +1,4 @@
-// Names and neighbours of the fourteen parts.
+// Names and hierarchy of the fourteen parts.
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::humanmodel {

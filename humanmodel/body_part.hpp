@@ -1,4 +1,4 @@
-// The fourteen rigid parts of a person: names, sides, and who hangs on whom.
+// The fourteen rigid parts of a person: names, sides and hierarchy.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace abstand::humanmodel {
 
-/// A parent stands before its children, so a walk in this order builds a body from the torso outwards.
+/// Parents precede their children, so iteration in this order builds a body from the torso outwards.
 enum class BodyPart : std::uint8_t {
   kTorso,
   kHead,
@@ -30,7 +30,7 @@ enum class BodyPart : std::uint8_t {
 };
 inline constexpr std::size_t kBodyPartCount = static_cast<std::size_t>(BodyPart::kCount);
 
-/// The same part without its side: left and right are made alike.
+/// A part without its side: left and right are equal.
 enum class PartKind : std::uint8_t { kTorso, kHead, kBiceps, kForearm, kHand, kThigh, kCalf, kFoot, kCount };
 inline constexpr std::size_t kPartKindCount = static_cast<std::size_t>(PartKind::kCount);
 
@@ -44,7 +44,7 @@ constexpr PartKind kindOf(BodyPart part) {
 /// +1 left, -1 right, 0 for torso and head.
 constexpr int sideOf(BodyPart part) { return index(part) < 2 ? 0 : (index(part) % 2 == 0 ? 1 : -1); }
 
-/// The part that carries this one; nothing for the torso.
+/// The part that carries this one; nullopt for the torso.
 std::optional<BodyPart> parentOf(BodyPart part);
 
 /// Pairs that share a body joint, parent first: neck, shoulders, elbows, wrists, hips, knees and ankles.
@@ -52,7 +52,7 @@ const std::array<std::pair<BodyPart, BodyPart>, kBodyPartCount - 1>& adjacentPar
 
 /// "torso", "biceps_left", ... as in scene files.
 std::string_view partName(BodyPart part);
-/// Of all parts, in their order.
+/// Names of all parts, in their order.
 std::span<const std::string_view, kBodyPartCount> partNames();
 std::optional<BodyPart> parsePart(std::string_view name);
 

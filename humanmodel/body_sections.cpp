@@ -10,7 +10,7 @@
 namespace abstand::humanmodel {
 namespace {
 
-// Of the instep's top above the sole: the ankle's height, share of stature.
+// Height of the instep above the sole: that of the ankle, share of stature.
 constexpr double kFootHeight = .042;
 
 Section roundSection(double girth) { return {girth / kPi, girth / kPi, girth}; }

@@ -1,11 +1,11 @@
-// Cross-sections of a body at the places where girths are measured.
+// Cross-sections of a body where girths are measured.
 #pragma once
 
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::humanmodel {
 
-/// Where a girth is measured; a limb's at its thickest place.
+/// Where a girth is measured; on limbs at the thickest place.
 enum class GirthPlace {
   kChest,
   kWaist,
@@ -17,7 +17,7 @@ enum class GirthPlace {
   kHand,
   kThigh,
   kCalf,
-  kFoot,  ///< girth of the ball; breadth and height of the whole foot
+  kFoot,  ///< girth of the ball of the foot; breadth and height of the whole foot
   kCount
 };
 inline constexpr std::size_t kGirthPlaceCount = static_cast<std::size_t>(GirthPlace::kCount);
@@ -33,11 +33,11 @@ struct BodySections {
   const Section& operator[](GirthPlace place) const { return sections[static_cast<std::size_t>(place)]; }
 };
 
-/// Of the mean person of a stature (m), and of a body mass (kg) where it is given: measuresOf.
+/// Sections of the mean person of a stature (m) and, if given, a body mass (kg); see measuresOf.
 BodySections meanSections(double height, std::optional<double> mass, std::optional<Sex> sex);
 
-/// The largest girth (m) of a section like `mean` that fits into `given`: mean girth times the smaller of the
-/// ratios of breadth and of depth.
+/// The largest girth (m) of a section with the proportions of `mean` inside `given`: mean girth times the
+/// smaller of the ratios of breadth and of depth.
 double largestGirthInside(const Section& given, const Section& mean);
 
 }  // namespace abstand::humanmodel

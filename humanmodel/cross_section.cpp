@@ -16,7 +16,7 @@ double contourOf(PartShape shape, double breadth, double depth) {
 
 double extentFor(PartShape shape, double contour, double extent) {
   if (shape == PartShape::kCuboid) return 0.5 * contour - extent;
-  // The perimeter of an ellipse grows with either axis, and an axis is never longer than half the perimeter.
+  // The perimeter of an ellipse increases with either axis, and an axis is at most half the perimeter.
   double low = 0.0, high = 0.5 * contour;
   for (int i = 0; i < 200 && low < high; ++i) {
     const double middle = 0.5 * (low + high);

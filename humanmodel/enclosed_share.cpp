@@ -15,13 +15,13 @@ namespace {
 std::span<const GirthPlace> placesOf(PartKind kind) {
   using enum GirthPlace;
   static constexpr GirthPlace kTrunk[] = {kChest, kWaist, kButtock};
-  // In the order of PartKind, after the torso.
+  // In the order of PartKind after the torso.
   static constexpr GirthPlace kOthers[] = {kHead, kBiceps, kForearm, kHand, kThigh, kCalf, kFoot};
   if (kind == PartKind::kTorso) return kTrunk;
   return {&kOthers[index(kind) - 1], 1};
 }
 
-/// Girth / stature of one place and sex.
+/// Distribution of girth / stature for one place and sex.
 struct GirthLaw {
   double mean, deviation;
   /// Share of people of a stature (m) whose girth is below `girth` (m).
@@ -30,10 +30,10 @@ struct GirthLaw {
   }
 };
 
-/// The share of below() over all statures of a sex: Simpson's rule in the score of the stature.
+/// below() averaged over all statures of a sex: Simpson's rule over the score of stature.
 double belowAtAllStatures(const GirthLaw& law, double girth, Sex sex) {
   constexpr int kSteps = 400;
-  constexpr double kEnd = 8.0;  // standard deviations; 1e-15 of the people lie outside
+  constexpr double kEnd = 8.0;  // standard deviations; 1e-15 of the people are outside
   const StatureSpread statures = statureSpread(sex);
   const double step = 2.0 * kEnd / kSteps;
   double sum = 0.0;
@@ -46,7 +46,7 @@ double belowAtAllStatures(const GirthLaw& law, double girth, Sex sex) {
   return sum * step / 3.0;
 }
 
-/// One sex of a population: its mean sections at 1 m, and its shares of the people to count.
+/// One sex of a population: its mean sections at 1 m, and its shares of the counted people.
 struct CountedSex {
   Sex sex;
   BodySections mean;

@@ -1,4 +1,4 @@
-// How many people have parts that fit into those of a model.
+// Share of people whose parts are enclosed by those of a model.
 #pragma once
 
 #include "humanmodel/human_model.hpp"
@@ -11,21 +11,21 @@ struct EnclosedShare {
   double all_statures{0.0};  ///< of all people
 };
 
-/// Of each part, in the order of BodyPart: the share of people whose part fits into the model's, both of the
-/// same middle and axes, compared by their largest cross-section.
+/// For each part, in the order of BodyPart: share of people whose part is inside of the model's, with equal
+/// centre and axes, judged by the largest cross-section.
 ///
-/// Formula: G is the largest girth of a section in the proportions of the mean person of that sex whose
-/// breadth and depth are within the part's. Girth / stature is normal with the mean m and the deviation s of
-/// ANSUR II (2012), independent of stature. Then with the normal distribution function F
+/// G is the largest girth of a section with the proportions of the mean person of that sex whose breadth and
+/// depth are within the part's. Girth / stature is normally distributed with mean m and standard deviation s
+/// of ANSUR II (2012), independent of stature. With the normal distribution function F
 ///
 ///     at_stature = F((G / h - m) / s),    all_statures = integral of F((G / H - m) / s) f(H) dH,
 ///
-/// h the model's stature and f the normal density of statures. Of the torso, chest, waist and buttock are
-/// taken one by one, and the smallest share counts: how these girths go together is not in the source at
-/// hand, so the share that fits at all three is smaller. Lengths, the neck and the joints are not judged.
+/// h is the model's stature and f the normal density of statures. For the torso, chest, waist and buttock are
+/// judged separately and the smallest share is used; the share that fits at all three is smaller, but the
+/// source has no correlations. Lengths, the neck and the joints are not judged.
 ///
-/// `sex`: whom to count; without: a population half women and half men, so among people of the model's
-/// stature each sex as shareOfSexAt says. Body mass is not looked at: people of every mass are counted.
+/// `sex`: people to count; without: a population of half women and half men, weighted at the model's stature
+/// by shareOfSexAt. Independent of body mass: people of every mass are counted.
 std::array<EnclosedShare, kBodyPartCount> enclosedShare(const HumanModel& model, std::optional<Sex> sex);
 
 }  // namespace abstand::humanmodel

@@ -9,13 +9,13 @@
 namespace abstand::humanmodel {
 namespace {
 
-/// Of men and of women.
+/// Values of men and of women.
 struct Spread {
   double men, women;
   double of(Sex sex) const { return sex == Sex::kMale ? men : women; }
 };
 
-// Standard deviations of girths, shares of stature (ANSUR II), in the order of GirthPlace.
+// Standard deviations of girths as shares of stature (ANSUR II), in the order of GirthPlace.
 constexpr std::array<Spread, kGirthPlaceCount> kDeviations{{{.049, .050},
                                                             {.063, .060},
                                                             {.042, .044},
@@ -28,7 +28,7 @@ constexpr std::array<Spread, kGirthPlaceCount> kDeviations{{{.049, .050},
                                                             {.017, .017},
                                                             {.007, .007}}};
 
-/// r^2 of the lines of girth / stature in the body mass index (ANSUR II); 0: there is no line.
+/// r^2 of girth / stature with the body mass index (ANSUR II); 0: unknown.
 Spread explainedByMass(GirthPlace place) {
   switch (place) {
     case GirthPlace::kChest:
@@ -44,12 +44,12 @@ Spread explainedByMass(GirthPlace place) {
   }
 }
 
-/// People of one sex: share of the population, and how a section that is to be scaled compares.
+/// People of one sex: share of the population, and parameters of the section to scale.
 struct Half {
   double share, mean_scale, deviation_scale;
 };
 
-/// By how much a section must be scaled to enclose `share` of both halves.
+/// Factor by which a section must be scaled to enclose `share` of both sexes.
 double scaleFor(const std::array<Half, 2>& halves, double share) {
   double low = 0.0, high = 10.0;
   for (;;) {

@@ -1,4 +1,4 @@
-// From options to a body.
+// Builds a body from options.
 #include "humanmodel/human_model.hpp"
 
 #include "core/base/error.hpp"
@@ -39,7 +39,7 @@ double bodyMass(const HumanOptions& options, double height) {
   if (!options.mass && !options.percentile) return meanBodyMassIndex(options.sex) * square;
   const double mass = options.mass ? *options.mass : massOfPercentile(*options.percentile, options.sex);
   checkRange(mass, 10.0, 300.0, "the person's mass", "kg");
-  // The leanest and heaviest people on record lie well inside.
+  // Includes the leanest and heaviest people on record.
   checkRange(mass / square, 8.0, 100.0,
              "the body mass index of " + formatDouble(mass) + " kg at " + formatDouble(height) + " m",
              "kg/m^2");

@@ -1,4 +1,4 @@
-// The canonical skeleton: the joints that every recording is mapped to.
+// The canonical skeleton, to which every recording is mapped.
 #pragma once
 
 #include <array>
@@ -43,16 +43,16 @@ inline constexpr std::size_t kJointCount = static_cast<std::size_t>(Joint::kCoun
 std::string_view jointName(Joint joint);
 std::optional<Joint> parseJoint(std::string_view name);
 
-/// missing: no data in this frame. inferred: the tracker guessed it. tracked: measured.
+/// missing: no data in this frame. inferred: guessed by the tracker. tracked: measured.
 enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
 
-/// One moment of a person: world axes of the recording after conversion (z up, metres, right-handed).
-/// A joint that is missing holds NaN and is never used as a position.
+/// Joints of a person at one time: world axes after conversion (z up, metres, right-handed). A missing joint
+/// is NaN and never used as a position.
 struct SkeletonFrame {
   double t{0.0};  ///< s since the start of the recording
   std::array<Vector3d, kJointCount> p;
   std::array<JointState, kJointCount> state;
-  std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: not known
+  std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: unknown
 
   SkeletonFrame() {
     p.fill(Vector3d::Constant(kNaN));

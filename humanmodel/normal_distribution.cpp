@@ -8,7 +8,7 @@ namespace abstand::humanmodel {
 double normalShare(double score) { return 0.5 * std::erfc(-score / std::numbers::sqrt2); }
 
 double normalScore(double share) {
-  // Bisection to the last bit: a score is needed a few times for each person, so speed does not matter.
+  // Bisection to the last bit: called a few times for each person, so speed does not matter.
   double low = -40.0, high = 40.0;
   for (;;) {
     const double middle = 0.5 * (low + high);

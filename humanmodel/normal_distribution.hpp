@@ -1,4 +1,4 @@
-// The standard normal distribution: from a score to a share and back.
+// Standard normal distribution function and its inverse.
 #pragma once
 
 namespace abstand::humanmodel {
@@ -6,7 +6,7 @@ namespace abstand::humanmodel {
 /// Share (0 to 1) of a normal distribution below `score` standard deviations from its mean.
 double normalShare(double score);
 
-/// The score below which a share lies: the inverse of normalShare. `share` between 0 and 1, both excluded.
+/// Inverse of normalShare. `share` in the open interval (0, 1).
 double normalScore(double share);
 
 }  // namespace abstand::humanmodel

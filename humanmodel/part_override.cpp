@@ -1,4 +1,4 @@
-// A user's wishes for one part.
+// User overrides of one part.
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -8,7 +8,7 @@
 namespace abstand::humanmodel {
 namespace {
 
-// No part of a person between 0.5 and 2.5 m is outside; a value in mm or cm is.
+// Contains all parts of people between 0.5 and 2.5 m; excludes values in mm or cm.
 constexpr double kSmallest = 0.005, kLargest = 3.0;
 
 void checkSize(const std::optional<double>& value, std::string_view part, const char* what) {
@@ -35,7 +35,7 @@ Segment overridden(const Segment& segment, const PartOverride& wish, std::string
   }
   if (wish.contour) contour = *wish.contour;
 
-  // Scaling breadth and depth together scales the contour by the same factor.
+  // Scaling breadth and depth together scales the girth by the same factor.
   const double scale = contour / contourOf(s.shape, s.breadth, s.depth);
   s.breadth *= scale;
   s.depth *= scale;

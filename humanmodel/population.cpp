@@ -1,4 +1,4 @@
-// Percentiles of ANSUR II and what lies between them.
+// Percentiles of ANSUR II and their interpolation.
 #include "humanmodel/population.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ constexpr std::size_t kKnots = 7;
 constexpr std::array<double, kKnots> kKnotPercentiles{1.0, 2.5, 5.0, 50.0, 95.0, 97.5, 99.0};
 using Knots = std::array<double, kKnots>;
 
-/// One measure of women and of men at the knots.
+/// Percentiles of one measure of women and of men.
 struct Percentiles {
   Knots women, men;
   const Knots& of(Sex sex) const { return sex == Sex::kFemale ? women : men; }
@@ -35,7 +35,7 @@ const Knots& knotScores() {
   return scores;
 }
 
-/// Straight lines through the points (x, y), x growing; the outermost lines go on.
+/// Piecewise linear interpolation of points (x, y), x increasing, with linear extrapolation.
 double interpolated(const Knots& x, const Knots& y, double at) {
   const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, at);
   const auto i = static_cast<std::size_t>(above - x.begin());

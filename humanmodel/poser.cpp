@@ -1,4 +1,4 @@
-// The walk over a frame: place, hold and age the parts.
+// Poses one frame: placing, holding and ageing of the parts.
 #include "humanmodel/poser.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace abstand::humanmodel {
 namespace {
 
-// m; farther away a number is broken, whatever it says.
+// m; larger coordinates are invalid.
 constexpr double kFarthest = 1e6;
-// A recording whose legs differ more than this from the model's is no measure of its height above the floor.
+// A recording whose leg ratio is outside of this range does not determine the height above the floor.
 constexpr double kSmallestRatio = 0.5, kLargestRatio = 2.0;
 
 bool usable(const SkeletonFrame& frame) {
@@ -23,7 +23,7 @@ bool usable(const SkeletonFrame& frame) {
   return true;
 }
 
-/// The joint that ties a part to its parent.
+/// The joint that connects a part to its parent.
 Joint innerJoint(const HumanPart& part) { return part.part == BodyPart::kHead ? part.distal : part.proximal; }
 const Vector3d& innerPoint(const HumanPart& part) {
   return part.part == BodyPart::kHead ? part.p_distal : part.p_proximal;
@@ -35,7 +35,7 @@ Poser::Poser(const HumanModel& model, bool follow_lengths, double floor)
     : model_{&model}, follow_lengths_{follow_lengths}, floor_{floor} {
   p_joint_on_parent_.fill(Vector3d::Zero());
   for (const auto& [parent, child] : adjacentParts()) {
-    // Every part has the world's axes in the rest pose.
+    // In the rest pose every part has the world's axes.
     const HumanPart& carrier = model.part(parent);
     const Vector3d p_WP = model.rest[carrier.proximal] - carrier.p_proximal;
     p_joint_on_parent_[index(child)] = model.rest[innerJoint(model.part(child))] - p_WP;
@@ -121,13 +121,13 @@ bool Poser::anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const {
   const bool on_parent = seenNow(*parentOf(part));
   aim.p_PA = innerPoint(p);
   if (follow_lengths_ && limb) {
-    // A bone of another length shares its error between both ends.
+    // The error of a different bone length is split between both ends.
     aim.p_PA = 0.5 * (p.p_proximal + p.p_distal);
     aim.p_WA = 0.5 * (frame[p.proximal] + frame[p.distal]);
   } else if (on_parent && !(follow_lengths_ && frame.has(inner))) {
     aim.p_WA = now_.X_WP[index(*parentOf(part))] * p_joint_on_parent_[index(part)];
   } else if (frame.has(inner)) {
-    // The part that carries it is stale, or joints stand where they were recorded.
+    // The carrying part is stale, or joints are placed as recorded.
     aim.p_WA = frame[inner] + lift_ * Vector3d::UnitZ();
   } else {
     return false;
@@ -143,7 +143,7 @@ double Poser::spreadOf(BodyPart part, const SkeletonFrame& frame) const {
   if (part == BodyPart::kTorso)
     for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kShoulderLeft, Joint::kShoulderRight})
       if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
-  // Legs hang on the hips, however well the upper end of the trunk is known.
+  // Legs depend on the hips, even if the upper end of the trunk is known.
   const auto parent = parentOf(part);
   if (kindOf(part) == PartKind::kThigh) {
     for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kPelvis})
@@ -171,11 +171,11 @@ Transform Poser::held(BodyPart part) const {
   const std::optional<BodyPart> carrier = parentOf(part);
   if (!carrier) return before_.X_WP[self];
   const std::size_t parent = index(*carrier);
-  // A carrier that is held itself may still have moved with its own carrier.
+  // A carrier that is held may still have moved with its own carrier.
   if (before_.state[parent] == PartState::kNone || now_.state[parent] == PartState::kNone)
     return before_.X_WP[self];
   Transform X = now_.X_WP[parent] * before_.X_WP[parent].inverse() * before_.X_WP[self];
-  // Products of rotations drift; a part may be held for hours.
+  // Prevents drift by products of rotations; a part may be held for hours.
   X.linear() = Quaterniond(X.linear()).normalized().toRotationMatrix();
   return X;
 }

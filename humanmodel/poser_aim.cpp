@@ -1,4 +1,4 @@
-// How each kind of part is turned: its bone from the joints, its twist from bends and neighbours.
+// Orientation of each kind of part: bone from the joints, twist from bends and neighbours.
 #include <algorithm>
 
 #include "humanmodel/poser.hpp"
@@ -11,10 +11,10 @@ namespace {
 using enum Joint;
 const Vector3d kZ = Vector3d::UnitZ();
 
-// A hinge that runs along its own bone cannot say how the bone is twisted.
+// A hinge axis nearly parallel to the bone does not determine the twist.
 constexpr double kWeakHinge = 0.1;
 
-/// The part that a part carries on the same limb.
+/// The next part on the same limb.
 BodyPart nextOnLimb(BodyPart part) { return static_cast<BodyPart>(index(part) + 2); }
 
 /// Elbows bend the forearm forwards, knees bend the calf backwards.
@@ -39,7 +39,7 @@ Poser::MaybeAim Poser::aimTorso(const SkeletonFrame& frame) {
     R_last = before_.X_WP[index(BodyPart::kTorso)].linear();
   const std::optional<TorsoView> view = viewTorso(frame, *model_, R_last);
   if (!view) return std::nullopt;
-  // Without hips the height above the floor is not known, and the last lift goes on.
+  // Without hips the height above the floor is unknown; the last lift is kept.
   if (view->on_hips) lift_ = liftOf(view->p_WA.z(), frame);
   return Aim{view->R_WP, view->quality, view->p_WA + lift_ * kZ, view->p_PA};
 }
@@ -49,7 +49,7 @@ Poser::MaybeAim Poser::aimHead(const SkeletonFrame& frame) const {
   const Matrix3d R =
       on_torso ? Matrix3d(now_.X_WP[index(BodyPart::kTorso)].linear()) : carried(BodyPart::kHead);
   const Joint end = frame.has(kHeadTop) ? kHeadTop : kHead;
-  // The head's bone begins at the neck, or below it where no neck was recorded.
+  // The head's bone starts at the neck, or at the thorax if no neck was recorded.
   const Joint base = frame.has(kNeck) ? kNeck : kThorax;
   if (const auto z = direction(frame, base, end))
     return Aim{frameAlong(kZ, *z, carriedY(R, kZ, *z)), worst(frame, {base, end})};
@@ -104,7 +104,7 @@ Poser::MaybeAim Poser::aimFoot(BodyPart part, const SkeletonFrame& frame) const 
       y = turnedToHinge(y, *toes, z_calf.cross(*toes), before_.state[index(part)] != PartState::kNone);
     return Aim{frameAlong(a_P, *toes, y), worst(frame, {bone.proximal, bone.distal})};
   }
-  // Without a toe the foot stands at right angles to the calf, forward of the body.
+  // Without a toe the foot is at a right angle to the calf, forward of the body.
   if (!on_calf) return std::nullopt;
   if (now_.state[torso] == PartState::kNone) return Aim{now_.X_WP[calf].linear(), JointState::kInferred};
   const Vector3d y = carriedY(now_.X_WP[torso].linear(), kZ, z_calf);

@@ -1,4 +1,4 @@
-// Medians over a recording's bones.
+// Medians of bone lengths over a recording.
 #include "humanmodel/recording_lengths.hpp"
 
 #include <algorithm>
@@ -12,17 +12,17 @@ namespace {
 
 using enum Joint;
 constexpr std::size_t kMaxFrames = 200;
-constexpr double kShortestBone = 1e-3;       // m; shorter ones are joints that a format repeats
+constexpr double kShortestBone = 1e-3;       // m; shorter ones are joints duplicated by a format
 constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of a bone's spread
-constexpr double kGroundQuantile = 0.05;     // some frames may be broken or below a sloping floor
-constexpr double kHighestAnkle = 0.25;  // m; a tall person's is 0.09, a thick sole or a marker adds to it
+constexpr double kGroundQuantile = 0.05;     // some frames may be invalid or below a sloping floor
+constexpr double kHighestAnkle = 0.25;       // m; a tall person's is 0.09, plus a thick sole or a marker
 
 struct Leg {
   Joint hip, knee, ankle;
 };
 constexpr Leg kLegs[] = {{kHipLeft, kKneeLeft, kAnkleLeft}, {kHipRight, kKneeRight, kAnkleRight}};
 
-/// A quantile (0 to 1) of what `measure` finds in the sampled frames.
+/// Quantile (0 to 1) of the values of `measure` over the sampled frames.
 template <class Measure>
 std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double quantile, Measure measure) {
   std::vector<double> found;
@@ -37,7 +37,7 @@ std::optional<double> quantileOf(std::span<const SkeletonFrame> frames, double q
   return upperQuantile(std::move(found), quantile);
 }
 
-/// A quantile of the length of a bone; joints that coincide are not counted.
+/// Quantile of a bone's length; coinciding joints are ignored.
 template <class Measure>
 std::optional<double> lengthAt(std::span<const SkeletonFrame> frames, double quantile, Measure measure) {
   return quantileOf(frames, quantile, [&](const SkeletonFrame& frame) -> std::optional<double> {
@@ -47,7 +47,7 @@ std::optional<double> lengthAt(std::span<const SkeletonFrame> frames, double qua
   });
 }
 
-/// `bone` gives the recording's distance of two joints.
+/// `bone` returns the recording's distance of two joints.
 template <class Bone>
 std::optional<double> ratioOfLegs(const HumanModel& model, Bone bone) {
   double of_model = 0.0, of_recording = 0.0;
@@ -77,7 +77,7 @@ std::optional<double> trunkAt(std::span<const SkeletonFrame> frames, double quan
   });
 }
 
-/// Length of what recordings have of a part; nothing for hands and feet.
+/// Length of a part in the recording; nullopt for hands and feet.
 std::optional<double> partAt(std::span<const SkeletonFrame> frames, double quantile, const HumanPart& part) {
   const PartKind kind = kindOf(part.part);
   if (kind == PartKind::kHand || kind == PartKind::kFoot) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<LengthFit> fitLengths(const HumanOptions& options, std::span<const
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames) {
   const HumanModel model = makeHuman(options);
 
-  // Median bones of both sides, gathered by kind of part.
+  // Median bones of both sides, summed by kind of part.
   std::array<double, kPartKindCount> sum{};
   std::array<int, kPartKindCount> count{};
   for (const HumanPart& part : model.parts) {

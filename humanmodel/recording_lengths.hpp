@@ -1,4 +1,4 @@
-// Bone lengths of a recording, and a model that takes them over.
+// Bone lengths of a recording, and a model with these lengths.
 #pragma once
 
 #include <optional>
@@ -9,50 +9,48 @@
 
 namespace abstand::humanmodel {
 
-/// Median distance of two joints over at most 200 frames taken evenly, m. Nothing when they are never both
-/// there.
+/// Median distance (m) of two joints over at most 200 evenly spaced frames. nullopt if they never occur
+/// together.
 std::optional<double> medianBone(std::span<const SkeletonFrame> frames, Joint a, Joint b);
 
-/// Leg length (hip to knee to ankle) of the model over that of the recording, medians as above, mean of the
-/// legs that are complete. Nothing without a complete leg.
+/// Leg length (hip to knee to ankle) of the model over that of the recording (medians as above), mean of the
+/// complete legs. nullopt without a complete leg.
 std::optional<double> legRatio(const HumanModel& model, std::span<const SkeletonFrame> frames);
 
-/// The same for one frame alone. No allocation.
+/// The same for one frame. No allocation.
 std::optional<double> legRatio(const HumanModel& model, const SkeletonFrame& frame);
 
-/// Height above z = `floor` of the ankles on the ground: the 5 % quantile, over at most 200 frames taken
-/// evenly, of the lower ankle. Nothing when no ankle was recorded, and when the height is below 0 or above
-/// 0.25 m: the floor of such a recording lies elsewhere.
+/// Height of standing ankles above z = `floor`: 5 % quantile, over at most 200 evenly spaced frames, of the
+/// lower ankle. nullopt if no ankle was recorded, and if the height is below 0 or above 0.25 m, as the floor
+/// is elsewhere then.
 std::optional<double> standingAnkle(std::span<const SkeletonFrame> frames, double floor);
 
-/// A bone of a recording beside that of the model. Lengths in m.
+/// A bone of a recording compared with the model. Lengths in m.
 struct BoneLength {
   BodyPart part{};
-  double median{0.0};    ///< of the recording, over at most 200 frames taken evenly
-  double spread{0.0};    ///< from the 5 % to the 95 % quantile; of rigid bones and exact joints 0
+  double median{0.0};    ///< of the recording, over at most 200 evenly spaced frames
+  double spread{0.0};    ///< range from the 5 % to the 95 % quantile; 0 for rigid bones and exact joints
   double model{0.0};     ///< of the model at the fitted stature
   double residual{0.0};  ///< median - model
 };
 
-/// How tall a person of the model's proportions is whose bones are as long as the recording's.
+/// Stature of a person with the model's proportions and the recording's bone lengths.
 struct LengthFit {
-  double stature{0.0};         ///< m: the mean of what each bone says
-  double stature_spread{0.0};  ///< m: standard deviation of what the bones say
+  double stature{0.0};         ///< m: mean over the bones
+  double stature_spread{0.0};  ///< m: standard deviation over the bones
   double rms{0.0};             ///< m, of the residuals
   std::vector<BoneLength> bones;
 };
 
 /// Compares torso (hips to neck), head, upper arms, forearms, thighs and calves, both sides; the others end
-/// at different places in different formats. Bones of the model grow with its height, whatever its mass.
-/// Nothing where the recording has none of these bones. Throws UsageError for options that makeHuman()
-/// refuses.
+/// at different places in different formats. The model's bones scale with its stature, independent of mass.
+/// nullopt if the recording has none of these bones. Throws UsageError for options that makeHuman() refuses.
 std::optional<LengthFit> fitLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames);
 
-/// The options with the lengths of torso, head, upper arms, forearms, thighs and calves set so that the
-/// model's bones are as long as the recording's: "the recording's own bone lengths rule". Left and right get
-/// their mean. Girths stay, and so does a length that the user gave. Hands and feet stay, because formats end
-/// them at different places (knuckle or finger tip, ball or toe tip), and so does the head without a head-top
-/// joint. Throws UsageError for options that makeHuman() refuses.
+/// Sets the lengths of torso, head, upper arms, forearms, thighs and calves so that the model's bones are as
+/// long as the recording's. Left and right get their mean. Girths and lengths given by the user are kept, and
+/// so are hands and feet, because formats end them at different places (knuckle or finger tip, ball or toe
+/// tip), and the head without a head-top joint. Throws UsageError for options that makeHuman() refuses.
 HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const SkeletonFrame> frames);
 
 }  // namespace abstand::humanmodel

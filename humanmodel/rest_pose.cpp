@@ -23,14 +23,14 @@ constexpr std::array<std::pair<Joint, Joint>, kBodyPartCount> kJointsOfPart{{{kN
                                                                              {kAnkleLeft, kToeLeft},
                                                                              {kAnkleRight, kToeRight}}};
 
-// The middle of a head lies half a head (chin to vertex 0.130 h of 0.14 h with the neck; Drillis and Contini
+// The centre of a head is half a head (chin to vertex 0.130 h of 0.14 h with the neck; Drillis and Contini
 // 1966) below the vertex.
 constexpr double kHeadMiddleShare = 0.46;
 
-/// Share of an ellipsoid's semi-axis at which its girth has fallen to `share` of the largest.
+/// Share of an ellipsoid's semi-axis at which its girth is `share` of the largest.
 double axisShare(double share) { return std::sqrt((1.0 - share) * (1.0 + share)); }
 
-/// Half the extent along z, and the z of both joints, of everything but a foot.
+/// Half extent along z, and z of both joints, for all parts except feet.
 struct AxialLayout {
   double half, z_proximal, z_distal;
 };
@@ -86,7 +86,7 @@ SkeletonFrame restPose(const BuiltBody& body, const std::vector<HumanPart>& part
   const Segment& torso = body[BodyPart::kTorso];
   const double half_torso = 0.5 * torso.breadth;
 
-  // The longer leg stands.
+  // The longer leg is on the floor.
   const double left_leg = body[BodyPart::kThighLeft].length + body[BodyPart::kCalfLeft].length;
   const double right_leg = body[BodyPart::kThighRight].length + body[BodyPart::kCalfRight].length;
   const Vector3d p_pelvis{0.0, 0.0, body.plan.ankle_height + std::max(left_leg, right_leg)};

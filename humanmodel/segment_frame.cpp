@@ -7,7 +7,7 @@
 namespace abstand::humanmodel {
 namespace {
 
-constexpr double kShortest = 1e-6;  // m; nearer joints have no direction
+constexpr double kShortest = 1e-6;  // m; nearer joints define no direction
 // sines of 8 and 20 degrees: 1 cm of noise on a forearm is 2 degrees
 constexpr double kBendNoise = 0.139, kBendSure = 0.342;
 
@@ -29,10 +29,10 @@ Vector3d carriedY(const Matrix3d& R_WP, const Vector3d& a_P, const Vector3d& b_W
   const Vector3d a_W = R_WP * a_P, y = R_WP.col(1);
   const Vector3d v = a_W.cross(b_W);
   const double c = a_W.dot(b_W);
-  // Below this the cosine is -1 to rounding and the axis of the rotation is lost.
+  // Below this the cosine is -1 up to rounding and the axis of rotation is undefined.
   constexpr double kOpposite = 1e-12;
   if (1.0 + c < kOpposite) return y;
-  // Rodrigues' formula with 1 - cos over sin^2 written as 1 / (1 + cos)
+  // Rodrigues' formula with (1 - cos) / sin^2 written as 1 / (1 + cos)
   return y + v.cross(y) + v.cross(v.cross(y)) / (1.0 + c);
 }
 

@@ -1,4 +1,4 @@
-// The table of de Leva 1996 and its mapping into part frames.
+// The table of de Leva 1996 and its mapping to part frames.
 #include "humanmodel/segment_inertia.hpp"
 
 namespace abstand::humanmodel {
@@ -27,7 +27,8 @@ constexpr Table kWomen{{{.4257, .4964, .307, .292, .147},
                         {.0481, .4416, .271, .267, .093},
                         {.0129, .4014, .299, .279, .124}}};
 
-// Wrist to third knuckle as a share of wrist to finger tip (de Leva, table 4: 86.2 of 187.9 mm; women alike).
+// Wrist to third knuckle as a share of wrist to finger tip (de Leva, table 4: 86.2 of 187.9 mm; the same for
+// women).
 constexpr double kKnuckleShare = 0.459;
 
 InertiaRow rowOf(PartKind kind, std::optional<Sex> sex) {

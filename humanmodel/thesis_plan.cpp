@@ -5,18 +5,18 @@
 namespace abstand::humanmodel {
 namespace {
 
-/// One row of the table: shares of the height.
+/// One row of the table, as shares of stature.
 struct Row {
   PartKind kind;
   PartShape shape;
   double length, contour;
-  double depth_to_breadth;  ///< the table leaves it open
+  double depth_to_breadth;  ///< not in the table
 };
 
-// As printed the torso has the head's length and the head the torso's: 0.16 h is a head with its neck (ANSUR
-// II 0.136 to 0.143), 0.34 h a trunk, and only so do the lengths stack to the height. The cuboid of the torso
-// is three quarters as deep as broad, as waists are; that of the foot is as high and as broad as an ankle is
-// high and a foot is broad (Drillis and Contini 1966).
+// The printed table exchanges the lengths of torso and head: 0.16 h is a head with its neck (ANSUR II 0.136
+// to 0.143), 0.34 h a trunk, and only then do the lengths add up to the stature. The torso cuboid is three
+// quarters as deep as broad, as waists are; the foot cuboid has the height of an ankle and the breadth of a
+// foot (Drillis and Contini 1966).
 using enum PartShape;
 constexpr double kRound = 1.0;
 constexpr Row kTable[] = {
@@ -30,8 +30,8 @@ constexpr Row kTable[] = {
 constexpr double kAnkleHeight = .039, kShoulderHeight = .818;
 // Half the biacromial breadth of ANSUR II, mean of men and women.
 constexpr double kShoulderHalf = .115;
-// The table's torso is narrower than shoulders are, and its upper arms end in points: farther out they would
-// hang in the air.
+// The table's torso is narrower than shoulders, and its upper arms end in points: farther out they would not
+// touch the torso.
 constexpr double kThesisShoulderReach = .010;
 constexpr double kThesisHeelBehindAnkle = .04;
 constexpr double kToeHeight = .010;
@@ -48,7 +48,7 @@ BodyPlan thesisPlan(double height) {
     s.breadth = row.shape == kCuboid ? 0.5 * contour / (1.0 + row.depth_to_breadth) : contour / kPi;
     s.depth = s.breadth * row.depth_to_breadth;
   }
-  // The table's legs reach from the ankle to 0.509 h, its torso and head from the top down to 0.5 h.
+  // The table's legs extend from the ankle to 0.509 h, its torso and head from the top down to 0.5 h.
   const double torso = plan[PartKind::kTorso].length,
                torso_bottom = height - plan[PartKind::kHead].length - torso;
   plan.ankle_height = height * kAnkleHeight;

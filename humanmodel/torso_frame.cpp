@@ -10,10 +10,10 @@ namespace {
 
 using enum Joint;
 
-// Hip and shoulder lines that nearly cancel, or run along the spine, say nothing about the twist.
+// Hip and shoulder lines that nearly cancel, or are parallel to the spine, do not determine the twist.
 constexpr double kWeakLine = 0.1;
 
-/// A recorded point and the joint of the model that it stands for.
+/// A recorded point and the corresponding joint of the model.
 struct Landmark {
   Vector3d p_W;
   Joint joint;
@@ -39,7 +39,7 @@ JointState hipQuality(const SkeletonFrame& frame) {
   return qualityOf(frame, kPelvis);
 }
 
-/// Sum of the unit hip and shoulder lines, right to left; zero when both are missing.
+/// Sum of the unit hip and shoulder lines, right to left; zero if both are missing.
 Vector3d lateralLine(const SkeletonFrame& frame) {
   Vector3d sum = Vector3d::Zero();
   for (const auto& [right, left] : {std::pair{kHipRight, kHipLeft}, std::pair{kShoulderRight, kShoulderLeft}})
@@ -63,7 +63,7 @@ std::optional<TorsoView> viewTorso(const SkeletonFrame& frame, const HumanModel&
   if (!upper) return std::nullopt;
   const HumanPart& torso = model.part(BodyPart::kTorso);
 
-  // Where it hangs, and which way is up along it.
+  // Reference point and up direction.
   TorsoView view;
   std::optional<Vector3d> up;
   if (hips) {
@@ -81,7 +81,7 @@ std::optional<TorsoView> viewTorso(const SkeletonFrame& frame, const HumanModel&
   }
   if (!up) return std::nullopt;
 
-  // How it is turned about that.
+  // Rotation about that direction.
   Vector3d y = lateralLine(frame);
   if (y.cross(*up).norm() < kWeakLine) {
     if (!R_last) return std::nullopt;

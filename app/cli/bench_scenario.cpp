@@ -25,7 +25,7 @@ double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// VmHWM of this process in MB.
+/// Peak resident memory (VmHWM) of this process in MB.
 double highWaterMb() {
   std::ifstream in("/proc/self/status");
   for (std::string word; in >> word;)
@@ -37,14 +37,14 @@ double highWaterMb() {
   return 0.0;
 }
 
-/// "hV" or "hVpP": V and P are the voxel size and the point spacing in mm.
+/// Parses "hV" or "hVpP": V and P are the voxel size and the point spacing in mm.
 structure::HapticOptions variantOptions(const std::string& variant) {
   double voxel = 0.0, point = 0.0;
   int read = 0;
   const bool named = variant == "h1" || variant == "h2" || variant == "h4";
   const bool both = std::sscanf(variant.c_str(), "h%lfp%lf%n", &voxel, &point, &read) == 2 &&
                     read == static_cast<int>(variant.size());
-  // Written so that NaN fails.
+  // The negated form also rejects NaN.
   if (!named && !(both && voxel >= 0.1 && voxel <= 1000.0 && point >= 0.1 && point <= 1000.0))
     throw UsageError("--variant: found '" + variant +
                      "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm "
@@ -55,7 +55,7 @@ structure::HapticOptions variantOptions(const std::string& variant) {
   return o;
 }
 
-/// Cuts "-restS" off the name: the share (0 to 1) of QueryCulling::rest; 0 when it is not there.
+/// Removes "-restS" from the name and returns the share (0 to 1) of QueryCulling::rest; 0 if absent.
 double takeRest(std::string& variant) {
   const auto at = variant.find("-rest");
   if (at == std::string::npos) return 0.0;
@@ -76,7 +76,7 @@ bool same(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-/// Bodies with equal meshes have one structure together.
+/// Bodies with equal meshes share one structure.
 Structures build(const bench::Scenario& scenario, const structure::HapticOptions& options) {
   const std::size_t n = scenario.bodies.size();
   std::vector<geometry::TriangleMesh> meshes(n);
@@ -90,7 +90,7 @@ Structures build(const bench::Scenario& scenario, const structure::HapticOptions
     first[i] = equal != order.end() ? *equal : i;
     if (first[i] == i) order.push_back(i);
   }
-  // The largest first, so that none is left over at the end.
+  // Largest first, so that none is left over at the end.
   std::vector<double> area(n, 0.0);
   for (const std::size_t i : order) area[i] = geometry::surfaceArea(meshes[i]);
   std::stable_sort(order.begin(), order.end(),
@@ -123,10 +123,10 @@ query::PairSet makePairs(const bench::Scenario& scenario, const Structures& stru
   return query::PairSet(std::move(bodies), std::move(pairs));
 }
 
-/// What the harness takes for: not computed.
+/// The harness's value for: not computed.
 constexpr float kNotComputed = 1e9f;
 
-/// Answers one frame in the way of a mode: the values that the harness wants of each pair.
+/// Queries one frame in the way of a mode: the values that the harness needs of each pair.
 using Ask = std::function<void(std::span<const Transform>)>;
 
 Ask asker(const std::string& mode, query::PairSet& pairs, std::vector<float>& answers) {
@@ -149,7 +149,7 @@ Ask asker(const std::string& mode, query::PairSet& pairs, std::vector<float>& an
   };
 }
 
-/// A scene whose pairs remember and rest, as those of a user's scene do.
+/// A scene with warm starts and temporal culling, as in users' scenes.
 scene::Scene makeScene(const bench::Scenario& scenario, const Structures& structures, double rest) {
   scene::Scene scene;
   std::vector<ObjectId> ids;
@@ -229,7 +229,7 @@ int benchScenario(const BenchScenario& args) {
   for (std::size_t f = static_cast<std::size_t>(args.start); f < scenario.frames() && spent <= args.budget;
        ++f) {
     if ((static_cast<int>(f) - args.start) % args.period >= args.block) continue;
-    if (times.empty()) frame(f);  // one frame unmeasured
+    if (times.empty()) frame(f);  // one frame without timing
     const auto begin = Clock::now();
     frame(f);
     times.push_back(secondsSince(begin));

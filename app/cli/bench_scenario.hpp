@@ -5,8 +5,8 @@
 
 namespace abstand::cli {
 
-/// The peer harness's command line: frames f with (f - start) mod period < block are run, until `budget`
-/// seconds of measured work are spent; one JSON line on stdout, values of the pairs into `dump`.
+/// Command line of the peer benchmark's harness: runs frames f with (f - start) mod period < block until
+/// `budget` seconds of measured work are spent; one JSON line on stdout, values of the pairs to `dump`.
 struct BenchScenario {
   std::string scenario, mode{"distance"}, variant{"h4"}, dump, out;
   int block{10}, period{100}, start{0};

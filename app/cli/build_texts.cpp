@@ -6,7 +6,7 @@
 namespace abstand::cli {
 namespace {
 
-constexpr double kTable[] = {0.010, 0.005, 0.004, 0.002, 0.001};  // m, voxel and point spacing alike
+constexpr double kTable[] = {0.010, 0.005, 0.004, 0.002, 0.001};  // m, voxel size and point spacing
 
 nlohmann::ordered_json placeOrNull(const Vector3d& p) {
   return p.allFinite() ? toJson(p) : nlohmann::ordered_json(nullptr);

@@ -1,4 +1,4 @@
-// What `abstand build` says of a structure, and of one that is not built yet.
+// Texts of `abstand build` about a structure, and about one not built yet.
 #pragma once
 
 #include "app/cli/command_line.hpp"
@@ -7,20 +7,20 @@
 
 namespace abstand::cli {
 
-/// One member of the document and a few lines.
+/// One member of the JSON document, and lines of text.
 struct Said {
   nlohmann::ordered_json json;
   std::string text;
 };
 
-/// Lines only for what is worth a thought.
+/// Text lines only for anomalies.
 Said sayReport(const store::BuildReport& report);
 
-/// `--explain`: the asked resolution among coarser and finer ones.
+/// `--explain`: the requested resolution compared with coarser and finer ones.
 Said explain(const std::string& name, std::shared_ptr<const geometry::Surface> surface,
              const structure::HapticOptions& asked, const structure::BuildMonitor& monitor);
 
-/// How the numbers of explain() come about.
+/// Explanation of how explain() computes its numbers.
 nlohmann::ordered_json explainRules();
 
 }  // namespace abstand::cli

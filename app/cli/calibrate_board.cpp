@@ -1,4 +1,4 @@
-// abstand calibrate --chessboard: where a camera stands, and its lens, from pictures of a board.
+// abstand calibrate --chessboard: pose and lens of a camera from images of a board.
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -33,7 +33,7 @@ Transform placeOf(const std::string& text) {
   return fromXyzRpy({v[0], v[1], v[2]}, v.size() == 6 ? Vector3d(v[3], v[4], v[5]) : Vector3d::Zero());
 }
 
-/// Where somebody counted inner corners, or squares as corners.
+/// Hint for users who counted inner corners, or squares as corners.
 std::string hintOf(const tracking::GreyImage& image, const tracking::Chessboard& board) {
   for (const int more : {1, -1}) {
     const tracking::Chessboard other{board.columns + more, board.rows + more, board.square};
@@ -45,7 +45,7 @@ std::string hintOf(const tracking::GreyImage& image, const tracking::Chessboard&
   return {};
 }
 
-/// The corners in each image, all of one size.
+/// Corners in each image; all images have one size.
 std::vector<tracking::BoardCorners> cornersIn(const CalibrateArguments& args,
                                               const tracking::Chessboard& board, int& width, int& height) {
   std::vector<tracking::BoardCorners> views;
@@ -66,7 +66,7 @@ std::vector<tracking::BoardCorners> cornersIn(const CalibrateArguments& args,
   return views;
 }
 
-/// Each view with the place of its board: one place for all, or one for each of the first views.
+/// Each view with the pose of its board: one pose for all, or one for each of the first views.
 std::vector<tracking::PlacedBoard> placed(const CalibrateArguments& args,
                                           const std::vector<tracking::BoardCorners>& views) {
   const std::size_t places = args.boards.size();

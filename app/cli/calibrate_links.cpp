@@ -1,4 +1,4 @@
-// abstand calibrate SCENE --links: where a camera stands, from depth images of a robot.
+// abstand calibrate SCENE --links: pose of a camera from depth images of a robot.
 #include "app/cli/calibrate_modes.hpp"
 #include "app/depth/calibration_links.hpp"
 #include "core/base/error.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxImages = 8;
 
-/// Evenly spread over the recording.
+/// Evenly spaced frames of the recording.
 std::vector<tracking::DepthFrame> imagesOf(tracking::DepthStream& stream) {
   std::vector<tracking::DepthFrame> frames;
   const std::size_t count = std::min(kMaxImages, stream.size());

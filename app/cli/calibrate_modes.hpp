@@ -1,4 +1,4 @@
-// The ways in which abstand calibrate finds where a camera stands.
+// Modes of abstand calibrate: ways to find the pose of a camera.
 #pragma once
 
 #include "app/cli/command_line.hpp"
@@ -11,7 +11,7 @@ struct CalibrateArguments {
   std::filesystem::path camera, out;
   std::vector<std::filesystem::path> images;  ///< of a chessboard
   std::string squares, square;
-  std::vector<std::string> boards;  ///< X,Y,Z[,R,P,Y] each
+  std::vector<std::string> boards;  ///< "X,Y,Z[,R,P,Y]" each
   bool intrinsics{false};
   std::filesystem::path links;  ///< a depth recording
   std::string robot;
@@ -19,12 +19,12 @@ struct CalibrateArguments {
   std::uint64_t seed{1};
 };
 
-/// By points that are known both to the camera and in the world. Each writes --out and prints, and throws
-/// ParseError and UsageError.
+/// From points known both in the camera frame and in the world. Each of these writes --out, prints, and
+/// throws ParseError and UsageError.
 int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args);
-/// By pictures of a chessboard.
+/// From images of a chessboard.
 int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args);
-/// By depth images of a robot's links.
+/// From depth images of a robot's links.
 int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args);
 
 /// The twelve numbers of `T_WC` in JSON.

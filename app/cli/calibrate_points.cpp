@@ -1,4 +1,4 @@
-// abstand calibrate: where a depth camera stands, from matched points.
+// abstand calibrate: pose of a depth camera from matched points.
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"

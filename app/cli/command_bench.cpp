@@ -1,4 +1,4 @@
-// abstand bench: the project's own figures on the scenes that it ships.
+// abstand bench: benchmark of the included scenes.
 #include <chrono>
 
 #include "app/cli/bench_scenario.hpp"

@@ -41,7 +41,7 @@ Body load(const std::string& text, double scale, const robot_file::PackagePaths&
   return body;
 }
 
-/// Shell points with inward normals and areas, for any viewer of PLY files.
+/// Shell points with inward normals and areas, as PLY.
 void writeShell(const shell::Pointshell& shell, const std::filesystem::path& file) {
   OutputFile out(file);
   out.stream() << "ply\nformat ascii 1.0\ncomment pointshell: inward normals, area in m^2\nelement vertex "
@@ -91,7 +91,7 @@ std::string timeText(const store::MadeStructure& made) {
   return format("from the cache in %.0f ms (building took %.0f ms)", made.made_ms, made.structure->build_ms);
 }
 
-/// A body of an odd size may be in another unit: that is the hint where it cannot be built.
+/// A body of unusual size may be in another unit: gives that hint if it cannot be built.
 store::MadeStructure build(const CommandLine& line, const Body& body, const structure::HapticOptions& options,
                            store::StructureCache& cache) {
   try {
@@ -104,14 +104,14 @@ store::MadeStructure build(const CommandLine& line, const Body& body, const stru
   }
 }
 
-/// What the command says and writes.
+/// Output of the command.
 struct BuildOutput {
   nlohmann::ordered_json document;
   std::string text;
   std::optional<OutputFolder> folder;  ///< of structures
 };
 
-/// Builds one body, or explains it; both add to the output.
+/// Builds or explains one body; both add to the output.
 void make(const CommandLine& line, const BuildArguments& args, const structure::HapticOptions& options,
           const std::string& name, store::StructureCache& cache, BuildOutput& output) {
   auto& [document, text, folder] = output;

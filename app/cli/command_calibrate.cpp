@@ -1,4 +1,4 @@
-// abstand calibrate: where a depth camera stands.
+// abstand calibrate: pose of a depth camera.
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/error.hpp"
 

@@ -1,4 +1,4 @@
-// abstand check: the gate for scripts.
+// abstand check: distance check for scripts.
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
@@ -28,7 +28,7 @@ struct CheckArguments {
 int dryRun(const CommandLine& line, const scene_file::SceneDescription& scene) {
   for (const auto& remark : scene.remarks) line.warn(remark);
   const std::string text = scene_file::describeScene(scene);
-  // A file to read back, not a report: not a byte of it is changed.
+  // A file that is read back, not a report: written without any change.
   if (line.json)
     line.print({{"passed", true}, {"scene", text}}, "");
   else if (!line.quiet)
@@ -45,7 +45,7 @@ nlohmann::ordered_json violationJson(const run::Violation& v) {
   return j;
 }
 
-/// By how much a limit was widened, for people; empty: not at all.
+/// Text for the amount by which a limit was widened; empty: none.
 std::string widened(double uncertainty) {
   if (!(uncertainty > 0.0)) return {};
   if (std::isinf(uncertainty)) return ", but one of them was not seen at all";
@@ -73,7 +73,7 @@ std::string whyNot(const run::CheckResult& result, bool strict) {
   return text;
 }
 
-/// All that was checked, of one recording after the other.
+/// Everything checked, over the recordings.
 struct Judged {
   run::CheckResult all;
   nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
@@ -92,7 +92,7 @@ void judge(const CommandLine& line, const CheckArguments& args, const scene_file
   options.cache = line.cache;
   options.monitor = buildMonitor(line);
   args.warm_start.apply(options);
-  // The gate leaves nothing out, whatever the scene allows.
+  // The check disables culling, whatever the scene allows.
   options.rest = 0.0;
   options.horizon = options.budget = kInfinity;
   const auto opened = depth::openSession(scene, options);
@@ -118,7 +118,7 @@ void judge(const CommandLine& line, const CheckArguments& args, const scene_file
   judged.interrupted = summary.interrupted;
 }
 
-/// What an interrupt leaves out fails the check, and the rest is reported.
+/// If interrupted, the check fails, and the results so far are reported.
 Judged judgeAll(const CommandLine& line, const CheckArguments& args,
                 const scene_file::SceneDescription& scene, double limit) {
   Judged judged;

@@ -1,4 +1,4 @@
-// abstand convert: robot files from one format to the other, and how far apart they then are.
+// abstand convert: converts robot files, and reports the deviation.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace abstand::cli {
 namespace {
 
-// m and rad. What a table may leave of a posture.
+// m and rad. Largest accepted deviation of a posture.
 constexpr double kExact = 1e-9;
 
 struct ConvertArguments {
@@ -22,7 +22,7 @@ struct ConvertArguments {
   robot_file::PackagePaths packages;
 };
 
-/// The names of meshes as they must be in a file in another folder.
+/// Adapts mesh names to an output file in another folder.
 void rebase(robot_file::Robot& robot, const ConvertArguments& args, std::vector<std::string>& warnings) {
   robot_file::MeshFinder finder(args.in, args.packages);
   std::error_code ec;
@@ -43,7 +43,7 @@ void rebase(robot_file::Robot& robot, const ConvertArguments& args, std::vector<
 
 struct Written {
   std::string text;
-  robot_file::Robot robot;    ///< as the text reads back
+  robot_file::Robot robot;    ///< as read back from the text
   std::vector<double> scale;  ///< of its joint values; empty: all 1
   std::size_t extra_frames{0};
   robot_file::PostureResidual residual;
@@ -64,7 +64,7 @@ Written write(const robot_file::Robot& robot, const ConvertArguments& args) {
   const std::string extension = args.out.extension().string();
   if (extension == ".mech") {
     Written w = writeMech(robot, args, {});
-    // Roundings of the file that add up over many joints: rather more frames than an inexact table.
+    // Rounding in the file adds up over many joints: extra frames are preferred to an inexact table.
     if (w.residual.position > kExact || w.residual.angle > kExact) w = writeMech(robot, args, {1e-14, 1e-15});
     return w;
   }
@@ -79,7 +79,7 @@ Written write(const robot_file::Robot& robot, const ConvertArguments& args) {
   return w;
 }
 
-/// The joints whose acceleration limits a URDF cannot hold, as a warning; empty: none.
+/// Warning with the joints whose acceleration limits a URDF cannot store; empty: none.
 std::string lostAccelerations(const mechanism::Mechanism& mechanism) {
   std::string joints;
   for (const auto& f : mechanism.frames)

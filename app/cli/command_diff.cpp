@@ -1,4 +1,4 @@
-// abstand diff: two studies of `tune --out` beside each other.
+// abstand diff: compares two studies of `tune --out`.
 #include <cmath>
 #include <set>
 

@@ -47,7 +47,7 @@ std::pair<int, std::vector<double>> frameAndNumbers(const mechanism::Mechanism& 
   return {frameNamed(mechanism, text.substr(0, colon), option), v};
 }
 
-/// FRAME:MESH:DENSITY: the mesh, in the frame, of that density (kg/m^3), is added to the frame's mass.
+/// Parses FRAME:MESH:DENSITY and adds a solid of that density (kg/m^3) to the frame's mass.
 void addSolid(mechanism::Mechanism& mechanism, const std::string& text,
               const robot_file::PackagePaths& packages) {
   const std::size_t first = text.find(':'), last = text.rfind(':');
@@ -114,7 +114,7 @@ nlohmann::ordered_json linksJson(const mechanism::Mechanism& mechanism, std::str
   return links;
 }
 
-/// Efforts along a motion: their peaks, and every row in --out.
+/// Efforts along a motion: peak values, and all rows to --out.
 nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const mechanism::Mechanism& mechanism,
                                    const mechanism::RigidTree& tree, const Vector3d& gravity_B,
                                    mechanism::JointLimitWatch& watch, std::string& text) {

@@ -1,4 +1,4 @@
-// abstand events: what happened at a margin, from results of `tune --out`.
+// abstand events: events at a margin, from results of `tune --out`.
 #include <cmath>
 
 #include "app/cli/command_line.hpp"

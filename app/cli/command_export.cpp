@@ -1,4 +1,4 @@
-// abstand export: results of `tune --out` for other programs.
+// abstand export: exports results of `tune --out`.
 #include "app/cli/command_line.hpp"
 #include "app/cli/version.hpp"
 #include "app/results/mcap_results.hpp"
@@ -15,7 +15,7 @@ struct ExportArguments {
   std::string csv, mcap, margin;
 };
 
-/// A name between quotation marks where a CSV needs them.
+/// Quotes a name if a CSV needs it.
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -23,7 +23,7 @@ std::string csvField(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Gives the number of rows.
+/// Returns the number of rows.
 std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesystem::path& file) {
   OutputFile out(file);
   out.stream() << "recording,t,part,link,distance,bound,uncertainty,clearance,robot_speed,person_speed\n";

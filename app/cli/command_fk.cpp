@@ -15,10 +15,10 @@ struct FkArguments {
   std::string mechanism, q;
   std::vector<std::string> wrenches;
   int repeat{0};
-  robot_file::PackagePaths packages;  ///< accepted like everywhere; frames need no meshes
+  robot_file::PackagePaths packages;  ///< accepted by all commands; frames need no meshes
 };
 
-/// FRAME:fx,fy,fz,tx,ty,tz; adds the joint efforts that it causes.
+/// Parses FRAME:fx,fy,fz,tx,ty,tz and adds the joint efforts of the wrench.
 void addWrench(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state,
                const std::string& text, std::vector<double>& efforts) {
   const std::size_t colon = text.rfind(':');
@@ -42,7 +42,7 @@ nlohmann::ordered_json timings(const mechanism::Mechanism& mechanism, const std:
   using Steady = std::chrono::steady_clock;
   mechanism::MechanismState state;
   mechanism::forward(mechanism, q, state);
-  // A call is shorter than the clock is sharp, so a sample is the mean of a hundred.
+  // A call is shorter than the clock's resolution, so a sample is the mean of a hundred.
   constexpr int kBatch = 100;
   scene::CycleStatistics statistics(kInfinity);
   for (int i = 0; i < repeat; ++i) {
@@ -79,7 +79,7 @@ int runFk(const CommandLine& line, const FkArguments& args) {
     const Vector3d p = state.X_BF[i].translation();
     text += format("frame %s: %.6f %.6f %.6f m\n", frame.name.c_str(), p.x(), p.y(), p.z());
   }
-  // Joint values beyond the limits, and, where a wrench acts, what the motors cannot hold.
+  // Reports joint values beyond limits and, with a wrench, efforts that the motors cannot hold.
   mechanism::JointLimitWatch watch(mechanism::dofLimits(mechanism));
   watch.look(kNaN, q, {}, {}, efforts);
   const auto limits = run::reportsOf("", mechanism, watch.breaches(), false);

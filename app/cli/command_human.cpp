@@ -1,4 +1,4 @@
-// abstand human: the parametric human from the height.
+// abstand human: the parametric human from the stature.
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"

@@ -20,7 +20,7 @@ namespace abstand::cli {
 
 namespace {
 
-/// Of a report for people; a line of a long table has some hundred.
+/// Limit for a line of text output; a line of a long table has some hundred.
 constexpr std::size_t kMaxLineBytes = 10'000;
 
 }  // namespace
@@ -29,7 +29,7 @@ void CommandLine::print(nlohmann::ordered_json document, const std::string& text
   if (json) {
     nlohmann::ordered_json whole{{"schema_version", kSchemaVersion}, {"version", kVersion}};
     whole.update(document);
-    // Names in strangers' files may be in any encoding; what is no UTF-8 becomes a replacement character.
+    // Names in untrusted files may be in any encoding; invalid UTF-8 becomes a replacement character.
     writeStandardOutput(whole.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   } else if (!quiet) {
     const std::string clean = messageLines(text, kMaxLineBytes);

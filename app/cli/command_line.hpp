@@ -1,4 +1,4 @@
-// What all subcommands share.
+// Common parts of all subcommands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,7 +15,7 @@ namespace abstand::cli {
 
 inline constexpr int kSchemaVersion = 1;
 
-/// Exit codes of the contract.
+/// Exit codes; part of the command line contract.
 enum ExitCode : int {
   kDone = 0,
   kLimitBroken = 1,
@@ -26,38 +26,38 @@ enum ExitCode : int {
   kInterrupted = 130
 };
 
-/// What an option writes.
+/// Kind of an output option.
 enum class OutputKind : std::uint8_t { kFile, kFolder };
 
-/// The chosen subcommand, and how it shall answer.
+/// The selected subcommand and its common options.
 struct CommandLine {
   bool json{false};
   bool quiet{false};
-  bool cache{true};          ///< structures may come from the user's cache folder
-  std::function<int()> run;  ///< set by the subcommand that was chosen
+  bool cache{true};          ///< structures may be taken from the user's cache folder
+  std::function<int()> run;  ///< set by the selected subcommand
   std::vector<std::pair<const CLI::Option*, OutputKind>> outputs;  ///< of all subcommands
   mutable bool printed{false};                                     ///< print() wrote a document
 
-  /// Marks an option that names an output, for checkOutputs().
+  /// Registers an option that names an output, for checkOutputs().
   CLI::Option* output(CLI::Option* option, OutputKind kind = OutputKind::kFile) {
     outputs.emplace_back(option, kind);
     return option;
   }
-  /// One JSON document, or the text for people, on stdout; nothing with --quiet (but JSON when asked for).
-  /// The text goes to stderr when an output file is standard output. Throws WriteError.
+  /// Prints one JSON document, or the text, on stdout; with --quiet nothing (except requested JSON). The text
+  /// goes to stderr if an output file is standard output. Throws WriteError.
   void print(nlohmann::ordered_json document, const std::string& text) const;
-  /// One line on stderr, "warning: ..."; not with --quiet.
+  /// One line on stderr, "warning: ..."; suppressed by --quiet.
   void warn(const std::string& text) const;
 };
 
-/// A subcommand with --json, --quiet and an example in its help.
+/// Adds a subcommand with --json, --quiet and an example in its help.
 CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name, const std::string& what,
                      const std::string& example);
 
-/// --package-path, for commands that read robot files.
+/// Adds --package-path, for commands that read robot files.
 void addPackagePath(CLI::App* command, robot_file::PackagePaths& packages);
 
-/// --no-cache, for commands that need haptic structures.
+/// Adds --no-cache, for commands that need haptic structures.
 void addCacheFlag(CLI::App* command, CommandLine& line);
 
 void addFk(CLI::App& root, CommandLine& line);
@@ -84,25 +84,25 @@ void addReport(CLI::App& root, CommandLine& line);
 void addBench(CLI::App& root, CommandLine& line);
 void addVerify(CLI::App& root, CommandLine& line);
 
-/// "0.3,-1,2e-3" as numbers. Throws UsageError that names `option`.
+/// Parses "0.3,-1,2e-3". Throws UsageError with the name `option`.
 std::vector<double> numberList(const std::string& text, const std::string& option);
-/// A finite number. Throws UsageError that names `option`.
+/// Parses a finite number. Throws UsageError with the name `option`.
 double number(const std::string& text, const std::string& option);
-/// The same from `least` to `most`; `unit` is for the error's text.
+/// The same within `least` to `most`; `unit` is used in the error.
 double numberWithin(const std::string& text, const std::string& option, double least, double most,
                     const std::string& unit);
 
-/// A part of the human model by name. Throws UsageError that names `option` and the nearest name.
+/// A part of the human model by name. Throws UsageError with the name `option` and the nearest name.
 humanmodel::BodyPart bodyPart(const std::string& name, const std::string& option);
 
 nlohmann::ordered_json toJson(const Eigen::Vector3d& v);
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& X);  ///< 3 rows of 4
 nlohmann::ordered_json toJson(const Eigen::Matrix3d& M);
 
-/// True once the user pressed Ctrl-C, or the program got SIGTERM or SIGHUP.
+/// True after Ctrl-C, SIGTERM or SIGHUP.
 bool interrupted();
 
-/// A progress bar on stderr when that is a terminal and neither --quiet nor NO_COLOR forbid it.
+/// A progress bar on stderr if that is a terminal and neither --quiet nor NO_COLOR disables it.
 std::function<void(std::size_t, std::size_t)> progressBar(const CommandLine& line, const std::string& label);
 
 /// Progress bar and Ctrl-C for the building of structures.

@@ -1,4 +1,4 @@
-// abstand pairs: which pairs of bodies can collide at all.
+// abstand pairs: finds pairs of bodies that can collide.
 #include <chrono>
 #include <map>
 #include <optional>
@@ -22,7 +22,7 @@ struct PairsArguments {
   robot_file::PackagePaths packages;
 };
 
-/// A scene with nothing but the robot in it, under the name that the robot has.
+/// A scene with only the robot, under the robot's name.
 scene_file::SceneDescription sceneOf(const std::filesystem::path& robot_file, const std::string& voxel,
                                      const robot_file::PackagePaths& packages) {
   const std::string name = robot_file::loadRobot(robot_file).mechanism.name;
@@ -41,7 +41,7 @@ scene_file::SceneDescription load(const PairsArguments& args) {
   return sceneOf(args.file, args.voxel, args.packages);
 }
 
-/// Keeps what others wrote into the file.
+/// Keeps entries of the file from other sources.
 std::string srdfFor(const std::filesystem::path& file, const robot_file::Srdf& srdf) {
   const InputLogPause pause;
   std::error_code ec;
@@ -52,7 +52,7 @@ std::string srdfFor(const std::filesystem::path& file, const robot_file::Srdf& s
 
 using CollisionPairs = std::vector<run::CollisionPair>;
 
-/// The list and the SRDF, both or none.
+/// Writes the list and the SRDF, both or none.
 void writePairs(const PairsArguments& args, const session::Session& session, const CollisionPairs& pairs) {
   std::optional<OutputFile> list, srdf;
   if (!args.out.empty()) list.emplace(args.out).stream() << run::pairsText(session, pairs, args.study);
@@ -63,13 +63,13 @@ void writePairs(const PairsArguments& args, const session::Session& session, con
     if (*file) (*file)->commit();
 }
 
-/// What is said of the pairs one by one.
+/// Report on the individual pairs.
 struct PairsReport {
   std::map<std::string, int> counts{{"adjacent", 0}, {"never", 0},     {"always", 0},
                                     {"user", 0},     {"sometimes", 0}, {"undecided", 0}};
   int found_by_search{0};
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  std::string text;  ///< a line for each pair whose verdict rests on distances
+  std::string text;  ///< one line for each pair whose verdict depends on distances
 };
 
 void addToReport(const run::CollisionPair& p, const std::vector<scene::Object>& objects,
@@ -151,7 +151,7 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
   PairsReport report;
   const auto& objects = session.scene().objects();
   for (const run::CollisionPair& p : pairs) addToReport(p, objects, report);
-  // What is not known of some pairs is no list to check by.
+  // A list with undecided pairs cannot be used for checks.
   const bool incomplete = report.counts.at("undecided") > 0;
   if (!incomplete) writePairs(args, session, pairs);
   line.print(pairsDocument(args, session, report, study_ms),

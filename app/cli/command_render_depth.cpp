@@ -1,4 +1,4 @@
-// abstand render-depth: what a depth camera would see of a scene.
+// abstand render-depth: depth images of a scene.
 #include <chrono>
 
 #include "app/cli/command_line.hpp"

@@ -1,4 +1,4 @@
-// abstand report: results of `tune --out` for people and for other programs.
+// abstand report: report files from results of `tune --out`.
 #include "app/cli/command_line.hpp"
 #include "app/cli/tune_arguments.hpp"
 #include "app/cli/version.hpp"
@@ -20,7 +20,7 @@ struct ReportArguments {
   bool strict{false};
 };
 
-/// A test case for each run: passed where no stop at this margin is missed, and nothing was unknown.
+/// A test case for each run: passed if no stop at this margin is missed, and nothing was unknown.
 run::JunitSuite suiteOf(const std::vector<tune::TunedRecording>& recordings, double margin,
                         const margin::MarginOptions& options, bool strict) {
   run::JunitSuite suite{format("abstand margin %.0f mm", 1e3 * margin), "margin", {}, {}};

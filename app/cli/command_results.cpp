@@ -1,4 +1,4 @@
-// abstand results: what a folder of `tune --out` holds.
+// abstand results: lists the results in a folder of `tune --out`.
 #include <cmath>
 
 #include "app/cli/command_line.hpp"

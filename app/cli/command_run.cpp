@@ -1,4 +1,4 @@
-// abstand run: a whole scene over its motion.
+// abstand run: runs a scene over its motion.
 #include <algorithm>
 
 #include "app/cli/command_line.hpp"

@@ -74,7 +74,7 @@ nlohmann::ordered_json stopsJson(const serve::ServedScene& scene) {
   return list;
 }
 
-/// What the joint values that came did against the limits of their robots.
+/// Violations of robot limits by received joint values.
 std::vector<run::JointLimitReport> limitsOf(const serve::ServedScene& scene) {
   std::vector<run::JointLimitReport> all;
   for (std::size_t m = 0; m < scene.robots().size(); ++m) {
@@ -129,7 +129,7 @@ std::string summaryText(const serve::ServeSummary& s, const serve::ServedScene& 
 }
 
 int runServe(const CommandLine& line, const ServeArguments& args) {
-  // Everything that can be wrong on the command line is seen before anything costly is built.
+  // Checks the whole command line before expensive work.
   const serve::Address bind = serve::parseAddress(args.bind, "--bind");
   serve::ServedOptions served{
       .reaction = reactionOf(args), .nearest = args.nearest, .scene_first = args.reaction.empty()};
@@ -144,7 +144,7 @@ int runServe(const CommandLine& line, const ServeArguments& args) {
   session.cache = line.cache;
   session.monitor = buildMonitor(line);
   session.remember = true;
-  // Resting pairs rest on what the scene file says of speeds, and that speaks of its own motion.
+  // Culling relies on speed bounds of the scene file, which apply to its own motion only.
   session.rest = 0.0;
   serve::ServedScene scene(depth::openSession(scene_file::loadScene(args.scene, args.packages), session),
                            served);

@@ -1,4 +1,4 @@
-// abstand skeleton: reads a recording, says what was understood, and converts it.
+// abstand skeleton: reads a recording, reports its interpretation, and converts it.
 #include "app/cli/command_line.hpp"
 #include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
@@ -19,7 +19,7 @@ struct SkeletonArguments {
   tracking::RecordingOptions options;
 };
 
-/// A quantity that is positive where it is known; else null.
+/// A value that is positive if known; otherwise null.
 nlohmann::ordered_json known(double value) {
   return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }

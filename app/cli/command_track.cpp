@@ -1,4 +1,4 @@
-// abstand track: a person in a depth recording, or before a camera, becomes a recording of a skeleton.
+// abstand track: tracks a person in a depth recording or a live camera.
 #include "app/cli/live_track.hpp"
 #include "app/cli/track_people.hpp"
 #include "app/depth/scene_things.hpp"
@@ -123,11 +123,11 @@ std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
   return text;
 }
 
-/// Tracks and writes what the options ask for.
+/// Tracks, and writes the requested outputs.
 int trackStream(const CommandLine& line, const TrackArguments& args, tracking::DepthStream& stream,
                 const tracking::ClipTrackerOptions& options, std::optional<OutputFolder>& pictures) {
   const tracking::ClipTrack track = tracking::trackClip(stream, options);
-  // Who was not found yet may be in the images that were not looked at.
+  // A person not found yet may be in the remaining images.
   const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
   if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
   if (track.people.empty())

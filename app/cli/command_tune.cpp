@@ -1,4 +1,4 @@
-// abstand tune: what safety margins would have done over recordings, and which are proposed.
+// abstand tune: outcomes of safety margins over recordings, and proposed margins.
 #include <cstdlib>
 
 #include "app/cli/command_line.hpp"
@@ -36,7 +36,7 @@ struct TuneArguments {
   robot_file::PackagePaths packages;
 };
 
-/// KEY=VALUE each.
+/// Parses KEY=VALUE texts.
 void takeSeparation(const std::vector<std::string>& texts, safety::SeparationOptions& options) {
   for (const std::string& text : texts) {
     const auto equals = text.find('=');
@@ -83,13 +83,13 @@ session::SessionOptions sessionOptions(const CommandLine& line, const TuneArgume
   options.cut_things = args.cut_things;
   options.cache = line.cache;
   args.warm_start.apply(options);
-  // Nothing is left out, whatever the scene allows.
+  // Disables culling, whatever the scene allows.
   options.rest = 0.0;
   options.horizon = options.budget = kInfinity;
   return options;
 }
 
-/// The runs that the arguments name.
+/// The runs named by the arguments.
 std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
   if (tune::isPlan(args.scene)) {
     if (!args.recordings.empty())
@@ -104,8 +104,8 @@ std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
   return items;
 }
 
-/// One run after the other, in this process, with results in `folder`, which the caller removes. A recording
-/// that cannot be read does not stop the others.
+/// Runs sequentially in this process, with results in `folder`, which the caller removes. An unreadable
+/// recording does not stop the others.
 tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine& line,
                           const TuneArguments& args, const std::vector<tune::PlanItem>& items,
                           const tune::TuneOptions& options) {
@@ -156,7 +156,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
   return answer;
 }
 
-/// Keeps the folder's index (app/results/result_index.hpp) up to date; without it everything else goes on.
+/// Updates the folder's index (app/results/result_index.hpp); a failure is only a warning.
 void refreshIndex(const CommandLine& line, const std::filesystem::path& folder) {
   try {
     const results::ResultIndex index = results::resultIndex(folder);
@@ -166,7 +166,7 @@ void refreshIndex(const CommandLine& line, const std::filesystem::path& folder) 
   }
 }
 
-/// In processes of their own, with a result file each.
+/// Runs in child processes, with a result file each.
 tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine& line,
                           const TuneArguments& args, const std::vector<tune::PlanItem>& items,
                           const tune::TuneOptions& options, const tune::Shard& shard) {
@@ -206,7 +206,7 @@ class MomentPainter {
   MomentPainter(const CommandLine& line, const TuneArguments& args, std::vector<tune::PlanItem> items)
       : line_(line), args_(args), items_(std::move(items)) {}
 
-  /// Empty where the run is none of the study's.
+  /// Empty if the run is not part of the study.
   std::string picture(const tune::TunedRecording& recording, const tune::Approach& approach) {
     if (!open(recording.recording)) return {};
     session_->step(approach.t);
@@ -255,7 +255,7 @@ struct Asked {
   tune::TuneQuestions questions;
   std::string command;
   std::function<std::string(const tune::TunedRecording&, const tune::Approach&)> picture{};
-  /// Adds to the answer once its tables are there; false: a speed profile is not proven.
+  /// Completes the answer once its tables are set; false: a speed profile is not proven.
   std::function<bool(tune::TuneAnswer&)> study_speeds{};
 };
 
@@ -284,7 +284,7 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
   return answer.failed.empty() ? kDone : kPartly;
 }
 
-/// Runs of replays, as the command runs its own; nothing is kept.
+/// Runs of replays, with the same options as the command's; results are not kept.
 tune::ReplayRuns replayItems(const CommandLine& line, const TuneArguments& args,
                              const std::vector<tune::PlanItem>& items, const tune::TuneOptions& options) {
   TuneArguments plain = args;

@@ -1,4 +1,4 @@
-// abstand verify: is the engine right on this machine?
+// abstand verify: verifies the engine on this machine.
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
 #include "app/cli/version.hpp"

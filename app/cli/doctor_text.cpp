@@ -9,7 +9,7 @@ namespace abstand::cli {
 namespace {
 
 constexpr double kMm = 1e3;
-/// Longer lists are cut in the text; the JSON has all.
+/// Longer lists are truncated in the text; the JSON has all entries.
 constexpr std::size_t kMaxLines = 10;
 
 }  // namespace

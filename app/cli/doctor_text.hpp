@@ -1,4 +1,4 @@
-// What the tracker doctor says, for people and for scripts.
+// Output of the recording doctor as text and JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Pairs, stretches and near misses in the text for people; the JSON has all.
+/// Pairs, segments and near misses in the text; the JSON has all.
 constexpr std::size_t kTextRows = 5;
 
 Json spentJson(const margin::ExposureTime& spent) {
@@ -136,7 +136,7 @@ std::string missesText(const tune::TuneAnswer& answer) {
   return text;
 }
 
-/// A name between quotation marks where a CSV needs them.
+/// Quotes a name if a CSV needs it.
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

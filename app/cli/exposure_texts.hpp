@@ -1,4 +1,4 @@
-// What `exposure` answers.
+// Output of `exposure`.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace abstand::cli {
 
 nlohmann::ordered_json exposureJson(const tune::TuneAnswer& answer);
 std::string exposureText(const tune::TuneAnswer& answer);
-/// A row for the whole body, each part, link, pair and stretch of the program.
+/// One row for the whole body, and for each part, link, pair and program segment.
 void writeExposureCsv(const tune::ExposureTable& table, std::ostream& out);
 
 }  // namespace abstand::cli

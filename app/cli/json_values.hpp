@@ -7,12 +7,12 @@
 
 namespace abstand::cli {
 
-/// JSON has no infinity and no NaN: null.
+/// null for infinite values and NaN, which JSON lacks.
 inline nlohmann::ordered_json numberOrNull(double v) {
   return std::isfinite(v) ? nlohmann::ordered_json(v) : nlohmann::ordered_json(nullptr);
 }
 
-/// null for what is not known, too.
+/// null also if there is no value.
 inline nlohmann::ordered_json orNull(const std::optional<double>& v) {
   return v ? numberOrNull(*v) : nlohmann::ordered_json(nullptr);
 }

@@ -15,16 +15,16 @@
 namespace abstand::cli {
 namespace {
 
-constexpr double kLook = 0.05;  // s between two looks at whether to go on
+constexpr double kLook = 0.05;  // s between two checks of the end conditions
 
 double since(std::chrono::steady_clock::time_point then) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
-/// What became of the images, beside the track.
+/// Results besides the track.
 struct LiveOutcome {
   double seconds{0.0};                        ///< from the first image to the last
-  scene::CycleStatistics latency{kInfinity};  ///< from the driver to the end of the work on the image
+  scene::CycleStatistics latency{kInfinity};  ///< from the driver to the end of processing the image
   bool interrupted{false};
 };
 
@@ -46,14 +46,14 @@ LiveOutcome follow(tracking::LiveDepth& camera, tracking::LiveTracker& tracker, 
   return outcome;
 }
 
-/// Everything that the report of a followed person is made of.
+/// All parts of the report on a tracked person.
 struct LiveReport {
   const tracking::LiveDepth& camera;
   const tracking::ClipTrack& track;
   const tracking::ClipPerson& person;
   const LiveOutcome& outcome;
   const serve::SkeletonSender* sender;  ///< or null
-  std::string ended;                    ///< why the camera gives no more; empty: it still does
+  std::string ended;                    ///< why the stream ended; empty: it has not
   std::vector<std::string> warnings;
 };
 
@@ -118,7 +118,7 @@ void printReport(const CommandLine& line, const LiveReport& report, const LiveTr
     std::cerr << text;
 }
 
-/// Whoever reads standard output may end; what was tracked is kept all the same.
+/// The reader of standard output may have closed it; tracks are kept.
 void checkOutput(const CommandLine& line, const serve::SkeletonSender& sender) {
   if (sender.isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
   if (sender.outputError() != 0 && !sender.isClosed() && sender.outputError() != EINTR)
@@ -134,7 +134,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   if (!args.send.empty()) sender.emplace(args.send, args.names);
   tracking::LiveDepth camera(args.camera, args.stream);
   const tracking::DepthFacts& facts = camera.facts();
-  // A skeleton in a world that the camera made up would stand anywhere beside the robot.
+  // With a guessed camera pose a skeleton would be at an arbitrary place relative to the robot.
   if (sender && !facts.pose_known)
     throw UsageError(
         "--send: found a camera that does not say how it stands, expected a camera file with T_WC "

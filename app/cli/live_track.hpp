@@ -1,4 +1,4 @@
-// Following people in front of a camera that looks now.
+// Tracks people in front of a live camera.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,19 @@
 namespace abstand::cli {
 
 struct LiveTrackArguments {
-  std::string camera;  ///< as kKinectSource
+  std::string camera;  ///< e.g. kKinectSource
   tracking::DepthStreamOptions stream;
   tracking::TrackedPerson::Options person;
   std::function<void(const tracking::ClipMoment&)> watch;  ///< may be empty
-  std::optional<double> seconds;                           ///< since the first image; none: Ctrl-C ends it
+  std::optional<double> seconds;                           ///< from the first image; nullopt: until Ctrl-C
   std::filesystem::path out;                               ///< CSV of one person; empty: none
-  std::size_t chosen{0};                                   ///< who is written, 0: found in most images
+  std::size_t chosen{0};                                   ///< person that is written, 0: the one found in
+                                                           ///< most images
   std::string send;                                        ///< HOST:PORT or "-"; empty: nowhere
-  std::vector<std::string> names;                          ///< of people who are sent
+  std::vector<std::string> names;                          ///< of the people that are sent
 };
 
-/// The exit code. Throws ParseError and UsageError.
+/// Returns the exit code. Throws ParseError and UsageError.
 int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args);
 
 }  // namespace abstand::cli

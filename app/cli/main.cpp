@@ -1,4 +1,4 @@
-// abstand: distances and contact between people and robots, without a window.
+// abstand: distances and contact between people and robots, command line program.
 #include <cstdio>
 #include <iostream>
 #include <sstream>
@@ -18,7 +18,7 @@ namespace {
 using namespace abstand;
 
 int fail(int code, const std::string& text) {
-  // An error and its hint; nothing else has two lines.
+  // An error and its hint; only these have two lines.
   const auto hint = text.find("\nhint: ");
   std::cerr << messageLine(text.substr(0, hint)) << "\n";
   if (hint != text.npos) std::cerr << messageLine(text.substr(hint + 1)) << "\n";
@@ -26,7 +26,7 @@ int fail(int code, const std::string& text) {
   return code;
 }
 
-/// What is told of a command that an interrupt ended before it had a report.
+/// Message for a command interrupted before it had a report.
 int endInterrupted(const cli::CommandLine& line) {
   if (line.json && !line.printed) line.print({{"interrupted", true}}, "");
   return fail(cli::kInterrupted, "abstand: interrupted");
@@ -63,7 +63,7 @@ int runCommand(const CLI::App& app, const cli::CommandLine& line) {
   });
 }
 
-/// --help and --version.
+/// Handles --help and --version.
 int printHelp(const CLI::App& app, const CLI::Success& e) {
   return caught([&] {
     std::ostringstream out, err;
@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& e) {
     return printHelp(app, e);
   } catch (const CLI::ParseError& e) {
-    // The contract knows one code for all wrong usage.
+    // The contract has one exit code for all wrong usage.
     return fail(cli::kWrongUsage, std::string("abstand: error: ") + e.what() + "\nhint: abstand --help");
   }
   return runCommand(app, line);

@@ -9,7 +9,7 @@
 namespace abstand::cli {
 namespace {
 
-/// Pairs in the text for people; the JSON has all.
+/// Pairs in the text; the JSON has all.
 constexpr std::size_t kTextPairs = 10;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Margins of links and pairs, sets of margins, closest approaches and bands, in the answers of `tune`.
+// Output of `tune` about margins of links and pairs, sets of margins, closest approaches and bands.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Mesh files that a command is given by name.
+// Mesh files given on the command line.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace abstand::cli {
 
-/// The file that `text` names: a path as it stands, or what robot files write, `package://NAME/REST`,
-/// `model://NAME/REST` or `file:///PATH`, looked for as in a robot file of the working folder. Throws
-/// ParseError where a package does not have it.
+/// Resolves `text`: a path, or a reference as in robot files, `package://NAME/REST`, `model://NAME/REST` or
+/// `file:///PATH`, searched as for a robot file in the working folder. Throws ParseError if a package does
+/// not have it.
 std::filesystem::path meshArgument(const std::string& text, const robot_file::PackagePaths& packages);
 
 }  // namespace abstand::cli

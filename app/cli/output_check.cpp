@@ -32,7 +32,7 @@ void checkPlace(const Named& output, OutputKind kind, bool json) {
     throw UsageError(output.option + ": found standard output with --json, expected one of them there");
 }
 
-/// Whether writing `output` replaces `input`.
+/// True if writing `output` would replace `input`.
 bool replaces(const Named& output, OutputKind kind, const std::string& input) {
   std::error_code ec;
   if (kind == OutputKind::kFolder) return isFolder(input) && fs::equivalent(output.value, input, ec);
@@ -40,7 +40,7 @@ bool replaces(const Named& output, OutputKind kind, const std::string& input) {
   return fs::exists(output.value, ec) && fs::equivalent(output.value, input, ec);
 }
 
-/// Whether the second output goes where the first one does.
+/// True if both outputs go to the same place.
 bool isOneName(const std::string& a, OutputKind a_kind, const std::string& b, OutputKind b_kind) {
   if (a_kind == OutputKind::kFile && b_kind == OutputKind::kFile) return isSameOutput(a, b);
   std::error_code ec;

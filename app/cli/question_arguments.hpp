@@ -1,4 +1,4 @@
-// What `tune` and `merge` ask of recordings.
+// Common options of `tune` and `merge`.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct QuestionArguments {
   std::vector<std::string> margin_sets;
 
   void add(CLI::App& command, CommandLine& line);
-  /// Reads the files of sets. Throws UsageError and ParseError.
+  /// Reads the files of margin sets. Throws UsageError and ParseError.
   tune::TuneQuestions questions() const;
-  /// The proposed margins as a set, where it was asked for. Throws UsageError where no margin would do.
+  /// Writes the proposed margins as a set, if requested. Throws UsageError if no margin suffices.
   void writeMargins(const tune::TuneAnswer& answer) const;
 };
 

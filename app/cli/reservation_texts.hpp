@@ -1,4 +1,4 @@
-// What the answers of `run` and `check` have in common: reservations and smallest distances.
+// Common output of `run` and `check`: reservations and smallest distances.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,11 +9,11 @@
 
 namespace abstand::cli {
 
-/// [{kind, text, t0, t1, share, fails}]; null where a number does not apply; `recording` where there are
+/// [{kind, text, t0, t1, share, fails}]; null if a number does not apply; with `recording` if there are
 /// several.
 nlohmann::ordered_json reservationsJson(const std::vector<run::Reservation>& reservations);
 
-/// A line each: "reservation (KIND): TEXT".
+/// One line each: "reservation (KIND): TEXT".
 std::string reservationsText(const std::vector<run::Reservation>& reservations);
 
 /// {a, b, t, value}, or null.
@@ -21,10 +21,11 @@ nlohmann::ordered_json extremeJson(const std::optional<run::RunSummary::Extreme>
 
 using ByClass = std::array<std::optional<run::RunSummary::Extreme>, run::kPairClasses.size()>;
 
-/// {person_robot, person_thing, robot_robot, robot_thing}, each {a, b, t, value} or null: no such pair.
+/// {person_robot, person_thing, robot_robot, robot_thing}, each {a, b, t, value}, or null without such a
+/// pair.
 nlohmann::ordered_json byClassJson(const ByClass& least);
 
-/// A line for each class that has pairs, people first.
+/// One line for each class with pairs, people first.
 std::string closestText(const ByClass& least);
 
 }  // namespace abstand::cli

@@ -13,7 +13,7 @@ nlohmann::ordered_json extremeJson(const std::optional<loop::ReactionReport::Ext
   return {{"a", e->a}, {"b", e->b}, {"t", e->t}, {"value", e->value}};
 }
 
-/// How far inside, m; 0: they did not touch.
+/// Penetration depth, m; 0 without contact.
 double depthOf(const std::optional<loop::ReactionReport::Extreme>& e) {
   return e ? std::max(0.0, -e->value) : 0.0;
 }

@@ -1,4 +1,4 @@
-// What robots that reacted went through, for people and for scripts.
+// Output about reacting robots as text and JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,14 +10,14 @@
 
 namespace abstand::cli {
 
-/// `robots` of the JSON document: an object each.
+/// `robots` of the JSON document: one object each.
 nlohmann::ordered_json robotsJson(const std::vector<loop::ReactionReport>& robots);
 /// A few lines each.
 std::string robotsText(const std::vector<loop::ReactionReport>& robots);
 
-/// `joint_limits` of the JSON document: an object each.
+/// `joint_limits` of the JSON document: one object each.
 nlohmann::ordered_json jointLimitsJson(const std::vector<run::JointLimitReport>& reports);
-/// A line each.
+/// One line each.
 std::string jointLimitsText(const std::vector<run::JointLimitReport>& reports);
 
 }  // namespace abstand::cli

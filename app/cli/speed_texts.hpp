@@ -1,4 +1,4 @@
-// What `tune` says of speeds.
+// Output of `tune` about speeds.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,10 +11,10 @@ namespace abstand::cli {
 /// "both", "separation" or "contact".
 std::string_view ruleName(tune::SpeedRule rule);
 
-/// `speeds`, `speed_rule` and `cycle_time`; `proof`, `profile` and `trade` where they were asked for.
+/// `speeds`, `speed_rule` and `cycle_time`; `proof`, `profile` and `trade` if requested.
 void addSpeeds(const tune::TuneAnswer& answer, nlohmann::ordered_json& document);
 std::string speedsText(const tune::TuneAnswer& answer);
-/// One line on what the replays of a speed profile showed.
+/// One line about the replays of a speed profile.
 std::string proofLine(const tune::TuneAnswer& answer);
 
 }  // namespace abstand::cli

@@ -1,4 +1,4 @@
-// What the commands that track people say of them.
+// Common output of commands that track people.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,20 +8,20 @@
 
 namespace abstand::cli {
 
-/// "camera", "away" or "auto", as of --facing; nothing for the last. Throws UsageError.
+/// Parses --facing: "camera", "away" or "auto"; nullopt for the last. Throws UsageError.
 std::optional<bool> awayOf(const std::string& facing);
 
 /// {facing, facing_decided, facing_ratio} of a person.
 void addFacing(nlohmann::ordered_json& person, const tracking::Facing& facing);
 
-/// {height_estimate, height_interval, height_source, height_used}: the estimate is null where the stature is
-/// known as an interval only, the interval null where it is known; `used` is that of the fitted body.
+/// {height_estimate, height_interval, height_source, height_used}: the estimate is null if only an interval
+/// is known, the interval is null otherwise; `used` is that of the fitted body.
 void addStature(nlohmann::ordered_json& person, const tracking::Stature& stature);
 
-/// All people of a track, those found in most images first.
+/// All people of a track, sorted by the number of images found.
 nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track);
 
-/// The report of a track that was interrupted after `images` images, before the person was found. Gives
+/// Reports a track that was interrupted after `images` images, before the person was found. Returns
 /// kInterrupted.
 int endBeforeFound(const CommandLine& line, std::size_t images);
 

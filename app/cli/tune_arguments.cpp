@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxMargins = 100000;
 constexpr double kMaxShards = 1e6;
 
-/// A whole number from `least` on, or nothing.
+/// An integer >= `least`, or nullopt.
 std::optional<std::size_t> whole(const std::string& text, double least) {
   const auto value = parseDouble(text);
   if (!value || *value != std::floor(*value) || *value < least || *value > kMaxShards) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<std::size_t> environment(const char* name) {
   return text ? whole(text, 0.0) : std::nullopt;
 }
 
-/// Index from 0 of this task among many.
+/// Index from 0 of this task in an array job.
 std::optional<std::size_t> taskIndex() {
   if (const auto task = environment("SLURM_ARRAY_TASK_ID")) {
     const std::size_t first = environment("SLURM_ARRAY_TASK_MIN").value_or(0);
@@ -48,7 +48,7 @@ std::vector<double> marginList(const std::string& text) {
   if (numbers.size() == 1) return numbers;
   if (numbers.size() != 3 || !(numbers[2] > 0.0) || numbers[1] < numbers[0])
     throw UsageError("--margins: found '" + text + "', expected FROM:TO:STEP in metres, or one margin");
-  // An end that lies on a step but for rounding is taken.
+  // Includes an end that is on a step up to rounding.
   const double steps = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9);
   if (steps >= static_cast<double>(kMaxMargins))
     throw UsageError("--margins: found more than " + std::to_string(kMaxMargins) +

@@ -1,4 +1,4 @@
-// What the commands about margins understand of their arguments.
+// Parses arguments of the commands about margins.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace abstand::cli {
 
-/// "FROM:TO:STEP" or one number; m, rising. Throws UsageError.
+/// "FROM:TO:STEP" or one number; m, increasing. Throws UsageError.
 std::vector<double> marginList(const std::string& text);
 
-/// `--restart-time`, s; without a text 0. Throws UsageError.
+/// `--restart-time`, s; 0 if empty. Throws UsageError.
 double restartTime(const std::string& text);
-/// `--segment`, s; without a text 1. Throws UsageError.
+/// `--segment`, s; 1 if empty. Throws UsageError.
 double segmentLength(const std::string& text);
 
 /// "I/N" with I from 1; "/N" takes I from SLURM_ARRAY_TASK_ID (counted from SLURM_ARRAY_TASK_MIN) or
-/// PARALLEL_SEQ; without a text the whole, or in an array job of Slurm its part. Throws UsageError.
+/// PARALLEL_SEQ; if empty the whole, or in a Slurm array job its part. Throws UsageError.
 tune::Shard shardOf(const std::string& text);
 
 }  // namespace abstand::cli

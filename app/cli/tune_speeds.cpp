@@ -24,7 +24,7 @@ std::vector<double> scalesOf(const std::string& text) {
 
 std::string fileOf(const tune::ProgramMotion& motion) { return motion.mechanism + ".csv"; }
 
-/// Throws UsageError for a name that no file of the folder can have.
+/// Throws UsageError for a name that is not a valid file name.
 void checkFile(const std::string& folder, const tune::ProgramMotion& motion) {
   if (motion.mechanism.find('/') != std::string::npos)
     throw UsageError("--speed-profile: found the mechanism `" + motion.mechanism +

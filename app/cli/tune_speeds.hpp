@@ -1,4 +1,4 @@
-// Speed profiles and the trade of speed against margin, as `tune` is asked for them.
+// Speed profiles and the trade-off of speed against margin for `tune`.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,22 @@ struct SpeedArguments {
   bool any() const { return !profile.empty() || !scales.empty(); }
 };
 
-/// --speed-rule, of commands that print speeds.
+/// Adds --speed-rule, for commands that print speeds.
 void addSpeedRule(CLI::App& command, std::string& rule);
 tune::SpeedRule speedRule(const std::string& name);
-/// --speed-profile and what belongs to it.
+/// Adds --speed-profile and related options.
 void addSpeedStudy(CLI::App& command, CommandLine& line, SpeedArguments& args);
 
-/// A study of speeds that was asked for. Made before anything costly: throws UsageError for arguments that
-/// make no sense, runs with more than one program, and a profile that cannot be written; ParseError for a
-/// motion that cannot be read.
+/// A requested study of speeds. Constructed before expensive work: throws UsageError for inconsistent
+/// arguments, runs with more than one program, and a profile that cannot be written; ParseError for an
+/// unreadable motion.
 class SpeedStudy {
  public:
   using Load = std::function<scene_file::SceneDescription(const tune::PlanItem&)>;
   SpeedStudy(const SpeedArguments& args, std::vector<tune::PlanItem> items, const Load& load);
 
-  /// Adds proof, profile and trade to the answer, whose `speeds` are there. The profile is written where it
-  /// is proven. False where it is not. `folder`: exists, for files of replays. Throws UsageError, WriteError.
+  /// Adds proof, profile and trade-off to the answer, whose `speeds` are set. Writes the profile if it is
+  /// proven; false if not. `folder`: exists, for files of replays. Throws UsageError, WriteError.
   bool run(tune::TuneAnswer& answer, const std::filesystem::path& folder, const tune::RunItems& run_items);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Approaches in the text for people; the JSON has all.
+/// Approaches in the text; the JSON has all.
 constexpr std::size_t kTextApproaches = 10;
 
 Json rowJson(const tune::MarginRow& row) {
@@ -80,7 +80,7 @@ std::string approachesText(const tune::TuneAnswer& answer) {
   return text;
 }
 
-/// Of all recordings: how long a part's protective distance was broken, and the worst moment.
+/// Over all recordings: time with a violated protective distance of a part, and the worst moment.
 Json separationJson(const tune::TuneAnswer& answer) {
   Json rows = Json::array();
   for (const tune::ProposedMargin& p : answer.table.proposed) {

@@ -1,4 +1,4 @@
-// The answers of `tune`.
+// Output of `tune`.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Options and texts about the warm start, of all commands that go through frames.
+// Options and output about the warm start, for all commands that process frames.
 #include "app/cli/warm_start.hpp"
 
 #include "core/base/error.hpp"

@@ -1,4 +1,4 @@
-// Options and texts about the warm start, of all commands that go through frames.
+// Options and output about the warm start, for all commands that process frames.
 #pragma once
 
 #include "app/cli/command_line.hpp"
@@ -6,7 +6,7 @@
 
 namespace abstand::cli {
 
-/// What --cold, --remember and --tolerance say.
+/// Values of --cold, --remember and --tolerance.
 struct WarmStartArguments {
   bool cold{false}, warm{false};
   std::string tolerance;
@@ -18,7 +18,7 @@ void addWarmStart(CLI::App& command, WarmStartArguments& args);
 
 /// null: every frame started cold.
 nlohmann::ordered_json warmStartJson(const run::RunSummary& summary);
-/// A line, or nothing.
+/// One line, or empty.
 std::string warmStartText(const run::RunSummary& summary);
 
 }  // namespace abstand::cli

@@ -1,4 +1,4 @@
-// The links of one robot of a scene, as surfaces that move.
+// Links of one robot of a scene as moving surfaces.
 #include "app/depth/calibration_links.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string nameOf(const scene_file::SceneDescription& scene, const std::string&
                    ", expected one of the scene's mechanisms: " + list);
 }
 
-/// Nobody asks for its distances, so nothing else of the scene is loaded, and no pairs.
+/// The scene with only this robot and without pairs, as no distances are needed.
 scene_file::SceneDescription alone(scene_file::SceneDescription scene, const std::string& robot) {
   std::erase_if(scene.mechanisms, [&](const scene_file::MechanismDescription& m) { return m.name != robot; });
   scene.mechanisms.front().reaction.reset();

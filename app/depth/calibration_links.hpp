@@ -1,4 +1,4 @@
-// The links of one robot of a scene, as surfaces that move.
+// Links of one robot of a scene as moving surfaces.
 #pragma once
 
 #include <memory>
@@ -7,11 +7,11 @@
 
 namespace abstand::depth {
 
-/// Owns a session of that robot alone.
+/// Owns a session with only that robot.
 class CalibrationLinks {
  public:
-  /// `robot`: name of a mechanism of the scene; empty where it has one alone. Throws UsageError where there
-  /// is no such robot, or it has no links, and ParseError for its files.
+  /// `robot`: name of a mechanism of the scene; may be empty if there is only one. Throws UsageError if there
+  /// is no such robot or it has no links, and ParseError for its files.
   CalibrationLinks(scene_file::SceneDescription scene, const std::string& robot,
                    const session::SessionOptions& options);
 

@@ -1,4 +1,4 @@
-// The people of a depth clip: their joints as recorded, and their skin.
+// People of a depth clip: recorded joints, and skin bodies.
 #include "app/depth/clip_people.hpp"
 
 #include <cmath>
@@ -14,11 +14,11 @@ namespace {
 
 using enum humanmodel::Joint;
 
-/// Structures that nobody asks for distances are built in the shortest time: coarse, with so many points that
-/// they are not balanced.
+/// m; structures without distance queries are built as fast as possible: coarse, and with so many points that
+/// the quadrature correction is skipped.
 constexpr double kCoarse = 0.01, kManyPoints = 0.006;  // m
 
-/// z of the lowest skin of each of some frames.
+/// z of the lowest skin point in each of some frames.
 std::vector<double> lowestSkin(const tracking::Recording& recording, double stature) {
   const tracking::SkinBody skin(stature, {});
   std::vector<double> lowest;
@@ -72,7 +72,7 @@ scene_file::SceneDescription sceneOf(const std::filesystem::path& file, std::opt
     if (!f.has(kHipLeft) || !f.has(kHipRight)) continue;
     const Vector3d left = f[kHipLeft] - f[kHipRight];
     const Vector3d middle = 0.5 * (f[kHipLeft] + f[kHipRight]);
-    // Front is left turned back by a quarter about z.
+    // Forward is left rotated by -90 degrees about z.
     human.recording.place_yaw = -std::atan2(-left.x(), left.y());
     human.recording.place_xyz = -(Eigen::AngleAxisd(human.recording.place_yaw, Vector3d::UnitZ()) *
                                   Vector3d(middle.x(), middle.y(), 0.0));

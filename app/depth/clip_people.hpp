@@ -1,4 +1,4 @@
-// The people of a depth clip: their joints as recorded, and their skin.
+// People of a depth clip: recorded joints, and skin bodies.
 #pragma once
 
 #include "app/session/session.hpp"
@@ -6,16 +6,16 @@
 
 namespace abstand::depth {
 
-/// The joints of each person of a session, moment by moment. The session must outlive this.
+/// Joints of each person of a session over time. The session must outlive this object.
 class ClipPeople {
  public:
   explicit ClipPeople(const session::Session& session);
 
   std::size_t size() const { return people_.size(); }
-  /// The recorded joints at or just before `t`, in world, with t itself as time; of a person without a
-  /// recording those of its model, standing.
+  /// Recorded joints at or just before `t`, in world, with the time t; for a person without a recording those
+  /// of its model in the rest pose.
   humanmodel::SkeletonFrame at(std::size_t person, double t) const;
-  /// m, of the legs where they were recorded, else the model's.
+  /// Stature (m) from the recorded legs, otherwise the model's.
   double stature(std::size_t person) const;
 
  private:
@@ -26,9 +26,10 @@ class ClipPeople {
   std::vector<Person> people_;
 };
 
-/// A scene of one person who moves after a recording: the first frame that shows hips over the origin, facing
-/// +x, and the feet on z = 0 as they are nine tenths of the time. With a `height` (m) the recording is scaled
-/// until its legs are those of that stature. Throws ParseError and UsageError.
+/// A scene with one person who follows a recording: in the first frame with hips these are above the origin,
+/// facing +x; the floor z = 0 is the height of the lowest skin in nine tenths of the frames. With a `height`
+/// (m) the recording is scaled so that the length of its legs fits that stature. Throws ParseError and
+/// UsageError.
 scene_file::SceneDescription sceneOf(const std::filesystem::path& recording, std::optional<double> height);
 
 }  // namespace abstand::depth

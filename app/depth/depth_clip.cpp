@@ -1,4 +1,4 @@
-// What a depth camera would see of a scene, as a clip on disk.
+// Simulated depth camera clips of a scene.
 #include "app/depth/depth_clip.hpp"
 
 #include <cmath>
@@ -55,7 +55,7 @@ void writeTruth(const ClipPeople& people, std::span<const double> times, OutputF
   }
 }
 
-/// Files of images, and the list of them, in one of the formats.
+/// Image files and their list, in one of the formats.
 class ClipFiles {
  public:
   ClipFiles(ClipFormat form, double depth_scale, OutputFolder& folder)
@@ -97,7 +97,7 @@ void checkFreenect(const tracking::DepthCamera& camera, std::span<const double> 
                      std::to_string(camera.height) + " pixels, expected 640 x 480, those of its driver");
   if (!camera.distortion.isZero(0.0))
     throw UsageError("--format freenect: found a camera with distortion, expected one without");
-  // Names hold times from 0.
+  // Names contain times, which must not be negative.
   if (!times.empty() && times.front() < 0.0)
     throw UsageError("--format freenect: found times below 0, expected --start 0 or later");
 }

@@ -1,4 +1,4 @@
-// What a depth camera would see of a scene, as a clip on disk.
+// Simulated depth camera clips of a scene.
 #pragma once
 
 #include <filesystem>
@@ -12,44 +12,42 @@
 
 namespace abstand::depth {
 
-/// How the images of a clip lie on disk.
+/// File format of a clip's images.
 enum class ClipFormat : std::uint8_t {
-  kPng,      ///< `depth.txt` and PNG of 16 bits in the camera's units
-  kFreenect  ///< what libfreenect's `record` writes of a Kinect, disparities of 11 bits; 640 x 480 pixels
+  kPng,      ///< `depth.txt` and 16-bit PNGs in the camera's units
+  kFreenect  ///< as libfreenect's `record` of a Kinect: 11-bit disparities; 640 x 480 pixels
 };
 
 struct DepthClipOptions {
   ClipFormat format{ClipFormat::kPng};
   tracking::DepthCamera camera;
-  std::optional<tracking::SkinOptions>
-      skin;          ///< people are bodies of smooth skin; none: their parts in the scene
+  std::optional<tracking::SkinOptions> skin;  ///< people have skin bodies; nullopt: their parts in the scene
   bool room{false};  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
-  std::optional<tracking::KinectNoise> noise;  ///< none: an ideal camera
+  std::optional<tracking::KinectNoise> noise;  ///< nullopt: an ideal camera
   std::uint64_t seed{1};
-  double rate{30.0};                 ///< frames a second
+  double rate{30.0};                 ///< Hz
   std::optional<double> start, end;  ///< s
-  /// Done and all frames; may be empty.
+  /// Frames done, and total; may be empty.
   std::function<void(std::size_t, std::size_t)> progress;
   std::function<bool()> interrupted;
 };
 
 struct DepthClipSummary {
   std::size_t frames{0};
-  double measured{0.0};  ///< part of all pixels
+  double measured{0.0};  ///< share of all pixels
   bool interrupted{false};
 };
 
-/// Writes into `folder`, which it makes: `camera.yaml`, `depth_000000.png` and so on (16 bits, in the
-/// camera's units), `depth.txt`, a line `TIME FILE` for each (s, of the scene), or for libfreenect
-/// `INDEX.txt` and `d-TIME-STAMP.pgm` (both of the scene, in s and in us); and of the first person
-/// `truth.csv`, a table of the joints that were shown (world, m); of the others `truth_2.csv` and so on.
-/// They appear together: of an interrupted clip those of the images so far, after an error none. Throws
-/// UsageError and WriteError.
+/// Writes to `folder`, which is created: `camera.yaml`; `depth_000000.png` and so on (16 bits, in the
+/// camera's units) with `depth.txt`, a line `TIME FILE` for each (s, scene time), or for libfreenect
+/// `INDEX.txt` and `d-TIME-STAMP.pgm` (scene time in s and in us); and `truth.csv`, a table of the joints of
+/// the first person (world, m), `truth_2.csv` and so on for the others. All files appear together: after an
+/// interrupt those of the images so far, after an error none. Throws UsageError and WriteError.
 DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOptions& options,
                                 const std::filesystem::path& folder);
 
-/// A camera 2.8 m before the first person (of a scene without one: the middle of all objects), level with its
-/// middle, along world x; the bodies are where they are at the session's first frame.
+/// Default camera pose: 2.8 m in front of the first person (without people: of the centre of all objects), at
+/// the height of its centre, along world x; bodies at the session's first frame.
 Transform usualView(session::Session& session);
 
 }  // namespace abstand::depth

@@ -1,4 +1,4 @@
-// The bodies of a scene as a depth camera sees them.
+// Renders the bodies of a scene for a depth camera.
 #pragma once
 
 #include "app/session/session.hpp"
@@ -6,7 +6,7 @@
 
 namespace abstand::depth {
 
-/// Draws a scene's bodies where they are. The session must outlive this.
+/// Renders a scene's bodies at their current poses. The session must outlive this object.
 class SceneThings {
  public:
   SceneThings(const session::Session& session, bool with_people);
@@ -15,15 +15,15 @@ class SceneThings {
 
  private:
   const scene::Scene& scene_;
-  std::vector<std::pair<std::size_t, geometry::TriangleMesh>> meshes_;  ///< with the number of their object
+  std::vector<std::pair<std::size_t, geometry::TriangleMesh>> meshes_;  ///< with the index of their object
 };
 
-/// What a camera would see of a scene's robots and objects alone, at any time. Owns the session.
+/// Depth images of a scene's robots and objects only, at any time. Owns the session.
 class RobotView {
  public:
-  /// People and pairs are left out. Throws ParseError and UsageError.
+  /// People and pairs are removed. Throws ParseError and UsageError.
   explicit RobotView(scene_file::SceneDescription scene, const session::SessionOptions& options);
-  /// At time t (s) of the scene; there until the next call. A `camera` with a distortion is a UsageError.
+  /// Image at scene time t (s); valid until the next call. Throws UsageError for a `camera` with distortion.
   const tracking::DepthImage& at(double t, const tracking::DepthCamera& camera);
 
  private:

@@ -30,7 +30,7 @@ struct Scene::Impl {
   const scene::Pair& pair(std::size_t i) { return scene().pairs().at(i); }
   session::MechanismDriver& robot(std::size_t i) { return *session->mechanisms().at(i); }
 
-  /// What of a list for all joint values belongs to this robot.
+  /// This robot's part of a list for all joint values.
   std::span<const double> of(std::size_t i, std::span<const double> all) {
     std::size_t first = 0;
     for (std::size_t k = 0; k < i; ++k) first += static_cast<std::size_t>(robot(k).dof());

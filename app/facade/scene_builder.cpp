@@ -16,7 +16,7 @@ void checkMargin(double margin) {
 scene_file::SceneDescription SceneBuilder::Impl::described() const {
   scene_file::SceneDescription scene = description;
   scene.pairs.standard = scene_file::PairDefault::kBetweenGroups;
-  // Things are one group.
+  // All objects are one group.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     for (std::size_t k = i + 1; k < scene.objects.size(); ++k) {
       scene.pairs.include.emplace_back(scene.objects[i].name, scene.objects[k].name);

@@ -1,4 +1,4 @@
-// What a SceneBuilder collects.
+// Parts collected by a SceneBuilder.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ struct SceneBuilder::Impl {
   scene_file::SceneDescription description;
   std::map<std::string, std::shared_ptr<const structure::HapticStructure>> made;
 
-  /// With the pairs of things among each other.
+  /// Including pairs of objects with each other.
   scene_file::SceneDescription described() const;
 };
 

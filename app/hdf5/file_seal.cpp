@@ -12,7 +12,7 @@ namespace {
 constexpr char kMagic[] = "abstand tables 1\nxxh3-128 ";
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
-/// Of all bytes behind the seal, from the present place on.
+/// Checksum of all bytes from the current position on.
 std::string checksum(std::istream& in) {
   ContentHash hash;
   std::vector<char> block(kBlock);

@@ -8,7 +8,7 @@
 
 namespace abstand::hdf5 {
 
-/// Closes its object at the end. Negative: none.
+/// Owns an HDF5 id; the destructor closes it. Negative: none.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -26,7 +26,7 @@ class Handle {
   explicit operator bool() const { return id_ >= 0; }
   hid_t get() const { return id_; }
   void reset() { close(); }
-  /// What the library answers; 0 without an object.
+  /// Closes the object; returns the library's status, 0 without an object.
   herr_t close() { return id_ >= 0 ? close_(std::exchange(id_, -1)) : 0; }
 
  private:
@@ -34,11 +34,11 @@ class Handle {
   Close close_{nullptr};
 };
 
-/// Once, before anything else of the library; it prints no errors of its own and has no exit handler, which
-/// would write what a full disk refused before, and crash over it. Throws WriteError.
+/// Initialises the library; called before any other use. Disables its error output and its exit handler,
+/// which would retry writes that a full disk refused, and crash. Throws WriteError.
 void startLibrary();
 
-/// The system's reason in the library's stack of errors ("No space left on device"), or that the library
+/// The system's reason in the library's error stack ("No space left on device"), or a text that the library
 /// failed.
 std::string systemReason();
 

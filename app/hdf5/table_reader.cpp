@@ -58,13 +58,13 @@ struct TableReader::Impl {
     H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
     return {dims.front(), {dims.begin() + 1, dims.end()}};
   }
-  /// Throws ParseError where that is more than one may ask for.
+  /// Throws ParseError if more is requested than allowed.
   void checkSize(const std::string& name, std::size_t rows, std::size_t width) const {
     if (static_cast<double>(rows) * static_cast<double>(width) * sizeof(double) >
         static_cast<double>(kMaxTableBytes))
       fail("found more than 2 GiB in `" + name + "`, expected less");
   }
-  /// The numbers of a table in `space`, in their unit.
+  /// The numbers of a table in `space`, scaled to their unit.
   std::vector<double> values(const Handle& s, const std::string& name, std::size_t count,
                              const Handle& memory, const Handle& space) const;
 };

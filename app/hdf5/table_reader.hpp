@@ -1,4 +1,4 @@
-// Tables of numbers, read back from an HDF5 file.
+// Reads tables of numbers from an HDF5 file.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace abstand::hdf5 {
 
-/// Of a table: rows and the extents of one row.
+/// Shape of a table: number of rows, and the extents of one row.
 struct Extents {
   std::size_t rows{0};
   std::vector<std::size_t> row;
-  /// Numbers in a row.
+  /// Numbers in each row.
   std::size_t width() const;
 };
 
-/// A file of TableWriter, or of anyone: every type and size is checked, and no more than 2 GiB are read at
-/// once. All functions throw ParseError, with the file and what was found. One thread at a time uses
-/// the library in a process.
+/// Reads a file of TableWriter, possibly untrusted: every type and size is checked, and at most 2 GiB are
+/// read at once. All functions throw ParseError with the file and what was found. Only one thread of a
+/// process may use the library at a time.
 class TableReader {
  public:
   explicit TableReader(const std::filesystem::path& file);
@@ -33,9 +33,9 @@ class TableReader {
   std::vector<std::string> texts(const std::string& name) const;
 
   Extents extents(const std::string& name) const;
-  /// All numbers of a table, row by row. With `rows` and `width` that the caller expects.
+  /// All numbers of a table, row by row; it must have `rows` and `width`.
   std::vector<double> table(const std::string& name, std::size_t rows, std::size_t width) const;
-  /// Some rows of a table, from row `first` on; the table has that `width`. So a table of any length is read.
+  /// `count` rows of a table, from row `first` on; it must have this `width`. For tables of any length.
   std::vector<double> rows(const std::string& name, std::size_t first, std::size_t count,
                            std::size_t width) const;
 

@@ -26,21 +26,21 @@ hid_t typeOf(Storage storage) {
   return H5T_IEEE_F64LE;
 }
 
-/// The smallest number of the type stands for none.
+/// The smallest integer of the type represents NaN.
 double steps(double value, Storage storage, double step) {
   const double largest = storage == Storage::kSteps32 ? 2147483647.0 : 32767.0;
   if (std::isnan(value)) return -largest - 1.0;
   return std::clamp(std::floor(value / step), -largest, largest);
 }
 
-/// Without the time of its making.
+/// Creation properties without time stamps.
 Handle plainList() {
   Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(list.get(), false);
   return list;
 }
 
-/// Grows by rows, which are gathered in memory, a chunk at a time.
+/// A table that grows by rows, buffered in memory chunk by chunk.
 struct Table {
   std::vector<hsize_t> row;
   hsize_t width{1}, rows{0};
@@ -85,9 +85,9 @@ struct TableWriter::Impl {
   Handle handle;
   std::vector<Table> tables;
   hsize_t pending{0};
-  std::string failure;  ///< of the first failure; empty: none
+  std::string failure;  ///< first failure; empty: none
 
-  /// Notes the first failure, before the library forgets its reason.
+  /// Records the first failure while the library still knows its reason.
   void expect(bool good) {
     if (!good && failure.empty()) failure = systemReason();
   }
@@ -101,7 +101,7 @@ struct TableWriter::Impl {
     check();
   }
   void close() {
-    // After a failure the library holds what it cannot write: nothing more is asked of it but to let go.
+    // After a failure the library holds data that it cannot write: only releases it.
     for (Table& table : tables) table.set.reset();
     if (!handle) return;
     expect(H5Fflush(handle.get(), H5F_SCOPE_GLOBAL) >= 0);
@@ -181,7 +181,7 @@ std::size_t TableWriter::table(const std::string& name, std::vector<std::size_t>
     table.width *= n;
     now.push_back(n);
     most.push_back(n);
-    // One column after the other: it hardly changes from row to row.
+    // Chunks of single columns, whose values hardly change from row to row.
     chunk.push_back(1);
   }
   if (table.width > 0) {

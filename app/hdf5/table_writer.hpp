@@ -1,4 +1,4 @@
-// Tables of numbers, written row by row into an HDF5 file.
+// Writes tables of numbers row by row to an HDF5 file.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace abstand::hdf5 {
 
-/// How the numbers of a table are kept.
+/// Storage type of a table's numbers.
 enum class Storage : std::uint8_t {
-  kDouble,   ///< 64 bits, exactly
-  kSteps32,  ///< whole steps, rounded down, in 32 bits; what does not fit is clipped, no number stays none
+  kDouble,   ///< 64-bit, exact
+  kSteps32,  ///< integer multiples of a step, rounded down, 32-bit; clipped to the range; NaN is preserved
   kSteps16,  ///< the same in 16 bits
 };
 
-/// A file under construction: appears under its name at commit(), whole, or not at all. The same input gives
-/// the same bytes. One thread at a time uses the library in a process.
+/// A file under construction: appears under its name at commit(), completely or not at all. The same input
+/// gives the same bytes. Only one thread of a process may use the library at a time.
 class TableWriter {
  public:
   /// With a checksum in front (file_seal.hpp), which TableReader asks for. Throws WriteError.
@@ -27,17 +27,17 @@ class TableWriter {
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;
 
-  /// Attributes of the file.
+  /// Sets an attribute of the file.
   void attribute(const std::string& name, long long value);
   void attribute(const std::string& name, double value);
   void attribute(const std::string& name, const std::string& value);
-  /// A list of texts, whole.
+  /// Writes a whole list of texts.
   void texts(const std::string& name, const std::vector<std::string>& values);
-  /// A list of numbers, whole, with rows of `width`.
+  /// Writes a whole list of integers, with rows of `width`.
   void integers(const std::string& name, const std::vector<int>& values, std::size_t width);
 
-  /// A table that grows; a row has the extents `row` (empty: one number). Gives its number. Steps are `step`
-  /// large, which the table says in its attribute `step`.
+  /// Adds a table that grows by rows of the extents `row` (empty: one number). Returns its index. `step` is
+  /// the step of integer storage, stored in its attribute `step`.
   std::size_t table(const std::string& name, std::vector<std::size_t> row, Storage storage = Storage::kDouble,
                     double step = 1.0);
   /// What the numbers of a table are, as attributes of it: "m", and "x y z" for the columns of a row.
@@ -45,12 +45,12 @@ class TableWriter {
   /// Numbers of the next row of a table, in order. Kept until endRow() has gathered a chunk.
   void add(std::size_t table, double value);
   void add(std::size_t table, std::span<const double> values);
-  /// The tables so far are complete; numbers of tables begin at 0 again.
+  /// Declares the tables so far complete; table indices start at 0 again.
   void nextTables();
-  /// After the numbers of all tables for one row. Throws WriteError as soon as the disk refuses something.
+  /// Call after the numbers of all tables for one row. Throws WriteError immediately on disk errors.
   void endRow();
 
-  /// Writes, closes and checks, so that commit() has only to rename. Throws WriteError.
+  /// Writes, closes and checks, so that commit() only renames. Throws WriteError.
   void finish();
   void commit();
 

@@ -65,7 +65,7 @@ void ClosedLoop::push(PairId id) {
   if (bare.contacts == 0) return;
   physics::Contact contact{
       bare.force_a, bare.torque_a, object_a.p_WCom(), 0.5 * (r.witness_a + r.witness_b), {}};
-  // What the physics does not move has the velocity of its poses.
+  // Bodies outside of the physics have the velocity of their poses.
   const auto carry = [&](const scene::Object& o, double sign) {
     contact.carried.linear +=
         sign * (o.velocity.linear + o.velocity.angular.cross(Vector3d(contact.near - o.p_WCom())));
@@ -100,7 +100,7 @@ void ClosedLoop::react(double age) {
   world_.step(kStep);
   for (const auto& robot : robots_)
     if (robot) robot->follow();
-  // From the start, so that roundings do not add up.
+  // Computed from the start to avoid accumulated rounding.
   t_ = start_ + kStep * static_cast<double>(++cycles_);
 }
 

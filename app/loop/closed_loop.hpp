@@ -1,4 +1,4 @@
-// The closed loop: people move as recorded, robots feel them and move away, millisecond by millisecond.
+// Closed loop of 1 ms cycles: people move as recorded, robots react to them.
 #pragma once
 
 #include "app/loop/reacting_robot.hpp"
@@ -7,47 +7,49 @@
 namespace abstand::loop {
 
 /// One cycle at time t:
-///   people and things to where they are at t, links to where the physics put them -> pairs
-///   -> forces on links, joint efforts J^T F -> Reaction -> motors; bodies that touch push each other
-///   -> the physics goes on to t + kStep
-/// Things with a `mass` are bodies of the physics too: they fall, lie and are pushed, unless `--poses` moves
+///   1. people and objects move to their poses at t, links to those of the physics
+///   2. pairs are queried
+///   3. forces on links, joint efforts J^T F, Reaction, motor commands; touching bodies push each other
+///   4. the physics advances to t + kStep
+/// Objects with a `mass` are bodies of the physics: they fall, rest and are pushed, unless `--poses` moves
 /// them. Mechanisms without a `reaction` follow their motion. People follow their recording, whatever pushes
-/// them. Bodies push each other where their surfaces overlap; contacts within margins only ask the reaction.
-/// Loop thread only; step() allocates nothing of ours after the first, and throws nothing.
+/// them. Bodies push each other where their surfaces overlap; contacts within margins only affect the
+/// reaction. Loop thread only; step() does not allocate (except within libraries) after the first call, and
+/// does not throw.
 class ClosedLoop {
  public:
   static constexpr double kStep = 1e-3;  ///< s
 
-  /// Robots start on their plans at `t`. Throws ParseError, UsageError. The session must outlive it.
+  /// Robots start on their plans at `t`. Throws ParseError, UsageError. The session must outlive this object.
   ClosedLoop(session::Session& session, double t);
 
-  /// The cycle at time().
+  /// Runs the cycle at time().
   void step();
-  /// Its two halves, for those who query the pairs in between: everything to where it is at time(), and, the
-  /// scene's pairs being brought up, reactions and physics.
+  /// The two halves of step(), for callers that query the pairs in between: move() sets all poses for time().
   void move();
   void react() { react(0.0); }
-  /// `age`: s, of the oldest result of a pair; beyond `stop.input_age` robots stop for stale input.
+  /// Reactions and physics, from the scene's current results. `age`: s, of the oldest result of a pair;
+  /// beyond `stop.input_age` robots stop for stale input.
   void react(double age);
-  /// Shows the moment time() without going on: poses, pairs, joint efforts. step() does it again.
+  /// Shows time() without advancing: poses, pairs, joint efforts. step() repeats it.
   void look();
-  /// A person lets every robot that waits for it go on, in the next cycle.
+  /// Releases every robot that waits for a reset, in the next cycle.
   void resetStops();
-  /// Whether the torques of the reactions reach the motors, from the next cycle on.
+  /// Whether the torques of the reactions are sent to the motors, from the next cycle on.
   void setTorques(bool on);
-  /// Fills robots and loop_start. No allocation once `out` has its sizes.
+  /// Sets robots and loop_start. No allocation once `out` has its sizes.
   void capture(view::SceneSnapshot& out) const;
   double start() const { return start_; }  ///< s, of the first cycle
   double time() const { return t_; }       ///< s, of the next cycle
-  /// A null for a mechanism without a reaction; in the order of the session.
+  /// In the order of the session's mechanisms; null without a reaction.
   const std::vector<std::unique_ptr<ReactingRobot>>& robots() const { return robots_; }
   const session::Session& session() const { return session_; }
 
-  /// Things that the physics moves.
+  /// Number of objects moved by the physics.
   std::size_t freeThings() const { return things_.size(); }
 
  private:
-  /// A thing with a mass, and its number in the world.
+  /// An object with a mass, and its index in the physics world.
   struct Thing {
     ObjectId object;
     int number;
@@ -59,8 +61,8 @@ class ClosedLoop {
   physics::PhysicsWorld world_;
   std::vector<std::unique_ptr<ReactingRobot>> robots_;
   std::vector<Thing> things_;
-  std::vector<physics::PhysicsObject> bodies_;  ///< of each object of the scene
-  std::vector<bool> pushed_;                    ///< of each object: it is a body of the physics
+  std::vector<physics::PhysicsObject> bodies_;  ///< for each object of the scene
+  std::vector<bool> pushed_;                    ///< for each object: it is a body of the physics
   double start_, t_;
   long cycles_{0};
   physics::ContactOptions contact_;

@@ -1,4 +1,4 @@
-// Wall time as the live loop sees it; tests put their own in its place.
+// Clock of the live loop; replaced in tests.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace abstand::loop {
 class LiveClock {
  public:
   virtual ~LiveClock() = default;
-  virtual double now() = 0;               ///< s, never falling
+  virtual double now() = 0;               ///< s, monotonic
   virtual void sleepUntil(double t) = 0;  ///< s; returns at once when `t` has passed
 };
 

@@ -8,12 +8,12 @@
 namespace abstand::loop {
 namespace {
 
-constexpr double kPeriod = 1e-3;          // s, the rate that the thesis demands
-constexpr int kMaxPeriods = 50;           // of the step that the loop chooses
+constexpr double kPeriod = 1e-3;          // s, the rate required by the thesis
+constexpr int kMaxPeriods = 50;           // largest step chosen by the loop
 constexpr int kPublishEvery = 4;          // rounds; the window draws at 60 Hz
-constexpr double kMaxRound = 0.02;        // s of wall time for cycles between two looks at the commands
-constexpr long kStatisticsWindow = 2000;  // cycles after which the shown times forget
-constexpr double kHeadroom = 1.3;         // of a cycle's median, for what else the loop does
+constexpr double kMaxRound = 0.02;        // s of wall time for cycles between two checks of the commands
+constexpr long kStatisticsWindow = 2000;  // cycles after which the displayed statistics restart
+constexpr double kHeadroom = 1.3;         // times a cycle's median, for the loop's other work
 
 template <class... Ts>
 struct Overload : Ts... {
@@ -37,7 +37,7 @@ view::SceneSnapshot sized(const session::Session& session) {
 struct LiveSession::Timing {
   scene::CycleStatistics statistics{kPeriod};
   double last_s{0.0};
-  long cycles{0}, overruns{0};  // while playing, since it began or its speed changed
+  long cycles{0}, overruns{0};  // while playing, since start or the last change of speed
   int periods{1};
   void restart() { cycles = overruns = 0; }
 };
@@ -137,11 +137,11 @@ void LiveSession::goTo(double t) {
   begin(t);
 }
 
-/// Robots that react stand on their plans there, with nothing behind them.
+/// Starts reacting robots on their plans at `t`.
 void LiveSession::begin(double t) {
   t_ = t;
   if (closed_) {
-    closed_.reset();  // it lets go of what robots hold before the next one takes it
+    closed_.reset();  // releases held objects before the next loop takes them
     closeLoop(t);
     ++loops_;
   }
@@ -158,7 +158,7 @@ std::optional<PairId> LiveSession::pair(int index) const {
   return PairId(static_cast<std::uint32_t>(index));
 }
 
-/// What acts on the joints at the moment that the scene shows.
+/// Joint efforts at the displayed time.
 void LiveSession::findTorques() {
   const std::vector<double>& contact = session_->jointEfforts();
   std::size_t first = 0;
@@ -182,7 +182,7 @@ void LiveSession::stepFrames(int frames, Timing& timing) {
   playing_ = false;
   const double period = outline_.frame_period;
   if (!closed_ || frames <= 0) return goTo(std::clamp(t_ + frames * period, outline_.start, outline_.end));
-  // A frame may be no whole number of cycles: from the nearest one, so that roundings do not add up.
+  // A frame may not be a whole number of cycles: counted from the start to avoid accumulated rounding.
   const double frame = std::round((t_ - outline_.start) / period) + frames;
   const double t = std::min(outline_.start + frame * period, outline_.end);
   while (closed_->time() <= t + 0.5 * ClosedLoop::kStep && !stop_) reactOnce(timing);
@@ -214,7 +214,7 @@ void LiveSession::publish(const Timing& timing) {
   fresh_ = false;
 }
 
-/// s of wall time that a cycle may take.
+/// Wall time (s) available for a cycle.
 double LiveSession::step(const Timing& timing) const {
   return closed_ ? ClosedLoop::kStep / speed_ : kPeriod * timing.periods;
 }
@@ -252,10 +252,10 @@ void LiveSession::timed(Timing& timing, Work work) {
     raise(sample.peak_torque.gravity, joint.gravity);
     raise(sample.peak_torque.motion, joint.motion);
   }
-  plot_.push(sample);  // lost where nobody drains the ring
+  plot_.push(sample);  // lost if the ring is not read
 }
 
-/// Shows t_ without going on.
+/// Shows t_ without advancing.
 void LiveSession::cycle(Timing& timing) {
   if (closed_) t_ = closed_->time();
   timed(timing, [this] { closed_ ? closed_->look() : session_->step(t_); });
@@ -266,7 +266,7 @@ void LiveSession::reactOnce(Timing& timing) {
   timed(timing, [this] { closed_->step(); });
 }
 
-/// Begins again, or stops.
+/// Restarts at the beginning, or stops.
 void LiveSession::end() {
   if (looping_ && outline_.end > outline_.start) return begin(outline_.start);
   playing_ = false;
@@ -278,7 +278,7 @@ void LiveSession::play(Timing& timing) {
   closed_ ? playClosed(timing) : playRecorded(timing);
 }
 
-/// To where wall time has come to, and no farther than the end: it is shown, and the next round begins again.
+/// Advances to the current wall time, at most to the end, which is shown before the next round starts.
 void LiveSession::playRecorded(Timing&) {
   pace_.forgive(speed_, speed_ * PlayPace::kMaxLag);
   if (t_ >= outline_.end) end();
@@ -304,7 +304,7 @@ void LiveSession::playClosed(Timing& timing) {
 }
 
 void LiveSession::loop(Timing& timing) {
-  double next = clock_->now();  // s, when the next round begins
+  double next = clock_->now();  // s, start of the next round
   int unseen = 0;               // rounds since the last snapshot
   while (!stop_) {
     pending_.clear();
@@ -318,7 +318,7 @@ void LiveSession::loop(Timing& timing) {
       publish(timing);
       unseen = 0;
     }
-    // A late round does not make the next ones come in bursts.
+    // After a late round the next ones do not come in bursts.
     next = std::max(next + kPeriod * timing.periods, clock_->now());
     clock_->sleepUntil(next);
   }

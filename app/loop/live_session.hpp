@@ -1,4 +1,4 @@
-// A session that plays on its own thread.
+// A session that plays on a thread of its own.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 namespace abstand::loop {
 
-/// Wishes to the loop, as values.
+/// Commands to the loop, as values.
 namespace command {
 struct Play {
   bool on;
@@ -58,25 +58,25 @@ using Command = std::variant<command::Play, command::Step, command::Seek, comman
                              command::Margin, command::React, command::ResetStops, command::Torques,
                              command::SetGroup, command::AddPair, command::RemovePair>;
 
-/// Owns a session and steps it on a thread of its own at 1 kHz of wall time. One other thread (the window)
-/// sends commands and takes snapshots; nobody waits for anybody.
+/// Owns a session and runs it on its own thread at 1 kHz of wall time. One other thread (the window) sends
+/// commands and takes snapshots; neither waits for the other.
 ///
-/// While it plays, scene time follows wall time (PlayPace). Where a mechanism has a `reaction`, playing is
-/// the closed loop: every millisecond of the scene has its cycle, and where they do not fit into wall time,
-/// play is slower. What robots did depends on what was before, so a seek, a frame back and a new round put
-/// them on their plans at that time (SceneSnapshot::loop_start). Else, and with React off, cycles show
-/// recorded motion where wall time has come to: late ones leave moments out. They are asked for in steps of a
-/// whole number of milliseconds, the smallest that the median cycle fits into.
+/// While playing, scene time follows wall time (PlayPace). If a mechanism has a `reaction`, the closed loop
+/// runs: every millisecond of the scene has its cycle, and play slows down if they do not fit into wall time.
+/// The robots' state depends on the past, so a seek, a step back and a new round reset them to their plans at
+/// that time (SceneSnapshot::loop_start). Otherwise, and with React off, cycles show the recorded motion at
+/// the current wall time; late cycles skip times. Their period is a whole number of milliseconds, the
+/// smallest that the median cycle fits into.
 class LiveSession {
  public:
-  /// Starts paused at `t`, reacting, with a first snapshot there. Where a robot cannot react,
-  /// outline().cannot_react says why, and nothing does. `clock`: null for the machine's.
+  /// Starts paused at `t`, with reaction on and a first snapshot. If a robot cannot react,
+  /// outline().cannot_react states why, and reaction is off. `clock`: null for the system clock.
   LiveSession(std::unique_ptr<session::Session> session, double t,
               std::unique_ptr<LiveClock> clock = nullptr);
   ~LiveSession();
 
   const view::SceneOutline& outline() const { return outline_; }
-  /// False when the loop is so far behind that the command was dropped.
+  /// False if the command queue is full: the command was dropped.
   bool send(const Command& command) { return commands_.push(command); }
   bool takeSnapshot(view::SceneSnapshot& out);
   void drainPlot(std::vector<view::PlotSample>& out) { plot_.drainInto(out); }
@@ -112,21 +112,21 @@ class LiveSession {
 
   // Loop thread only, once it runs.
   std::unique_ptr<Timing> timing_;
-  std::unique_ptr<ClosedLoop> closed_;  ///< null: nothing reacts
+  std::unique_ptr<ClosedLoop> closed_;  ///< null: no reaction
   std::vector<Command> pending_;
   double t_{0.0}, speed_{1.0};
   PlayPace pace_;
   session::PairControl control_;
-  std::vector<session::JointTorques> torques_of_;  ///< of each mechanism
-  std::vector<view::TorqueParts> joint_torques_;   ///< of all joints
+  std::vector<session::JointTorques> torques_of_;  ///< for each mechanism
+  std::vector<view::TorqueParts> joint_torques_;   ///< for all joints
   bool torques_on_{true};
   bool playing_{false}, looping_{true};
-  bool dirty_{true};  ///< t_ is not what the scene shows
-  bool fresh_{true};  ///< there is something that no snapshot has
+  bool dirty_{true};  ///< the scene does not show t_ yet
+  bool fresh_{true};  ///< there are changes that no snapshot has
   long step_{0};
-  long loops_{0};  ///< how often robots were put on their plans
+  long loops_{0};  ///< number of resets of the robots to their plans
 
-  std::jthread thread_;  // last: joined before the rest dies
+  std::jthread thread_;  // last member: joined before the others are destroyed
 };
 
 }  // namespace abstand::loop

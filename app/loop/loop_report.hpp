@@ -1,4 +1,4 @@
-// What the robots of a closed loop went through, in words and numbers.
+// Report of the reacting robots of a closed loop.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,12 @@ struct ReactionReport {
   RobotRecord record;
   std::vector<safety::StopEntry> stops;  ///< the last ones
   std::vector<std::string> lines;        ///< the same as sentences
-  std::size_t stop_count{0};             ///< ever
+  std::size_t stop_count{0};             ///< total number
   safety::StopState state{safety::StopState::kRunning};
-  std::string remark;  ///< massRemark(); empty: its own inertia served
+  std::string remark;  ///< massRemark(); empty: its own inertia was used
 };
 
-/// Of the robots that react, in the order of the session.
+/// Reports of the reacting robots, in the order of the session.
 std::vector<ReactionReport> reportOf(const ClosedLoop& loop);
 
 }  // namespace abstand::loop

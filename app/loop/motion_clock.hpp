@@ -1,4 +1,4 @@
-// What a robot of the closed loop was told to do, on a clock of its own.
+// Plan of a robot in the closed loop, on a clock of its own.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,18 @@
 
 namespace abstand::loop {
 
-/// The motion of a mechanism, made smooth, or rest at its joint values. Its clock runs at the speed scale, so
-/// a robot that was slowed down or stopped goes on where it was. One thread; no allocation after
-/// construction.
+/// Smoothed motion of a mechanism, or rest at its joint values. Its clock runs at the speed scale, so a robot
+/// that was slowed down or stopped continues where it was. One thread; no allocation after construction.
 class MotionClock {
  public:
   /// `motion`: null for rest at `q`.
   MotionClock(const mechanism::MotionTable* motion, std::span<const double> q, double start);
 
-  /// Goes on by `dt` seconds at the share `scale` (0 to 1) of the planned speed.
+  /// Advances by `dt` seconds at the share `scale` (0 to 1) of the planned speed.
   void advance(double dt, double scale);
-  /// Where the robot should be, at the present share of the planned speed: qd and qdd are those of its time.
+  /// Planned motion now: qd and qdd include the current speed scale.
   control::PlannedMotion now() const { return {q_, qd_, qdd_}; }
-  /// rad/s or m/s, at full speed.
+  /// Planned velocity (rad/s or m/s) at full speed.
   std::span<const double> fullSpeed() const { return full_; }
   double time() const { return time_; }  ///< s, on its own clock
 

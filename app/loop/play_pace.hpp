@@ -1,27 +1,27 @@
-// How the time of a scene follows wall time while it plays.
+// Relates scene time to wall time while playing.
 #pragma once
 
 #include "core/math/transform.hpp"
 
 namespace abstand::loop {
 
-/// Scene time is due as wall time passes, times the speed; nothing is due twice and nothing is dropped, but
-/// for a lag of more than kMaxLag of wall time, which is given up as a whole: then play is slower than asked
-/// for, and factor() says so. One thread; wall times are in s and never fall.
+/// Scene time becomes due with wall time, times the speed; nothing is due twice or dropped, except for a lag
+/// of more than kMaxLag of wall time, which is dropped as a whole: play is then slower than requested, and
+/// factor() shows it. One thread; wall times (s) never decrease.
 class PlayPace {
  public:
   static constexpr double kMaxLag = 0.25;       ///< s of wall time
   static constexpr double kFactorWindow = 0.5;  ///< s of wall time over which factor() is measured
 
-  /// Playing begins: nothing is due at `wall`.
+  /// Starts playing: nothing is due at `wall`.
   void start(double wall) {
     last_ = mark_ = wall;
     due_ = played_ = 0.0;
     factor_ = kNaN;
   }
-  /// A jump of the scene's time: what was due belongs to where it was.
+  /// After a jump of the scene time: discards what was due.
   void drop() { due_ = 0.0; }
-  /// Wall time is `wall`: more is due, at this speed since the last call.
+  /// Advances wall time to `wall` at this speed since the last call.
   void advance(double wall, double speed) {
     due_ += speed * (wall - last_);
     last_ = wall;
@@ -30,17 +30,17 @@ class PlayPace {
     mark_ = wall;
     played_ = 0.0;
   }
-  /// Gives up a lag that is too long but for `keep` s of scene time.
+  /// Drops a lag that is too long, except for `keep` s of scene time.
   void forgive(double speed, double keep) {
     if (due_ > speed * kMaxLag) due_ = keep;
   }
   double due() const { return due_; }  ///< s of scene time
-  /// So much of it was played, s.
+  /// Subtracts `dt` s of scene time that was played.
   void played(double dt) {
     due_ -= dt;
     played_ += dt;
   }
-  /// Scene time played by wall time, over the last window; NaN before the first one has passed.
+  /// Scene time played over wall time, over the last window; NaN before the first window has passed.
   double factor() const { return factor_; }
 
  private:

@@ -6,11 +6,11 @@
 namespace abstand::loop {
 namespace {
 
-// Of more joints our own forward dynamics is cheaper than ODE's joints (docs/architecture.md).
+// With more joints the own forward dynamics is faster than ODE's joints (docs/architecture.md).
 constexpr int kMaxJointed = 30;
-// Effort of brakes where the file names no limit, N m or N: no robot of this size is moved against it.
+// N m or N, brake effort if the file has no limit; cannot be overcome on robots of this size.
 constexpr double kBrake = 1e5;
-// rad or m, of a position-controlled joint: nearer, it is where it should be.
+// rad or m; a position-controlled joint this near is at its target.
 constexpr double kThere = 1e-12;
 
 physics::MechanismSolver solverOf(const mechanism::RigidTree& tree) {
@@ -41,7 +41,7 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   const control::PlannedMotion plan = plan_.now();
   q_.assign(plan.q.begin(), plan.q.end());
   qd_.assign(plan.qd.begin(), plan.qd.end());
-  // A plan that is faster than the robot begins at the robot's speed.
+  // If the plan is faster than the robot, it starts at the robot's speed.
   for (std::size_t i = 0; i < n; ++i)
     qd_[i] = std::clamp(qd_[i], -limits_.limits()[i].velocity, limits_.limits()[i].velocity);
   for (auto* v : {&qdd_, &torque_, &applied_, &next_.q, &next_.qd, &scratch_.acceleration,
@@ -75,7 +75,7 @@ void ReactingRobot::look(double t, double h, std::span<const control::ReactionPa
                          const scene::Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairId id = reaction_.pairs().own()[i].id;
-    if (scene.pairs()[id.index()].paused) continue;  // what it says is stale
+    if (scene.pairs()[id.index()].paused) continue;  // its result is stale
     const double distance = scene.result(id).distance;
     take(record_.nearest, id, t, distance);
     if (pairs[i].person) take(record_.nearest_person, id, t, distance);
@@ -123,8 +123,8 @@ void ReactingRobot::drive(const control::ReactionOutput& out) {
     world_.setJointEffort(number_, static_cast<int>(i), scratch_.hold_efforts[i] + torque_[i]);
 }
 
-/// The next joint values: where plan and offset say, or, where the joints cannot be there in a cycle, on the
-/// way there, slowly enough to stop in time.
+/// Next joint values: those of plan and offset or, if not reachable in one cycle, on the way there, slow
+/// enough to stop in time.
 void ReactingRobot::position(const control::ReactionOutput& out, double h) {
   const control::PlannedMotion plan = plan_.now();
   std::swap(wanted_, last_wanted_);
@@ -157,7 +157,7 @@ void ReactingRobot::limitPosition(double h) {
     }
     return;
   }
-  // What its motors would have to give, what they can, and where that leads.
+  // Required motor efforts, their limits, and the resulting motion.
   for (std::size_t i = 0; i < q_.size(); ++i) scratch_.acceleration[i] = (next_.qd[i] - qd_[i]) / h;
   mechanism::inverseDynamics(dynamics_.tree, {q_, qd_, {}}, {gravity_B_, {}}, dynamics_.state, scratch_.bias);
   mechanism::inverseDynamics(dynamics_.tree, {q_, qd_, scratch_.acceleration}, {gravity_B_, {}},

@@ -1,4 +1,4 @@
-// NumPy arrays over memory that belongs to an object.
+// NumPy arrays that refer to memory of an object.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -14,7 +14,7 @@ inline void makeReadOnly(py::array& array) {
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
 }
 
-/// No copy: the array shows `data`, which lives as long as `owner`, and cannot be written to.
+/// A read-only view of `data` without a copy; keeps `owner` alive.
 template <class T>
 py::array viewOf(const T* data, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                  py::handle owner) {

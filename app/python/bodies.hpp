@@ -1,4 +1,4 @@
-// What Python holds: meshes, shapes and structures.
+// Python types of meshes, shapes and structures.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -12,18 +12,18 @@ namespace abstand::python {
 
 namespace py = pybind11;
 
-/// abstand.Mesh: welded, constant after it is made, so that views of it stay right.
+/// abstand.Mesh: welded and immutable, so that views stay valid.
 struct Mesh {
   geometry::TriangleMesh mesh;
   mesh_file::MeshReport report;
 };
 
-/// abstand.Shape; a std::variant of its own would be taken apart on the way.
+/// abstand.Shape; a struct, because a bare std::variant would be converted to its alternatives.
 struct ShapeBody {
   geometry::Shape shape;
 };
 
-/// abstand.Structure. The arrays are made when they are asked for first.
+/// abstand.Structure. Arrays are created on first access.
 struct Structure {
   std::shared_ptr<const structure::HapticStructure> haptic;
   py::object points, normals;

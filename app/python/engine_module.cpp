@@ -3,7 +3,7 @@
 #include "app/python/error_translation.hpp"
 
 PYBIND11_MODULE(_engine, module) {
-  // What users see of its classes and functions is where they find them.
+  // Sets the module name that users see in classes and functions.
   module.attr("__module__") = "abstand";
   module.doc() = "The engine of abstand: bodies, distances, contacts, mechanisms, people.";
   abstand::python::translateErrors();

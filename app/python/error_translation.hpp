@@ -1,12 +1,12 @@
-// Errors of the project as Python exceptions.
+// Translates errors of the project to Python exceptions.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 namespace abstand::python {
 
-/// From now on ParseError, UsageError and WriteError that leave a function of this extension become
-/// abstand.ParseError, abstand.UsageError and abstand.WriteError, with the same text.
+/// Registers the translation of ParseError, UsageError and WriteError to abstand.ParseError,
+/// abstand.UsageError and abstand.WriteError, with the same text.
 void translateErrors();
 
 }  // namespace abstand::python

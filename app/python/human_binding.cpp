@@ -21,7 +21,7 @@ using States = py::array_t<std::uint8_t, py::array::c_style | py::array::forceca
 constexpr auto kJoints = static_cast<py::ssize_t>(hm::kJointCount);
 constexpr auto kParts = static_cast<py::ssize_t>(hm::kBodyPartCount);
 
-/// abstand.HumanPoses: arrays of n moments.
+/// abstand.HumanPoses: arrays of n times.
 struct HumanPoses {
   explicit HumanPoses(std::size_t n);
   void store(std::size_t i, const hm::HumanPose& pose);
@@ -70,7 +70,7 @@ hm::HumanModel modelOf(std::optional<double> stature, const std::string& preset,
   return hm::makeHuman(options);
 }
 
-/// A frame from arrays: a joint that is missing, or has a number that is not finite, is not known.
+/// A frame from arrays: a missing joint, or one with a value that is not finite, is unknown.
 hm::SkeletonFrame frameOf(double t, const double* joints, const std::uint8_t* states, const double* spread) {
   hm::SkeletonFrame frame;
   frame.t = t;

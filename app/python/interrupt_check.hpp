@@ -1,4 +1,4 @@
-// Ctrl-C during long calls that have released the GIL.
+// Handles Ctrl-C during long calls that have released the GIL.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,8 +12,8 @@
 
 namespace abstand::python {
 
-/// Made on the thread of the caller. poll() may be called on any thread, without the GIL; on the caller's it
-/// takes the GIL ten times a second and throws what Python's handlers of signals raise.
+/// Created on the caller's thread. poll() may be called on any thread without the GIL; on the caller's thread
+/// it acquires the GIL ten times a second and throws exceptions of Python's signal handlers.
 class InterruptCheck {
  public:
   void poll() {
@@ -33,9 +33,9 @@ class InterruptCheck {
   Clock::time_point next_{Clock::now() + kPeriod};
 };
 
-/// Calls `work(monitor)` on a thread of its own, without the GIL, which the caller does not hold either; the
-/// caller meanwhile asks Python for signals. What a handler raises ends the build that the monitor belongs
-/// to, and is thrown here.
+/// Calls `work(monitor)` on a separate thread without the GIL; the caller does not hold it either, and
+/// meanwhile checks Python's signals. An exception of a handler cancels the build of the monitor and is
+/// rethrown here.
 template <class Work>
 void buildInterruptibly(Work work) {
   std::atomic<bool> cancelled{false};

@@ -24,7 +24,7 @@ using JointRows = py::array_t<double, py::array::c_style | py::array::forcecast>
 
 constexpr std::size_t kRowsABlock = 256;
 
-/// abstand.Mechanism: constant after loading but for `scratch`, which is used with the GIL.
+/// abstand.Mechanism: constant after loading except `scratch`, which is used with the GIL.
 struct RobotHandle {
   robot_file::Robot robot;
   mech::MechanismState scratch;
@@ -60,7 +60,7 @@ void storeFrames(const mech::MechanismState& state, double* out) {
   }
 }
 
-/// An array of `size` rows of the shape `row`, or of the one row where single.
+/// An array of `size` rows of the shape `row`, or of a single row.
 py::array_t<double> rowsOf(const Postures& q, std::vector<py::ssize_t> row) {
   if (!q.single) row.insert(row.begin(), static_cast<py::ssize_t>(q.size));
   return py::array_t<double>(row);

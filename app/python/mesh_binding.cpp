@@ -14,7 +14,7 @@ namespace {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-// Part of the diagonal within which vertices are the same, as for mesh files.
+// Share of the diagonal within which vertices are merged, as for mesh files.
 constexpr double kSameVertex = 1e-6;
 
 void needRowsOfThree(const py::array& array, const char* name) {

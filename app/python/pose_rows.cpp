@@ -14,7 +14,7 @@ constexpr double kFarthestPose = 1e6;
 
 using AnyDoubles = py::array_t<double, py::array::forcecast>;
 
-/// A NumPy array of this machine's doubles.
+/// True for a NumPy array of native doubles.
 bool isDoubles(PyObject* object) {
   using namespace py::detail;
   const npy_api& numpy = npy_api::get();
@@ -29,19 +29,19 @@ std::string shapeText(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// Surely a rigid transform: quick, and false for what is not a number.
+/// Fast sufficient test for a rigid transform; false for NaN.
 bool surelyRigid(const Eigen::Matrix4d& X) {
   const Vector3d x = X.col(0).head<3>(), y = X.col(1).head<3>(), z = X.col(2).head<3>();
   const auto off = [](double value, double wanted) { return (value - wanted) * (value - wanted); };
   const double columns = off(x.dot(x), 1) + off(y.dot(y), 1) + off(z.dot(z), 1) +
                          2 * (off(x.dot(y), 0) + off(y.dot(z), 0) + off(z.dot(x), 0));
   const double last = off(X(3, 0), 0) + off(X(3, 1), 0) + off(X(3, 2), 0) + off(X(3, 3), 1);
-  // The sizes of R^T R - I and R R^T - I are the same to first order.
+  // The norms of R^T R - I and R R^T - I are equal to first order.
   return columns <= 0.25 * kRigid * kRigid && last <= kRigid * kRigid && x.cross(y).dot(z) > 0.0 &&
          X.col(3).head<3>().squaredNorm() <= kFarthestPose * kFarthestPose;
 }
 
-/// What is wrong with a pose, or null.
+/// The fault of a pose, or null.
 const char* faultOf(const Eigen::Matrix4d& X) {
   if (surelyRigid(X)) return nullptr;
   if (!X.allFinite()) return "numbers that are not finite";
@@ -84,7 +84,7 @@ PoseRows::PoseRows(py::handle poses, const char* name) : name_(name) {
 }
 
 void PoseRows::read(std::size_t i, int rows, Eigen::Matrix4d& X) const noexcept {
-  // The array may stand anywhere in memory, so its numbers may be unaligned.
+  // The array may be at any address, so its numbers may be unaligned.
   const char* pose = data_ + row_ * static_cast<py::ssize_t>(i);
   if (across_ == sizeof(double) && down_ == 4 * across_) {
     double numbers[16];

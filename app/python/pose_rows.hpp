@@ -1,4 +1,4 @@
-// Poses in NumPy arrays.
+// Poses from NumPy arrays.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -11,22 +11,22 @@ namespace abstand::python {
 
 namespace py = pybind11;
 
-/// One pose, an array (4, 4), or many, (n, 4, 4). An array of doubles is used where it is, whatever its
-/// strides; others are converted. None is the identity. Holds a reference; made and destroyed with the GIL,
-/// read without.
+/// One pose, an array (4, 4), or many, (n, 4, 4). Arrays of doubles are used without a copy, with any
+/// strides; others are converted. None is the identity. Holds a reference; created and destroyed with the
+/// GIL, read without.
 class PoseRows {
  public:
-  /// `name`: of the argument, for messages. Throws UsageError for what is no such array.
+  /// `name`: of the argument, for messages. Throws UsageError for invalid arrays.
   PoseRows(py::handle poses, const char* name);
 
   bool single() const { return single_; }
   std::size_t size() const { return size_; }
-  /// Of row i, or of the only one where single().
+  /// Pose of row i, or the only one if single().
   Transform operator[](std::size_t i) const noexcept;
-  /// The only pose, checked. Throws UsageError.
+  /// The only pose, validated. Throws UsageError.
   Transform only() const;
-  /// Throws UsageError that names the first row that is not finite, no rigid transform (within 1e-6) or
-  /// farther than 1e6 m from the origin.
+  /// Throws UsageError with the first row that is not finite, not a rigid transform (within 1e-6) or farther
+  /// than 1e6 m from the origin.
   void check() const;
 
  private:
@@ -41,10 +41,10 @@ class PoseRows {
   bool single_{true};
 };
 
-/// How many poses a call with these two is about; throws UsageError where both are many and not equally many.
+/// Number of poses in a call with both arguments; throws UsageError if both are many and differ in number.
 std::size_t commonSize(const PoseRows& a, const PoseRows& b);
 
-/// A pose into 16 numbers, row by row.
+/// Stores a pose as 16 numbers, row by row.
 inline void storePose(const Transform& X, double* out) {
   Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(out);
   matrix = X.matrix();

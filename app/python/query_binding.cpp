@@ -13,7 +13,7 @@
 namespace abstand::python {
 namespace {
 
-/// Poses of a batch that one thread answers in a row. A warm batch begins cold with each, so its numbers do
+/// Poses of a batch that one thread processes in a row. A warm batch starts each block cold, so results do
 /// not depend on the threads.
 constexpr std::size_t kBlock = 128;
 constexpr int kMaxThreads = 256;
@@ -48,7 +48,7 @@ void ask(const Structure& a, const Structure& b, py::handle X_a, py::handle X_b,
   query::queryPair({*a.haptic, X_WA}, {*b.haptic, X_WB}, options, {memory->memory, scratch}, result);
 }
 
-/// Answers all poses, in blocks that are spread over threads.
+/// Queries all poses, in blocks that are distributed over threads.
 void askAll(const structure::HapticStructure& a, const structure::HapticStructure& b, const PoseRows& X_a,
             const PoseRows& X_b, std::size_t n, const query::PairOptions& options, int threads, bool warm,
             const ResultColumns& out) {
@@ -72,8 +72,8 @@ void askAll(const structure::HapticStructure& a, const structure::HapticStructur
   });
 }
 
-/// s that a bare loop in C++ over the same queries takes, with nothing of Python in it: what
-/// tests/bench/python_overhead.py compares with.
+/// Time (s) of a plain C++ loop over the same queries, without Python: reference for
+/// tests/bench/python_overhead.py.
 double loopSeconds(const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b,
                    bool warm) {
   const PoseRows rows_a(X_a, "X_a"), rows_b(X_b, "X_b");
@@ -96,7 +96,7 @@ double loopSeconds(const Structure& a, const Structure& b, const py::object& X_a
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The arrays to write into: those of `given`, or new ones.
+/// The arrays to write to: those of `given`, or new ones.
 template <class Results>
 py::object resultsFor(std::size_t n, py::object given) {
   if (given.is_none()) return py::cast(new Results(n), py::return_value_policy::take_ownership);

@@ -1,4 +1,4 @@
-// What queries give to Python.
+// Python types of query results.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -17,13 +17,13 @@ struct Distance {
 /// abstand.Contact
 struct Contact : Distance {};
 
-/// abstand.Memory: what a pair remembers, and whose memory it is. Used with the GIL only.
+/// abstand.Memory: a pair's memory, and the structures it belongs to. Used with the GIL only.
 struct Memory {
   query::PairMemory memory;
   std::shared_ptr<const structure::HapticStructure> a, b;
 };
 
-/// abstand.Distances: arrays of n answers.
+/// abstand.Distances: arrays of n results.
 struct Distances {
   explicit Distances(std::size_t n);
   std::size_t size;
@@ -37,7 +37,7 @@ struct Contacts : Distances {
   py::array_t<std::int32_t> contacts;
 };
 
-/// Where the numbers of arrays are, to write them without the GIL; null: not wanted.
+/// Addresses of the arrays' numbers, to write them without the GIL; null: not requested.
 struct ResultColumns {
   explicit ResultColumns(Distances& out);
   explicit ResultColumns(Contacts& out);

@@ -14,7 +14,7 @@ using tracking::Recording;
 
 constexpr auto kJoints = static_cast<py::ssize_t>(humanmodel::kJointCount);
 
-/// A view of one member of all frames, of which each has `columns`.
+/// A view of one member over all frames, with `columns` values each.
 template <class T, class Member>
 py::array columnsOf(py::handle self, Member member, std::vector<py::ssize_t> columns,
                     std::vector<py::ssize_t> strides) {
@@ -28,7 +28,7 @@ py::array columnsOf(py::handle self, Member member, std::vector<py::ssize_t> col
 Recording read(const std::filesystem::path& path, const tracking::RecordingOptions& options,
                std::optional<double> stature) {
   Recording recording = tracking::openAnyRecording(path, options, stature);
-  // What is not known is no number, whatever a reader left there.
+  // Unknown values are set to NaN, whatever a reader left there.
   for (Frame& frame : recording.frames)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (frame.state[j] == humanmodel::JointState::kMissing) frame.p[j].setConstant(kNaN);

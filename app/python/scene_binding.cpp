@@ -25,7 +25,7 @@ struct SceneHandle {
   std::atomic<bool> busy{false};
 };
 
-/// A scene is stepped by one thread at a time.
+/// Ensures that only one thread at a time steps a scene.
 class Turn {
  public:
   explicit Turn(SceneHandle& scene) : scene_(scene) {
@@ -40,7 +40,7 @@ class Turn {
   SceneHandle& scene_;
 };
 
-/// abstand.StepResult and abstand.SceneRun: what they hold are attributes.
+/// abstand.StepResult and abstand.SceneRun; their content is set as attributes.
 struct StepResult {};
 struct SceneRun {};
 
@@ -103,7 +103,7 @@ std::vector<double> framesOf(const session::Session& session, std::optional<doub
   return session::timesBetween(rate ? session.frameTimes(*rate) : session.frameTimes(), start, end);
 }
 
-/// Frames at any times, in blocks that begin cold.
+/// Frames at any times, in blocks that start cold.
 std::vector<run::Reservation> runTimes(session::Session& session, const std::vector<double>& times,
                                        SceneTable& table) {
   InterruptCheck interrupt;
@@ -120,7 +120,7 @@ std::vector<run::Reservation> runTimes(session::Session& session, const std::vec
   return out;
 }
 
-/// The frames of the scene, as `abstand run --react off` has them.
+/// The frames of the scene, as in `abstand run --react off`.
 std::vector<run::Reservation> runFrames(session::Session& session, const run::RunOptions& asked,
                                         SceneTable& table) {
   InterruptCheck interrupt;

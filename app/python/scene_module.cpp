@@ -1,4 +1,4 @@
-// abstand._scene: recordings and scenes, loaded when they are asked for.
+// abstand._scene: recordings and scenes, loaded on demand.
 #include "app/python/error_translation.hpp"
 #include "app/python/scene_objects.hpp"
 

@@ -1,4 +1,4 @@
-// What abstand._scene is made of.
+// Parts of the module abstand._scene.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -38,7 +38,7 @@ Structure build(const std::shared_ptr<const geometry::Surface>& surface, const B
   return {std::move(made), {}, {}};
 }
 
-/// (n, 3) float32 from three vectors, made once.
+/// (n, 3) float32 from three vectors, created once.
 py::object interleaved(py::object& kept, const std::vector<float>& x, const std::vector<float>& y,
                        const std::vector<float>& z) {
   if (kept) return kept;

@@ -19,7 +19,7 @@ constexpr double kBodyViewWidth = 180.0, kBodyViewHeight = 400.0, kViewTitle = 2
 constexpr double kHeatLegend = 50.0;                                                  // pixels
 constexpr double kAboveHead = 0.03;                                                   // m
 
-/// Looking along -`towards`: `right` and `towards` in the world, z up.
+/// View direction -`towards`; `right` and `towards` in the world, z up.
 struct BodyView {
   const char* title;
   Vector3d towards, right;
@@ -29,7 +29,7 @@ const BodyView kBodyViews[] = {{"front", Vector3d::UnitX(), Vector3d::UnitY()},
                                {"left side", Vector3d::UnitY(), -Vector3d::UnitX()},
                                {"right side", -Vector3d::UnitY(), Vector3d::UnitX()}};
 
-/// A standing person with what each part's cells have.
+/// A standing person with the values of each part's cells.
 struct StandingPerson {
   humanmodel::HumanModel model{humanmodel::makeHuman({})};
   humanmodel::HumanPose pose;
@@ -60,7 +60,7 @@ struct BodyFrame {
   }
 };
 
-/// Of the convex part: the points of its surface that reach farthest in directions across the view.
+/// Outline of a convex part: support points of its surface in directions perpendicular to the view.
 std::string partOutline(const StandingPerson& person, const humanmodel::HumanPart& part,
                         const BodyFrame& frame) {
   const Vector3d half = 0.5 * geometry::bounds(part.shape).extent();
@@ -89,7 +89,7 @@ std::string partPicture(const StandingPerson& person, const humanmodel::HumanPar
     const auto corners = humanmodel::cellCorners(cell);
     std::array<Vector3d, 4> p;
     for (std::size_t i = 0; i < 4; ++i) p[i] = person.at(part, corners[i]);
-    // Cells of the far side are not drawn.
+    // Skips cells on the far side.
     if (!((p[2] - p[0]).cross(p[3] - p[1]).dot(frame.view.towards) > 0.0)) continue;
     svg += "<polygon class=\"h" + std::to_string(scale.classOf(spent->weighted)) + "\" points=\"";
     for (const Vector3d& corner : p) svg += frame.at(corner);
@@ -105,7 +105,7 @@ std::string bodyView(const StandingPerson& person, const BodyFrame& frame, const
   const auto depth = [&](const humanmodel::HumanPart* p) {
     return frame.view.towards.dot(person.pose.X_WP[humanmodel::index(p->part)].translation());
   };
-  // What is nearer to the eye covers what is behind it.
+  // Painter's algorithm: nearer parts cover those behind.
   std::stable_sort(parts.begin(), parts.end(),
                    [&](const auto* a, const auto* b) { return depth(a) < depth(b); });
   std::string svg;

@@ -1,4 +1,4 @@
-// Where on the body people were near robots, as a drawing.
+// Drawing of exposure on the body surface.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace abstand::report {
 
-/// SVG of a standing person of usual stature from the front, the back and both sides, cells coloured by
-/// weighted exposure. Parts that were not seen for some of the time have a dashed outline. Empty without a
-/// cell. Colours follow the page's style.
+/// SVG of a standing person of default stature from the front, the back and both sides, with cells coloured
+/// by weighted exposure. Parts not seen for some of the time have a dashed outline. Empty if there are no
+/// cells. Colours follow the page's style.
 std::string bodyHeatPicture(const tune::ExposureTable& table);
 
-/// The same person as a mesh, feet on z = 0, facing +x: cells with vertices of their own, coloured by
-/// weighted exposure (grey: none), and at each vertex `weighted_s`, a `below_..._mm_s` for each band, and
-/// `not_seen_s` of its part.
+/// The same person as a mesh, feet on z = 0, facing +x: each cell has its own vertices, coloured by weighted
+/// exposure (grey: none), with `weighted_s`, a `below_..._mm_s` for each band, and `not_seen_s` of its part
+/// at each vertex.
 mesh_file::ColouredMesh bodyHeatMesh(const tune::ExposureTable& table);
 
-/// s: of the cells of the body, with the largest weighted exposure.
+/// Colour scale up to the largest weighted exposure (s) of the body cells.
 HeatScale bodyScale(const tune::ExposureTable& table);
 
 }  // namespace abstand::report

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kKeptBytes = 400;
 constexpr int kWaitMs = 50;
 
-/// Between fork and exec: nothing that may lock or allocate.
+/// Runs between fork and exec: nothing that may lock or allocate.
 [[noreturn]] void becomeProgram(const char* program, char* const* arguments, int output) {
   ::setpgid(0, 0);
   const int nothing = ::open("/dev/null", O_RDONLY);
@@ -31,7 +31,7 @@ constexpr int kWaitMs = 50;
   ::_exit(127);
 }
 
-/// The last line that is not empty.
+/// The last non-empty line.
 std::string lastLine(const std::string& text) {
   std::string line, last;
   for (std::istringstream in(text); std::getline(in, line);)
@@ -39,7 +39,7 @@ std::string lastLine(const std::string& text) {
   return last;
 }
 
-/// What a running program prints, as far as it is kept.
+/// Output of a running program, as far as it is kept.
 class ProgramOutput {
  public:
   explicit ProgramOutput(int descriptor) : descriptor_(descriptor) {}
@@ -47,7 +47,7 @@ class ProgramOutput {
   ProgramOutput(const ProgramOutput&) = delete;
   ProgramOutput& operator=(const ProgramOutput&) = delete;
 
-  /// Waits a moment for more; false at its end.
+  /// Waits briefly for more; false at its end.
   bool listen() {
     pollfd wait{descriptor_, POLLIN, 0};
     if (::poll(&wait, 1, kWaitMs) <= 0) return true;
@@ -99,7 +99,7 @@ ProgramEnd runProgram(const std::filesystem::path& program, const std::vector<st
   ::close(ends[1]);
   ProgramOutput output(ends[0]);
   if (child < 0) throw UsageError("no process can be made for " + program.string());
-  ::setpgid(child, child);  // whoever of both comes first
+  ::setpgid(child, child);  // called by both processes, whichever is first
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(max_seconds);
   ProgramEnd result;
   bool interrupted = false;
@@ -110,7 +110,7 @@ ProgramEnd runProgram(const std::filesystem::path& program, const std::vector<st
     ::kill(-child, SIGKILL);
     break;
   }
-  // It may have closed its output and go on.
+  // It may have closed its output and still run.
   int status = 0;
   for (pid_t ended = 0; !interrupted && !result.timed_out;) {
     ended = ::waitpid(child, &status, WNOHANG);

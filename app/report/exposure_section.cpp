@@ -32,7 +32,7 @@ Cells header(const Cells& names, bool several) {
        {"weighted", "not seen", "near misses", "closing m/s", "least mm", "part", "link", "at s"})
     cells.emplace_back(more);
   if (several) cells.emplace_back("recording");
-  // What names the row does not name its nearest pair again.
+  // The nearest pair is not repeated if it is the row's name.
   for (const std::string& name : names) {
     const auto again =
         std::find(cells.begin() + static_cast<std::ptrdiff_t>(names.size()), cells.end(), name);
@@ -41,7 +41,7 @@ Cells header(const Cells& names, bool several) {
   return cells;
 }
 
-/// What follows the name of a row.
+/// Cells after the name of a row.
 Cells numbers(const tune::ExposureRow& row, const Cells& names, bool several) {
   Cells cells;
   for (const double seconds : row.spent.below) cells.push_back(spell(seconds));
@@ -61,7 +61,7 @@ Cells numbers(const tune::ExposureRow& row, const Cells& names, bool several) {
   return cells;
 }
 
-/// Of one recording its name says nothing new.
+/// False for one recording, whose name is then omitted.
 bool fromSeveral(const tune::ExposureTable& table) {
   const auto other = [&](const tune::ExposureRow& row) {
     return row.nearest && table.body.nearest && row.nearest->recording != table.body.nearest->recording;
@@ -88,7 +88,7 @@ std::vector<const tune::ExposureRow*> pointers(const std::vector<tune::ExposureR
   return all;
 }
 
-/// The ones with the highest weighted exposure.
+/// The rows with the highest weighted exposure.
 std::vector<const tune::ExposureRow*> highest(const std::vector<tune::ExposureRow>& rows, std::size_t count) {
   std::vector<const tune::ExposureRow*> all;
   for (const tune::ExposureRow& row : rows)
@@ -118,7 +118,7 @@ std::string pictures(const tune::ExposureTable& table) {
                     " of the floor, in seconds. Robots (blue) as they stand in the first frame.");
 }
 
-/// Shares of the time, so that stretches of several recordings and a short last one can be compared.
+/// As shares of the time, so that segments of several recordings and a short last one are comparable.
 std::string phasePlot(const tune::ExposureTable& table) {
   verify::Plot plot{
       "Exposure over the program", "time of the program [s]", "share of the time", false, false, {}};

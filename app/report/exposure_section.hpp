@@ -1,4 +1,4 @@
-// The section on exposure of the page about margins, and a page of its own.
+// Exposure section of the margin report, and a page of its own.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,7 @@
 
 namespace abstand::report {
 
-/// HTML from the heading on: what is counted, maps of body and room, tables of parts, links, pairs and
-/// stretches of the program.
+/// HTML with heading: definitions, maps of body and room, tables of parts, links, pairs and program segments.
 std::string exposureSection(const tune::ExposureTable& table);
 
 struct ExposurePageOptions {

@@ -10,10 +10,10 @@ namespace abstand::report {
 namespace {
 
 constexpr double kBoxWidth = 52.0, kBoxHeight = 12.0;
-// A border that the largest value reaches but for rounding counts as reached.
+// Relative: a border that the largest value reaches up to rounding counts as reached.
 constexpr double kBorderRounding = 1e-9;
 
-/// Border number `index`, ... 0.5, 1, 2, 5, 10 ...; 0 is 1.
+/// Border `index`: ... 0.5, 1, 2, 5, 10 ...; index 0 is 1.
 double borderAt(int index) {
   static constexpr double kSteps[] = {1.0, 2.0, 5.0};
   const int decade = index >= 0 ? index / 3 : -((2 - index) / 3);
@@ -35,8 +35,8 @@ int HeatScale::classOf(double seconds) const {
   return static_cast<int>(std::upper_bound(borders_.begin(), borders_.end(), value) - borders_.begin());
 }
 
-/// From the map "inferno" of matplotlib (van der Walt and Smith 2015, CC0), which stays in order for
-/// colour-blind readers and in print.
+/// Colour map "inferno" of matplotlib (van der Walt and Smith 2015, CC0), monotonic for colour-blind readers
+/// and in print.
 mesh_file::Rgb HeatScale::colour(int heat_class) {
   static constexpr mesh_file::Rgb kColours[kClasses] = {
       {0xf6, 0xd7, 0x46}, {0xfc, 0xa5, 0x0a}, {0xf3, 0x78, 0x19}, {0xdd, 0x51, 0x3a},

@@ -1,4 +1,4 @@
-// Parts of the report on margins: how near people came, sets of margins, and one recording as several people.
+// Sections of the margin report: closest approaches, sets of margins, and variants of one recording.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace abstand::report {
 
-/// HTML: of each part the closest approach, its error with each share, and the verdict.
+/// HTML: closest approach of each part, its error with all contributions, and the verdict.
 std::string closestSection(const tune::TuneAnswer& answer);
-/// HTML: what uniform margins, and margins by part, link and pair would have done.
+/// HTML: outcomes of uniform margins, and of margins by part, link and pair.
 std::string marginSetSection(const tune::TuneAnswer& answer);
-/// HTML; empty where no recording has several runs.
+/// HTML; empty if no recording has several runs.
 std::string bandSection(const tune::TuneAnswer& answer);
 
 }  // namespace abstand::report

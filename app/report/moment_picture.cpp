@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDirections = 48;                                          // of an outline
 constexpr double kViewWidth = 360.0, kViewHeight = 300.0, kEdge = 10.0;  // pixels
-// m around the nearest points that a drawing shows at least.
+// m, range of the half extent shown around the nearest points.
 constexpr double kMinHalfExtent = 0.6, kMaxHalfExtent = 1.3;
 
 /// Axes of a view in the world.
@@ -41,7 +41,7 @@ class Frame {
   double scale_, left_;
 };
 
-/// Corners of the body's convex outline in a view, in order.
+/// Vertices of the body's convex outline in a view, in order.
 std::string outline(const scene::Object& object, const View& view, const Frame& frame) {
   std::string points;
   const Matrix3d R = object.X_WB.linear();

@@ -1,4 +1,4 @@
-// A moment of a scene as a drawing, without a window.
+// Drawing of a scene at one time, without a window.
 #pragma once
 
 #include <string>
@@ -7,15 +7,14 @@
 
 namespace abstand::report {
 
-/// Which bodies the drawing is about.
+/// The two bodies that the drawing highlights.
 struct MomentBodies {
   std::string part, link;  ///< names of objects: "operator/hand_left", "left_arm/link7"
 };
 
-/// SVG with the outlines of all bodies from above and from the side (convex outlines: a body that is not
-/// convex looks fuller than it is), people, robots and things in different colours, the two bodies and the
-/// line of their nearest points drawn strongly. The session stands at the moment (Session::step). Colours
-/// follow the page's style.
+/// SVG with the outlines of all bodies from above and from the side (convex outlines, so non-convex bodies
+/// look larger), people, robots and objects in different colours, the two bodies and the line of their
+/// nearest points highlighted. The session is at that time (Session::step). Colours follow the page's style.
 std::string momentPicture(const session::Session& session, const MomentBodies& bodies);
 
 }  // namespace abstand::report

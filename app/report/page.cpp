@@ -6,7 +6,7 @@
 namespace abstand::report {
 namespace {
 
-// Colours: Okabe and Ito's, which colour-blind readers tell apart; dashes tell them apart in print.
+// Colours by Okabe and Ito, distinguishable for colour-blind readers; dashes distinguish them in print.
 constexpr const char* kStyle = R"(<style>
 :root{color-scheme:light dark;--text:#1b1b1b;--back:#fff;--soft:#666;--rule:#d5d5d5;--bad:#b34700;--good:#00694d;
 --c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9;--c6:#7a5195;--c7:#555;--c8:#a00;--skin:#ececec;

@@ -1,4 +1,4 @@
-// What the HTML pages for people have in common.
+// Common parts of the HTML pages.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace abstand::report {
 
-/// Doctype, head and style up to the body's first line: one column, light and dark by the reader's choice, no
-/// script, nothing from outside.
+/// Doctype, head and style up to the start of the body: one column, light and dark by the reader's
+/// preference, self-contained, no scripts.
 std::string pageBegin(const std::string& title);
 std::string pageEnd();
 
-/// `<td>` or another tag around escaped text.
+/// `text` is escaped and put into `<td>` or another tag.
 std::string cell(const std::string& text, const char* tag = "td");
 
 /// A table with a header row; cells are escaped.

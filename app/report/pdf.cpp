@@ -14,7 +14,7 @@ namespace {
 constexpr double kMaxSeconds = 120.0;
 constexpr std::uintmax_t kMaxPdfBytes = std::uintmax_t{1} << 30;
 
-/// A program that makes PDF files, and its options.
+/// A PDF converter and its options.
 struct Converter {
   const char* name;
   std::vector<std::string> options;

@@ -1,4 +1,4 @@
-// The verification report, a page for people.
+// HTML page of the verification report.
 #include "app/report/report.hpp"
 
 #include <algorithm>

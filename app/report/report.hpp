@@ -1,4 +1,4 @@
-// The verification report, a page for people.
+// HTML page of the verification report.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace abstand::report {
 
-/// One HTML page with tables and plots; no script, nothing from outside, light and dark by the reader's
-/// choice. It holds no date and no machine, so that pages of two releases differ only in what changed. Throws
-/// UsageError when the file cannot be written.
+/// One HTML page with tables and plots; self-contained, no scripts, light and dark by the reader's
+/// preference. Without date and machine, so that pages of two releases differ only in what changed. Throws
+/// UsageError if the file cannot be written.
 void writeReport(const std::vector<verify::CheckResult>& results, const verify::VerifyOptions& options,
                  const std::string& version, const std::filesystem::path& file);
 

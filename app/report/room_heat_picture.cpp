@@ -13,8 +13,8 @@ namespace {
 constexpr double kPanelWidth = 360.0, kMaxPanelHeight = 420.0;                               // pixels
 constexpr double kPanelLeft = 44.0, kPanelTop = 24.0, kPanelBottom = 40.0, kPanelGap = 8.0;  // pixels
 constexpr double kLegendHeight = 50.0;                                                       // pixels
-constexpr double kAroundCells = 0.1;  // m, beyond what is drawn
-// Ticks of an axis at most.
+constexpr double kAroundCells = 0.1;  // m, border around the drawing
+// Largest number of ticks of an axis.
 constexpr double kMaxTicks = 7.0;
 
 struct FloorExtent {

@@ -1,4 +1,4 @@
-// A plot as a piece of SVG.
+// Plots as SVG fragments.
 #include "app/report/svg_plot.hpp"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kWidth = 720, kHeight = 320;
 constexpr double kLeft = 64, kRight = 190, kTop = 26,
-                 kBottom = 44;  // margins; the legend stands on the right
-/// Colours and dashes of lines as the page's style has them (page.cpp), for converters that know no style of
-/// the page within a drawing. The style goes before attributes.
+                 kBottom = 44;  // margins; the legend is on the right
+/// Line colours and dashes as in the page's style (page.cpp), for converters that ignore it within a drawing.
+/// The style has precedence over attributes.
 struct LineLook {
   const char *colour, *dashes;
 };
@@ -35,7 +35,7 @@ class Axis {
     least_ = std::min(least_, scaled(v));
     most_ = std::max(most_, scaled(v));
   }
-  /// Room for flat lines and whole decades.
+  /// Adds a margin for constant lines; rounds to whole decades.
   void settle() {
     if (!(least_ <= most_)) least_ = most_ = 0.0;
     if (logarithmic_) {
@@ -58,7 +58,7 @@ class Axis {
     const double raw = (most_ - least_) / 5.0, decade = std::pow(10.0, std::floor(std::log10(raw)));
     const double step = decade * (raw < 2.0 * decade ? 2.0 : raw < 5.0 * decade ? 5.0 : 10.0);
     for (double k = std::ceil(least_ / step); k * step <= most_; k += 1.0)
-      ticks.push_back(k * step + 0.0);  // no -0
+      ticks.push_back(k * step + 0.0);  // avoids -0
     return ticks;
   }
 

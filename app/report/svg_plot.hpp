@@ -1,4 +1,4 @@
-// A plot as a piece of SVG.
+// Plots as SVG fragments.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace abstand::report {
 
-/// Lines with axes, ticks and a legend; colours come from the page's style (classes s0 to s8, axis, grid), so
-/// that it follows light and dark; attributes say the light ones to converters without style. No reference to
-/// anything outside.
+/// Lines with axes, ticks and a legend. Colours come from the page's style (classes s0 to s8, axis, grid), so
+/// that it follows light and dark mode; attributes give the light ones to converters without style support.
+/// Self-contained.
 std::string svgPlot(const verify::Plot& plot);
 
-/// The first line of a drawing of that many pixels: style class (or none), title for those who do not see it.
+/// Start tag of a drawing of this size in pixels: style class (or none), and a title for screen readers.
 std::string svgBegin(const std::string& style, double width, double height, const std::string& title);
 
-/// A length or place in a drawing, to a tenth of a pixel.
+/// A coordinate in a drawing, rounded to a tenth of a pixel.
 std::string pixels(double v);
 
 }  // namespace abstand::report

@@ -162,7 +162,7 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
   return html + htmlTable(header, rows) + pictures;
 }
 
-/// The least of each stretch, so that no minimum is lost.
+/// Minimum of each interval, so that no minimum is lost.
 verify::Series thinned(const margin::ClearanceTrack& track, const std::string& name) {
   verify::Series series{name, {}, {}};
   const std::size_t stride = track.frames() / kPlotPoints + 1;
@@ -176,7 +176,7 @@ verify::Series thinned(const margin::ClearanceTrack& track, const std::string& n
   return series;
 }
 
-/// The parts that came nearest in a recording, over time.
+/// Clearance over time of the parts that came nearest in a recording.
 std::string timeSection(const tune::TuneAnswer& answer) {
   const auto all = ranked(answer);
   if (all.empty()) return {};

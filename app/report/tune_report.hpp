@@ -1,4 +1,4 @@
-// The report on margins: a page for people, to be signed.
+// HTML page of the margin report, to be signed.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@ namespace abstand::report {
 
 struct TuneReportOptions {
   std::string version;  ///< of the program
-  std::string command;  ///< what was asked for: the scene or the plan
-  /// A drawing of the moment of an approach (momentPicture), or nothing.
+  std::string command;  ///< the scene or the plan
+  /// Drawing of an approach (momentPicture); may be empty.
   std::function<std::string(const tune::TunedRecording&, const tune::Approach&)> picture;
 };
 
-/// One HTML page with tables, plots and drawings; no script, nothing from outside. It holds no date and no
-/// machine: these are for whom signs it. Throws UsageError and WriteError.
+/// One HTML page with tables, plots and drawings; self-contained, no scripts. Without date and machine, which
+/// the signer adds. Throws UsageError and WriteError.
 void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& options,
                      const std::filesystem::path& file);
 

@@ -26,21 +26,21 @@ CREATE TABLE parts(key TEXT, part TEXT, min_clearance REAL, link TEXT, t REAL, f
 CREATE TABLE margins(key TEXT, part TEXT, margin REAL, stops INTEGER, false_stops INTEGER, missed_stops INTEGER, unseen INTEGER,
   stopped_time REAL, time REAL, min_clearance REAL, lead_time REAL, PRIMARY KEY(key, part, margin));
 )";
-/// What the digest is of: tables, and their keys.
+/// Tables covered by the digest, with their keys.
 constexpr const char* kDigested[][2] = {{"files", "name"},
                                         {"unreadable", "file"},
                                         {"runs", "key"},
                                         {"parts", "key, part"},
                                         {"margins", "key, part, margin"}};
 
-/// m: those whose stops the index tells; `--margins` of tune without an argument.
+/// m: margins whose stops the index lists; those of `--margins` of tune without an argument.
 std::vector<double> indexMargins() {
   std::vector<double> margins;
   for (int i = 0; i <= 10; ++i) margins.push_back(i * 0.05);
   return margins;
 }
 
-/// Where a part came nearest, at a frame or behind it.
+/// Closest approach of a part, at a frame or after it.
 struct Nearest {
   double clearance{kInfinity};
   std::size_t part{0}, frame{0};
@@ -126,7 +126,7 @@ void addValue(ContentHash& hash, const SqliteStatement& row, int column) {
   hash.add(text.data(), text.size());
 }
 
-/// Of all rows: SQLite itself does not notice a changed value.
+/// Digest of all rows: SQLite itself does not detect a changed value.
 std::string digestOf(const SqliteDatabase& database) {
   ContentHash hash;
   for (const auto& [table, key] : kDigested) {
@@ -175,7 +175,7 @@ void fillIndex(SqliteDatabase& database, const fs::path& folder, const std::vect
     } catch (const ParseError& e) {
       unreadable.bind(stamp.name).bind(e.message()).execute();
     } catch (const UsageError& e) {
-      // Numbers that are none of a recording.
+      // A file with impossible numbers.
       unreadable.bind(stamp.name).bind(std::string(e.what())).execute();
     }
   }

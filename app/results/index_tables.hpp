@@ -1,4 +1,4 @@
-// The tables of the index, made from result files and read back. Internal to this module.
+// Builds and reads the tables of the result index. Internal to this module.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace abstand::results {
 
-/// A result file as it is on the disk.
+/// A result file on disk.
 struct FileStamp {
   std::string name;
   std::int64_t bytes{0}, modified{0};  ///< ns since 1970
@@ -17,14 +17,15 @@ struct FileStamp {
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// All results of FOLDER/results in the order of their names. Throws UsageError for a folder without any.
+/// All results of FOLDER/results, sorted by name. Throws UsageError for a folder without results.
 std::vector<FileStamp> stampsOf(const std::filesystem::path& folder);
 
-/// Makes all tables from these files of FOLDER/results.
+/// Builds all tables from these files of FOLDER/results.
 void fillIndex(SqliteDatabase& database, const std::filesystem::path& folder,
                const std::vector<FileStamp>& stamps);
 
-/// An undamaged index that this program made of exactly these files. Throws SqliteError for what is no index.
+/// True for an undamaged index built by this program from exactly these files. Throws SqliteError if it is
+/// not an index.
 bool isCurrent(const SqliteDatabase& database, const std::vector<FileStamp>& stamps);
 
 ResultIndex readIndex(const SqliteDatabase& database);

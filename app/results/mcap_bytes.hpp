@@ -1,4 +1,4 @@
-// The basic types of MCAP, serialized (https://mcap.dev/spec, "Serialization"). Internal to this module.
+// Basic types of the MCAP serialization (https://mcap.dev/spec, "Serialization"). Internal to this module.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace abstand::results {
 
 using TextMap = std::map<std::string, std::string>;
 
-/// Bytes that grow; numbers are little-endian.
+/// Growing byte buffer; numbers are little-endian.
 class McapBytes {
  public:
   template <class T>
@@ -20,7 +20,7 @@ class McapBytes {
       bytes_ += static_cast<char>(static_cast<unsigned char>(static_cast<std::uint64_t>(value) >> (8 * i)));
     return *this;
   }
-  /// Length as 32 bits, then the bytes. `text` is shorter than 4 GiB.
+  /// 32-bit length, then the bytes. `text` is shorter than 4 GiB.
   McapBytes& text(std::string_view text) {
     number(static_cast<std::uint32_t>(text.size()));
     return raw(text);
@@ -29,19 +29,19 @@ class McapBytes {
     bytes_ += bytes;
     return *this;
   }
-  /// Length of all entries in bytes as 32 bits, then key and value of each.
+  /// 32-bit size of all entries in bytes, then key and value of each.
   McapBytes& map(const TextMap& entries) {
     McapBytes all;
     for (const auto& [key, value] : entries) all.text(key).text(value);
     return text(all.bytes());
   }
-  /// A map of 16 bits to 64 bits.
+  /// A map from 16-bit to 64-bit integers.
   McapBytes& map(const std::map<std::uint16_t, std::uint64_t>& entries) {
     McapBytes all;
     for (const auto& [key, value] : entries) all.number(key).number(value);
     return text(all.bytes());
   }
-  /// A record: its kind, its length as 64 bits, its content.
+  /// A record: kind, 64-bit length, content.
   McapBytes& record(std::uint8_t kind, std::string_view content) {
     number(kind).number(static_cast<std::uint64_t>(content.size()));
     return raw(content);

@@ -52,7 +52,7 @@ const char* const kEventSchema =
 
 namespace {
 
-/// One JSON object on one line.
+/// Builds one JSON object on one line.
 class MessageText {
  public:
   MessageText& number(const char* key, double value) {

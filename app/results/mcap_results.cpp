@@ -14,10 +14,10 @@
 namespace abstand::results {
 namespace {
 
-// ns: below 2^63, so that readers with signed numbers follow.
+// ns: below 2^63, so that readers with signed integers work.
 constexpr double kMaxNanoseconds = 9.2e18;
 
-/// MCAP's texts are UTF-8; names of files need not be.
+/// Converts to valid UTF-8, as MCAP requires; file names may be in any encoding.
 std::string plainText(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
@@ -28,7 +28,7 @@ std::string plainText(const std::string& text) {
   return plain;
 }
 
-/// Length of the folders that begin all names.
+/// Length of the common folders of all names.
 std::size_t sharedFolders(const std::vector<std::string>& names) {
   std::size_t shared = names.front().size();
   for (const std::string& name : names) {
@@ -39,12 +39,12 @@ std::size_t sharedFolders(const std::vector<std::string>& names) {
   return slash == std::string::npos || slash >= shared ? 0 : slash + 1;
 }
 
-/// When something happened, and what.
+/// Time and reference of a message.
 struct Moment {
   enum class Kind : std::uint8_t { kFrame, kApproach, kEvent };
   std::uint64_t log_time;  ///< ns
   Kind kind;
-  std::size_t recording, index;  ///< of the recording; of the frame, approach or event
+  std::size_t recording, index;  ///< index of the recording; of the frame, approach or event
   auto order() const { return std::tie(log_time, kind, recording, index); }
 };
 
@@ -52,7 +52,7 @@ class ResultsMcap {
  public:
   ResultsMcap(const tune::TuneAnswer& answer, const McapOptions& options, const std::filesystem::path& file)
       : answer_(answer), options_(options), file_(file), out_(file, options.library) {
-    // A file's times are not negative.
+    // MCAP times are not negative.
     for (const tune::TunedRecording& r : answer.recordings) origin_ = std::min(origin_, std::floor(r.t0));
     approaches_ = tune::rankedApproaches(answer);
     if (!options.margin) return;
@@ -143,7 +143,7 @@ class ResultsMcap {
   double origin_{0.0};  ///< s: time 0 of the file
   std::vector<tune::RankedApproach> approaches_;
   std::vector<tune::MarginEvent> events_;
-  std::vector<std::vector<std::uint16_t>> part_channels_;  ///< of each recording and part
+  std::vector<std::vector<std::uint16_t>> part_channels_;  ///< for each recording and part
   std::uint16_t approach_channel_{0}, event_channel_{0};
   std::size_t channels_{0};
 };
@@ -161,7 +161,7 @@ std::vector<std::string> topicNames(const std::vector<std::string>& recordings) 
       const bool kept =
           (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '/';
       const char next = kept ? c : '_';
-      // One stands for several, and a folder has a name.
+      // Repeated separators are merged, and a folder has a name.
       if ((next == '_' || next == '/') && topic.back() == next) continue;
       topic += next;
     }

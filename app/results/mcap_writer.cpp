@@ -41,7 +41,7 @@ std::uint32_t crc32Of(std::uint32_t before, std::string_view bytes) {
       ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// Messages that are not written yet.
+/// Messages not written yet.
 struct PendingChunk {
   McapBytes records;
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> index;  ///< time, offset
@@ -56,12 +56,12 @@ struct McapWriter::Impl {
   std::filesystem::path file;
   OutputFile out;
   std::uint64_t offset{0};
-  std::uint32_t crc{0};  ///< of all bytes so far
+  std::uint32_t crc{0};  ///< over all bytes so far
   McapBytes schemas, channels, chunk_indices, metadata_indices;
   std::uint16_t schema_count{0};
   std::uint32_t channel_count{0}, metadata_count{0}, chunk_count{0};
   PendingChunk chunk;
-  std::map<std::uint16_t, std::uint64_t> messages;  ///< of each channel
+  std::map<std::uint16_t, std::uint64_t> messages;  ///< count for each channel
   std::uint64_t message_count{0}, first{~std::uint64_t{0}}, last{0};
 
   void write(std::string_view bytes) {
@@ -69,7 +69,7 @@ struct McapWriter::Impl {
     offset += bytes.size();
     crc = crc32Of(crc, bytes);
   }
-  /// Gives where it begins.
+  /// Returns the offset of the record.
   std::uint64_t write(Kind kind, std::string_view content) {
     const std::uint64_t begin = offset;
     write(McapBytes().record(kind, content).bytes());
@@ -133,7 +133,7 @@ struct McapWriter::Impl {
     McapBytes footer;
     footer.number(summary_begin).number(summary_begin + summary.size());
     constexpr std::uint64_t kFooterBytes = 20;
-    McapBytes checked;  // what the footer's checksum is of
+    McapBytes checked;  // bytes covered by the footer's checksum
     checked.raw(summary.bytes()).raw(offsets.bytes());
     checked.number(std::uint8_t{kFooter}).number(kFooterBytes).raw(footer.bytes());
     write(checked.number(crc32Of(0, checked.bytes())).bytes());

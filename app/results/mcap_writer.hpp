@@ -1,4 +1,4 @@
-// Messages with times, in an MCAP file.
+// Writes MCAP files.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 namespace abstand::results {
 
 /// Writes an MCAP file (https://mcap.dev/spec, version 0) of JSON messages with JSON schemas. Messages are
-/// gathered in chunks (zstd), each with message indices; behind them are the summary, its offsets and
-/// checksums of everything. The file appears at commit(), whole, or not at all. The same input gives the same
-/// bytes with the same version of zstd.
+/// collected in chunks (zstd), each with message indices; the summary, its offsets and checksums follow. The
+/// file appears completely at commit(), or not at all. The same input gives the same bytes with the same
+/// version of zstd.
 class McapWriter {
  public:
   /// `library`: name and version of the writing program. Throws UsageError and WriteError as OutputFile.
@@ -23,12 +23,12 @@ class McapWriter {
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// Gives its number. `schema`: JSON Schema of an object.
+  /// Returns its id. `schema`: JSON Schema of an object.
   std::uint16_t addSchema(const std::string& name, const std::string& schema);
-  /// A topic with messages of that schema. Gives its number. Throws UsageError for more than 65,535.
+  /// Adds a topic with messages of that schema; returns its id. Throws UsageError for more than 65,535.
   std::uint16_t addChannel(std::uint16_t schema, const std::string& topic, const TextMap& metadata);
   void addMetadata(const std::string& name, const TextMap& metadata);
-  /// `log_time`: ns. Rising times are read fastest.
+  /// `log_time`: ns. Files with increasing times are read fastest.
   void add(std::uint16_t channel, std::uint64_t log_time, std::string_view json);
   /// Throws WriteError.
   void commit();

@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxIndexBytes = std::uintmax_t{1} << 30;
-// Whoever is overtaken so often leaves the index to the others, who are still at it.
+// After this many rebuilds by concurrent changes the index is left to the other processes.
 constexpr int kMaxRebuilds = 20;
 
-/// The bytes of a regular file; nothing where there is none. It is no input of this run.
+/// Bytes of a regular file; nullopt if there is none. Not recorded as an input of this run.
 std::optional<std::string> bytesOf(const fs::path& file) {
   std::error_code ec;
   if (!fs::is_regular_file(file, ec) || fs::file_size(file, ec) > kMaxIndexBytes || ec) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<std::string> bytesOf(const fs::path& file) {
   return bytes;
 }
 
-/// The index as it is on the disk, if it may be believed.
+/// The index on disk, if it is valid.
 std::optional<ResultIndex> kept(const fs::path& file, const std::vector<FileStamp>& stamps) {
   std::optional<std::string> bytes = bytesOf(file);
   if (!bytes) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<ResultIndex> kept(const fs::path& file, const std::vector<FileStam
     const SqliteDatabase database(std::move(*bytes));
     if (isCurrent(database, stamps)) return readIndex(database);
   } catch (const SqliteError&) {
-    // Damaged, or a stranger's.
+    // Damaged or not written by this program.
   }
   return std::nullopt;
 }
@@ -60,7 +60,7 @@ ResultIndex resultIndex(const fs::path& folder) {
       index.not_written = e.what();
       return index;
     }
-    // A result that another process made meanwhile is in its index, which this one may have replaced.
+    // A result that another process has made in the meantime may be missing in the index just written.
     std::vector<FileStamp> now = stampsOf(folder);
     if (now == stamps || i + 1 == kMaxRebuilds) return index;
     stamps = std::move(now);

@@ -1,4 +1,4 @@
-// FOLDER/index.sqlite: a table of all results of `tune --out FOLDER`.
+// Index of all results of `tune --out FOLDER`: FOLDER/index.sqlite.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace abstand::results {
 
-/// Of the tables of the index (docs/margins.md, "The index").
+/// Version of the index tables (docs/margins.md, "The index").
 inline constexpr std::int64_t kIndexFormat = 1;
 
-/// A result.
+/// One result.
 struct IndexedRun {
   std::string key, file, recording;
   std::int64_t frames{0};
   double seconds{0.0}, not_judged{0.0};  ///< s
-  double min_clearance{0.0};             ///< m, certified, of all parts; -infinity: one was not seen
-  std::string part, link;                ///< where that was
-  double t{0.0};                         ///< s, of the recording: when
-  double proposed{0.0};  ///< m: the largest of what the parts need; infinite: no margin would do
+  double min_clearance{0.0};             ///< m, certified, over all parts; -infinity: one was not seen
+  std::string part, link;                ///< part and link of min_clearance
+  double t{0.0};                         ///< s, recording time of min_clearance
+  double proposed{0.0};                  ///< m: largest safe margin of the parts; infinite: none suffices
   std::string proposed_part;
 };
 
@@ -28,17 +28,16 @@ struct UnreadableResult {
 };
 
 struct ResultIndex {
-  std::vector<IndexedRun> runs;  ///< least clearance first, then by name and key
+  std::vector<IndexedRun> runs;  ///< sorted by clearance, then by name and key
   std::vector<UnreadableResult> unreadable;
   bool rebuilt{false};
-  std::string not_written;  ///< why the folder has no current index now; empty: it has
+  std::string not_written;  ///< why the folder has no current index; empty: it has
 };
 
-/// What the folder's results are. Its index is read where it is undamaged, of this program, and of the very
-/// files that are there; else it is made again from them, and written where the folder can be written. It
-/// holds nothing that the result files do not, and any number of processes may do this at once: each writes
-/// all that it sees beside the index and renames it, and looks again. Throws UsageError for a folder without
-/// results.
+/// Results of the folder. Uses its index if that is undamaged, made by this program and from exactly the
+/// existing files; otherwise rebuilds it from them, and writes it if the folder is writable. The index
+/// contains only data of the result files. Any number of processes may do this concurrently: each writes its
+/// version to a temporary file, renames it, and checks again. Throws UsageError for a folder without results.
 ResultIndex resultIndex(const std::filesystem::path& folder);
 
 }  // namespace abstand::results

@@ -7,7 +7,7 @@
 namespace abstand::results {
 namespace {
 
-// Longest text or row of a stranger's database, and what one query of it may cost.
+// Limits for an untrusted database: longest text or row, and cost of one query.
 constexpr int kMaxValueBytes = 1 << 20;
 
 [[noreturn]] void failWith(sqlite3* database) {

@@ -1,4 +1,4 @@
-// A database of SQLite in memory. Internal to this module.
+// SQLite database in memory. Internal to this module.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@ struct sqlite3_stmt;
 
 namespace abstand::results {
 
-/// What the library refused. Of bytes that were read: they are no database, or a damaged one.
+/// Error of the library. For bytes that were read: not a database, or damaged.
 class SqliteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Never opens a file: its bytes come from and go to somewhere else, so that no lock is ever asked of a
-/// network folder and no journal of a stranger is replayed. One thread. Everything throws SqliteError.
+/// Never opens a file: bytes are read and written elsewhere, so that no locks are needed on a network folder
+/// and no untrusted journal is replayed. One thread. Everything throws SqliteError.
 class SqliteDatabase {
  public:
-  /// An empty one.
+  /// An empty database.
   SqliteDatabase();
-  /// The bytes of a database file, to be read only. What it defines itself (views, triggers) is not trusted.
+  /// Bytes of a database file, read-only. Its own definitions (views, triggers) are not trusted.
   explicit SqliteDatabase(std::string bytes);
   ~SqliteDatabase();
   SqliteDatabase(const SqliteDatabase&) = delete;
@@ -38,10 +38,10 @@ class SqliteDatabase {
   void open();
 
   sqlite3* handle_{nullptr};
-  std::string bytes_;  ///< that are read
+  std::string bytes_;  ///< input bytes
 };
 
-/// A statement and its rows. The database must outlive it.
+/// A prepared statement and its rows. The database must outlive this object.
 class SqliteStatement {
  public:
   enum class Type : std::uint8_t { kInteger, kNumber, kText, kNull };
@@ -51,15 +51,15 @@ class SqliteStatement {
   SqliteStatement(const SqliteStatement&) = delete;
   SqliteStatement& operator=(const SqliteStatement&) = delete;
 
-  /// The value of the next `?`. Infinities are kept; NaN becomes NULL.
+  /// Binds the next `?`. Infinities are kept; NaN becomes NULL.
   SqliteStatement& bind(double value);
   SqliteStatement& bind(std::int64_t value);
   SqliteStatement& bind(const std::string& value);
   SqliteStatement& bind(const std::optional<double>& value);
-  /// Runs with what was bound, for no rows; then the next values may be bound.
+  /// Runs a statement without rows; values can then be bound again.
   void execute();
 
-  /// Goes to the next row; false behind the last one.
+  /// Advances to the next row; false after the last one.
   bool next();
   int columns() const;
   Type type(int column) const;

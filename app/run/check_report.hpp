@@ -1,4 +1,4 @@
-// What `check` leaves behind for other programs and for people.
+// Report files of `check`.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace abstand::run {
 
-/// JUnit XML: a failed test case for each violation, each pair not proven (`strict`) and each reservation
-/// that fails the check, with its reason, or a single passed one; all reservations as the suite's output.
+/// JUnit XML: a failed test case for each violation, each unproven pair (`strict`) and each reservation that
+/// fails the check, with its reason; or a single passed one. All reservations are in the suite's output.
 /// Throws UsageError.
 void writeJunit(const CheckResult& result, const std::string& scene, bool strict,
                 const std::filesystem::path& file);
 
-/// One HTML page without outside references. Throws UsageError.
+/// A self-contained HTML page. Throws UsageError.
 void writeHtmlReport(const CheckResult& result, const std::string& scene, double limit, bool strict,
                      const std::filesystem::path& file);
 

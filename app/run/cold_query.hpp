@@ -1,12 +1,12 @@
-// A pair of a scene, queried beside the scene's own steps.
+// Cold query of a pair outside of the scene's steps.
 #pragma once
 
 #include "core/scene/scene.hpp"
 
 namespace abstand::run {
 
-/// From the present poses alone, without what the scene's warm start knows; the scene stays as it is. No
-/// allocation, no throw.
+/// Uses the current poses only, without the scene's warm start; does not change the scene. No allocation, no
+/// throw.
 inline query::PairResult queryCold(const scene::Scene& scene, const scene::Pair& pair,
                                    kernels::PairScratch& scratch) noexcept {
   const scene::Object& a = scene.object(pair.a);

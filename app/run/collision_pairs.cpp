@@ -16,11 +16,11 @@ using IndexPair = std::pair<int, int>;
 struct Study {
   std::vector<study::StudyMechanism> mechanisms;
   std::vector<study::StudyBody> bodies;
-  std::vector<int> objects;              ///< number of the session's object of each body
-  std::vector<std::string> joint_names;  ///< of each dof
+  std::vector<int> objects;              ///< object index of each body
+  std::vector<std::string> joint_names;  ///< for each dof
 };
 
-/// A name that fits between the commas, semicolons and equal signs of a row.
+/// A name without commas, semicolons and equal signs.
 std::string fitting(std::string name) {
   for (char& c : name)
     if (c == ',' || c == ';' || c == '=' || c == '"') c = '_';
@@ -60,7 +60,7 @@ Study studyOf(const session::Session& session) {
   return study;
 }
 
-/// Pairs of objects that somebody took out.
+/// Pairs of objects removed by the user.
 std::set<IndexPair> userPairs(const session::Session& session) {
   std::set<IndexPair> pairs;
   const auto add = [&](const std::string& a, const std::string& b) {
@@ -160,7 +160,7 @@ robot_file::Srdf srdfOf(const session::Session& session, const std::vector<Colli
   const session::MechanismDriver& driver = *session.mechanisms().front();
   std::map<int, int> frame_of;
   for (const auto& link : driver.links()) frame_of[static_cast<int>(link.object->index())] = link.frame;
-  // The first verdict of two links' bodies that is not checked; none when one pair of bodies is.
+  // First unchecked verdict of the bodies of two links; null if a pair of their bodies is checked.
   std::map<IndexPair, const study::StudiedPair*> links;
   for (const auto& p : pairs) {
     const auto a = frame_of.find(p.study.a), b = frame_of.find(p.study.b);

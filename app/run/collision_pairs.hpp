@@ -1,4 +1,4 @@
-// Which pairs of a session's bodies can collide, as a file for people and for scenes.
+// Studies which pairs of a session's bodies can collide, and writes the file of pairs.
 #pragma once
 
 #include "app/session/session.hpp"
@@ -10,13 +10,13 @@ namespace abstand::run {
 /// One pair of the session's objects.
 struct CollisionPair {
   study::StudiedPair
-      study;            ///< a and b are numbers of objects; nothing but the verdict where it was not sampled
-  std::string posture;  ///< "joint=value;..." of the joints that move the two against each other
+      study;            ///< a and b are object indices; only the verdict is set if the pair was not sampled
+  std::string posture;  ///< "joint=value;..." of the joints that move the two relative to each other
 };
 
 /// All pairs of links of mechanisms with each other and with single objects, in scene order. People are left
-/// out: they are anywhere. Adjacent pairs and those that the scene's `exclude`, or a file or SRDF with the
-/// verdict user, takes out are not sampled. Pairs that an interrupt left open are undecided.
+/// out, as they can be anywhere. Not sampled: adjacent pairs, and those removed by the scene's `exclude`, or
+/// by a file or SRDF with the verdict user. Pairs not finished at an interrupt are undecided.
 std::vector<CollisionPair> collisionPairs(const session::Session& session,
                                           const study::StudyOptions& options);
 
@@ -24,8 +24,8 @@ std::vector<CollisionPair> collisionPairs(const session::Session& session,
 std::string pairsText(const session::Session& session, const std::vector<CollisionPair>& pairs,
                       const study::StudyOptions& options);
 
-/// The pairs of links of a session's only mechanism that need no check: those of which no two bodies may
-/// collide. Throws UsageError when there are more mechanisms.
+/// The pairs of links of a session's only mechanism that need no check: no two of their bodies can collide.
+/// Throws UsageError if there are several mechanisms.
 robot_file::Srdf srdfOf(const session::Session& session, const std::vector<CollisionPair>& pairs);
 
 }  // namespace abstand::run

@@ -5,7 +5,7 @@
 namespace abstand::run {
 namespace {
 
-/// `,value`, shortest digits that read back as the same double, in every locale.
+/// `,value`: fewest digits that read back to the same double, independent of the locale.
 void addNumber(std::string& line, double value) {
   char buffer[32];
   const auto r = std::to_chars(buffer, buffer + sizeof buffer, value);
@@ -30,8 +30,7 @@ std::unique_ptr<OutputFile> open(const std::filesystem::path& file, const std::s
   return out;
 }
 
-/// Of the robots that react: their plan, the torque of the reaction, the share of the planned speed, the
-/// state.
+/// Columns of reacting robots: plan, torque of the reaction, speed scale, state.
 std::string loopHeader(const loop::ClosedLoop& loop) {
   std::string header;
   for (std::size_t m = 0; m < loop.robots().size(); ++m) {

@@ -10,23 +10,23 @@
 
 namespace abstand::run {
 
-/// Which files are wanted; empty: not.
+/// Output paths; empty: not written.
 struct CsvPaths {
   std::filesystem::path pairs, objects, joints;
 };
 
-/// Writes a row a pair, object or moment. Files appear whole at commit(), or not at all.
+/// Writes one row for each pair, object or time. Files appear completely at commit(), or not at all.
 class CsvOutputs {
  public:
-  /// `loop`: null without a closed loop; else the joints' file has more columns. Throws UsageError when a
-  /// place cannot be written.
-  /// `live`: the pairs' file has the age of each result as last column.
+  /// `loop`: null without a closed loop; otherwise the joints' file has more columns. Throws UsageError if a
+  /// file cannot be written.
+  /// `live`: the last column of the pairs' file is the age of each result.
   CsvOutputs(const CsvPaths& paths, const session::Session& session, const loop::ClosedLoop* loop, bool live);
 
-  /// `results` in the order of the scene's pairs; `shown`: s, of the poses that the scene shows.
+  /// `results` in the order of the scene's pairs; `shown`: s, time of the scene's poses.
   void write(double t, double shown, const session::Session& session,
              const std::vector<query::PairResult>& results);
-  /// Writes and checks what is left, so that commit() has only to rename. Throws WriteError.
+  /// Writes and checks the remaining data, so that commit() only renames. Throws WriteError.
   void finish();
   void commit();
   bool wanted() const { return pairs_ || objects_ || joints_; }

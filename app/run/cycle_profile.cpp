@@ -20,7 +20,8 @@ void CycleProfile::begin() { begun_ = processorTime(); }
 void CycleProfile::end(double seconds) {
   const double ended = processorTime(), worked = ended - begun_;
   work_.add(worked);
-  // As long as the work took, not as long as somebody else made it: the empty loop would inherit that.
+  // The duration of the work itself, not including delays by other processes, which the empty loop would
+  // inherit.
   const double wanted = worked < seconds ? worked : seconds;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();

@@ -1,27 +1,26 @@
-// How much of a slow cycle is our work, and how much the machine's.
+// Separates the program's own cycle time from delays caused by the machine.
 #pragma once
 
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand::run {
 
-/// On a shared machine a cycle is late when somebody else has the core. Two measurements tell that apart: the
-/// processor time of the cycle, which does not go on while others run, and an empty loop that watches the
-/// clock for as long as the cycle worked and does nothing: what it is late by, the machine is. A virtual
-/// machine counts as processor time also what its host takes from it; the empty loop's own processor time
-/// shows how much that is. One thread.
+/// On a shared machine a cycle may be late because another process uses the core. Two measurements
+/// distinguish this: the CPU time of the cycle, which excludes other processes, and an empty loop that polls
+/// the clock for as long as the cycle worked: its delay is caused by the machine. A virtual machine also
+/// counts time taken by its host as CPU time; the CPU time of the empty loop shows how much. One thread.
 class CycleProfile {
  public:
-  /// `period` (s): longer ones are overruns.
+  /// `period` (s): longer cycles are overruns.
   explicit CycleProfile(double period) : work_(period), empty_(period), empty_work_(period) {}
 
   void begin();
-  /// After the cycle, which took `seconds` by the wall clock; then the empty loop.
+  /// Call after the cycle, which took `seconds` of wall time; runs the empty loop.
   void end(double seconds);
 
-  const scene::CycleStatistics& work() const { return work_; }             ///< processor time
+  const scene::CycleStatistics& work() const { return work_; }             ///< CPU time
   const scene::CycleStatistics& empty() const { return empty_; }           ///< wall time of the empty loops
-  const scene::CycleStatistics& emptyWork() const { return empty_work_; }  ///< their processor time
+  const scene::CycleStatistics& emptyWork() const { return empty_work_; }  ///< CPU time of the empty loops
 
  private:
   scene::CycleStatistics work_, empty_, empty_work_;

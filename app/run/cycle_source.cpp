@@ -22,7 +22,7 @@ void add(const scene::StepCounts& counts, RunSummary::Work& work) {
   work.longest_wait = std::max(work.longest_wait, counts.longest_wait);
 }
 
-/// The groups of pairs that live mode runs: the scene file's with one for the rest, or one group a core.
+/// Groups of pairs in live mode: the scene file's with one for the rest, or one for each core.
 std::vector<std::vector<PairId>> liveGroups(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   std::vector<std::vector<PairId>> groups;
@@ -36,7 +36,7 @@ std::vector<std::vector<PairId>> liveGroups(const session::Session& session) {
   return groups;
 }
 
-/// A cycle in lock step: seconds that `step` and taking its results took.
+/// Runs a lock-step cycle; returns the seconds that `step` and copying its results took.
 template <class Step>
 double measured(PassState& state, Step step) {
   if (state.summary.profile) state.summary.profile->begin();
@@ -50,7 +50,7 @@ double measured(PassState& state, Step step) {
   return worked;
 }
 
-/// A step of the session a frame; cold starts at the beginnings of blocks (kColdStart).
+/// One step of the session for each frame; cold starts at block boundaries (kColdStart).
 class LockStep : public CycleSource {
  public:
   LockStep(PassState& state, std::size_t first) : state_(state), frame_(first) {}
@@ -68,7 +68,7 @@ class LockStep : public CycleSource {
   std::size_t frame_;
 };
 
-/// The closed loop in lock step: a cycle a millisecond.
+/// The closed loop in lock step: one cycle for each millisecond.
 class LoopInLockStep : public CycleSource {
  public:
   LoopInLockStep(PassState& state, double t) : state_(state), loop_(state.session, t) {
@@ -76,7 +76,7 @@ class LoopInLockStep : public CycleSource {
   }
 
   void frame(double t, const CycleDone& done) override {
-    // The cycle nearest to the frame is the last one before it.
+    // The cycle nearest to the frame is the last one run.
     while (loop_.time() <= t + 0.5 * loop::ClosedLoop::kStep) {
       const double at = loop_.time();
       const double worked = measured(state_, [&] { loop_.step(); });
@@ -122,7 +122,7 @@ class LoopLive : public CycleSource {
   LiveLoop live_;
 };
 
-/// A frame a period of the recording, with its pairs on threads of their own.
+/// One frame in each period of the recording, with pairs on threads of their own.
 class FramesLive : public CycleSource {
  public:
   FramesLive(PassState& state, const std::vector<double>& times)
@@ -136,7 +136,7 @@ class FramesLive : public CycleSource {
     state_.session.applyMotion(t);
     threads_.publishPoses(scene);
     const double worked = since(begin);
-    // The groups have the rest of the period for these poses.
+    // The groups use the rest of the period for these poses.
     if (state_.options.pace == LivePace::kRealTime) pacer_.wait();
     begin = Clock::now();
     if (state_.options.pace == LivePace::kRealTime)
@@ -152,7 +152,7 @@ class FramesLive : public CycleSource {
   void finish() override { add(threads_.counts(), state_.summary.work); }
 
  private:
-  /// The threads start with the poses of the first frame.
+  /// Sets the poses of the first frame, with which the threads start.
   static session::Session& placed(session::Session& session, double t) {
     session.applyMotion(t);
     return session;

@@ -60,13 +60,12 @@ void DistanceCheck::frame(double t, const std::vector<query::PairResult>& result
     const safety::ClearanceVerdict now = verdictOf(results[i], i);
     bool broken = now == safety::ClearanceVerdict::kBroken, proven = now == safety::ClearanceVerdict::kKept;
     if (!between.empty()) {
-      // What lies between the frames is judged by the wider of their limits.
+      // Between frames the wider of their limits applies.
       broken = broken || !(between[i].upper >= widened_[i]);
       proven = proven && between[i].lower >= widened_[i];
       if (between[i].upper < d) d = between[i].upper, when = between[i].t;
     }
-    // A warm start may leave a distance above the smallest, and its bound wide: the verdict is the cold
-    // one's.
+    // A warm start may leave a distance above the smallest one, with a wide bound: a cold query decides.
     if (scene_.culling().remember && !broken &&
         (!proven || d * (1.0 - scene_.culling().far_tolerance) < limits_[i] + uncertainties_[i])) {
       const query::PairResult cold = queryCold(scene_, scene_.pairs()[i], scratch_);

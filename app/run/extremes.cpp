@@ -32,7 +32,7 @@ void Extremes::frame(double t, const std::vector<query::PairResult>& results,
     touching_[i] = touches;
   }
   summary.contacts += touching_count_;
-  // What is not seen comes nearer although nothing was renewed.
+  // The uncertainty of unseen bodies grows even if no result was updated.
   const scene::Scene& scene = session_.scene();
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
     if (scene.object(ObjectId(i)).pose_uncertainty > 0.0)

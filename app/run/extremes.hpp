@@ -5,13 +5,13 @@
 
 namespace abstand::run {
 
-/// The nearest, the hardest and the oldest result of a pass over frames. One thread.
+/// Tracks the smallest distance, the largest force and the oldest result over a pass. One thread.
 class Extremes {
  public:
-  /// The session must outlive it.
+  /// The session must outlive this object.
   explicit Extremes(const session::Session& session);
 
-  /// `renewed`: the pairs whose results may differ from the last frame's; all of them in the first frame.
+  /// `renewed`: pairs whose results may differ from the last frame's; in the first frame all pairs.
   void frame(double t, const std::vector<query::PairResult>& results, const std::vector<PairId>& renewed,
              RunSummary& summary);
 
@@ -20,8 +20,8 @@ class Extremes {
   RunSummary::Extreme extreme(std::size_t pair, double t, double value) const;
 
  private:
-  /// The least distance of some pairs, m; of equal ones at a time the first in scene order, whatever the
-  /// order in which they are offered.
+  /// Smallest distance (m) of some pairs; of equal ones at a time the first in scene order, independent of
+  /// the order of calls.
   struct Least {
     double value{kInfinity}, t{0.0};
     std::size_t pair{0};

@@ -24,7 +24,7 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
   for (char* c = text; *c; ++c)
-    if (*c == ',') *c = '.';  // in every locale
+    if (*c == ',') *c = '.';  // independent of the locale
   return text;
 }
 

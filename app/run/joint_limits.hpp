@@ -1,4 +1,4 @@
-// Which limits of its robots a run broke, or was planned to break.
+// Violations of robot limits by a run or by its plan.
 #pragma once
 
 #include <string>
@@ -9,29 +9,29 @@
 
 namespace abstand::run {
 
-/// The worst of one joint against one kind of limit. SI.
+/// Worst violation of one kind of limit by one joint. SI.
 struct JointLimitReport {
   std::string mechanism, joint;
   mechanism::LimitBreach worst;
-  bool slides{false};  ///< the joint is prismatic: m, N; else rad, N m
-  /// The scene's `q` or `motion` asks for it; without, a robot of the closed loop did it.
+  bool slides{false};  ///< prismatic joint: m, N; otherwise rad, N m
+  /// Caused by the scene's `q` or `motion`; otherwise by a robot of the closed loop.
   bool planned{false};
 };
 
-/// Of one mechanism; `breaches` are its own.
+/// Reports of one mechanism with the violations `breaches`.
 std::vector<JointLimitReport> reportsOf(const std::string& name, const mechanism::Mechanism& mechanism,
                                         const std::vector<mechanism::LimitBreach>& breaches, bool planned);
 
-/// Of all mechanisms of the session, from `start` to `end` (s): what their plans ask for, and, of those that
-/// react, what they did in every cycle of `loop` (null: none reacts).
+/// Reports of all mechanisms of the session, from `start` to `end` (s): violations by their plans and, for
+/// reacting robots, in every cycle of `loop` (null: none).
 std::vector<JointLimitReport> jointLimitsOf(const session::Session& session, const loop::ClosedLoop* loop,
                                             double start, double end);
 
-/// The robot that was judged does not exist: it is planned to be where, or as fast as, the real one cannot
-/// be, or it was pushed beyond its limits. With --strict that fails.
+/// Reservations: the judged motion is impossible for the real robot, because its plan violates a limit or it
+/// was pushed beyond one. Fails with --strict.
 std::vector<Reservation> reservationsOf(const std::vector<JointLimitReport>& reports);
 
-/// One sentence for people, without a line break.
+/// One sentence without a line break.
 std::string describe(const JointLimitReport& report);
 
 }  // namespace abstand::run

@@ -7,27 +7,26 @@
 
 namespace abstand::run {
 
-/// What a cycle of live mode waits for before it takes the results.
+/// What a cycle of live mode waits for before it collects results.
 enum class LivePace {
   kRealTime,  ///< the end of its period on the wall clock
-  kSettled,   ///< that every group has finished the present poses: no result is ever old
+  kSettled,   ///< completion of the current poses by every group: results are never old
 };
-/// Collects until every group has finished the present poses; gives other threads the processor meanwhile.
+/// Collects until every group has finished the current poses; yields the processor meanwhile.
 void settle(scene::PairThreads& threads, std::vector<query::PairResult>& results);
 
-/// A cycle takes a millisecond of wall time: everything goes to where it is, the groups of pairs have the
-/// rest of the millisecond for these poses, and robots react to the newest results that are there then. A
-/// group that needs longer is behind, and robots whose pairs are older than `stop.input_age` stop. What
-/// happens depends on the machine. One thread calls.
+/// A cycle takes a millisecond of wall time: poses are updated, the groups of pairs have the rest of the
+/// millisecond, and robots react to the newest results available then. Slower groups lag behind, and robots
+/// with pairs older than `stop.input_age` stop. Results depend on the machine. One calling thread.
 class LiveLoop {
  public:
-  /// Robots start on their plans at `t`. Throws ParseError for a robot that cannot react, UsageError where a
-  /// pair of one is in no group. The session must outlive it.
-  /// `pace`: what a cycle waits for.
+  /// Robots start on their plans at `t`. Throws ParseError for a robot that cannot react, UsageError if a
+  /// pair of one is not in a group. The session must outlive this object. `pace`: what a cycle waits for.
   LiveLoop(session::Session& session, double t, std::vector<std::vector<PairId>> groups,
            LivePace pace = LivePace::kRealTime);
 
-  /// The cycle at loop().time(); `results`: one a pair of the scene. Seconds that this thread worked.
+  /// Runs the cycle at loop().time(); `results`: one for each pair of the scene. Returns the working time of
+  /// this thread (s).
   double cycle(std::vector<query::PairResult>& results);
   const loop::ClosedLoop& loop() const { return loop_; }
   scene::StepCounts counts() const { return threads_.counts(); }
@@ -36,7 +35,7 @@ class LiveLoop {
   session::Session& session_;
   loop::ClosedLoop loop_;
   scene::PairThreads threads_;
-  std::vector<PairId> felt_;  ///< pairs of robots that react
+  std::vector<PairId> felt_;  ///< pairs of reacting robots
   LivePace pace_;
   Pacer pacer_;
 };

@@ -1,5 +1,5 @@
-// `NAME: metres` lines; the simplest YAML map, read without a library so that names with slashes need no
-// care.
+// Parses `NAME: metres` lines, the simplest YAML map, without a library, so that names with slashes need no
+// quotes.
 #include <sstream>
 
 #include "app/run/distance_check.hpp"

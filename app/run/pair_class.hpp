@@ -1,4 +1,4 @@
-// Who meets whom in a pair: people come first.
+// Classes of pairs: person, robot or thing.
 #pragma once
 
 #include <array>
@@ -11,22 +11,22 @@ namespace abstand::run {
 
 enum class Side : std::uint8_t { kPerson, kRobot, kThing };
 
-/// Whose a body of this group is.
+/// Side of the bodies of a group.
 Side sideOf(const scene_file::SceneDescription& scene, const std::string& group);
 
-/// kOther: two people, two things, or parts of one person.
+/// kOther: two people, two things, or two parts of one person.
 enum class PairClass : std::uint8_t { kPersonRobot, kPersonThing, kRobotRobot, kRobotThing, kOther };
 
-/// Those that are reported apart, in this order.
+/// Classes reported separately, in this order.
 inline constexpr std::array kPairClasses{PairClass::kPersonRobot, PairClass::kPersonThing,
                                          PairClass::kRobotRobot, PairClass::kRobotThing};
 
-/// "person_robot", as in JSON.
+/// Key in JSON, "person_robot".
 const char* pairClassKey(PairClass pair_class);
-/// "person to robot", for people.
+/// Text, "person to robot".
 const char* pairClassText(PairClass pair_class);
 
-/// Of each pair of the session's scene, in its order.
+/// Class of each pair of the session's scene, in order.
 std::vector<PairClass> pairClasses(const session::Session& session);
 
 }  // namespace abstand::run

@@ -1,4 +1,4 @@
-// Times of single pairs.
+// Query times of single pairs.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace abstand::run {
 
-/// Times one pair a frame, in turn, outside the measured cycle.
+/// Times one pair in each frame, in turn, outside of the measured cycle.
 class PairClock {
  public:
   explicit PairClock(const scene::Scene& scene)

@@ -7,7 +7,7 @@
 namespace abstand::run {
 namespace {
 
-/// Frames of two recordings need not agree better than this many of their steps.
+/// Tolerance of two recordings' time ranges, in frame periods.
 constexpr double kSteps = 1.5;
 
 double stepOf(double start, double end, std::size_t frames) {

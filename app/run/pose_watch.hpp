@@ -1,4 +1,4 @@
-// Which poses were not known while a scene ran, and when.
+// Records which poses were unknown during a run, and when.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace abstand::run {
 
-/// Looks at the poses of a session cycle by cycle. Bodies that are in no pair do not count: no verdict rests
-/// on them. One thread. The session must outlive it.
+/// Checks the poses of a session in each cycle. Bodies without pairs are ignored, as no verdict depends on
+/// them. One thread. The session must outlive this object.
 class PoseWatch {
  public:
   explicit PoseWatch(const session::Session& session);
-  /// After each cycle, at its time (s). No allocation, no throw.
+  /// Call after each cycle, at its time (s). No allocation, no throw.
   void cycle(double t) noexcept;
-  /// Of all cycles so far, those of bodies that shared their fate as one.
+  /// Reservations about all cycles so far; bodies with the same history are merged.
   std::vector<Reservation> reservations() const;
 
  private:
-  /// The cycles in which something held.
+  /// Cycles in which a condition held.
   struct Spell {
     long cycles{0}, stretches{0};
-    double t0{0.0}, t1{0.0};  ///< s, the first and the last
+    double t0{0.0}, t1{0.0};  ///< s, first and last
     bool open{false};
     void note(bool holds, double t) noexcept;
     bool operator==(const Spell&) const = default;
@@ -30,14 +30,14 @@ class PoseWatch {
   struct Body {
     std::uint32_t object;
     std::string name, group;
-    bool unmapped;  ///< no joint of the recording moves it; reservationsOf() says so
+    bool unmapped;  ///< no joint of the recording moves it; reported by reservationsOf()
     Spell refused, stale, inferred;
   };
-  /// Somebody or something that was recorded from `start` to `end` (s) and stands still before and after.
+  /// Something recorded from `start` to `end` (s), which stands still before and after.
   struct Source {
     std::string name;
     double start, end;
-    std::vector<std::uint32_t> objects;  ///< of a person
+    std::vector<std::uint32_t> objects;  ///< objects of a person
     Spell absent, outside;
   };
   void add(std::vector<Reservation>& out, const char* kind, const std::string& what, const Spell& spell,

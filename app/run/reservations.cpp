@@ -10,11 +10,11 @@
 namespace abstand::run {
 namespace {
 
-/// A foot nearer to the floor than this (m) stands on it.
+/// m: a foot nearer to the floor than this stands on it.
 constexpr double kFloorDistance = 0.3;
-/// A body whose centre is farther (m) from where its mechanism's file says does not stand there.
+/// m: largest accepted deviation of a body's centre from that in its mechanism's file.
 constexpr double kCenterDistance = 0.01;
-/// A step of time longer than this many usual ones is a gap.
+/// Gap threshold: time step as a multiple of the usual one.
 constexpr double kLongStep = 3.0;
 
 std::string joined(const std::vector<std::string>& names) {
@@ -84,7 +84,7 @@ void addMechanism(const scene_file::MechanismDescription& m, const session::Mech
                    {}});
 }
 
-/// Bodies that do not stand where the `link` environments of the mechanism's file have their centres.
+/// Reports bodies whose centres differ from the `link` environments of the mechanism's file.
 void addCenters(const scene_file::MechanismDescription& m, const session::MechanismDriver& driver,
                 const scene::Scene& scene, std::vector<Reservation>& out) {
   for (std::size_t i = 0; i < m.links.size(); ++i) {
@@ -105,7 +105,7 @@ void addCenters(const scene_file::MechanismDescription& m, const session::Mechan
   }
 }
 
-/// Steps of time without a frame.
+/// Reports gaps between frames.
 void addSteps(const std::string& file, const tracking::Recording& recording, std::vector<Reservation>& out) {
   const auto& frames = recording.frames;
   if (frames.size() < 3 || !(recording.report.rate > 0.0)) return;
@@ -226,7 +226,7 @@ std::vector<Reservation> reservationsOf(const session::Session& session) {
   for (std::size_t i = 0; i < scene.humans.size(); ++i)
     if (session.humans()[i]->recording())
       addRecording(scene.humans[i], *session.humans()[i], session.scene(), out);
-  // Pieces and dropped triangles are no reason to doubt a closed mesh: they stay remarks.
+  // Components and dropped triangles do not invalidate a closed mesh: they remain remarks.
   for (const session::MeshRemark& remark : session.meshRemarks())
     if (remark.doubtful) out.push_back({"mesh", remark.text, {}, {}, {}, scene::Severity::kStrict, {}});
   return out;

@@ -1,4 +1,4 @@
-// What weakens a verdict, and so stands beside it in every output of `run` and `check`.
+// Reservations about a verdict, part of every output of `run` and `check`.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ struct Reservation {
   /// bodies); no_pairs.
   std::string kind;
   std::string text;              ///< one line
-  std::optional<double> t0, t1;  ///< s, where it holds for a time only
+  std::optional<double> t0, t1;  ///< s, if it applies to a time range only
   std::optional<double> share;   ///< of the frames, 0 to 1
   scene::Severity fails{scene::Severity::kStrict};
-  std::string recording;  ///< of `check` over several; else empty
+  std::string recording;  ///< for `check` over several recordings; otherwise empty
 
   bool operator==(const Reservation&) const = default;
 };
@@ -29,17 +29,17 @@ struct Reservation {
 /// "always", "strict" or "never".
 const char* severityName(scene::Severity severity);
 
-/// What is known before a frame is run: of the scene, its robots, meshes and recordings.
+/// Reservations known before a frame is run: of the scene, its robots, meshes and recordings.
 std::vector<Reservation> reservationsOf(const session::Session& session);
 
-/// Of a run that was interrupted when `done` of `all` frames were run, the last one at `last` (s; nothing:
-/// none was).
+/// Reservation about a run interrupted after `done` of `all` frames, the last one at `last` (s; nullopt: none
+/// was run).
 Reservation interruptedReservation(std::size_t done, std::size_t all, std::optional<double> last);
 
-/// Appends those of `more` that are not among `all` yet.
+/// Appends those of `more` that are not in `all` yet.
 void addReservations(std::vector<Reservation>& all, const std::vector<Reservation>& more);
 
-/// Whether one of them fails the check.
+/// True if the reservation fails the check.
 bool failing(const Reservation& reservation, bool strict);
 
 }  // namespace abstand::run

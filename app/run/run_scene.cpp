@@ -14,11 +14,11 @@
 namespace abstand::run {
 namespace {
 
-/// The frames of a pass, and where they stand among all.
+/// Frames of a pass, and of the time before it.
 struct Frames {
   std::vector<double> times;  ///< s
-  /// s, of all frames before them: velocities follow from the last poses, and the poser's choices among equal
-  /// poses from all.
+  /// s, all earlier frames: run first, because velocities depend on the last poses, and the poser's choice
+  /// among equal poses on all of them.
   std::vector<double> before;
   std::size_t first{0};
 };
@@ -33,13 +33,13 @@ Frames framesOf(const session::Session& session, const RunOptions& options) {
   return frames;
 }
 
-/// What the run says beside its extremes: what weakens it, and which limits its robots broke.
+/// Adds reservations and violated robot limits to the summary.
 void addJudgement(const PassState& state, const PoseWatch& poses, const CycleSource& source,
                   const std::vector<double>& times) {
   RunSummary& summary = state.summary;
   summary.reservations = reservationsOf(state.session);
   addReservations(summary.reservations, poses.reservations());
-  // Nothing is said of the time after an interrupt.
+  // Nothing is stated about the time after an interrupt.
   std::optional<double> last_frame;
   if (summary.frames > 0) last_frame = times[summary.frames - 1];
   if (summary.interrupted)
@@ -49,7 +49,7 @@ void addJudgement(const PassState& state, const PoseWatch& poses, const CycleSou
   addReservations(summary.reservations, reservationsOf(summary.joint_limits));
 }
 
-/// One pass over the frames; the last one writes the outputs.
+/// One pass over the frames; the last pass writes the outputs.
 void runFrames(PassState& state, CycleSource& source, const std::vector<double>& times, bool last,
                scene::CycleStatistics& statistics) {
   const session::Session& session = state.session;
@@ -66,7 +66,7 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
   summary.contacts = 0;
   summary.frames = 0;
   bool first = true;
-  double shown = 0.0;  // s, of the last cycle
+  double shown = 0.0;  // s, time of the last cycle
   const CycleSource::CycleDone done = [&](double t, double worked) {
     shown = t;
     statistics.add(worked);
@@ -97,8 +97,8 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
   source.finish();
 }
 
-/// The first cycle sets sizes and first-time caches; it is run once more as a frame, or before those of a
-/// pass that begins later.
+/// The first cycle sets sizes and caches; it is run again as a frame, or before the frames of a pass that
+/// starts later.
 void runFirstCycle(session::Session& session, const Frames& frames, bool passes) {
   session.step(passes && !frames.before.empty() ? frames.before.front() : frames.times.front());
   if (passes)

@@ -1,4 +1,4 @@
-// What the window lists of a scene that it opened.
+// Notes about an opened scene, for the window.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace abstand::run {
 
-/// The reservations that are known before a frame is run, joint limits that the planned motion breaks, and
-/// the remarks that are not among them; what fails `check` first.
+/// Reservations known before a frame is run, joint limits violated by the plan, and other remarks; those that
+/// fail `check` come first.
 std::vector<scene::SceneNote> notesOf(const session::Session& session);
 
 }  // namespace abstand::run

@@ -1,4 +1,4 @@
-// The dense log of a run (HDF5).
+// HDF5 log of a run.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ class SessionLog {
   /// `shown`: s, of the poses that the scene shows. Throws WriteError as soon as the disk refuses something.
   void write(double t, double shown, const session::Session& session,
              const std::vector<query::PairResult>& results);
-  /// Writes, closes and checks, so that commit() has only to rename. Throws WriteError.
+  /// Writes, closes and checks, so that commit() only renames. Throws WriteError.
   void finish();
   void commit();
 

@@ -5,14 +5,14 @@
 namespace abstand::run {
 namespace {
 
-// As near as the check wants to know; a limit is a whole number of millimetres in practice.
+// m; accuracy of the check. Limits are whole millimetres in practice.
 constexpr double kTolerance = 1e-4;
 constexpr int kMaxSamples = 256;
 
-// m: distances of frames whose bounds are wider, as culling leaves them, are asked again.
+// m: results of frames with wider bounds, as culling leaves them, are queried again.
 constexpr double kSharp = 1e-3;
 
-/// NaN is none.
+/// False for NaN.
 bool isSharp(const safety::SweptEnds& ends) {
   return ends.first.upper - ends.first.lower <= kSharp && ends.last.upper - ends.last.lower <= kSharp;
 }
@@ -54,7 +54,7 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
     Between& between = between_[i];
     between = {t, safety::leastBetween(distances_[i].lower, now.lower, rate, duration),
                std::min(distances_[i].upper, now.upper)};
-    // Of a pair that is not asked about nothing is known; of the others, NaN is no bound either.
+    // A pair that was not queried has no bound; NaN from others is no bound either.
     if (std::isnan(between.lower)) between.lower = -kInfinity;
     if (limits[i] > -kInfinity && !(between.lower >= limits[i]) && rate > 0.0) {
       safety::SweptOptions options;

@@ -1,4 +1,4 @@
-// What happens between two frames of a scene.
+// Certified distances between two frames of a scene.
 #pragma once
 
 #include <span>
@@ -10,28 +10,27 @@
 
 namespace abstand::run {
 
-/// Certified bounds on the distance of each pair over the time between two frames, in which every body goes
-/// from pose to pose with its centre on a line and turns about one axis at a constant rate (PoseSegment). So
-/// between two frames that are both far enough nothing is missed, however long the step: a fist that goes
-/// through a tool, and is apart from it in both frames, is found. One thread; allocates in the first two
-/// frames only.
+/// Certified bounds on the distance of each pair over the time between two frames, assuming that every body
+/// moves from pose to pose with its centre on a line and a constant rotation rate about one axis
+/// (PoseSegment). Nothing is missed between frames, however long the step: a fist that passes through a tool,
+/// and is apart from it in both frames, is found. One thread; allocates in the first two frames only.
 class SweptCheck {
  public:
   explicit SweptCheck(const scene::Scene& scene) : scene_(scene) {}
 
-  /// Of one pair, between the last frame and this one. lower <= smallest distance <= upper, m.
+  /// Result of one pair, between the last frame and this one. lower <= smallest distance <= upper, m.
   struct Between {
-    double t{0.0};  ///< s, of the smallest distance that was found
+    double t{0.0};  ///< s, time of the smallest distance found
     double lower{kInfinity}, upper{kInfinity};
   };
-  /// A new frame at `t` (s) with its results, in the scene's order. Nothing lies before the first one, nor
-  /// between frames of the same or an earlier time: a jump back. `limits`: m, of each pair; what is certain
-  /// to be above it is not looked at more closely.
+  /// Processes a new frame at `t` (s) with its results, in scene order. Empty for the first frame and if time
+  /// does not increase (a jump back). `limits`: m, for each pair; the search stops once the distance is
+  /// certified above.
   std::span<const Between> frame(double t, const std::vector<query::PairResult>& results,
                                  std::span<const double> limits);
-  /// Of every object from the last frame but one to the last one; empty where nothing lies between.
+  /// Motion of every object from the last frame but one to the last one; empty if there is none.
   std::span<const safety::PoseSegment> motions() const { return motions_; }
-  /// Pairs and times that were queried, so far.
+  /// Number of queries so far.
   long queries() const { return queries_; }
 
  private:
@@ -39,10 +38,10 @@ class SweptCheck {
 
   const scene::Scene& scene_;
   std::vector<Between> between_;
-  std::vector<Transform> poses_;                   ///< of the last frame
+  std::vector<Transform> poses_;                   ///< in the last frame
   std::vector<safety::DistanceSample> distances_;  ///< likewise
   std::vector<safety::PoseSegment> motions_;
-  std::vector<double> speeds_;  ///< m/s, of them
+  std::vector<double> speeds_;  ///< m/s, of the motions
   safety::SweptScratch scratch_;
   std::vector<query::PairMemory> memories_;
   double t_{kNaN};

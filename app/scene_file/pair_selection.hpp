@@ -1,4 +1,4 @@
-// Which pairs of a scene are checked.
+// Selects the pairs of a scene that are checked.
 #pragma once
 
 #include <string>
@@ -9,20 +9,19 @@
 
 namespace abstand::scene_file {
 
-/// One body as the selection sees it.
+/// A body with its attributes for the selection.
 struct SelectableBody {
   std::string name;
   std::string group;
-  bool person{false};  ///< a part of one; its group is the person
+  bool person{false};  ///< part of a person; its group is the person
 };
 
-/// Indices (a < b) into `bodies`, in order, by the rules of the scene file. Later rules win: the default,
-/// which leaves out the parts of one person against each other unless `within_people` asks for them, as it
-/// does under `between_groups` too;
-/// minus `adjacent` (given by the mechanisms and the human), when the rules say so; minus what SRDFs and the
-/// file of pairs drop; minus exclude; plus include. Under `all`, pairs of things that never move against each
-/// other are checked too: an explicit exclude takes them out. Throws ParseError for a name that is not there,
-/// with the nearest one, and for a body paired with itself.
+/// Pairs of indices (a < b) into `bodies`, in order, by the rules of the scene file. Later rules win: the
+/// default, which omits pairs within one person unless `within_people` requests them (also under
+/// `between_groups`); minus `adjacent` (from the mechanisms and the human), if the rules say so; minus the
+/// pairs dropped by SRDFs and the file of pairs; minus exclude; plus include. Under `all`, pairs of objects
+/// that never move relative to each other are included too; only an explicit exclude removes them. Throws
+/// ParseError for an unknown name, with the nearest one, and for a body paired with itself.
 std::vector<std::pair<int, int>> selectPairs(const std::vector<SelectableBody>& bodies,
                                              const PairsDescription& rules,
                                              const std::vector<std::pair<int, int>>& adjacent);

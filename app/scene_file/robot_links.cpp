@@ -21,7 +21,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Chooses and finds the geometry of one frame after the other.
+/// Selects and locates the geometry of the frames, one by one.
 class LinkChooser {
  public:
   LinkChooser(const robot_file::Robot& robot, const std::string& mechanism, robot_file::GeometryUse wanted,
@@ -97,7 +97,7 @@ class LinkChooser {
     }
   }
 
-  /// A frame of which nothing but what cannot be read is known has no body.
+  /// A frame with only unreadable geometry has no body.
   void addUnread(const robot_file::UnreadGeometry& g) {
     const std::string name = frameName(robot_, g.frame);
     const auto is_it = [&](const auto& other) { return other.frame == name; };
@@ -126,7 +126,7 @@ class LinkChooser {
   robot_file::MeshFinder finder_;
   const std::vector<std::string>& bodiless_;
   RobotLinks out_;
-  std::string replaced_;  ///< frames whose collision geometry stands for their visual one
+  std::string replaced_;  ///< frames whose collision geometry replaces their visual one
   std::vector<const robot_file::LinkGeometry*> missing_;
 };
 

@@ -92,7 +92,7 @@ void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) 
   body.scale = readScale(fields);
 }
 
-/// A name that the scene does not write itself.
+/// Registers a name that is not written in the scene file.
 void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
   if (name.find_first_of(",\"") != std::string::npos)
     throw ParseError(pos, "found the link name `" + name + "`, expected no comma and no quotation mark",

@@ -1,4 +1,4 @@
-// The bodies of a scene file: mechanisms, people and things. Internal to the scene reader.
+// Reads the bodies of a scene file: mechanisms, people and objects. Internal to the scene reader.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace abstand::scene_file {
 
-/// All pairs of more bodies would not fit into memory.
+/// Limit of bodies: all pairs of more would not fit into memory.
 inline constexpr std::size_t kMaxBodies = 1000;
 
-/// Reads bodies one after the other and keeps their names apart. Robots are read in scene_robot_reader.cpp,
-/// people in scene_person_reader.cpp.
+/// Reads bodies sequentially and checks that their names are unique. Robots are read in
+/// scene_robot_reader.cpp, people in scene_person_reader.cpp.
 class SceneBodyReader {
  public:
-  /// `folder`: what relative paths are relative to. The file's name and `packages` must outlive the reader.
+  /// `folder`: base of relative paths. The file's name and `packages` must outlive the reader.
   SceneBodyReader(const std::string& file, std::filesystem::path folder,
                   const robot_file::PackagePaths& packages)
       : file_{file}, folder_{std::move(folder)}, packages_{packages} {}
@@ -27,14 +27,14 @@ class SceneBodyReader {
   HumanDescription human(const config::YamlNode& node);
   ObjectDescription object(const config::YamlNode& node);
 
-  /// The pairs that SRDFs take out.
+  /// Pairs dropped by SRDFs.
   const std::vector<DroppedPair>& dropped() const { return dropped_; }
   std::filesystem::path existingFile(const config::YamlNode& node, const std::string& label,
                                      const char* expected) const;
 
   /// All bodies so far, in order: links and objects as written, parts of people as PERSON/PART.
   const std::vector<std::string>& bodies() const { return bodies_; }
-  /// What is odd in the robot files, and where their packages were found.
+  /// Remarks about the robot files and where their packages were found.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:

@@ -37,7 +37,7 @@ SceneDefaults defaults(const config::YamlNode& node, const std::string& file) {
   return d;
 }
 
-/// [a, b] of two different bodies of the scene.
+/// [a, b]: names of two different bodies of the scene.
 NamePair namePair(const config::YamlNode& node, const std::string& file, const std::string& label,
                   const std::vector<std::string>& bodies) {
   const SourcePos pos{file, node.line, node.column};
@@ -59,7 +59,7 @@ NamePair namePair(const config::YamlNode& node, const std::string& file, const s
   return {names[0].text, names[1].text};
 }
 
-/// Names that the scene does not have are passed over: a file may be made for more than is in the scene.
+/// Unknown names are ignored: a file may cover more bodies than the scene has.
 void dropByFile(PairsDescription& p, const std::vector<std::string>& bodies) {
   const std::set<std::string> known(bodies.begin(), bodies.end());
   bool any = false;

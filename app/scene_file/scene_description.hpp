@@ -1,4 +1,4 @@
-// A scene file as plain values, before meshes and recordings are loaded.
+// Content of a scene file as plain values, before meshes and recordings are loaded.
 #pragma once
 
 #include <array>
@@ -20,34 +20,34 @@
 
 namespace abstand::scene_file {
 
-/// What a body of the scene may set for itself; what is not set follows `defaults`.
+/// Settings of a body; unset ones follow `defaults`.
 struct BodySettings {
   std::optional<double> voxel, point, margin;
   std::optional<double> max_speed;  ///< m/s
   std::optional<int> outer_layers;
 
-  /// Takes what is not set from `other`.
+  /// Sets unset values from `other`.
   void fillFrom(const BodySettings& other);
 };
 
 struct LinkDescription {
   std::string name;
   std::string frame{"0"};           ///< name of the frame it moves with (in a .mech file its id); 0: the base
-  std::filesystem::path mesh;       ///< absolute; empty when a shape or a structure is given
-  std::filesystem::path structure;  ///< a file that holds one (docs/structure-files.md); empty: none
+  std::filesystem::path mesh;       ///< absolute; empty if a shape or a structure is given
+  std::filesystem::path structure;  ///< structure file (docs/structure-files.md); empty: none
   Vector3d scale{Vector3d::Ones()};  ///< of the mesh, metres per unit along its axes; never 0
   std::optional<geometry::Shape> shape;
-  /// Link in its frame: `pose`; without one, and with `pose: center`, that of the mechanism file's `link`
-  /// environment for a shape, whose origin is its centre, else none.
+  /// Link in its frame: `pose`; without it, and with `pose: center`, the centre in the mechanism file's
+  /// `link` environment for a shape, whose origin is its centre; otherwise the identity.
   Transform X_FL{Transform::Identity()};
-  bool posed{false};             ///< the scene says where it is
-  std::optional<Vector3d> p_FC;  ///< m, its centre as the mechanism file says it
-  bool held{false};              ///< moved by the law `proxy`: it stays on surfaces
+  bool posed{false};             ///< the scene sets its pose
+  std::optional<Vector3d> p_FC;  ///< m, its centre in the mechanism file
+  bool held{false};              ///< moved by the law `proxy`
   BodySettings settings;
   SourcePos pos;
 };
 
-/// A link that a scene cannot show although its robot file gives it geometry.
+/// A link with geometry in its robot file that the scene cannot show.
 struct BodilessLink {
   std::string frame;
   std::string reason;  ///< "found no file package://a/b.dae", "not among the scene's links"
@@ -59,26 +59,27 @@ struct MechanismDescription {
   Transform X_WB{Transform::Identity()};  ///< `base`
   std::vector<double> q;                  ///< empty: all zero
   std::filesystem::path motion;           ///< empty: none
-  BodySettings settings;                  ///< of its links, where they have none of their own
+  BodySettings settings;                  ///< of its links, unless they have their own
   std::filesystem::path srdf;             ///< empty: none
-  std::vector<LinkDescription> links;     ///< as the scene lists them, else those of the robot file
-  bool no_geometry{false};                ///< `geometry: none`: it has no body, on purpose
-  std::vector<std::string> bodiless;      ///< frames that have no body on purpose
-  std::vector<BodilessLink> missing;      ///< frames that should have one, and have none or not all of it
+  std::vector<LinkDescription> links;     ///< as listed in the scene, otherwise those of the robot file
+  bool no_geometry{false};                ///< `geometry: none`: intentionally without bodies
+  std::vector<std::string> bodiless;      ///< frames intentionally without a body
+  std::vector<BodilessLink> missing;      ///< frames that should have a body, but have none or an incomplete
+                                          ///< one
   std::size_t frames_with_geometry{0};    ///< in the robot file, without `bodiless`
-  std::optional<control::ReactionDescription> reaction;  ///< none: it follows its motion whatever happens
+  std::optional<control::ReactionDescription> reaction;  ///< nullopt: it only follows its motion
   SourcePos pos;
 };
 
 struct RecordingDescription {
   std::filesystem::path file;            ///< empty: stands in the rest pose
-  tracking::RecordingOptions options;    ///< how the file is understood
-  Vector3d place_xyz{Vector3d::Zero()};  ///< where the recording's origin goes
+  tracking::RecordingOptions options;    ///< interpretation of the file
+  Vector3d place_xyz{Vector3d::Zero()};  ///< position of the recording's origin
   double place_yaw{0.0};                 ///< rad, about world z
-  /// Depth images that show the scene's robots and objects where the scene has them: they are cut out.
+  /// The scene's robots and objects are visible in the depth images: they are cut out.
   bool cut_things{false};
-  double speed{1.0};     ///< 2: twice as fast as recorded, from its first frame on
-  bool mirrored{false};  ///< the person does the same with the other hand (mirrored_person.hpp)
+  double speed{1.0};     ///< factor of the recorded speed, from the first frame on
+  bool mirrored{false};  ///< mirrored: left and right exchanged (mirrored_person.hpp)
   SourcePos pos;
 };
 
@@ -87,7 +88,7 @@ struct HumanDescription {
   humanmodel::HumanOptions body;
   BodySettings settings;
   bool follow_lengths{false};                          ///< `lengths: recording`
-  std::map<humanmodel::BodyPart, BodySettings> parts;  ///< what a part sets for itself
+  std::map<humanmodel::BodyPart, BodySettings> parts;  ///< settings of single parts
   RecordingDescription recording;
   SourcePos pos;
 };
@@ -98,14 +99,14 @@ struct ObjectDescription {
   Vector3d scale{Vector3d::Ones()};
   std::optional<geometry::Shape> shape;
   Transform X_WB{Transform::Identity()};
-  std::optional<double> mass;  ///< kg: in the closed loop it falls and is pushed; none: it stands
+  std::optional<double> mass;  ///< kg: in the closed loop it falls and is pushed; without: fixed
   BodySettings settings;
   SourcePos pos;
 };
 
 enum class PairDefault { kAll, kBetweenGroups, kNone };
 
-/// A pair that an SRDF or a file of pairs takes out, and why.
+/// A pair dropped by an SRDF or a file of pairs, with the reason.
 struct DroppedPair {
   std::string a, b, reason;
 };
@@ -113,7 +114,7 @@ struct DroppedPair {
 struct PairsDescription {
   PairDefault standard{PairDefault::kAll};
   bool exclude_adjacent{true};
-  bool within_people{false};         ///< parts of one person against each other, too
+  bool within_people{false};         ///< also pairs of parts of one person
   std::filesystem::path file;        ///< of `abstand pairs`; empty: none
   std::vector<DroppedPair> dropped;  ///< by that file and by the mechanisms' SRDFs; names of bodies
   std::vector<std::pair<std::string, std::string>> exclude, include;
@@ -127,7 +128,7 @@ struct SceneDefaults {
   bool thesis_law{false};
 };
 
-/// Live mode's groups of pairs, a thread each; empty: chosen by the program (`threads: auto`).
+/// Groups of pairs in live mode, one thread each; empty: chosen by the program (`threads: auto`).
 using ThreadGroups = std::vector<std::vector<std::pair<std::string, std::string>>>;
 
 struct SceneDescription {
@@ -139,18 +140,18 @@ struct SceneDescription {
   PairsDescription pairs;
   ThreadGroups threads;
   scene::QueryCulling culling{.remember = true};
-  std::vector<std::string> remarks;  ///< what a user should know of the files that were read
+  std::vector<std::string> remarks;  ///< remarks for the user about the files
 };
 
-/// Reads a scene file (cli contract, YAML). Relative paths are resolved against the scene file's folder.
-/// Throws ParseError with file, line and column; unknown keys come with the nearest known one, missing files
-/// at their line. Robot files are read for their frames and links, SRDFs and files of pairs for their pairs;
-/// meshes only have to be there: `packages` says where those of packages are looked for.
+/// Reads a scene file (YAML, part of the command line contract). Relative paths are resolved against the
+/// scene file's folder. Throws ParseError with file, line and column; unknown keys come with the nearest
+/// known one, missing files with their line. Robot files are read for frames and links, SRDFs and files of
+/// pairs for their pairs; meshes only need to exist: `packages` states where packages are searched.
 SceneDescription loadScene(const std::filesystem::path& file, const robot_file::PackagePaths& packages = {});
 SceneDescription parseScene(const std::string& text, const std::filesystem::path& file,
                             const robot_file::PackagePaths& packages = {});
 
-/// The scene as it was understood, as YAML that reads back the same.
+/// The scene as understood, as YAML that reads back the same.
 std::string describeScene(const SceneDescription& scene);
 
 }  // namespace abstand::scene_file

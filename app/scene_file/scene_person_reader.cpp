@@ -12,7 +12,7 @@ constexpr config::YamlRange kPercentileRange{1.0, 99.0, "%"};
 constexpr config::YamlRange kPartRange{0.0, 10.0, "m", true};
 constexpr config::YamlRange kRateRange{0.0, 1e6, "Hz", true};
 
-/// Throws ParseError at `pos` where no person is so.
+/// Throws ParseError at `pos` for an impossible person.
 void checkPerson(const humanmodel::HumanOptions& body, const SourcePos& pos) {
   try {
     humanmodel::makeHuman(body);

@@ -15,7 +15,7 @@ constexpr config::YamlRange kJointRange{-1e6, 1e6};
 
 }  // namespace
 
-/// `pose`, or the centre that the mechanism's file gives.
+/// Sets the pose from `pose`, or from the centre in the mechanism's file.
 void placeLink(const config::YamlFields& fields, const mechanism::Mechanism& mechanism, LinkDescription& l) {
   const int index = mechanism.indexOf(l.frame);
   const mechanism::MechanismFrame* frame =
@@ -71,7 +71,7 @@ control::ReactionDescription SceneBodyReader::reaction(const config::YamlNode& n
   return r;
 }
 
-/// The law `proxy` moves one held link.
+/// The law `proxy` needs exactly one held link.
 void requireHeld(const config::YamlFields& fields, const MechanismDescription& m) {
   const LinkDescription* held = nullptr;
   for (const LinkDescription& l : m.links) {
@@ -149,7 +149,7 @@ MechanismDescription SceneBodyReader::mechanism(const config::YamlNode& node) {
   return m;
 }
 
-/// Pairs of links become pairs of all bodies that hang on them.
+/// Converts disabled pairs of links into pairs of all their bodies.
 void SceneBodyReader::takeDisabled(const MechanismDescription& mechanism) {
   if (mechanism.srdf.empty()) return;
   const robot_file::Srdf srdf = robot_file::loadSrdf(mechanism.srdf);

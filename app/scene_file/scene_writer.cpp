@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
   return s + '"';
 }
 
-/// Plain where YAML cannot take it for anything but this text.
+/// Unquoted if YAML reads it back as exactly this text.
 std::string scalar(const std::string& text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   bool plain = !text.empty() && letter(text.front());
@@ -60,7 +60,7 @@ struct ShapeText {
   }
 };
 
-/// `before` each setting, `after` it.
+/// Each setting between `before` and `after`.
 std::string settings(const BodySettings& s, const char* before = ", ", const char* after = "") {
   std::string t;
   if (s.voxel) t += before + ("voxel: " + formatDouble(*s.voxel)) + after;
@@ -110,7 +110,7 @@ std::string mechanismText(const MechanismDescription& m) {
   return s;
 }
 
-/// What is left to the file and the program has no key.
+/// Defaults are omitted.
 std::string recordingText(const RecordingDescription& r) {
   std::string said;
   if (r.options.rate > 0.0) said += ", rate: " + formatDouble(r.options.rate);
@@ -164,7 +164,7 @@ std::string humanText(const HumanDescription& h) {
   return h.recording.file.empty() ? s : s + recordingText(h.recording);
 }
 
-/// What is not limited has no key.
+/// Values without a limit are omitted.
 std::string skippingText(const scene::QueryCulling& s) {
   std::string text = "skipping: {rest: " + formatDouble(s.rest);
   if (s.horizon < kInfinity) text += ", horizon: " + formatDouble(s.horizon);

@@ -1,4 +1,4 @@
-// Where a datagram comes from and goes to.
+// UDP addresses.
 #pragma once
 
 #include <sys/socket.h>
@@ -16,7 +16,8 @@ struct Address {
 /// Family, address and port are equal.
 bool operator==(const Address& a, const Address& b);
 
-/// "127.0.0.1:4780" or "[::1]:4780"; port 0 lets the system choose. Throws UsageError that names `option`.
+/// Parses "127.0.0.1:4780" or "[::1]:4780"; port 0 lets the system choose. Throws UsageError with the name
+/// `option`.
 Address parseAddress(const std::string& text, const std::string& option);
 std::string describe(const Address& address);
 

@@ -1,4 +1,4 @@
-// Who sends the joint values of each mechanism.
+// Tracks which client sends the joint values of each mechanism.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace abstand::serve {
 
-/// Every joint value has one sender at a time, whether it comes in packets of its mechanism or in those of
-/// all mechanisms. A mechanism belongs to the sender of its last accepted packet until it was silent for
-/// `stale` seconds. One thread, no allocation after construction.
+/// Each joint value has one sender at a time, whether in packets of its mechanism or of all mechanisms. A
+/// mechanism belongs to the sender of its last accepted packet until that sender was silent for `stale`
+/// seconds. One thread, no allocation after construction.
 class JointOwners {
  public:
   JointOwners(std::size_t mechanisms, double stale) : owners_(mechanisms), stale_(stale) {}
 
-  /// Whether the sender may set the joints of the mechanism (or of kAllMechanisms) at `t` (s).
+  /// True if the sender may set the joints of the mechanism (or of kAllMechanisms) at `t` (s).
   bool mayTake(std::uint32_t mechanism, double t, const Address& from) const noexcept {
     for (std::size_t m = 0; m < owners_.size(); ++m)
       if (concerns(mechanism, m) && owners_[m].from.known() && !(owners_[m].from == from) &&
@@ -23,7 +23,7 @@ class JointOwners {
         return false;
     return true;
   }
-  /// After an accepted packet.
+  /// Call after an accepted packet.
   void took(std::uint32_t mechanism, double t, const Address& from) noexcept {
     for (std::size_t m = 0; m < owners_.size(); ++m)
       if (concerns(mechanism, m)) owners_[m] = {from, t};

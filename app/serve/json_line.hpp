@@ -1,4 +1,4 @@
-// Writes JSON from left to right into given bytes.
+// Writes JSON sequentially into a given buffer.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace abstand::serve {
 
-/// Writes into a given room; once it is full, nothing more.
+/// Writes into a buffer of fixed size; output beyond its end is dropped.
 class JsonLine {
  public:
   explicit JsonLine(std::span<std::byte> room)
@@ -38,7 +38,7 @@ class JsonLine {
     text(",").number(v.z());
     return text("]");
   }
-  /// `each(i)` for i below n, commas between, in brackets.
+  /// Writes an array: calls `each(i)` for i < n, with commas in between, in brackets.
   template <class Each>
   JsonLine& list(std::size_t n, Each each) {
     text("[");

@@ -1,4 +1,4 @@
-// Reads JSON from left to right without keeping anything.
+// Reads JSON sequentially without a document tree.
 #pragma once
 
 #include <charconv>
@@ -7,8 +7,8 @@
 
 namespace abstand::serve {
 
-/// Each function takes what it is named after, with the blanks before it, or takes nothing and gives false.
-/// No allocation, no throw.
+/// Each function consumes what its name says, after blanks, or consumes nothing and returns false. No
+/// allocation, no throw.
 class JsonScanner {
  public:
   explicit JsonScanner(std::string_view text) : text_(text) {}
@@ -25,7 +25,7 @@ class JsonScanner {
     text_.remove_prefix(w.size());
     return true;
   }
-  /// A string without escapes; those would need a place to be unpacked to.
+  /// A string without escapes, which would need memory to decode.
   bool string(std::string_view& out) noexcept {
     skipBlanks();
     if (text_.empty() || text_.front() != '"') return false;

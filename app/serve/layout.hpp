@@ -1,4 +1,4 @@
-// Where everything lies in the packets of a scene, for programs and for people.
+// Layout of the packets of a scene, for programs and people.
 #pragma once
 
 #include "app/serve/state_packet.hpp"

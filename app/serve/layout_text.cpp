@@ -7,7 +7,7 @@
 namespace abstand::serve {
 namespace {
 
-/// Gathers fields, one after the other.
+/// Collects fields in sequence.
 class Table {
  public:
   explicit Table(Layout& layout) : layout_(layout) {}

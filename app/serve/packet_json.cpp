@@ -9,7 +9,7 @@
 namespace abstand::serve {
 namespace {
 
-/// What stands behind the keys, in whatever order they come.
+/// Values of the keys, in any order.
 struct Fields {
   std::optional<std::string_view> type, mechanism, person, order, group, a, b;
   bool control() const { return order || group || a || b; }
@@ -32,7 +32,7 @@ bool readValues(JsonScanner& in, Packet& out) {
   return in.mark(']');
 }
 
-/// [x, y, z], then perhaps "inferred" or "tracked", then perhaps the spread (m); or null.
+/// [x, y, z], optionally followed by "inferred" or "tracked", and optionally by the spread (m); or null.
 bool readJoint(JsonScanner& in, humanmodel::Joint joint, humanmodel::SkeletonFrame& out) {
   if (in.word("null")) return true;
   Vector3d p;
@@ -137,13 +137,13 @@ PacketFault finishSkeleton(const Fields& fields, const PacketFormat& format, Pac
   return PacketFault::kNone;
 }
 
-/// Place of a name in a list; its length where it is not there.
+/// Index of a name in a list; its size if not found.
 std::uint32_t placeOf(const std::vector<std::string>& names, std::string_view name) {
   const auto place = std::find(names.begin(), names.end(), name) - names.begin();
   return static_cast<std::uint32_t>(place);
 }
 
-/// Fields that the order has no use for are errors.
+/// Fields that the command does not use are errors.
 PacketFault finishControl(const Fields& fields, const PacketFormat& format, Packet& out) {
   if (!fields.order || fields.q || fields.joints || fields.mechanism || fields.person || fields.reset)
     return PacketFault::kJson;
@@ -175,7 +175,7 @@ PacketFault finishControl(const Fields& fields, const PacketFormat& format, Pack
 
 PacketFault parseJsonPacket(std::string_view text, const PacketFormat& format, Packet& out) noexcept {
   constexpr double kMaxSequence = 4294967295.0;
-  constexpr double kMaxTime = 9007199254740992.0;  // 2^53: above, a double skips whole numbers
+  constexpr double kMaxTime = 9007199254740992.0;  // 2^53: above, a double cannot represent all integers
   JsonScanner in(text);
   Fields fields;
   out.json = true;

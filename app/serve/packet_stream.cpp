@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::uint32_t kWindow = 64;
 
-/// Bits move up by n; beyond the window they fall out.
+/// Shifts by n; bits beyond the window are dropped.
 std::uint64_t shifted(std::uint64_t bits, std::uint32_t n) { return n < kWindow ? bits << n : 0; }
 
 }  // namespace
@@ -32,7 +32,7 @@ bool PacketStream::take(std::uint32_t sequence, double t, const Address& from,
     const auto n = static_cast<std::uint32_t>(step);
     counts.lost += n - 1;
     seen_ = shifted(seen_, n) | 1;
-    // Bits 1 to n - 1: what was left out just now.
+    // Bits 1 to n - 1: numbers skipped just now.
     missed_ = shifted(missed_, n) |
               ((n < kWindow ? (std::uint64_t{1} << n) - 1 : ~std::uint64_t{0}) & ~std::uint64_t{1});
     newest_ = sequence;

@@ -10,11 +10,11 @@
 namespace abstand::serve {
 namespace {
 
-// s: the longest wait, so that Ctrl-C and the end are seen.
+// s: longest wait, so that Ctrl-C and the end are noticed.
 constexpr double kLongestWait = 0.05;
-// s beyond the moment at which an input becomes stale, so that it is stale by then.
+// s added to the time at which an input becomes stale, so that it is stale by then.
 constexpr double kPast = 2e-5;
-// Datagrams between two looks at whether to go on, however many come.
+// Limit of datagrams between two checks of the end conditions.
 constexpr int kMaxAtOnce = 256;
 
 double steady() {
@@ -77,7 +77,7 @@ void ServeLoop::onRequest() {
   }
 }
 
-/// Unasked, where a state of stop is not as the last answer told it.
+/// Sends an unasked answer if a stop state differs from the last one sent.
 bool ServeLoop::tellChange() {
   const auto& robots = scene_.report().robots;
   for (std::size_t m = 0; m < robots.size(); ++m) {
@@ -88,7 +88,7 @@ bool ServeLoop::tellChange() {
   return false;
 }
 
-/// Obeys packet_, and answers it; who sends joints hears of a stop that it causes.
+/// Executes and answers packet_; the sender of joints is told about a stop that it causes.
 void ServeLoop::control(const Address& from, double t) {
   ++summary_.controls;
   const session::PairControl::Outcome outcome = scene_.obey(packet_.control, t);
@@ -143,7 +143,7 @@ void ServeLoop::drainLines() {
     if (line->find_first_not_of(" \t\r") == line->npos) continue;
     ++summary_.packets;
     ++summary_.lines;
-    // A sender without an address: nobody else has its streams.
+    // A sender without an address: no other sender can have its streams.
     take(parse(*line), Address{}, now());
   }
   for (long i = too_long; i < lines_->tooLong(); ++i) {
@@ -158,14 +158,14 @@ PacketFault ServeLoop::parse(std::size_t bytes) noexcept {
   return parsePacket(std::span(in_).first(bytes), scene_.format(), packet_);
 }
 
-/// Joints cannot come here, as there is nobody to answer.
+/// Rejects joints, as there is no address to answer to.
 PacketFault ServeLoop::parse(std::string_view line) noexcept {
   const PacketFault fault = parseJsonPacket(line, scene_.format(), packet_);
   if (fault != PacketFault::kNone) return fault;
   return packet_.type == PacketType::kSkeleton ? PacketFault::kNone : PacketFault::kType;
 }
 
-/// True when packet_, parsed with that fault, was accepted and its values are in the scene.
+/// True if packet_, parsed with that fault, was accepted and applied to the scene.
 bool ServeLoop::take(PacketFault fault, const Address& from, double t) {
   if (fault != PacketFault::kNone) {
     ++summary_.faults[static_cast<std::size_t>(fault)];

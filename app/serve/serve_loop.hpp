@@ -1,4 +1,4 @@
-// The live loop: packets in, a cycle, answers out.
+// Server loop: receives packets, runs cycles, sends answers.
 #pragma once
 
 #include <functional>
@@ -14,40 +14,39 @@
 namespace abstand::serve {
 
 struct ServeOptions {
-  double stale{0.1};           ///< s, after which a silent stream may begin anew
-  std::optional<double> rate;  ///< Hz: cycles and answers at this rate; none: one for each packet of joints
-  std::optional<double> duration;  ///< s, after which it ends; none: it runs until it is interrupted
-  int lines_from{-1};              ///< file descriptor of lines of JSON with skeletons; -1: none
+  double stale{0.1};               ///< s, after which a silent stream may be restarted
+  std::optional<double> rate;      ///< Hz: rate of cycles and answers; nullopt: one for each packet of joints
+  std::optional<double> duration;  ///< s, run time; nullopt: until interrupted
+  int lines_from{-1};              ///< file descriptor with JSON lines of skeletons; -1: none
   std::function<bool()> interrupted;
 };
 
 struct ServeSummary {
-  long packets{0};  ///< datagrams and lines that came
-  long lines{0};    ///< of these, lines
+  long packets{0};  ///< datagrams and lines received
+  long lines{0};    ///< lines among them
   long joints{0};   ///< accepted packets of joints
   long skeletons{0};
-  long controls{0};  ///< accepted control packets, each with an answer of its own
-  long answered{0};  ///< accepted packets of joints with an answer of their own
-  long unasked{0};   ///< answers to no packet
-  long unsent{0};    ///< answers that the system did not take
+  long controls{0};  ///< accepted control packets, each answered
+  long answered{0};  ///< accepted packets of joints that were answered
+  long unasked{0};   ///< answers not caused by a packet
+  long unsent{0};    ///< answers that the system refused
   std::array<long, kPacketFaults> faults{};
-  long bad{0};  ///< the sum of the faults and of what came from foreign senders
+  long bad{0};  ///< sum of the faults and of packets from foreign senders
   StreamCounts streams;
-  scene::CycleStatistics cycles{kInfinity};  ///< of answered packets: from the datagram to the answer
+  scene::CycleStatistics cycles{kInfinity};  ///< for answered packets: from the datagram to the answer
   double seconds{0.0};
   bool interrupted{false};
 };
 
-/// One thread does everything: it waits for datagrams, never longer than until the next input becomes stale,
-/// so that a stop comes in time where nothing comes in. Lines are one sender of skeletons more; when they
-/// end, their people become stale. A change of a state of stop that no packet brought about is told to the
-/// last sender of joints unasked.
+/// Single-threaded: waits for datagrams, at most until the next input becomes stale, so that a stop comes in
+/// time without input. Lines are one additional sender of skeletons; when they end, their people become
+/// stale. A change of a stop state not caused by a packet is sent to the last sender of joints unasked.
 ///
 /// After the first cycle it allocates nothing and locks nothing.
 class ServeLoop {
  public:
   ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& options);
-  /// Until it is interrupted or the duration is over.
+  /// Runs until interrupted or until the duration is over.
   void run();
   const ServeSummary& summary() const { return summary_; }
 
@@ -73,20 +72,20 @@ class ServeLoop {
   ServeSummary summary_;
   PacketFormat quoted_format_;
   StateNames quoted_names_;
-  std::vector<PacketStream> joints_;     ///< of each mechanism, the last of all together
+  std::vector<PacketStream> joints_;     ///< of each mechanism; the last one for all together
   std::vector<PacketStream> skeletons_;  ///< of each person
-  JointOwners owners_;                   ///< of the mechanisms, over both kinds of streams of joints
+  JointOwners owners_;                   ///< for both kinds of joint streams
   PacketStream controls_;                ///< of control packets
   Packet packet_;
   std::vector<std::byte> in_, out_;
   std::optional<LineInput> lines_;
-  /// The last accepted packet of joints: who is to be answered.
+  /// Last accepted packet of joints: address to answer to.
   struct Last {
     Address from;
     ReplyTo to;
     bool json{false};
   } last_;
-  std::vector<safety::StopState> states_;  ///< as the last answer told them
+  std::vector<safety::StopState> states_;  ///< as last sent
   double start_;                           ///< s on the steady clock
 };
 

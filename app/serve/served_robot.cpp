@@ -8,7 +8,7 @@
 namespace abstand::serve {
 namespace {
 
-// s between two time stamps of a sender. Outside, its clock was set, or stands, and ours has to do.
+// s between two time stamps of a sender. Otherwise its clock was set or stands still, and ours is used.
 constexpr double kMinStep = 1e-5, kMaxStep = 10.0;
 
 }  // namespace
@@ -28,7 +28,7 @@ void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, scen
   const bool timed = by_stamp >= kMinStep && by_stamp <= kMaxStep;
   const double dt = timed ? by_stamp : std::max(t - last_t_, kMinStep);
   for (std::size_t i = 0; i < qd_.size(); ++i) qd_[i] = started_ ? (q[i] - driver_.q()[i]) / dt : 0.0;
-  // Times of arrival say little of how fast a robot is.
+  // Arrival times do not determine a robot's speed.
   limits_.look(t, q, timed && started_ && !stale_ ? std::span<const double>(qd_) : std::span<const double>(),
                {}, {});
   driver_.moveTo(q, t, scene);
@@ -52,7 +52,7 @@ void ServedRobot::react(double t, double person_age, const scene::Scene& scene, 
                         std::span<double> torque, std::span<double> offset) {
   report.input_age = age(t);
   if (!started_) return;
-  // Of a robot whose joint values are stale it is not known that it stands.
+  // A robot with stale joint values may be moving.
   if (stale_) std::fill(qd_.begin(), qd_.end(), kNaN);
   const double dt = std::isnan(last_react_) ? 0.0 : t - last_react_;
   reaction_.gather({t, dt, driver_.q(), qd_, {}, age(t), person_age}, scene);

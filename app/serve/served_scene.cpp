@@ -87,7 +87,7 @@ void ServedScene::take(const Packet& packet, double t) {
     Person& person = people_[packet.index];
     humanmodel::SkeletonFrame frame = packet.skeleton;
     frame.t = t;
-    // A joint that the sender's tracker guessed without saying how well.
+    // A joint marked as inferred by the sender's tracker without a spread.
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (frame.state[j] == humanmodel::JointState::kInferred && frame.spread[j] == 0.0)
         frame.spread[j] = humanmodel::kGuessedSpread;
@@ -156,7 +156,7 @@ double ServedScene::nextStale() const {
   for (const Person& p : people_)
     if (!p.stale) next = std::min(next, p.last_t + watch_.person_age);
   for (const auto& robot : robots_) {
-    // Ages at time 0 are the negative times of the last input; what is stale has no age ahead of it.
+    // Ages at time 0 are the negative times of the last input; stale input is skipped.
     if (!robot->stale()) next = std::min(next, watch_.input_age - robot->age(0.0));
   }
   return next;
@@ -225,7 +225,7 @@ PairReport ServedScene::reportOf(PairId id) const {
   return out;
 }
 
-/// Keeps nearest_ sorted; of equal ones the first in scene order comes first.
+/// Keeps nearest_ sorted; equal ones in scene order.
 void ServedScene::addNearest(PairId id, double distance) {
   const std::pair<double, PairId> entry{distance, id};
   if (nearest_.empty() || (nearest_count_ == nearest_.size() && !(entry < nearest_.back()))) return;
@@ -246,7 +246,7 @@ void ServedScene::reportPairs() {
     addNearest(PairId(i), rank);
     const int s = separation_of_[i];
     if (s < 0) continue;
-    // What is not proven is the nearest of all: a part that is not known may be anywhere.
+    // Unproven pairs come first: an unknown part may be anywhere.
     const bool known = trustOf(scene.pairs()[i]) != Trust::kNone;
     Separation& least = separations_[static_cast<std::size_t>(s)];
     const double found = known ? rank : -kInfinity;

@@ -1,4 +1,4 @@
-// A scene that is moved by packets, and what is known of it after each cycle.
+// A scene moved by packets, and its state after each cycle.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,19 @@
 namespace abstand::serve {
 
 struct ServedOptions {
-  control::ReactionDescription reaction;  ///< of every mechanism; its watch says when input is stale
-  std::size_t nearest{8};                 ///< pairs that are reported one by one
-  /// A mechanism's own `reaction` of the scene goes before; when input is stale, and a finite resume_after,
-  /// come from the one above.
+  control::ReactionDescription reaction;  ///< for every mechanism; its `stop` options define when input is
+                                          ///< stale
+  std::size_t nearest{8};                 ///< number of pairs reported individually
+  /// A mechanism's own `reaction` in the scene has precedence, except for the limits of stale input and a
+  /// finite resume_after from the one above.
   bool scene_first{false};
 };
 
-/// What a robot does unless told otherwise: contact torques as they are, speed and separation by ISO/TS
-/// 15066.
+/// Default reaction: contact torques without gain, speed and separation by ISO/TS 15066.
 control::ReactionDescription usualReaction();
 
-/// Robots and people follow packets alone; motions and recordings of the scene only say how it looks before.
-/// One thread; nothing allocates or throws but the constructor.
+/// Robots and people follow packets only; motions and recordings of the scene only set the initial poses. One
+/// thread; only the constructor allocates or throws.
 class ServedScene {
  public:
   /// Throws UsageError.
@@ -31,22 +31,22 @@ class ServedScene {
   const PacketFormat& format() const { return format_; }
   const StateNames& names() const { return names_; }
 
-  /// Takes a packet that parsePacket() accepted for format(). `t`: s, when it came; never falling.
+  /// Applies a packet accepted by parsePacket() for format(). `t`: s, arrival time; never decreasing.
   void take(const Packet& packet, double t);
-  /// Obeys a control packet that parsePacket() accepted; from the cycle at `t` (s) on it holds.
+  /// Executes a control packet accepted by parsePacket(); effective from the cycle at `t` (s) on.
   session::PairControl::Outcome obey(const Control& control, double t);
   const session::PairControl& control() const { return control_; }
   bool torquesOn() const { return report_.torques_on; }
-  /// Poses, pairs, reactions at `t`.
+  /// Poses, pairs and reactions at `t`.
   void cycle(double t);
-  /// s: the time at which the next input becomes stale, infinite when all are.
+  /// s: time at which the next input becomes stale, infinite if all are.
   double nextStale() const;
 
   const StateReport& report() const { return report_; }
   StateReport& report() { return report_; }
   const std::vector<std::unique_ptr<ServedRobot>>& robots() const { return robots_; }
   const session::Session& session() const { return *session_; }
-  /// What a user should know of the robots, a line each.
+  /// Remarks about the robots for the user, one line each.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
@@ -54,11 +54,11 @@ class ServedScene {
     double last_t{-kInfinity};
     bool stale{true};
   };
-  /// Of all pairs of a person and a robot.
+  /// Minimum over all pairs of a person and a robot.
   struct Separation {
-    double found{kInfinity};   ///< m, the smallest distance,
-    PairId pair{0};            ///< and of which pair
-    double proven{kInfinity};  ///< m, the smallest distance - bound
+    double found{kInfinity};   ///< m, smallest distance,
+    PairId pair{0};            ///< and its pair
+    double proven{kInfinity};  ///< m, smallest distance - bound
   };
   void growPeople(double t);
   void reportLinks();
@@ -76,7 +76,7 @@ class ServedScene {
   std::vector<std::unique_ptr<ServedRobot>> robots_;
   std::vector<Person> people_;
   std::vector<ObjectId> links_;
-  std::vector<int> separation_of_;  ///< of each pair: index into the report's separations, -1: none
+  std::vector<int> separation_of_;  ///< of each pair: index in the report's separations, -1: none
   std::vector<Separation> separations_;
   std::vector<std::pair<double, PairId>> nearest_;
   std::size_t nearest_count_{0};

@@ -1,4 +1,4 @@
-// A skeleton as the line of JSON that `abstand serve` takes.
+// Skeletons as JSON lines for `abstand serve`.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace abstand::serve {
 
-/// Bytes that a line has room in: 22 joints of four numbers, and a name of up to kMaxNameBytes.
+/// Capacity of a line: 22 joints of four numbers, and a name of up to kMaxNameBytes.
 inline constexpr std::size_t kMaxLineBytes = 4096, kMaxNameBytes = 256;
 
-/// Whether a name can stand in such a line: printable, without quotes and backslashes, not too long.
+/// True if a name is valid in such a line: printable, without quotes and backslashes, not too long.
 bool isLineName(std::string_view name);
 
-/// What parsePacket() reads, without an end of line; joints that are missing are left out. `frame.t` is not
-/// looked at. The bytes that were written; 0 where `into` is too small. No allocation.
+/// Writes the format that parsePacket() reads, without an end of line; missing joints are omitted. `frame.t`
+/// is ignored. Returns the bytes written; 0 if `into` is too small. No allocation.
 std::size_t writeSkeletonLine(const humanmodel::SkeletonFrame& frame, std::string_view person,
                               std::uint32_t sequence, std::uint64_t time_us,
                               std::span<std::byte> into) noexcept;

@@ -8,7 +8,7 @@
 namespace abstand::serve {
 namespace {
 
-constexpr double kGone = 1.0;  // s, after which a name is free
+constexpr double kGone = 1.0;  // s, after which a name becomes free
 
 }  // namespace
 

@@ -1,11 +1,11 @@
-// The order of the numbers in the binary answer, once for all who need it.
+// Order of the numbers in the binary answer, in one place for all users.
 #pragma once
 
 #include "app/serve/state_packet.hpp"
 
 namespace abstand::serve {
 
-/// What a number belongs to: `of` says what `index` counts.
+/// Meaning of a number: `of` states what `index` counts.
 struct FieldLabel {
   enum class Of : std::uint8_t { kPacket, kPerson, kRobot, kJoint, kLink, kSeparation, kNearest };
   Of of;

@@ -15,8 +15,8 @@
 namespace abstand::serve {
 namespace {
 
-// Bytes that may wait while the machine does something else: the usual 208 kB are full after some 160 small
-// packets. The system gives what it allows.
+// Receive buffer in bytes for times when the process is not running: the usual 208 kB are full after some 160
+// small packets. The system may grant less.
 constexpr int kWaitingRoom = 4 << 20;
 
 }  // namespace
@@ -38,7 +38,7 @@ UdpSocket::UdpSocket(const Address& bind)
 UdpSocket::~UdpSocket() { ::close(handle_); }
 
 bool UdpSocket::wait(double seconds, int also) noexcept {
-  // A negative descriptor is left out by the system.
+  // The system ignores a negative descriptor.
   std::array<pollfd, 2> p{{{handle_, POLLIN, 0}, {also, POLLIN, 0}}};
   const double s = std::clamp(seconds, 0.0, 1.0);
   const timespec limit{static_cast<time_t>(s), static_cast<long>(1e9 * (s - std::floor(s)))};
@@ -47,7 +47,7 @@ bool UdpSocket::wait(double seconds, int also) noexcept {
 
 std::optional<std::size_t> UdpSocket::receive(std::span<std::byte> into, Address& from) noexcept {
   from.size = sizeof from.storage;
-  // Truncation shows in the number of bytes, which is then larger than the room for them.
+  // Truncation is detected by a size larger than the buffer.
   const ssize_t n = ::recvfrom(handle_, into.data(), into.size(), MSG_TRUNC,
                                reinterpret_cast<sockaddr*>(&from.storage), &from.size);
   if (n < 0) return std::nullopt;

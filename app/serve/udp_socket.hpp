@@ -1,4 +1,4 @@
-// A UDP socket that never waits but where it is told to.
+// Non-blocking UDP socket.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace abstand::serve {
 
-/// Closed when it goes. One thread. Nothing allocates or throws but the constructor.
+/// Closed by the destructor. One thread. Only the constructor allocates or throws.
 class UdpSocket {
  public:
-  /// Throws UsageError when the address cannot be had.
+  /// Throws UsageError if the address cannot be bound.
   explicit UdpSocket(const Address& bind);
   ~UdpSocket();
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
 
   Address address() const { return address_; }  ///< with the port that the system chose
-  /// Until a datagram is there, or something to be read from the file descriptor `also` (-1: none), or
-  /// `seconds` have passed; false after the latter and at a signal.
+  /// Waits until a datagram or input on the file descriptor `also` (-1: none) is available, or `seconds` have
+  /// passed; false in the latter case and on a signal.
   bool wait(double seconds, int also = -1) noexcept;
-  /// Bytes of the next datagram, whose beginning is in `into`; nothing when none is there.
+  /// Size of the next datagram, whose beginning is copied to `into`; nullopt if there is none.
   std::optional<std::size_t> receive(std::span<std::byte> into, Address& from) noexcept;
   bool send(std::span<const std::byte> bytes, const Address& to) noexcept;  ///< false: the system refused it
 

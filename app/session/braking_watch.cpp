@@ -8,7 +8,7 @@
 namespace abstand::session {
 namespace {
 
-// Where so many queries of a pair do not decide, its certified bound as it is does.
+// Limit of samples for one pair; if they do not decide, its certified bound is used.
 constexpr int kMaxSamples = 24;
 
 safety::MotionBounds boundsOf(const scene::Object& part, const control::BrakingLawOptions& o) {
@@ -23,7 +23,7 @@ safety::MotionBounds boundsOf(const scene::Object& part, const control::BrakingL
   return bounds;
 }
 
-/// No joint is said to brake harder than its robot's file allows.
+/// Limits decelerations to the joint accelerations in the robot's file.
 safety::BrakingOptions withinLimits(safety::BrakingOptions o, const mechanism::Mechanism& mechanism) {
   const std::vector<mechanism::DofLimits> limits = mechanism::dofLimits(mechanism);
   o.deceleration = config::forJoints(safety::BrakingOptions::kName, "deceleration", o.deceleration,
@@ -67,7 +67,7 @@ double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
   safety::UnknownMotion person(part.X_WB, part.velocity.linear, bounds, duration);
   const double now = pair.result.distance - pair.result.bound - bounds.position_error;
   const double rate = speeds_[static_cast<std::size_t>(w.link)] + person.speed(0.0, duration);
-  // Without time nothing moves, and 0 times infinity is no number.
+  // In no time nothing moves; avoids 0 * infinity.
   const double far = duration > 0.0 ? now - rate * duration : now;
   if (far >= options_.distance || duration == 0.0) return far;
   const safety::SweptResult swept = safety::sweptPair(

@@ -1,4 +1,4 @@
-// Whether a robot could still stop before anybody can be where it goes.
+// Checks whether a robot can still stop before a person can reach its path.
 #pragma once
 
 #include "app/session/robot_pairs.hpp"
@@ -8,27 +8,27 @@
 
 namespace abstand::session {
 
-/// The law `braking`: from its present joint values and velocities the robot goes on for the reaction time
-/// and then brakes; every part of a person goes anywhere that the bounds on its speed and acceleration let it
-/// go (reach_set.hpp), from where it was seen, and at least as fast as it was seen. Where the certified
-/// smallest distance on that way is below what is allowed, there is a cause to stop now. So a robot that
-/// brakes as it says, when it is told, never moves while it is nearer to a person than that [the question of
-/// the thesis's [33], Taeubig and Frese, for a person who moves].
+/// The law `braking`: from its current joint values and velocities the robot is assumed to continue for the
+/// reaction time and then brake, while every part of a person moves arbitrarily within bounds on its speed
+/// and acceleration (reach_set.hpp), starting where it was seen and with a speed bound of at least its
+/// observed speed. If the certified minimum distance along that path is below the required one, there is a
+/// cause to stop now. A robot that brakes as specified when told therefore never moves while it is nearer to
+/// a person [the question of the thesis's [33], Taeubig and Frese, for a moving person].
 ///
-/// A pair that is far enough, whatever happens, costs an addition; a near one some queries along the way
-/// (swept_pair.hpp). One thread; nothing allocates or throws but the constructor.
+/// A pair that is far enough in any case costs one addition; a near one some queries along the path
+/// (swept_pair.hpp). One thread; only the constructor allocates or throws.
 class BrakingWatch {
  public:
-  /// Of the pairs with people among `own`, RobotPairs::own(). Throws UsageError for options that do not fit
-  /// the mechanism. Driver, scene and own must outlive it.
+  /// Watches the pairs with people among `own`, RobotPairs::own(). Throws UsageError for options that do not
+  /// fit the mechanism. Driver, scene and own must outlive this object.
   BrakingWatch(const MechanismDriver& driver, const scene::Scene& scene, std::span<const RobotPairs::Own> own,
                const control::BrakingLawOptions& options);
 
-  /// The worst cause, with the certified distance (m; -infinity where the joints are not known), or nothing.
-  /// After the scene's step. `q`, `qd`: size dof.
+  /// The worst cause, with the certified distance (m; -infinity if joint values are unknown), or nullopt.
+  /// Call after the scene's step. `q`, `qd`: size dof.
   std::optional<safety::StopCause> look(const scene::Scene& scene, std::span<const double> q,
                                         std::span<const double> qd) noexcept;
-  /// Queries of pairs in the last look().
+  /// Number of pair queries in the last look().
   int queries() const { return queries_; }
 
  private:
@@ -43,7 +43,7 @@ class BrakingWatch {
   control::BrakingLawOptions options_;
   safety::BrakingPath path_;
   std::vector<safety::LinkMotion> links_;
-  std::vector<double> speeds_;  ///< m/s, of each of links_ on the present path
+  std::vector<double> speeds_;  ///< m/s, speed bound of each of links_ on the current path
   std::vector<Watched> watched_;
   safety::SweptOptions swept_;
   safety::SweptScratch scratch_;

@@ -1,4 +1,4 @@
-// What a robot holds: it stays on the surface while the hand is pressed into it.
+// Link held by a robot, moved by the god-object method.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,34 @@
 
 namespace abstand::session {
 
-/// The link of a mechanism that its file calls `held`, moved by the god-object of the law `proxy`
-/// (god_object.hpp) in place of the hand's frame: where it would go into something, it stays on the surface,
-/// and the hand feels the spring between the two. Loop thread only; nothing allocates or throws but the
-/// constructor.
+/// The link of a mechanism marked `held` in the scene. The god-object of the law `proxy` (god_object.hpp)
+/// moves it instead of the hand's frame: it stays on surfaces that the hand would push it into, and a spring
+/// between both acts on the hand. Loop thread only; only the constructor allocates or throws.
 class HeldLink {
  public:
-  /// The mechanism's held link, or nothing. Throws UsageError for a reaction with a `proxy` and no held link.
+  /// Index of the mechanism's held link, or nullopt. Throws UsageError for a reaction with a `proxy` without
+  /// a held link.
   static std::optional<std::size_t> find(const scene_file::MechanismDescription& description,
                                          const control::ReactionDescription& reaction);
 
-  /// From now on the driver leaves the link alone. The proxy of `reaction` starts at the hand in the first
-  /// place(). All must outlive it.
+  /// The driver no longer moves the link. The proxy of `reaction` starts at the hand in the first place().
+  /// All arguments must outlive this object.
   HeldLink(MechanismDriver& driver, std::size_t link, const scene::Scene& scene,
            std::span<const RobotPairs::Own> own, control::Reaction& reaction);
   ~HeldLink();
   HeldLink(const HeldLink&) = delete;
   HeldLink& operator=(const HeldLink&) = delete;
 
-  /// Puts the link where the proxy is; after the driver placed the others.
+  /// Sets the link to the proxy's pose; call after the driver has placed the others.
   void place(double t, scene::Scene& scene);
-  /// For Reaction::update(): the hand, and what is near the held link, of the scene's step() just now. Holds
-  /// until the next call.
+  /// Input of Reaction::update(): pose in the hand and contacts near the held link, after the scene's step().
+  /// Valid until the next call.
   const control::HeldObject& look(const scene::Scene& scene);
-  /// Adds J^T of the spring's wrench on the hand, as of the last update.
+  /// Adds J^T of the spring's wrench on the hand, from the last update.
   void addEfforts(std::span<double> efforts) const;
   int frame() const { return frame_; }
   const Wrench& wrench() const { return reaction_.proxy()->wrench(); }       ///< on the hand, world
-  const Vector3d& point() const { return reaction_.proxy()->handCentre(); }  ///< that it is about, world
+  const Vector3d& point() const { return reaction_.proxy()->handCentre(); }  ///< its reference point, world
 
  private:
   struct Near {

@@ -127,7 +127,7 @@ void HumanDriver::widen(double t, scene::Scene& scene) const {
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
     if (!objects_[i]) continue;
     const double bound = scene.object(*objects_[i]).max_speed;
-    // A bound of 0 says of one who stands in the scene that nothing moves them, not of one who is followed.
+    // A bound of 0 is for a person who stands still in the scene; it does not hold for a followed one.
     const double speed = std::isfinite(bound) && bound > 0.0 ? bound : humanmodel::kPersonSpeed;
     scene.setPoseUncertainty(*objects_[i],
                              humanmodel::partUncertainty(pose_.age[i] + since, pose_.spread[i], speed));

@@ -1,4 +1,4 @@
-// Moves a person's parts after a recording.
+// Moves the parts of a person along a recording.
 #pragma once
 
 #include "app/scene_file/scene_description.hpp"
@@ -11,8 +11,8 @@ namespace abstand::session {
 /// One person of a session. Loop thread only.
 class HumanDriver {
  public:
-  /// Reads the recording (if any) and makes the model. `known`: what a depth camera that stands in the scene
-  /// sees of other things. Throws ParseError, UsageError.
+  /// Reads the recording (if any) and builds the model. `known`: depth images of known objects, for a depth
+  /// camera in the scene. Throws ParseError, UsageError.
   explicit HumanDriver(const scene_file::HumanDescription& description,
                        const tracking::KnownThings& known = {});
   HumanDriver(const HumanDriver&) = delete;
@@ -20,38 +20,36 @@ class HumanDriver {
 
   void bind(humanmodel::BodyPart part, ObjectId object) { objects_[static_cast<std::size_t>(part)] = object; }
 
-  /// Poses all parts for time t: the recorded frame at or just before t. A part that the recording does not
-  /// show is marked stale. No allocation, no throw.
+  /// Poses all parts at time t from the recorded frame at or just before t. Parts missing in the recording
+  /// are marked stale. No allocation, no throw.
   void apply(double t, scene::Scene& scene);
-  /// The same between two recorded frames, on the straight line between their joints, so that velocities are
-  /// those of the person and not of the camera. Joints that one of the two lacks stay those of the earlier
-  /// one.
+  /// The same with linear interpolation of joints between two recorded frames, so that velocities are those
+  /// of the person, independent of the camera's frame rate. Joints missing in one of them are taken from the
+  /// earlier frame.
   void glide(double t, scene::Scene& scene);
-  /// Poses all parts after a skeleton from outside, in the frame of the recording; the frame's t is `t`. What
-  /// the recording showed is forgotten at the first. No allocation, no throw.
+  /// Poses all parts from a live skeleton in the frame of the recording; its time is `t`. The first call
+  /// discards the state from the recording. No allocation, no throw.
   void follow(const humanmodel::SkeletonFrame& frame, scene::Scene& scene);
-  /// Says of all parts that where they are is no longer known; their pose uncertainty grows from when they
-  /// were seen.
+  /// Marks all parts as stale; their pose uncertainty grows from the time they were last seen.
   void lose(double t, scene::Scene& scene) const;
-  /// Widens the pose uncertainty of all parts, whose poses stay, to time t: age x speed and the quantile of
-  /// their spread (humanmodel/part_uncertainty.hpp). The speed of a part is its bound in the scene. No
-  /// allocation, no throw.
+  /// Updates the pose uncertainty of all parts to time t, without changing poses: age x speed plus the
+  /// quantile of their spread (humanmodel/part_uncertainty.hpp). The speed of a part is its bound in the
+  /// scene. No allocation, no throw.
   void widen(double t, scene::Scene& scene) const;
-  /// s, since that part was seen in the recording which has been missing for longest; parts that the
-  /// recording has not shown so far do not count.
+  /// s, longest time since a part was last seen in the recording; parts not seen so far do not count.
   double missing() const;
-  /// s, at time t, since the part that was not seen for longest was seen by follow(); infinite before that.
+  /// s, at time t, longest time since a part was last seen by follow(); infinite before the first call.
   double unseen(double t) const;
 
   const humanmodel::HumanModel& model() const { return model_; }
-  /// Null for a person who stands still.
+  /// Null for a person without a recording.
   const tracking::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
   std::optional<ObjectId> object(humanmodel::BodyPart part) const {
     return objects_[static_cast<std::size_t>(part)];
   }
 
  private:
-  /// Of a part, in the recording's frame; one that was never seen hangs on the torso as when standing.
+  /// Pose of a part in the recording's frame; a part never seen is placed on the torso as in the rest pose.
   Transform poseOf(std::size_t part) const;
   void place(double t, scene::Scene& scene) const;
   void show(const humanmodel::SkeletonFrame& frame, double t, scene::Scene& scene);

@@ -1,4 +1,4 @@
-// What acts on each joint of a mechanism that moves.
+// Efforts on each joint of a moving mechanism.
 #pragma once
 
 #include <span>
@@ -11,18 +11,18 @@
 
 namespace abstand::session {
 
-/// The parts of TorqueParts that come from gravity and from the motion itself, by inverse dynamics:
+/// The gravity and motion parts of TorqueParts, by inverse dynamics:
 ///   gravity = -g(q), motion = -(M(q) qdd + C(q, qd) qd).
-/// One thread; update() allocates nothing after its first call and throws nothing.
+/// One thread; update() does not allocate after its first call, and does not throw.
 class JointTorques {
  public:
-  /// The driver must outlive it.
+  /// The driver must outlive this object.
   explicit JointTorques(const MechanismDriver& driver);
 
-  /// Sets gravity and motion in `out` (size dof) at the driver's present posture, moving with `qd` and `qdd`
-  /// (rad/s, rad/s^2 or m/s, m/s^2). NaN where the mechanism's file names no masses.
+  /// Sets gravity and motion in `out` (size dof) in the driver's current posture, with `qd` and `qdd` (rad/s,
+  /// rad/s^2 or m/s, m/s^2). NaN if the mechanism's file has no masses.
   void update(std::span<const double> qd, std::span<const double> qdd, std::span<view::TorqueParts> out);
-  /// The same on the recorded motion at time t (s); at rest without one.
+  /// The same for the recorded motion at time t (s); at rest if there is none.
   void updateRecorded(double t, std::span<view::TorqueParts> out);
 
  private:

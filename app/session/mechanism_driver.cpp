@@ -29,7 +29,7 @@ MechanismDriver::MechanismDriver(const scene_file::MechanismDescription& descrip
   mechanism::forward(mechanism_, q_, state_);
 }
 
-/// The frame whose joint moves `frame`, -1: none does.
+/// The frame whose joint moves `frame`; -1: none.
 int MechanismDriver::rigidBody(int frame) const {
   while (frame >= 0 && mechanism_.frames[static_cast<std::size_t>(frame)].dof < 0)
     frame = mechanism_.frames[static_cast<std::size_t>(frame)].parent;

@@ -1,4 +1,4 @@
-// Moves a mechanism's links and turns their contact into joint efforts.
+// Moves a mechanism's links, and maps their contact wrenches to joint efforts.
 #pragma once
 
 #include <optional>
@@ -17,22 +17,22 @@ class MechanismDriver {
   /// Reads the mechanism and its motion. Throws ParseError.
   explicit MechanismDriver(const scene_file::MechanismDescription& description);
 
-  /// Says which object is the description's link number `link`.
+  /// Sets the scene object of link `link` of the description.
   void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
-  /// `loose`: somebody else says where this link is, and what acts on it does not act on the joints.
+  /// `loose`: the link is posed by the proxy, and its contacts do not act on the joints.
   void setProxyControlled(std::size_t link, bool loose) { links_[link].loose = loose; }
-  /// Pairs of links (numbers) that share a joint: no other link stands between them in the tree of frames;
-  /// and those that no joint moves against each other.
+  /// Pairs of links (indices) that share a joint, i.e. without another link between them in the tree of
+  /// frames, or that no joint moves relative to each other.
   std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
 
   /// Joint values at time t (home() without a motion), forward kinematics, poses of all links. No allocation,
   /// no throw.
   void apply(double t, scene::Scene& scene);
-  /// The same for joint values from outside (rad, m; size dof()).
+  /// The same for given joint values (rad, m; size dof()).
   void moveTo(std::span<const double> q, double t, scene::Scene& scene);
-  /// Says of all links that where they are is no longer known.
+  /// Marks all links as stale.
   void lose(double t, scene::Scene& scene) const;
-  /// Joint efforts (N m, N) that the contact wrenches on the links cause: J^T w. Size: dof().
+  /// Joint efforts (N m, N) caused by the contact wrenches on the links: J^T w. Size: dof().
   void efforts(const scene::Scene& scene, std::span<double> out) const;
 
   struct Link {
@@ -46,7 +46,7 @@ class MechanismDriver {
   int dof() const { return mechanism_.dof; }
   const mechanism::Mechanism& mechanism() const { return mechanism_; }
   const std::vector<double>& q() const { return q_; }
-  const std::vector<double>& home() const { return home_; }  ///< as the scene says
+  const std::vector<double>& home() const { return home_; }  ///< joint values in the scene file
   const std::optional<mechanism::MotionTable>& motion() const { return motion_; }
   const mechanism::MechanismState& state() const { return state_; }  ///< at q()
 

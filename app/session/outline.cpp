@@ -1,4 +1,4 @@
-// What the window needs to know of a session once.
+// Constant data of a session for the window.
 #include <set>
 
 #include "app/session/session.hpp"
@@ -6,7 +6,7 @@
 namespace abstand::session {
 namespace {
 
-constexpr double kDrawingSagitta = 5e-4;  // m: finer than anyone sees in the window
+constexpr double kDrawingSagitta = 5e-4;  // m: below the resolution of the window
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Groups of pairs that a person or another program pauses, stops and starts while a session runs.
+// Pausing, stopping and starting groups of pairs while a session runs.
 #pragma once
 
 #include <cstdint>
@@ -8,43 +8,43 @@
 
 namespace abstand::session {
 
-/// What is not running is stale: Scene::setPaused. A pair that was removed belongs to no group and stays
-/// stale until it is added to one. At first every group of Session::pairGroups() runs. One thread, that of
-/// the session; nothing allocates or throws but the constructor.
+/// Pairs that are not running are stale: Scene::setPaused. A removed pair belongs to no group and stays stale
+/// until added to one. Initially every group of Session::pairGroups() runs. The session's thread only; only
+/// the constructor allocates or throws.
 class PairControl {
  public:
   static constexpr int kNoGroup = -1;
 
-  /// The session must outlive it. Every pair runs at first, whatever was before.
+  /// The session must outlive this object. Every pair runs initially, regardless of its state before.
   explicit PairControl(Session& session);
 
-  /// How an order went.
+  /// Result of a command.
   enum class Outcome : std::uint8_t {
     kDone,
-    kNoGroup,    ///< no group has this number
+    kNoGroup,    ///< the group does not exist
     kNoPair,     ///< the scene has no such pair
-    kInGroup,    ///< the pair to be added is in a group already
-    kNotInGroup  ///< the pair to be removed is in no group
+    kInGroup,    ///< add: the pair is in a group already
+    kNotInGroup  ///< remove: the pair is not in a group
   };
 
-  /// `t`: s, from which on it holds.
+  /// `t`: s, time from which on it applies.
   Outcome setState(int group, view::PairGroupState state, double t);
   /// All groups at once.
   void setAll(view::PairGroupState state, double t);
-  /// A pair is in one group at most; in a running one it is queried in the next cycle.
+  /// Adds a pair; it can be in one group only. In a running group it is queried in the next cycle.
   Outcome add(int group, std::optional<PairId> pair, double t);
   Outcome remove(std::optional<PairId> pair, double t);
 
   int groups() const { return static_cast<int>(states_.size()); }
   const std::string& name(int group) const;
   view::PairGroupState state(int group) const { return states_[static_cast<std::size_t>(group)]; }
-  std::size_t size(int group) const { return sizes_[static_cast<std::size_t>(group)]; }  ///< pairs in it
+  std::size_t size(int group) const { return sizes_[static_cast<std::size_t>(group)]; }  ///< number of pairs
   std::size_t withoutGroup() const { return without_group_; }
-  /// The group with this name, kNoGroup when there is none.
+  /// Index of the group with this name, or kNoGroup.
   int find(std::string_view name) const;
   /// The pair of the scene with these two objects, in either order.
   std::optional<PairId> findPair(int a, int b) const;
-  /// Fills groups and pair_group. No allocation once `out` has its sizes.
+  /// Sets groups and pair_group. No allocation once `out` has its sizes.
   void capture(view::SceneSnapshot& out) const;
 
  private:
@@ -53,11 +53,11 @@ class PairControl {
   Session& session_;
   std::vector<view::PairGroupState> states_;
   std::vector<std::size_t> sizes_;
-  std::vector<int> group_of_;  ///< of each pair
+  std::vector<int> group_of_;  ///< for each pair
   std::size_t without_group_{0};
 };
 
-/// In English, for messages and protocols: "done", "no such group" ...
+/// English text for messages and protocols: "done", "no such group" ...
 std::string_view outcomeName(PairControl::Outcome outcome);
 
 }  // namespace abstand::session

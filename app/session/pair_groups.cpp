@@ -25,7 +25,7 @@ std::string nameOf(const scene::Scene& scene, PairId id) {
   return "`" + scene.object(pair.a).spec.name + "`, `" + scene.object(pair.b).spec.name + "`";
 }
 
-/// In the order in which the scene has their first pairs.
+/// In the order of their first pairs in the scene.
 std::vector<PairGroup> groupsByBodies(const scene::Scene& scene) {
   std::vector<PairGroup> groups;
   std::map<std::string, std::size_t> place;

@@ -1,4 +1,4 @@
-// Groups of pairs that are run, paused and stopped together.
+// Groups of pairs that are started, paused and stopped together.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct PairGroup {
   std::vector<PairId> pairs;
 };
 
-/// Every pair of the scene is in exactly one group. With `threads` from the scene file: its groups, "group 1"
-/// and so on, and, where it leaves pairs out, the group "rest". Without: a group for each two groups of
-/// bodies that have pairs, "left_arm - operator". Remarks say which pairs are in "rest" and which named pairs
-/// the scene does not check.
+/// Assigns every pair of the scene to exactly one group. With `threads` from the scene file: its groups,
+/// "group 1" and so on, and "rest" for pairs not listed. Without: one group for each combination of two
+/// groups of bodies, "left_arm - operator". Remarks list the pairs in "rest" and named pairs that the scene
+/// does not check.
 std::vector<PairGroup> makePairGroups(const scene::Scene& scene, const scene_file::ThreadGroups& threads,
                                       std::vector<std::string>& remarks);
 

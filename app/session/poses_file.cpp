@@ -52,7 +52,7 @@ std::vector<std::string> readHeader(std::string_view line, const std::string& na
   return names;
 }
 
-/// Numbers of poses may be nan (lost tracking): the scene decides. Words are errors.
+/// Pose values may be nan (lost tracking): the scene rejects them. Other words are errors.
 double poseNumber(std::string_view text, const SourcePos& pos) {
   if (const auto v = parseDouble(text)) return *v;
   if (text == "nan" || text == "NaN" || text == "inf" || text == "-inf") return kNaN;

@@ -9,15 +9,14 @@
 
 namespace abstand::session {
 
-/// The table of a `--poses` CSV: header `t,NAME.r00,NAME.r01,NAME.r02,NAME.tx,NAME.r10,...,NAME.tz,...`; one
-/// row a frame. A pose that is not finite or no rotation is kept as it is written: the scene refuses and
-/// flags it.
+/// Table of a `--poses` CSV file: header `t,NAME.r00,NAME.r01,NAME.r02,NAME.tx,NAME.r10,...,NAME.tz,...`; one
+/// row for each frame. Poses that are not finite or not rotations are kept: the scene rejects and flags them.
 struct PosesTable {
   std::vector<std::string> names;
-  std::vector<double> t;        ///< s, strictly rising
+  std::vector<double> t;        ///< s, strictly increasing
   std::vector<Transform> X_WB;  ///< row-major: frame, then name
 
-  /// Index of the row at or just before t; the first row before the beginning.
+  /// Index of the row at or just before `time`; the first row for earlier times.
   std::size_t rowAt(double time) const;
   const Transform& pose(std::size_t row, std::size_t name) const { return X_WB[row * names.size() + name]; }
 };

@@ -1,4 +1,4 @@
-// The inertia of a robot as its reaction needs it.
+// Inertia of a robot for its reaction.
 #pragma once
 
 #include <string>
@@ -14,15 +14,14 @@ class RobotMass {
  public:
   explicit RobotMass(const mechanism::Mechanism& mechanism);
 
-  /// Every dof moves a mass. Where not, the laws take constant masses.
+  /// True if every dof moves a mass; otherwise the laws use constant masses.
   bool known() const { return known_; }
-  /// kg m^2 or kg, dof x dof, at the joint values `q` (rad, m); 0 x 0 where it is not known.
+  /// Mass matrix (kg m^2 or kg, dof x dof) at the joint values `q` (rad, m); 0 x 0 if unknown.
   const Eigen::MatrixXd& at(std::span<const double> q) noexcept;
-  /// kg, at the joint values `q`, against a push at the point `p_B` of frame `frame` along the unit vector
-  /// `n_B`, in the base's axes (mechanism::effectiveMass()). Infinity for the base (-1), and where it is not
-  /// known.
+  /// Effective mass (kg) at the joint values `q` against a push at the point `p_B` of frame `frame` along the
+  /// unit vector `n_B`, base axes (mechanism::effectiveMass()). Infinity for the base (-1), and if unknown.
   double effective(std::span<const double> q, int frame, const Vector3d& p_B, const Vector3d& n_B) noexcept;
-  /// kg, half of all that moves.
+  /// kg, half of the total moving mass.
   double halfMoving() const { return half_moving_; }
 
  private:
@@ -35,7 +34,7 @@ class RobotMass {
   bool known_{false};
 };
 
-/// What a user should know of a robot without inertia; empty: nothing.
+/// Remark for the user about a robot without inertia; empty if there is none.
 std::string massRemark(const std::string& name, const mechanism::Mechanism& mechanism,
                        const control::ReactionDescription& reaction);
 

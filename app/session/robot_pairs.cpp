@@ -88,7 +88,7 @@ std::span<const control::ReactionPair> RobotPairs::gather(const scene::Scene& sc
     const query::PairResult& r = pair.result;
     control::ReactionPair& out = pairs_[i];
     out = {static_cast<int>(own.id.index()), r.distance - r.bound, {}, 0.0, 0.0, own.person};
-    // Of a stale pair nothing is known: no distance, no direction, no rate.
+    // A stale pair has no valid distance, direction or rate.
     if (pair.paused) out.distance = out.other_rate = kNaN;
     const bool wanted = !(out.distance >= reach_) || (own.person && people_rows_);
     if (!wanted) continue;
@@ -97,7 +97,7 @@ std::span<const control::ReactionPair> RobotPairs::gather(const scene::Scene& sc
     out.row = row;
     if (pair.paused) continue;
     const Vector3d n_W = control::partingDirection(r);
-    if (!(n_W.squaredNorm() > 0.0)) continue;  // no direction is known, so no joint has to do with it
+    if (!(n_W.squaredNorm() > 0.0)) continue;  // no direction, hence no dependence on the joints
     const Vector3d n_B = X_BW.linear() * n_W;
     const auto frameOf = [&](int link) { return driver_.links()[static_cast<std::size_t>(link)].frame; };
     if (own.link_a >= 0)

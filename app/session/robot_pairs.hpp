@@ -1,4 +1,4 @@
-// The pairs of one mechanism as its reaction sees them.
+// Pairs of one mechanism as input of its reaction.
 #pragma once
 
 #include <memory>
@@ -12,28 +12,28 @@ namespace abstand::session {
 
 class HumanDriver;
 
-/// Of each object of the scene, whether it is a part of a person.
+/// For each object of the scene, whether it is part of a person.
 std::vector<bool> partsOfPeople(const scene::Scene& scene,
                                 const std::vector<std::unique_ptr<HumanDriver>>& humans);
 
-/// Distances, rows and rates of all pairs of the scene with a link of the mechanism. One thread; nothing
-/// allocates or throws but the constructor.
+/// Distances, rows and rates of all pairs of the scene with a link of the mechanism. One thread; only the
+/// constructor allocates or throws.
 class RobotPairs {
  public:
   /// A pair of the scene with one or two of the mechanism's links.
   struct Own {
     PairId id;
-    int link_a, link_b;  ///< number of the link, -1: not one of its links
+    int link_a, link_b;  ///< index of the link, -1: not one of its links
     bool person;
   };
 
-  /// `people`: partsOfPeople(). `reaction`: who asks; pairs that none of its laws looks at get no row. The
-  /// driver's links are bound. Driver and scene must outlive it.
+  /// `people`: partsOfPeople(). `reaction`: pairs not used by any of its laws get no row. The driver's links
+  /// are bound. Driver and scene must outlive this object.
   RobotPairs(const MechanismDriver& driver, const scene::Scene& scene, const std::vector<bool>& people,
              const control::ReactionDescription& reaction);
 
-  /// After the scene's step. `planned`: qd (rad/s or m/s; NaN: not known) for ReactionPair::spread. In the
-  /// order of own(); holds until the next call.
+  /// Call after the scene's step. `planned`: qd (rad/s or m/s; NaN: unknown) for ReactionPair::spread. In the
+  /// order of own(); valid until the next call.
   std::span<const control::ReactionPair> gather(const scene::Scene& scene, std::span<const double> planned);
   const std::vector<Own>& own() const { return own_; }
   /// s, age at time `t` of the oldest result of its pairs (Scene::ageOf); 0 without pairs.
@@ -45,12 +45,12 @@ class RobotPairs {
   double spread(const Own& pair, const scene::Scene& scene, const Vector3d& n_W) const;
 
   const MechanismDriver& driver_;
-  double reach_;      ///< m: nearer pairs have rows
-  bool people_rows_;  ///< pairs with people have them at any distance
+  double reach_;      ///< m: pairs within this distance have rows
+  bool people_rows_;  ///< pairs with people have rows at any distance
   std::vector<Own> own_;
   std::vector<control::ReactionPair> pairs_;
-  std::vector<double> rows_;   ///< a number a dof and pair
-  std::vector<Twist> twists_;  ///< of each link as planned, at its frame's origin, world axes
+  std::vector<double> rows_;   ///< one value for each dof and pair
+  std::vector<Twist> twists_;  ///< planned twist of each link, at its frame's origin, world axes
   Eigen::Matrix<double, 6, Eigen::Dynamic> J_;
 };
 

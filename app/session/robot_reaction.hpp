@@ -1,4 +1,4 @@
-// One robot's reaction to the pairs of a scene, whoever moves the robot.
+// Reaction of one robot in a running scene.
 #pragma once
 
 #include "app/session/braking_watch.hpp"
@@ -6,35 +6,35 @@
 
 namespace abstand::session {
 
-/// The laws of a robot (control::Reaction) with all that they need of a running scene: its pairs, the contact
-/// efforts on its joints, the object it holds, and whether it could still stop. The closed loop and `serve`
-/// differ in what moves the robot and in what they do with the output. One thread; nothing allocates or
-/// throws but the constructor.
+/// The laws of a robot (control::Reaction) with their inputs from the scene: its pairs, contact efforts on
+/// its joints, the held object, and the braking check. Shared by the closed loop and `serve`, which move the
+/// robot and use the output differently. One thread; only the constructor allocates or throws.
 class RobotReaction {
  public:
   /// `people`: partsOfPeople(). Throws UsageError for a reaction that does not fit the mechanism. Driver and
-  /// scene must outlive it.
+  /// scene must outlive this object.
   RobotReaction(MechanismDriver& driver, const scene_file::MechanismDescription& description,
                 const control::ReactionDescription& reaction, const scene::Scene& scene,
                 const std::vector<bool>& people);
 
-  /// The robot in one cycle; all spans of size dof.
+  /// Input of one cycle; all spans have size dof.
   struct Cycle {
     double t, dt;                     ///< s, of this cycle and since the last one
-    std::span<const double> q, qd;    ///< rad or m, and per second, measured; NaN: not known
+    std::span<const double> q, qd;    ///< rad or m, and per second, measured; NaN: unknown
     std::span<const double> planned;  ///< qd at full speed; empty: qd
-    double input_age, person_age;     ///< s, of the joint values or results, and of the person least known
+    double input_age, person_age;     ///< s, of the joint values or results, and of the person with the
+                                      ///< oldest pose
   };
 
-  /// A user lets it go on, in the next update().
+  /// The user releases the robot in the next update().
   void reset() { reset_ = true; }
-  /// Whether its torques reach the motors.
+  /// Whether its torques are sent to the motors.
   void setTorques(bool on) { reaction_.setTorques(on); }
-  /// Puts what it holds where it is now; after the driver placed the links, before the scene's step.
+  /// Sets the held link's pose; call after the driver has placed the links, before the scene's step.
   void placeHeld(double t, scene::Scene& scene);
-  /// After the scene's step: looks at the robot's pairs, in the order of pairs().own().
+  /// Call after the scene's step: evaluates the robot's pairs, in the order of pairs().own().
   std::span<const control::ReactionPair> gather(const Cycle& cycle, const scene::Scene& scene);
-  /// Then what the robot is to do. `M`: mass matrix at the present posture; 0 x 0 where it is not known.
+  /// Call after gather(): commands to the robot. `M`: mass matrix in the current posture; 0 x 0 if unknown.
   control::ReactionOutput update(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
 
   const RobotPairs& pairs() const { return pairs_; }
@@ -48,7 +48,7 @@ class RobotReaction {
   std::optional<BrakingWatch> braking_;
   std::optional<HeldLink> held_;
   control::ReactionInput input_;
-  std::optional<safety::StopCause> cause_;  ///< what input_ refers to
+  std::optional<safety::StopCause> cause_;  ///< referenced by input_
   std::vector<double> efforts_;
   bool reset_{false};
 };

@@ -9,9 +9,9 @@
 namespace abstand::session {
 namespace {
 
-constexpr double kMotionRate = 1000.0;  // Hz, where only joint motion sets the pace
+constexpr double kMotionRate = 1000.0;  // Hz, if only joint motion determines the frames
 
-// s, of a scene in which nothing is recorded and things fall.
+// s, duration of a scene without recordings in which objects fall.
 constexpr double kFallTime = 5.0;
 
 bool somethingFalls(const scene_file::SceneDescription& scene) {
@@ -36,7 +36,7 @@ Session::Session(scene_file::SceneDescription description, const SessionOptions&
     human.recording.cut_things |= options.cut_things;
   }
 
-  // Everything that can fail by a bad file is read before anything costly is built.
+  // Reads everything that can fail because of invalid files before expensive builds.
   std::vector<Planned> plan;
   planMechanisms(plan);
   planHumans(plan, options);
@@ -59,7 +59,7 @@ Session::Session(scene_file::SceneDescription description, const SessionOptions&
   setSpeeds(plan);
   for (const auto& remark : library_.remarks()) remarks_.push_back(remark);
   pair_groups_ = makePairGroups(scene_, description_.threads, remarks_);
-  // They quote files of strangers.
+  // Remarks quote untrusted files.
   for (std::string& remark : remarks_) remark = messageLine(remark);
 
   std::size_t dof = 0;
@@ -78,7 +78,7 @@ structure::HapticOptions Session::hapticOptions(const scene_file::BodySettings& 
   return o;
 }
 
-/// Of a link or an object.
+/// For a link or an object.
 template <class Body>
 StructureLibrary::Key Session::request(const Body& body, const structure::HapticOptions& options) {
   if (!body.structure.empty()) return library_.requestStored(body.structure);
@@ -175,7 +175,7 @@ void Session::bindPoses(const std::filesystem::path& file) {
   }
 }
 
-/// Bodies are in the scene in the order of the plan.
+/// The scene's objects are in the order of the plan.
 void Session::setSpeeds(const std::vector<Planned>& plan) {
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const ObjectId id(static_cast<std::uint32_t>(i));
@@ -249,7 +249,7 @@ std::vector<double> Session::frameTimes(double rate) const {
   for (const auto& h : humans_)
     if (h->recording()) cover(h->recording()->frames.front().t, h->recording()->frames.back().t);
   if (poses_) cover(poses_->t.front(), poses_->t.back());
-  // Joint motion alone sets the range only where nobody is recorded.
+  // Joint motion alone determines the range only without recordings of people.
   if (start > end)
     for (const auto& m : mechanisms_)
       if (m->motion()) cover(m->motion()->start(), m->motion()->end());

@@ -44,13 +44,13 @@ mesh_file::LoadedMesh loadScaled(const std::filesystem::path& mesh, const Vector
   return loaded;
 }
 
-/// Of this size a mesh may be in another unit than metres; MeshReport::remarks says so of these sizes.
+/// A mesh of this size may not be in metres; MeshReport::remarks has a text for these sizes.
 bool oddSize(const mesh_file::MeshReport& report) {
   const double size = report.extent.maxCoeff();
   return size >= 20.0 || size < 1e-3;
 }
 
-/// One bar for structures that are built side by side.
+/// Combined progress of structures that are built concurrently.
 class SharedProgress {
  public:
   SharedProgress(const structure::BuildMonitor& monitor, const std::vector<double>& work)
@@ -58,7 +58,7 @@ class SharedProgress {
     for (const double w : work) all_ += w;
   }
 
-  /// For structure number i.
+  /// Monitor of structure i.
   structure::BuildMonitor part(std::size_t i, const std::string& name) {
     structure::BuildMonitor part;
     part.cancelled = monitor_.cancelled;
@@ -139,7 +139,7 @@ void StructureLibrary::makeSurfaces(int threads) {
   std::vector<Body*> missing;
   for (const auto& [identity, body] : bodies_)
     if (!body->surface) missing.push_back(body.get());
-  // The largest first, so that the cores end together.
+  // Largest first, so that all cores finish at about the same time.
   std::stable_sort(missing.begin(), missing.end(), [](const Body* l, const Body* r) {
     return l->mesh.triangles.size() > r->mesh.triangles.size();
   });

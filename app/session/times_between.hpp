@@ -1,4 +1,4 @@
-// The frames of a session that a user asks for.
+// Selects the frames of a session in a time range.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace abstand::session {
 
-/// Those of `times` (s) from `start` to `end`, both included to a nanosecond, so that an end like 0.3 takes
-/// the frame at 0.30000000000000004. Throws UsageError when none is left.
+/// Those of `times` (s) from `start` to `end`, inclusive with a tolerance of one nanosecond, so that an end
+/// of 0.3 includes the frame at 0.30000000000000004. Throws UsageError if none is left.
 std::vector<double> timesBetween(std::vector<double> times, std::optional<double> start,
                                  std::optional<double> end);
 

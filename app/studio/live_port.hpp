@@ -1,4 +1,4 @@
-// The window's view of a live session.
+// SessionPort of a live session.
 #pragma once
 
 #include <deque>

@@ -31,7 +31,7 @@ namespace {
 using namespace abstand;
 
 constexpr int kWrongUsage = 2, kBadInput = 3, kNotWritten = 4;
-constexpr int kSettle_ms = 700;  // until the first snapshots are drawn
+constexpr int kSettle_ms = 700;  // ms, until the first snapshots are drawn
 const QSize kDefaultSize(1500, 950);
 
 int fail(int code, const QString& text) {
@@ -117,7 +117,7 @@ bool parse(const QStringList& arguments, Arguments& args) {
   return true;
 }
 
-/// Exit code of what writes an output, or asks where it would go.
+/// Exit code for work that writes or checks an output.
 int written(const std::function<void()>& work) {
   try {
     work();
@@ -129,7 +129,7 @@ int written(const std::function<void()>& work) {
   }
 }
 
-/// Plays for `play_s`, then waits until the moment is drawn, saves the picture and ends the program.
+/// Plays for `play_s`, waits until that time is drawn, saves the picture and ends the program.
 void takePicture(ui::MainWindow& window, const Arguments& args) {
   if (args.play_s > 0.0) window.playback().setPlaying(true);
   QTimer::singleShot(static_cast<int>(1000.0 * args.play_s), &window, [&window, args] {
@@ -164,7 +164,7 @@ void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args)
 
 int main(int argc, char** argv) {
   using abstand::studio::Studio;
-  // So that writes to a closed pipe or beyond a limit fail instead of ending the program.
+  // Makes writes to a closed pipe or beyond a limit fail instead of ending the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const bool picture =
@@ -181,11 +181,11 @@ int main(int argc, char** argv) {
   }
   QApplication app(argc, argv);
   if (!args.screenshot.isEmpty()) {
-    // Seen before anything costly is built; a picture does not replace what it shows.
+    // Checked before expensive work; a picture must not replace one of its inputs.
     keepInputLog();
     const auto place = [&args] { placeOfOutput(QFile::encodeName(args.screenshot).toStdString()); };
     if (const int code = written(place)) return code;
-    // A picture must not depend on how the last user left the window.
+    // A picture must not depend on stored window settings.
     QCoreApplication::setApplicationName("abstand-studio-picture");
     QSettings().clear();
   }

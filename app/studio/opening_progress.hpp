@@ -1,4 +1,4 @@
-// From the reports of a build to what the window shows of it.
+// Converts progress reports of a build for the window.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@
 
 namespace abstand::studio {
 
-/// Counts structures by name, and passes on what is new to see, at most some 20 times a second. A structure
-/// of the cache is reported once; one that is reported again is being built. One thread at a time, as the
-/// reports of a BuildMonitor come.
+/// Counts structures by name, and forwards changes at most about 20 times a second. A structure from the
+/// cache is reported once; repeated reports mean that it is being built. One thread at a time, like the
+/// reports of a BuildMonitor.
 class OpeningProgress {
  public:
   using Show = std::function<void(const ui::Opening&)>;

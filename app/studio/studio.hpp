@@ -21,7 +21,7 @@ class Studio : public QObject {
   Q_OBJECT
 
  public:
-  /// `packages`: where the robots of all scenes have their meshes.
+  /// `packages`: search paths for the meshes of the robots.
   explicit Studio(ui::MainWindow& window, robot_file::PackagePaths packages = {});
   ~Studio() override;
 

@@ -8,11 +8,10 @@
 namespace abstand::tune {
 namespace {
 
-// m: nearest points that are nearer to each other than this have no direction.
+// m: nearer points define no direction.
 constexpr double kNoDirection = 1e-9;
 
-/// m: as round as the part is thick where it is thinnest. A larger radius would make the area larger and the
-/// pressure smaller.
+/// m: the smallest half extent of the part. A larger radius would increase the area and reduce the pressure.
 double bodyRadius(const structure::HapticStructure& part) {
   const geometry::Bounds bounds = part.surface->bounds();
   return 0.5 * (bounds.upper - bounds.lower).minCoeff();
@@ -38,7 +37,7 @@ ClosingMotion ApproachJudge::motion(const WindowFrame& frame, const WatchedPair&
   motion.p_W = frame.on_link[i];
   const Vector3d between = frame.on_part[i] - frame.on_link[i];
   const double length = between.norm();
-  // Inside each other the nearest points have changed sides.
+  // For overlapping bodies the order of the nearest points is reversed.
   if (length > kNoDirection) motion.n_W = between / (frame.distance[i] < 0.0 ? -length : length);
   if (!frame.motion.empty()) {
     motion.robot_speed = frame.motion[pair.link].velocityAt(frame.on_link[i]).dot(motion.n_W);

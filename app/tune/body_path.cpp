@@ -41,7 +41,7 @@ double BodyPath::way(double t) const {
 double BodyPath::reach(double t0, double t1) const {
   const double middle = 0.5 * (t0 + t1), here = way(middle);
   const double along = std::max(here - way(t0), way(t1) - here);
-  // A body that goes to and fro stays nearer than its way is long.
+  // For a body that moves to and fro the distance of poses is a better bound than the path length.
   const std::size_t first = indexAt(t0), last = std::min(indexAt(t1) + 1, t_.size() - 1);
   if (last - first < 4) return along;
   const Transform X = at(middle);

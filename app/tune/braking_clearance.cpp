@@ -5,7 +5,7 @@
 namespace abstand::tune {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // m, as of the check between frames
+constexpr double kTolerance = 1e-4;  // m, as for the check between frames
 constexpr int kMaxSamples = 128;
 
 }  // namespace
@@ -44,8 +44,8 @@ double BrakingClearance::ofPair(std::size_t p, const Halt& halt) {
     uncertainty = std::max(uncertainty, frames[k + 1].uncertainty[p]);
   }
   if (braking == 0.0) return kInfinity;
-  // The link lags behind where it was recorded by half the braking time at most, and is nearer to that place
-  // than the fastest motion of that time would take it.
+  // The link lags behind its recorded position by at most half the braking time, so its distance from there
+  // is at most its fastest motion in that time.
   const double lagging = in_step - uncertainty - fastest * 0.5 * halt.braking;
   if (lagging > limit_ + kExact) return lagging;
   if (uncertainty == kInfinity) return -kInfinity;

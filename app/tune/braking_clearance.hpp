@@ -1,4 +1,4 @@
-// How near a person comes while the robot is brought to rest.
+// Clearance of a person while the robot brakes to a stop.
 #pragma once
 
 #include "app/tune/motion_window.hpp"
@@ -6,25 +6,25 @@
 
 namespace abstand::tune {
 
-/// Certified least clearance of each watched pair from the oldest frame of a window until the robot, told to
-/// stop there, is at rest. The link goes along its own path with a falling pace (Halt), the person as
-/// recorded; both between frames as PoseSegment. Nothing lies behind the last frame of a recording. One
-/// thread.
+/// Certified minimum clearance of each watched pair from the oldest frame of a window until the robot,
+/// commanded to stop there, is at rest. The link follows its own path at a decreasing pace (Halt), the person
+/// the recording; both are interpolated by PoseSegment. The time after the last frame of a recording is not
+/// considered. One thread.
 class BrakingClearance {
  public:
-  /// m: pairs that certainly stay farther than `limit` + kExact are not looked at more closely.
+  /// m: pairs certainly farther than `limit` + kExact are not refined.
   static constexpr double kExact = 0.02;
 
   BrakingClearance(const session::Session& session, const MotionWindow& window, double limit);
 
-  /// Of all pairs into `out`, in their order; +infinity where the link does not move. False where frames are
-  /// missing that are still to come.
+  /// Sets `out` for all pairs, in order; +infinity if the link does not move. False if frames are needed that
+  /// have not arrived yet.
   bool ofFirst(std::vector<double>& out);
   long queries() const { return queries_; }
 
  private:
   double ofPair(std::size_t pair, const Halt& halt);
-  /// m, without uncertainty, by which only the search is guided.
+  /// m, without uncertainty, which only guides the search.
   double exact(std::size_t pair, const Halt& halt, double duration, double uncertainty);
 
   const session::Session& session_;

@@ -6,7 +6,7 @@
 namespace abstand::tune {
 namespace {
 
-/// Takes the frames of a part of recording `index` into `closest`.
+/// Updates `closest` from the frames of a part in recording `index`.
 void takeFrames(const TunedRecording& recording, std::size_t index, const PartClearance& part,
                 double calibration, ClosestApproach& closest) {
   const margin::ClearanceTrack& track = part.track;
@@ -25,7 +25,7 @@ void takeFrames(const TunedRecording& recording, std::size_t index, const PartCl
     closest.bound = part.bound[i];
     closest.calibration = calibration;
     closest.pose = std::max(0.0, part.uncertainty[i] - calibration);
-    // Between the frames another link may be nearer; the share is what is left of the difference.
+    // Between frames another link may be nearer; this contribution is the rest of the difference.
     closest.between_frames = 0.0;
     closest.between_frames = std::max(0.0, closest.clearance() - least);
   }

@@ -1,4 +1,4 @@
-// How near each body part came, and how certain that is.
+// Closest approach of each body part, and its certainty.
 #pragma once
 
 #include <string>
@@ -8,33 +8,33 @@
 
 namespace abstand::tune {
 
-/// Of a part over all recordings: the moment with the least certified clearance, at the frames and between
-/// them. `distance` is what was measured then; the true distance is at least `distance` - error().
+/// For one part over all recordings: the time of the smallest certified clearance, at and between the frames.
+/// `distance` is the measured one; the true distance is at least `distance` - error().
 struct ClosestApproach {
   std::string part;
   std::size_t recording{0};  ///< index
-  double t{0.0};             ///< s; where it is between two frames, of the first one
+  double t{0.0};             ///< s; between two frames, that of the first one
   std::string link;
   double distance{kInfinity};  ///< m
-  /// m, each share of the error: the engine's bound, what is not known of the person's pose (tracking, gaps),
-  /// the calibration between recording and robot, and how far the bodies may have come nearer between two
-  /// frames.
+  /// m, contributions to the error: the engine's bound, uncertainty of the person's pose (tracking, gaps),
+  /// calibration between recording and robot, and possible approach between two frames.
   double bound{0.0}, pose{0.0}, calibration{0.0}, between_frames{0.0};
-  double not_seen{0.0};    ///< s, over all recordings, in which nothing is known of the part
+  double not_seen{0.0};    ///< s, over all recordings, in which the part was not seen
   bool always_seen{true};  ///< in every frame of every recording
 
   double error() const { return bound + pose + calibration + between_frames; }
-  /// m, certified.
+  /// Certified clearance (m).
   double clearance() const { return distance - error(); }
   enum class Verdict : std::uint8_t { kApart, kTouchPossible, kNotKnown };
-  /// Not known: somewhere the part was not seen, and where it was it stayed apart.
+  /// Unknown if the part was not always seen, and stayed apart where it was.
   Verdict verdict() const;
 };
 
 /// "certainly apart", "touch not excluded", "not known where not seen".
 const char* verdictText(ClosestApproach::Verdict verdict);
 
-/// Parts in the order of the body. `calibration`: m, TuneOptions' share of every uncertainty.
+/// Results for all parts, in the order of the body. `calibration`: m, its share of every uncertainty
+/// (TuneOptions).
 std::vector<ClosestApproach> closestApproaches(const std::vector<TunedRecording>& recordings,
                                                double calibration);
 

@@ -84,8 +84,8 @@ void DistancePass::frame(double t, const std::vector<query::PairResult>& results
     const double clearance = safety::certifiedClearance({r.distance, r.bound, now});
     if (std::isfinite(clearance)) closest = std::min(closest, clearance);
   }
-  // Between frames touches have to be told from none, and what is nearer than anything before; of other pairs
-  // nothing is asked.
+  // Between frames the search must distinguish contact from none, and find distances below all earlier ones;
+  // other pairs are not refined.
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     const double closest = closest_[result_.pairs[p].part];
     limits_[window_.pairs()[p].id.index()] +=
@@ -160,7 +160,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     }
     part.track.braking[i] = std::min(part.track.braking[i], braking_of_first_[p]);
     between_moving_[p] = kInfinity;
-    // A person who touches a robot that stands is no matter of margins.
+    // Contacts with a robot at rest are not relevant for margins.
     if (!next || frame.speed[window_.pairs()[p].link] == 0.0) continue;
     const double uncertainty = std::max(frame.uncertainty[p], next->uncertainty[p]);
     between_moving_[p] = frame.between[p] - uncertainty;
@@ -194,7 +194,7 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
     const WatchedPair& pair = window_.pairs()[p];
     PartClearance& part = result_.parts[result_.pairs[p].part];
     const ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, pair, p);
-    // Of a part that is not seen no direction is known: every motion of the link may be towards it.
+    // For an unseen part the direction is unknown: every motion of the link may be towards it.
     const bool unseen = frame.clearance[p] == -kInfinity;
     const double robot_speed = unseen && !frame.speed.empty() ? frame.speed[pair.link] : motion.robot_speed;
     takeSeparation(
@@ -225,7 +225,7 @@ void DistancePass::lookAhead(const WindowFrame* next) {
   }
 }
 
-/// Of equal clearances in a row the first one is the minimum.
+/// Of equal consecutive clearances the first one is the minimum.
 void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
   PartClearance& part = result_.parts[index];
   const std::size_t p = nearest_[index];

@@ -1,4 +1,4 @@
-// One pass over a recording, from which every question about margins is answered.
+// Single pass over a recording that collects all data for margins.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace abstand::tune {
 
 struct PassResult;
 
-/// A frame of a pass that no later one changes.
+/// A frame that later frames do not change any more.
 struct SettledFrame {
   const WindowFrame& frame;
   std::span<const ClosingMotion> motions;  ///< of each pair
@@ -28,10 +28,9 @@ struct SettledFrame {
 struct PassOptions {
   BrakingOptions braking;
   double limit{0.0};  ///< m, MarginOptions::limit
-  /// m: approaches below this clearance are told, and contacts of pairs below it limit the robot's speed.
+  /// m: approaches below this clearance are reported, and contacts of pairs below it limit the robot's speed.
   double near{0.2};
-  /// m: how far the recording's frame and the robots' may be apart (registration of cameras and robot). It is
-  /// a part of every uncertainty.
+  /// m: registration error between the frames of recording and robots. Part of every uncertainty.
   double calibration_error{0.0};
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
   safety::SeparationOptions separation;
@@ -43,27 +42,27 @@ struct PassOptions {
 
 /// What a body part did in a pass. Lists, those of `track` too: one entry a frame (PassOptions::keep_frames).
 struct PartClearance {
-  std::string part;  ///< "hand_left"; of several people the nearest one's
+  std::string part;  ///< "hand_left"; for several people the nearest one's
   margin::ClearanceTrack track;
-  std::vector<double> distance;     ///< m, measured, of the pair with the least clearance
+  std::vector<double> distance;     ///< m, measured, of the pair with the smallest clearance
   std::vector<double> bound;        ///< m, of that pair
-  std::vector<double> uncertainty;  ///< m, of that pair: what is not known of the person's pose
-  std::vector<std::uint16_t> link;  ///< of that pair, index into PassResult::links
-  /// m/s, of that pair: towards each other; whole steps of kSpeedStep, rounded up.
+  std::vector<double> uncertainty;  ///< m, of that pair: pose uncertainty of the person
+  std::vector<std::uint16_t> link;  ///< index of that pair's link in PassResult::links
+  /// m/s, of that pair, towards each other; rounded up to whole steps of kSpeedStep.
   std::vector<double> robot_speed, person_speed;
   PartSeparation
-      separation;  ///< of all pairs of the part; numbers in whole steps of kSpeedStep, on the safe side
+      separation;  ///< over all pairs of the part; in whole steps of kSpeedStep, rounded to the safe side
   /// 0 to 1: share of the recorded robot speed at which transient contacts of all pairs nearer than
-  /// PassOptions::near would stay within the limits; where contact is excluded, separation.speed_scale: only
-  /// distance helps there. Whole steps of kSpeedStep, rounded down.
+  /// PassOptions::near would be within the limits; if contact is excluded, separation.speed_scale, as only
+  /// distance helps there. Rounded down to whole steps of kSpeedStep.
   std::vector<double> contact_scale;
   bool contact_excluded{false};  ///< ApproachJudge::excluded
 };
 
-/// m/s. A power of two, so that files keep it exactly.
+/// m/s. A power of two, so that files store it exactly.
 inline constexpr double kSpeedStep = 1.0 / 16384.0;
 
-/// Margin-independent: distances do not depend on margins.
+/// Independent of margins, as distances do not depend on them.
 struct PassResult {
   std::vector<PartClearance> parts;  ///< in the order of the body
   std::vector<std::string> links;    ///< names of the robots' links
@@ -71,23 +70,23 @@ struct PassResult {
     std::uint16_t part, link;  ///< indices into `parts` and `links`
   };
   std::vector<PairOfNames> pairs;      ///< in the order of WindowFrame's lists
-  std::vector<MarginNeed> link_needs;  ///< of each link, with the nearest part of anyone
+  std::vector<MarginNeed> link_needs;  ///< of each link, with the nearest part of any person
   std::vector<MarginNeed> pair_needs;  ///< of each of `pairs`
   std::vector<Approach> approaches;    ///< in order of time
   PassExposure exposure;
   long swept_queries{0}, braking_queries{0};
 };
 
-/// Hears every frame of a run in lock step (RunOptions::on_cycle) and needs a second of frames in memory
-/// beside what it gives. Pairs of people's parts with robots' links count, others do not. One thread.
+/// Receives every frame of a run in lock step (RunOptions::on_cycle) and keeps a second of frames in memory
+/// besides the result. Only pairs of people's parts with robots' links are used. One thread.
 class DistancePass {
  public:
-  /// Throws UsageError for options that are not allowed, and for a scene without such a pair.
+  /// Throws UsageError for invalid options, and for a scene without such a pair.
   DistancePass(const session::Session& session, const PassOptions& options);
 
   void frame(double t, const std::vector<query::PairResult>& results);
   const std::vector<WatchedPair>& watched() const { return window_.pairs(); }
-  /// After the last frame.
+  /// Call after the last frame.
   PassResult finish();
 
  private:
@@ -105,23 +104,23 @@ class DistancePass {
   MotionWindow window_;
   BrakingClearance braking_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
-  std::vector<double> between_moving_;  ///< m, of each pair: what ClearanceTrack::between counts
+  std::vector<double> between_moving_;  ///< m, of each pair: values that ClearanceTrack::between includes
   std::vector<NearestPair> nearest_to_link_;
   std::vector<double> link_between_, link_braking_;  ///< m
   std::vector<NeedWatch> link_watches_, pair_watches_;
-  std::vector<double> closest_;  ///< m, of each part: the least clearance at any frame so far
+  std::vector<double> closest_;  ///< m, of each part: smallest clearance at any frame so far
   ApproachJudge judge_;
   std::vector<ClosingMotion> motions_;  ///< of each pair in this frame
-  std::vector<std::size_t> nearest_;    ///< of each part: the pair with the least clearance in this frame
+  std::vector<std::size_t> nearest_;    ///< of each part: pair with the smallest clearance in this frame
   std::vector<double> least_,
-      ahead_;  ///< m, of each part: the least clearance of the last and the next frame
+      ahead_;  ///< m, of each part: smallest clearance of the last and the next frame
   struct Hardest {
     double t{0.0};
     WatchedPair pair;
     ClosingMotion motion;  ///< with the highest closing speed so far
   };
-  std::vector<std::optional<Hardest>> hardest_;  ///< of each part, on its way to the next minimum
-  std::optional<ExposureTally> exposure_;        ///< once the names are known
+  std::vector<std::optional<Hardest>> hardest_;  ///< of each part, until its next minimum
+  std::optional<ExposureTally> exposure_;        ///< created once the names are known
   PassResult result_;
 };
 

@@ -10,11 +10,12 @@ namespace {
 
 constexpr std::size_t kBands = margin::kExposureBands.size();
 constexpr std::size_t kSpentColumns = kBands + 1;
-/// Part and link (-1: all), the times, time, not seen, least clearance, its t, part and link, closing speed.
+/// Part and link (-1: all), times in bands, time, not seen, smallest clearance, its t, part and link, closing
+/// speed.
 constexpr std::size_t kExposureColumns = 2 + kSpentColumns + 7;
-/// Part, cell, the times.
+/// Part, cell, times in bands.
 constexpr std::size_t kBodyColumns = 2 + kSpentColumns;
-/// Layer, x, y, the times.
+/// Layer, x, y, times in bands.
 constexpr std::size_t kFloorColumns = 3 + kSpentColumns;
 /// Link, x, y.
 constexpr std::size_t kOutlineColumns = 3;
@@ -35,18 +36,18 @@ void addExposure(hdf5::TableWriter& out, std::size_t table, double part, double 
   out.endRow();
 }
 
-/// Numbers of one row after the other, each checked.
+/// The numbers of one row in sequence, each validated.
 class Row {
  public:
   Row(const double* values, const std::string& file) : next_(values), file_(file) {}
   double number() { return *next_++; }
-  /// s, finite, at least 0.
+  /// s, finite, not negative.
   double time() {
     const double v = number();
     if (!(v >= 0.0 && std::isfinite(v))) fail("a time that is negative or not finite");
     return v;
   }
-  /// A whole number from `least` to below `count`.
+  /// An integer from `least` to below `count`.
   double whole(double least, double count, const char* what) {
     const double v = number();
     if (!(v >= least && v < count && v == std::floor(v))) fail(what);

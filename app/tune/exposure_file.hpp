@@ -1,4 +1,4 @@
-// Exposure in a result file.
+// Exposure tables of result files.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace abstand::tune {
 
-/// The tables `exposure`, `exposure_body`, `exposure_floor` and `outlines` (docs/margins.md, "Result files").
-/// The tables before are complete. Throws WriteError.
+/// Writes the tables `exposure`, `exposure_body`, `exposure_floor` and `outlines` (docs/margins.md, "Result
+/// files"). Earlier tables are complete. Throws WriteError.
 void writeExposure(const PassExposure& exposure, hdf5::TableWriter& out);
 
 struct NameCounts {
   std::size_t parts, links;
 };
 
-/// Throws ParseError for numbers that cannot be, and for parts and links that are not there.
+/// Throws ParseError for impossible numbers, and for unknown parts and links.
 PassExposure readExposure(const hdf5::TableReader& in, const NameCounts& names, const std::string& file);
 
 }  // namespace abstand::tune

@@ -7,7 +7,7 @@
 namespace abstand::tune {
 namespace {
 
-/// Of floating-point times: a frame that lies on the border of two stretches belongs to the later one.
+/// s, for floating-point times: a frame at the border of two segments belongs to the later one.
 constexpr double kBorder = 1e-9;
 
 void add(ExposureRow& row, const Exposure& e, const TunedRecording& recording) {
@@ -20,7 +20,7 @@ void add(ExposureRow& row, const Exposure& e, const TunedRecording& recording) {
                  recording.pass.links[e.link], e.t_min};
 }
 
-/// Rows by name, in the order in which they came.
+/// Rows by name, in order of first use.
 class Rows {
  public:
   explicit Rows(std::vector<ExposureRow>& rows) : rows_(rows) {}
@@ -52,7 +52,7 @@ std::vector<ExposureRow> stretches(const std::vector<TunedRecording>& recordings
   return rows;
 }
 
-/// One frame of a recording into the stretch that it lies in.
+/// Adds one frame of a recording to the segment it lies in.
 void addFrame(ExposureRow& row, const TunedRecording& recording, std::size_t frame, double near) {
   const PassResult& pass = recording.pass;
   const std::vector<double>& t = pass.parts.front().track.t;

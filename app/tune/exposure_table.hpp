@@ -1,4 +1,4 @@
-// Exposure over all recordings: of body parts, links, pairs, stretches of the program, and places.
+// Exposure over all recordings: by body part, link, pair, program segment, and place.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@ namespace abstand::tune {
 
 struct ExposureRow {
   std::string part, link;      ///< empty: all
-  double t0{kNaN}, t1{kNaN};   ///< s, of a stretch of the program
+  double t0{kNaN}, t1{kNaN};   ///< s, of a segment of the program
   margin::ExposureTime spent;  ///< as in Exposure
   double time{0.0}, not_seen{0.0};
   std::size_t approaches{0};   ///< near misses: local minima of a part's clearance below PassOptions::near
-  double closing{-kInfinity};  ///< m/s, as in Exposure; of a stretch: of each part's nearest link only
-  /// The least clearance of what was seen; none where nothing was.
+  double closing{-kInfinity};  ///< m/s, as in Exposure; for a segment: only of each part's nearest link
+  /// The smallest known clearance; empty if there is none.
   struct Nearest {
     double clearance{0.0};  ///< m, certified
     std::string recording, part, link;
@@ -29,15 +29,15 @@ struct ExposureTable {
   double near{0.0};  ///< m, PassOptions::near
   ExposureRow body;
   std::vector<ExposureRow> parts, links, pairs;  ///< in the order of the recordings
-  std::vector<ExposureRow> phases;               ///< rising in time
+  std::vector<ExposureRow> phases;               ///< in order of time
   struct Cell {
     std::string part;
     std::size_t cell{0};  ///< humanmodel::cellOf
     margin::ExposureTime spent;
   };
-  std::vector<Cell> body_cells;  ///< those with some exposure
+  std::vector<Cell> body_cells;  ///< those with exposure
   std::vector<FloorCell> floor_cells;
-  /// Of the robots, as the first recording has them.
+  /// Outlines of the robots, from the first recording.
   struct Outline {
     std::string link;
     std::vector<Eigen::Vector2d> corners;  ///< m, world
@@ -45,8 +45,8 @@ struct ExposureTable {
   std::vector<Outline> outlines;
 };
 
-/// Sums of the recordings. `segment`: s, length of the stretches of the program, which are the same times in
-/// every recording, as in speedTable(). `near`: m, with which the recordings were run.
+/// Sums over the recordings. `segment`: s, length of the program segments, at the same times in every
+/// recording, as in speedTable(). `near`: m, as used in the runs of the recordings.
 ExposureTable exposureTable(const std::vector<TunedRecording>& recordings, double segment, double near);
 
 }  // namespace abstand::tune

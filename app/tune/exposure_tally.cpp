@@ -70,7 +70,7 @@ void ExposureTally::noteClosing(const WindowFrame& frame, std::span<const Closin
   }
 }
 
-/// The least of what is known; what is not is noted beside it.
+/// Smallest known clearance; unknown ones are recorded separately.
 void ExposureTally::take(Least& least, const WindowFrame& frame, std::size_t pair) const {
   if (!isKnown(frame, pair)) {
     least.seen = false;
@@ -86,7 +86,7 @@ void ExposureTally::takeClearances(const WindowFrame& frame, double duration,
     if (exposure.add(frame.t, least.clearance, least.seen, duration))
       exposure.part = least.part, exposure.link = least.link;
   };
-  // Of several people who have the same part the nearest one.
+  // Of several people with the same part the nearest one.
   std::fill(min_of_slot_.begin(), min_of_slot_.end(), kNoPair);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     std::size_t& least = min_of_slot_[slot_of_[p]];

@@ -1,4 +1,4 @@
-// Counts exposure while a recording is run.
+// Accumulates exposure while a recording is run.
 #pragma once
 
 #include <map>
@@ -11,19 +11,19 @@
 
 namespace abstand::tune {
 
-/// Hears every frame of a pass. What it keeps does not grow with the recording's length. One thread.
+/// Receives every frame of a pass. Memory does not grow with the recording's length. One thread.
 class ExposureTally {
  public:
-  /// Of a watched pair: indices into PassResult::parts and links.
+  /// Names of a watched pair: indices in PassResult::parts and links.
   struct Names {
     std::uint16_t part, link;
   };
-  /// `names`: of each pair; `near`: m, PassOptions::near. Session and pairs must outlive it.
+  /// `names`: of each pair; `near`: m, PassOptions::near. Session and pairs must outlive this object.
   ExposureTally(const session::Session& session, const std::vector<WatchedPair>& pairs,
                 std::span<const Names> names, double near);
 
-  /// What a frame adds; it stands for `duration` (s), until the next one. `motions`: of the pairs;
-  /// `nearest`: of each part the pair with the least clearance.
+  /// Adds a frame that represents `duration` (s), until the next one. `motions`: of the pairs; `nearest`: for
+  /// each part the pair with the smallest clearance.
   void frame(const WindowFrame& frame, double duration, std::span<const ClosingMotion> motions,
              std::span<const std::size_t> nearest);
   PassExposure finish();
@@ -34,7 +34,7 @@ class ExposureTally {
   void takeCells(const WindowFrame& frame, double duration, std::span<const std::size_t> nearest);
   void drawOutlines(const WindowFrame& frame);
 
-  /// Order of floor cells.
+  /// Sort key of floor cells.
   using FloorKey = std::tuple<FloorLayer, int, int>;
   struct Least {
     double clearance{kInfinity};
@@ -46,12 +46,12 @@ class ExposureTally {
   const session::Session& session_;
   const std::vector<WatchedPair>& pairs_;
   double near_;
-  std::vector<Names> slots_;                 ///< every part and link that have a pair
-  std::vector<std::size_t> slot_of_;         ///< of each watched pair; of two people both have the same one
+  std::vector<Names> slots_;                 ///< all parts and links with a pair
+  std::vector<std::size_t> slot_of_;         ///< of each watched pair; equal for the same part of two people
   std::vector<Vector3d> half_extent_;        ///< m, of each pair's part
-  std::vector<std::size_t> min_of_slot_;     ///< pair with the least clearance in this frame
+  std::vector<std::size_t> min_of_slot_;     ///< pair with the smallest clearance in this frame
   std::vector<Least> min_of_link_;           ///< in this frame
-  std::vector<margin::ExposureTime> cells_;  ///< of each part kCellCount
+  std::vector<margin::ExposureTime> cells_;  ///< kCellCount for each part
   std::map<FloorKey, margin::ExposureTime> floor_;
   std::vector<std::pair<FloorKey, double>> in_frame_;  ///< floor cells of this frame with their clearance
   PassExposure result_;

@@ -21,7 +21,7 @@ namespace {
 constexpr int kPollMs = 100;
 constexpr std::uint32_t kMaxMessage = 4000;
 
-/// In front of every answer of a process.
+/// Precedes every answer of a process.
 struct Answer {
   std::uint64_t job;
   std::int32_t answered, answer;
@@ -52,7 +52,7 @@ bool readAll(int fd, void* bytes, std::size_t count) {
   return true;
 }
 
-/// A copy of this process that does jobs it is told by number.
+/// A forked process that runs jobs by number.
 struct Worker {
   pid_t pid{-1};
   int orders{-1}, answers{-1};
@@ -77,7 +77,7 @@ struct Worker {
     if (!writeAll(answers, &answer, sizeof answer) || !writeAll(answers, message.data(), message.size()))
       break;
   }
-  // Nothing of the parent is closed or written a second time.
+  // Without flushing or closing the parent's files.
   ::_exit(0);
 }
 
@@ -135,7 +135,7 @@ class Pool {
     w.job = next_++;
     w.busy = true;
     const std::uint64_t job = w.job;
-    // A process that is gone is noticed by its answer.
+    // A dead process is detected by its missing answer.
     (void)writeAll(w.orders, &job, sizeof job);
   }
   void listen() {
@@ -159,7 +159,7 @@ class Pool {
     const std::size_t job = w.job;
     ended_({job, std::nullopt, end(w)});
   }
-  /// How the process ended.
+  /// Text for how the process ended.
   static std::string end(Worker& w) {
     if (w.pid < 0) return {};
     close(w.orders), close(w.answers);

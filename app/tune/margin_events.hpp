@@ -1,4 +1,4 @@
-// What happened at a margin, one event after the other.
+// Chronological list of events at a margin.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace abstand::tune {
 
-/// A stretch in which a part was nearer than the margin, or a touch that no margin would have told.
+/// A stretch in which a part was nearer than the margin, or a contact that no margin would have detected.
 struct MarginEvent {
   enum class Kind : std::uint8_t {
-    kIntrusion,      ///< the robot is told to stop at its first frame
-    kBetweenFrames,  ///< at the limit between two frames that both lie outside of the margin
+    kIntrusion,      ///< a stop is commanded at its first frame
+    kBetweenFrames,  ///< the limit was reached between two frames outside of the margin
   };
   Kind kind{Kind::kIntrusion};
   const TunedRecording* recording{nullptr};
-  std::uint16_t part{0}, link{0};  ///< indices into PassResult; the link that was nearest
-  double t0{0.0}, t1{0.0};         ///< s; of the stretch, or the two frames
-  double t_nearest{0.0};           ///< s, of the frame with the least clearance
-  double min_clearance{0.0};       ///< m, certified, had the robot not stopped
+  std::uint16_t part{0}, link{0};  ///< indices in PassResult; the nearest link
+  double t0{0.0}, t1{0.0};         ///< s; of the stretch, or of the two frames
+  double t_nearest{0.0};           ///< s, of the frame with the smallest clearance
+  double min_clearance{0.0};       ///< m, certified, if the robot had not stopped
   double braking{0.0};             ///< m, certified, until the robot is at rest
   bool false_stop{false}, missed{false};
   std::optional<double> lead_time;  ///< s
@@ -29,8 +29,7 @@ struct MarginEvent {
   double told_margin{0.0};
 };
 
-/// In order of time, then of parts. `part`: this one's only; empty: of all. The recording must outlive the
-/// events.
+/// In order of time, then of parts. `part`: only this one; empty: all. The recording must outlive the events.
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part = {});
 

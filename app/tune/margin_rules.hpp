@@ -1,4 +1,4 @@
-// A set of margins by body part, link and pair, and its file.
+// Set of margins by body part, link and pair, and its file format.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ struct MarginRule {
   margin::PairMargin margin;
 };
 
-/// Margins of pairs. A rule for a pair goes before those for its part and its link, of which the larger of
-/// each number holds; `other` is for pairs without a rule.
+/// Margins of pairs. A rule for a pair has precedence over those for its part and its link, of which the
+/// larger of each number applies; `other` is for pairs without a rule.
 struct MarginRules {
-  std::string name;  ///< of the file, or "per_link"
+  std::string name;  ///< that of the file, or "per_link"
   std::vector<MarginRule> rules;
   std::optional<margin::PairMargin> other;
 
-  /// Nothing where no rule says a margin.
+  /// nullopt if no rule applies.
   std::optional<margin::PairMargin> of(const std::string& part, const std::string& link) const;
 };
 

@@ -1,4 +1,4 @@
-// What sets of margins would have done over recordings, all parts and links together.
+// Outcomes of sets of margins over recordings, all parts and links together.
 #pragma once
 
 #include "app/tune/margin_rules.hpp"
@@ -25,16 +25,16 @@ std::vector<StrategyOutcome> strategyOutcomes(const std::vector<TunedRecording>&
                                               const std::vector<MarginRules>& sets,
                                               const margin::MarginOptions& options);
 
-/// The smallest safe margins as sets: "uniform" (the largest one for all), "per_part", "per_link" and
-/// "per_pair". Rounded up to whole millimetres. Sets for which no margin would do are left out.
+/// Smallest safe margins as sets: "uniform" (the largest one for all), "per_part", "per_link" and "per_pair".
+/// Rounded up to whole millimetres. Sets without a sufficient margin are omitted.
 std::vector<MarginRules> proposedRules(const std::vector<TunedRecording>& recordings,
                                        const MarginTable& table);
 
-/// The smallest safe margin of a link or a pair over all recordings.
+/// Smallest safe margin of a link or a pair over all recordings.
 struct GroupNeed {
   std::string part, link;                ///< part: empty for a link
-  double margin{0.0};                    ///< m, rounded up to whole millimetres; infinite where none would do
-  std::optional<std::size_t> recording;  ///< index of the one that decides it; none: no stop was ever needed
+  double margin{0.0};                    ///< m, rounded up to whole millimetres; infinite if none suffices
+  std::optional<std::size_t> recording;  ///< index of the decisive one; nullopt: no stop was ever needed
   MarginNeed need;                       ///< of that recording
 };
 std::vector<GroupNeed> linkNeeds(const std::vector<TunedRecording>& recordings);

@@ -18,7 +18,7 @@ std::vector<std::string> partsOf(const std::vector<TunedRecording>& recordings) 
   return parts;
 }
 
-/// A part from the first frame on that a margin can be judged from.
+/// A part from the first frame from which a margin can be judged.
 struct JudgedPart {
   const TunedRecording* recording;
   std::size_t index;  ///< of the recording
@@ -76,7 +76,7 @@ void addRows(const std::string& part, const std::vector<const margin::ClearanceT
   }
 }
 
-/// Frame by frame the nearest of all parts, from where each of them can be judged.
+/// Frame-wise minimum over all parts, from the frame on from which each can be judged.
 margin::ClearanceTrack wholeBody(const TunedRecording& recording, const margin::MarginOptions& options) {
   std::vector<const margin::ClearanceTrack*> tracks;
   for (const PartClearance& p : recording.pass.parts) tracks.push_back(&p.track);

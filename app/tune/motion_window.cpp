@@ -60,10 +60,10 @@ std::size_t MotionWindow::indexAt(double t) const {
 std::optional<Halt> MotionWindow::haltOfFirst(std::size_t robot) const {
   Halt halt{options_.reaction_time, 0.0};
   const double begin = frames_.front().t + halt.reaction;
-  // The path may grow faster while the robot brakes; so much longer it brakes, until nothing faster comes.
+  // If the path gets faster while the robot brakes, it brakes longer; repeated until nothing faster follows.
   for (;;) {
     const double end = begin + 0.5 * halt.braking;
-    // The frame behind it says how fast the path goes there.
+    // The following frame determines the speed of the path there.
     if (frames_.back().t <= end && !finished_) return std::nullopt;
     double longest = 0.0;
     for (std::size_t k = indexAt(begin); k + 1 < frames_.size() && frames_[k].t <= end; ++k)

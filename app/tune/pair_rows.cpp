@@ -31,7 +31,7 @@ void PairRows::readBlock() {
   robot_speed_.resize(clearance_.size());
   person_speed_.resize(clearance_.size());
   for (std::size_t i = 0; i < clearance_.size(); ++i) {
-    // What has no number is not known, and never safe.
+    // NaN counts as unknown, which is never safe.
     const double clearance = clearance_[i] - bound[i] - uncertainty[i];
     clearance_[i] = std::isnan(clearance) ? -kInfinity : clearance;
     robot_speed_[i] = std::isnan(speeds[2 * i]) ? kInfinity : speeds[2 * i];

@@ -1,4 +1,4 @@
-// The pairs of a result file, frame by frame.
+// Reads the pairs of a result file, frame by frame.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,18 @@
 
 namespace abstand::tune {
 
-/// Reads the values of all pairs of a recording from its result file, some thousand frames at a time, so that
-/// memory does not grow with the recording. One thread.
+/// Reads the values of all pairs of a recording from its result file in blocks of some thousand frames, so
+/// that memory does not grow with the recording. One thread.
 class PairRows {
  public:
-  /// The recording was read from a result file (TunedRecording::file) and outlives this. Throws ParseError.
+  /// The recording was read from a result file (TunedRecording::file) and outlives this object. Throws
+  /// ParseError.
   explicit PairRows(const TunedRecording& recording);
 
   std::size_t pairs() const { return recording_.pass.pairs.size(); }
-  /// Goes to the next frame; false behind the last one. Throws ParseError.
+  /// Advances to the next frame; false after the last one. Throws ParseError.
   bool next();
-  /// Certified clearances of the file, which are rounded to the safe side. Its lists live until next().
+  /// Certified clearances of the file, which are rounded to the safe side. The lists are valid until next().
   margin::PairFrame frame() const;
   std::size_t index() const { return index_; }
 

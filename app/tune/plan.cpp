@@ -97,7 +97,7 @@ class PlanReader {
     if (people.empty()) people.emplace_back();
     return people;
   }
-  /// Throws ParseError at `place` where no person is so.
+  /// Throws ParseError at `place` for an impossible person.
   void check(const PersonVariant& person, const config::YamlNode& place) const {
     humanmodel::HumanOptions body;
     person.apply(body);
@@ -107,7 +107,7 @@ class PlanReader {
       throw ParseError({file_, place.line, place.column}, e.what());
     }
   }
-  /// Each of `mirror` with each of `places`.
+  /// The product of `mirror` and `places`.
   std::vector<RecordingVariant> variantsOf(const config::YamlFields& fields) const {
     std::vector<RecordingVariant> places;
     for (const config::YamlNode& node : fields.list("places")) {

@@ -1,4 +1,4 @@
-// Which people do what beside which robots: the runs of a study of margins.
+// Plan of a margin study: combinations of people, recordings and robot programs.
 #pragma once
 
 #include <filesystem>
@@ -10,47 +10,47 @@
 
 namespace abstand::tune {
 
-/// In place of the people of a scene; what is not set stays as the scene says.
+/// Overrides for the people of a scene; unset values stay as in the scene.
 struct PersonVariant {
   std::optional<double> height, mass;  ///< m, kg
-  /// Per cent, as in HumanOptions. Height and mass of the scene then give way to those of the percentile.
+  /// Per cent, as in HumanOptions. Replaces stature and mass of the scene by those of the percentile.
   std::optional<double> percentile;
   std::optional<humanmodel::Sex> sex;
 
   void apply(humanmodel::HumanOptions& body) const;
 };
 
-/// Where and how the person does what was recorded.
+/// Variation of a recorded motion.
 struct RecordingVariant {
-  bool mirrored{false};              ///< with the other hand
-  Vector3d shift{Vector3d::Zero()};  ///< m, world, beside the place of the scene
+  bool mirrored{false};              ///< left and right exchanged
+  Vector3d shift{Vector3d::Zero()};  ///< m, world, added to the scene's position
   double turn{0.0};                  ///< rad, about the vertical axis through the recording's origin
 
   void apply(scene_file::RecordingDescription& recording) const;
 };
 
-/// One recording, one person, one program of the robots.
+/// One run: recording, person and robot program.
 struct PlanItem {
   std::filesystem::path scene, recording;  ///< no recording: people follow those of the scene
   PersonVariant person;
   RecordingVariant variant;
-  double speed{1.0};                                     ///< of the person: 2, twice as fast as recorded
-  std::map<std::string, std::filesystem::path> motions;  ///< of mechanisms by name, in place of the scene's
+  double speed{1.0};                                     ///< of the person, factor of the recorded speed
+  std::map<std::string, std::filesystem::path> motions;  ///< of mechanisms by name, instead of the scene's
   /// "a.bvh, height 1.62, speed 1.2": unique in a plan.
   std::string name;
 
-  /// Makes the scene that of this item. Throws UsageError for a mechanism that the scene does not have.
+  /// Applies this item to the scene. Throws UsageError for an unknown mechanism.
   void apply(scene_file::SceneDescription& description) const;
 };
 
-/// Reads a plan file (docs/margins.md, "Plans"): every recording with every person, speed and program. Throws
-/// ParseError with line and column for what is wrong, a file that is missing and two runs of one name.
+/// Reads a plan file (docs/margins.md, "Plans"): the product of recordings, people, speeds and programs.
+/// Throws ParseError with line and column for errors, missing files and two runs with the same name.
 std::vector<PlanItem> loadPlan(const std::filesystem::path& file);
 
-/// The same for a text; `file` names it in errors, and paths are relative to its folder.
+/// The same for a text; `file` is its name in errors, and its folder the base of paths.
 std::vector<PlanItem> parsePlan(const std::string& text, const std::filesystem::path& file);
 
-/// The first key is `abstand_plan`: no scene but a plan. False for what cannot be read.
+/// True if the first key is `abstand_plan`: a plan instead of a scene. False for unreadable files.
 bool isPlan(const std::filesystem::path& file);
 
 }  // namespace abstand::tune

@@ -9,12 +9,12 @@
 namespace abstand::tune {
 namespace {
 
-// Relative: so much slower than permitted, so that rounded times are nowhere faster.
+// Relative: pace reduction so that rounded times are never too fast.
 constexpr double kPaceRounding = 1e-9;
-// s: rows of two motions nearer to each other than this are one node.
+// s: rows of two motions nearer than this are one node.
 constexpr double kSameTime = 1e-9;
 
-/// y of x in a list of nodes; 1 s per s before the first node, `after` behind the last.
+/// y at x by linear interpolation of the nodes; slope 1 before the first node, `after` beyond the last.
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at, double after) {
   if (at <= x.front()) return y.front() + (at - x.front());
   if (at >= x.back()) return after;
@@ -23,7 +23,7 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
   return (1.0 - u) * y[k - 1] + u * y[k];
 }
 
-/// Times of all rows, bounds of stretches, and steps between them.
+/// Times of all rows, interval bounds, and steps in between.
 std::vector<double> nodesOf(const std::vector<PermittedPace>& permitted,
                             const std::vector<ProgramMotion>& motions) {
   const double begin = programBegin(motions), end = programEnd(motions);
@@ -43,12 +43,12 @@ std::vector<double> nodesOf(const std::vector<PermittedPace>& permitted,
       nodes.push_back(from + (t - from) * static_cast<double>(i) / static_cast<double>(steps));
     nodes.push_back(t);
   }
-  // The end itself, also where a row lies just before it.
+  // Exactly the end, even if a row is just before it.
   nodes.back() = end;
   return nodes;
 }
 
-/// The permitted scale between two nodes.
+/// Permitted pace between two nodes.
 std::vector<double> scalesBetween(const std::vector<double>& nodes,
                                   const std::vector<PermittedPace>& permitted) {
   std::vector<double> scales(nodes.size() - 1, 1.0);
@@ -61,7 +61,7 @@ std::vector<double> scalesBetween(const std::vector<double>& nodes,
   return scales;
 }
 
-/// Speed of the fastest joint as recorded, between two nodes.
+/// Recorded speed of the fastest joint between two nodes.
 std::vector<double> jointSpeeds(const std::vector<double>& nodes, const std::vector<ProgramMotion>& motions) {
   std::vector<double> speeds(nodes.size() - 1, 0.0);
   for (const ProgramMotion& m : motions) {
@@ -76,8 +76,8 @@ std::vector<double> jointSpeeds(const std::vector<double>& nodes, const std::vec
   return speeds;
 }
 
-/// Pace at every node. A joint of recorded speed v at pace c slows down by v dc/dt = v d(c^2 / 2)/dp: so the
-/// square of the pace changes by 2 a / v at most per second of the program.
+/// Pace at every node. A joint with recorded speed v at pace c decelerates by v dc/dt = v d(c^2 / 2)/dp: so
+/// the squared pace may change by at most 2 a / v for each second of the program.
 std::vector<double> pacesAt(const std::vector<double>& nodes, const std::vector<double>& scales,
                             const std::vector<double>& speeds, double deceleration) {
   std::vector<double> square(nodes.size());
@@ -122,11 +122,11 @@ ProgramPace permittedProgram(const std::vector<PermittedPace>& permitted,
   ABSTAND_CHECK(nodes.size() >= 2);
   const std::vector<double> paces =
       pacesAt(nodes, scalesBetween(nodes, permitted), jointSpeeds(nodes, motions), deceleration);
-  // Even changes of pace: in the middle of a step it is the mean of both ends.
+  // With linear changes the pace in the middle of a step is the mean of both ends.
   const auto between = [&](std::size_t k) { return 0.5 * (paces[k] + paces[k + 1]) * (1.0 - kPaceRounding); };
   std::vector<double> program{nodes.front()}, clock{nodes.front()};
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-    // Nodes at which nothing changes are none.
+    // Nodes without a change are omitted.
     if (k + 2 < nodes.size() && between(k) == between(k + 1)) continue;
     clock.push_back(clock.back() + (nodes[k + 1] - program.back()) / between(k));
     program.push_back(nodes[k + 1]);

@@ -10,7 +10,7 @@
 namespace abstand::tune {
 namespace {
 
-// Of a round: a program that ends with a recording but for rounding needs no other one.
+// Share of a round: a program that ends with a recording up to rounding needs no further round.
 constexpr double kRoundTolerance = 1e-9;
 
 mechanism::MotionTable earlierBy(const mechanism::MotionTable& motion, double offset) {

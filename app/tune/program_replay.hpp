@@ -1,4 +1,4 @@
-// The same recordings beside the same program at another pace.
+// Replays recordings with the same robot program at another pace.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace abstand::tune {
 
-/// The motions of a scene's mechanisms. Throws ParseError for one that cannot be read, UsageError for a scene
-/// without a motion that takes time.
+/// Motions of a scene's mechanisms. Throws ParseError for an unreadable one, UsageError for a scene without a
+/// motion of positive duration.
 std::vector<ProgramMotion> programMotions(const scene_file::SceneDescription& scene);
 
-/// What became of some runs; the recordings have the names of their items.
+/// Results of some runs; the recordings have the names of their items.
 struct ReplayRuns {
   std::vector<TunedRecording> recordings;
   std::vector<FailedRun> failed;
@@ -24,17 +24,16 @@ using RunItems = std::function<ReplayRuns(const std::vector<PlanItem>&)>;
 /// A run of a replay.
 struct ReplayedRecording {
   TunedRecording tuned;
-  double offset{0.0};  ///< s: clock of the program less time of the recording
+  double offset{0.0};  ///< s: program clock minus recording time
 };
 
-/// Runs a study's recordings again, beside its program at another pace. A program that goes on when a
-/// recording has ended meets it again from its beginning, in a run of its own ("round"), until its end, and
-/// so does one that began before the recording: every moment of the program meets every recording. One
-/// thread; not copied.
+/// Reruns a study's recordings with its program at another pace. If the program is longer than a recording,
+/// the recording is repeated in further runs ("rounds") until the program ends, and likewise if the program
+/// started before the recording: every time of the program meets every recording. One thread; not copied.
 class ProgramReplay {
  public:
-  /// `items`: runs with one program, that of `motions`. `recorded`: what came of them; items without a
-  /// recording there are left out. `folder`: exists; motion files of the replays are written there.
+  /// `items`: runs with one program, that of `motions`. `recorded`: their results; items without a result are
+  /// skipped. `folder`: exists; motion files of the replays are written there.
   ProgramReplay(const std::vector<PlanItem>& items, const std::vector<TunedRecording>& recorded,
                 std::vector<ProgramMotion> motions, std::filesystem::path folder, RunItems run);
 
@@ -43,7 +42,7 @@ class ProgramReplay {
     std::vector<FailedRun> failed;
     bool interrupted{false};
   };
-  /// Throws UsageError for a program that needs more than kMaxRounds of a recording; WriteError.
+  /// Throws UsageError if a recording needs more than kMaxRounds; WriteError.
   Answer run(const ProgramPace& pace);
   const std::vector<ProgramMotion>& motions() const { return motions_; }
 
@@ -58,7 +57,7 @@ class ProgramReplay {
     long first{0}, end{1};  ///< 0: in step with the recording
   };
   static Rounds roundsOf(const Recorded& recorded, const ProgramPace& pace);
-  /// The program's motions with clocks earlier by `offset`, as files.
+  /// Writes the program's motions with clocks shifted back by `offset` to files.
   std::map<std::string, std::filesystem::path> write(const ProgramPace& pace, double offset);
 
   std::vector<Recorded> recorded_;

@@ -9,14 +9,14 @@
 namespace abstand::tune {
 namespace {
 
-/// s at the beginning in which nothing can be judged.
+/// Time (s) at the beginning that cannot be judged.
 double unjudged(const margin::ClearanceTrack& track, const margin::MarginOptions& options) {
   const std::size_t first = margin::firstJudgedFrame(track, options);
   if (first == 0) return 0.0;
   return first < track.frames() ? track.t[first] - track.t.front() : track.duration();
 }
 
-/// Of all recordings that people follow.
+/// Content hash of all recordings that people follow.
 std::string contentOf(const session::Session& session) {
   ContentHash hash;
   bool any = false;

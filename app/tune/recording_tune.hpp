@@ -1,4 +1,4 @@
-// One recording run through a scene for its margins.
+// Runs one recording through a scene to collect margin data.
 #pragma once
 
 #include "app/run/run_scene.hpp"
@@ -14,11 +14,11 @@ struct TuneOptions {
   margin::MarginOptions margins() const { return {pass.limit, restart_time}; }
 };
 
-/// What all later questions need of a recording.
+/// Data of one recording for all later questions.
 struct TunedRecording {
-  std::string recording;       ///< file, or the scene's name where people follow its own
-  std::filesystem::path file;  ///< of its result; empty where none was written
-  std::string content;         ///< fingerprint of the recording's file; empty where there is none
+  std::string recording;       ///< file, or the scene's name if people follow its recordings
+  std::filesystem::path file;  ///< its result file; empty if none was written
+  std::string content;         ///< content hash of the recording's file; empty if there is none
   std::size_t frames{0};
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
@@ -30,12 +30,11 @@ struct TunedRecording {
   double seconds() const { return t1 - t0; }
 };
 
-/// The first frame from which on every part can be judged (margin::firstJudgedFrame); `frames` where there is
-/// none.
+/// First frame from which every part can be judged (margin::firstJudgedFrame); `frames` if there is none.
 std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options);
 
-/// Runs the session over its frames, in lock step, and without reactions: as recorded. `run`: progress and
-/// interrupts are taken from it. Throws UsageError.
+/// Runs the session over its frames in lock step, without reactions. `run`: provides progress and interrupt
+/// callbacks. Throws UsageError.
 TunedRecording tuneRecording(session::Session& session, const TuneOptions& options,
                              const run::RunOptions& run, const std::string& name);
 

@@ -15,29 +15,29 @@ namespace {
 
 constexpr double kDistanceStep = 1e-5;  // m
 constexpr double kPointStep = 1e-3;     // m
-// m/s. Speeds are rounded up, those of pairs that are farther apart than kPointsWithin to coarse steps; a
-// body that goes away has none.
+// m/s. Speeds are rounded up, those of pairs farther apart than kPointsWithin to coarse steps; receding
+// bodies have speed 0.
 constexpr double kPairSpeedStep = 1.0 / 512.0, kFarSpeedStep = 1.0 / 16.0;
-// m: nearest points of pairs that are farther apart are left out.
+// m: nearest points of pairs farther apart are omitted.
 constexpr double kPointsWithin = 0.5;
 constexpr std::size_t kMaxNames = 10000;
 constexpr double kNoLink = 65535.0;  // above kMaxNames
 
-/// Of one part, in the order in which the file has them.
+/// Columns of one part, in file order.
 const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
                                 "bound",     "uncertainty", "link"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
 /// the hardest contact on the way, excluded, force, energy, share, pressure, its share.
 constexpr std::size_t kApproachColumns = 16;
-/// m: what is missing of a protective distance where a part was not seen; files hold no infinity.
+/// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
 constexpr double kAllMissing = 1e4;
 /// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
 constexpr std::size_t kSeparationColumns = 10;
 /// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
 constexpr std::size_t kNeedColumns = 7;
 
-/// One line, its fields between tabs; times and shares that do not apply are empty.
+/// One line of tab-separated fields; times and shares that do not apply are empty.
 std::string reservationLine(const run::Reservation& r) {
   const auto number = [](const std::optional<double>& v) { return v ? formatDouble(*v) : std::string(); };
   return r.kind + "\t" + std::to_string(static_cast<int>(r.fails)) + "\t" + number(r.t0) + "\t" +
@@ -67,7 +67,7 @@ run::Reservation reservationOf(const std::string& line, const std::string& file)
           ""};
 }
 
-/// One list of a part as a column of a row-major table.
+/// One list of a part, from a column of a row-major table.
 std::vector<double> column(const std::vector<double>& table, std::size_t frames, std::size_t width,
                            std::size_t at) {
   std::vector<double> list(frames);
@@ -79,7 +79,7 @@ PartSeparation separationOf(std::vector<double> missing, std::vector<double> sca
   for (double& v : missing) v = std::isnan(v) ? -kInfinity : v >= kAllMissing ? kInfinity : v;
   PartSeparation separation{std::move(missing), std::move(scale), {}};
   if (std::isnan(worst[0])) return separation;
-  // The number of no link for what is no number, either.
+  // NaN is treated as no link, too.
   const bool any = worst[1] >= 0.0 && worst[1] <= kNoLink;
   SeparationMoment m{worst[0], static_cast<std::uint16_t>(any ? worst[1] : kNoLink),
                      worst[2], worst[3],
@@ -89,7 +89,7 @@ PartSeparation separationOf(std::vector<double> missing, std::vector<double> sca
   return separation;
 }
 
-/// `count` needs from row `first` on.
+/// `count` needs, starting at row `first`.
 std::vector<MarginNeed> needsOf(const std::vector<double>& table, std::size_t first, std::size_t count,
                                 const std::string& file) {
   std::vector<MarginNeed> needs;
@@ -102,7 +102,7 @@ std::vector<MarginNeed> needsOf(const std::vector<double>& table, std::size_t fi
   return needs;
 }
 
-/// Pairs of indices of parts and links.
+/// Reads pairs of indices of parts and links.
 void readPairs(const hdf5::TableReader& in, std::size_t parts, PassResult& pass, const std::string& file) {
   const std::size_t count = in.extents("pairs").rows;
   const std::vector<double> pairs = in.table("pairs", count, 2);
@@ -174,7 +174,7 @@ void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
   if (!begun_) begin(names);
   out_.add(distance_, frame.distance);
   for (std::size_t p = 0; p < frame.distance.size(); ++p) {
-    // Rounded down as all are; so it is a step too small before.
+    // The writer rounds down; one step more makes it an upper bound.
     out_.add(bound_, frame.bound[p] + kDistanceStep);
     out_.add(uncertainty_, frame.uncertainty[p] > 0.0 ? frame.uncertainty[p] + kDistanceStep : 0.0);
     const bool near = frame.distance[p] < kPointsWithin;
@@ -212,7 +212,7 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   for (const PartClearance& p : tuned.pass.parts)
     if (p.contact_excluded) excluded.push_back(p.part);
   out_.texts("contact_excluded", excluded);
-  // The rows of the pairs are complete; what follows has its own.
+  // The rows of the pairs are complete; later tables have their own.
   out_.nextTables();
   const std::size_t t = out_.table("t", {});
   const std::size_t parts = out_.table("part_values", {tuned.pass.parts.size(), kColumnCount});

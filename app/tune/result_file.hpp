@@ -1,4 +1,4 @@
-// The result of a recording in a file of its own.
+// Result file of a recording.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 namespace abstand::tune {
 
 /// Writes a result while its recording is run (docs/margins.md, "Result files"): distances of all pairs frame
-/// by frame, then what the parts did. The file appears at commit(), whole, or not at all.
+/// by frame, then results of the parts. The file appears completely at commit(), or not at all.
 class ResultWriter {
  public:
   /// Throws WriteError.
   ResultWriter(const std::filesystem::path& file, const ContentKey& key);
-  /// Of PassOptions::on_frame. Throws WriteError.
+  /// For PassOptions::on_frame. Throws WriteError.
   void frame(const SettledFrame& settled, const PassResult& names);
   void commit(const TunedRecording& tuned, const TuneOptions& options);
 
@@ -31,13 +31,13 @@ struct StoredResult {
   TunedRecording tuned;
   TuneOptions options;
   std::string key;      ///< ContentKey::hex()
-  std::string version;  ///< resultVersion() of the program that made it
+  std::string version;  ///< resultVersion() of the program that wrote it
 };
 
-/// Whether the file is a whole result of this key. Its checksum is compared; what it holds is not read.
+/// True if the file is a complete result with this key. Verifies its checksum, not its content.
 bool isResult(const std::filesystem::path& file, const ContentKey& key);
 
-/// Throws ParseError for what is no such file, or is damaged.
+/// Throws ParseError if it is not such a file, or damaged.
 StoredResult readResult(const std::filesystem::path& file);
 
 }  // namespace abstand::tune

@@ -33,7 +33,7 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
   for (const auto& h : scene.humans) {
     if (recording.empty()) addContent(hash, h.recording.file);
     addContent(hash, h.recording.options.joint_map);
-    hash.add(h.recording.speed);  // no keys of a scene file
+    hash.add(h.recording.speed);  // not in scene files
     hash.add(h.recording.mirrored);
   }
   addContent(hash, recording);

@@ -1,4 +1,4 @@
-// What a result of a recording depends on.
+// Hash key of a result: everything it depends on.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace abstand::tune {
 
-/// Of the layout of result files.
+/// Version of the layout of result files.
 inline constexpr long long kResultFormat = 4;
 
-/// Which sources made a result: those of another version may say something else.
+/// Version of the sources that made a result; other versions may give other results.
 std::string resultVersion();
 
-/// Program, scene, recording, options and whatever else `settings` says. Results with one key are the same.
-/// Throws ParseError for a file that cannot be read.
+/// Hash of program, scene, recording, options and `settings`. Equal keys mean equal results. Throws
+/// ParseError for an unreadable file.
 ContentKey resultKey(const scene_file::SceneDescription& scene, const std::filesystem::path& recording,
                      const TuneOptions& options, const std::string& settings);
 

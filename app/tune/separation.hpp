@@ -1,5 +1,5 @@
-// Speed and separation monitoring over a recording: was the protective distance kept, and at which speed
-// would it be.
+// Speed and separation monitoring over a recording: whether the protective distance was kept, and at which
+// speed it would have been.
 #pragma once
 
 #include <optional>
@@ -9,29 +9,29 @@
 
 namespace abstand::tune {
 
-/// The moment at which most of a part's protective distance was missing.
+/// The time with the largest shortfall of a part's protective distance.
 struct SeparationMoment {
   double t{0.0};
-  std::uint16_t link{0};                       ///< index into PassResult::links
+  std::uint16_t link{0};                       ///< index in PassResult::links
   double clearance{0.0};                       ///< m, certified
   double robot_speed{0.0}, person_speed{0.0};  ///< m/s, towards each other
-  safety::ProtectiveDistance needed;           ///< its terms: which one bought a stop
+  safety::ProtectiveDistance needed;           ///< its terms: which one would cause a stop
   double permitted_speed{0.0};                 ///< m/s, of the robot at this clearance
 };
 
-/// Of one part. Lists have one entry a frame and take the worst link.
+/// Results of one part. Lists have one entry for each frame, of the worst link.
 struct PartSeparation {
-  /// m: protective distance less clearance; above 0 it was broken. -infinity where no link moves towards the
+  /// m: protective distance minus clearance; violated if above 0. -infinity if no link moves towards the
   /// part.
   std::vector<double> missing;
   /// 0 to 1: share of the recorded speed at which it would have been kept.
   std::vector<double> speed_scale;
-  std::optional<SeparationMoment> worst;  ///< none where it was kept throughout
+  std::optional<SeparationMoment> worst;  ///< empty if it was always kept
 };
 
-/// Takes one pair at one frame into the last entries of `part`, which exist. `clearance` has the uncertainty
-/// of the person's pose in it already, so options.person_error is for what else is not known. Pairs whose
-/// link does not move towards the part say nothing.
+/// Updates the last entries of `part`, which exist, with one pair in one frame. `clearance` includes the
+/// person's pose uncertainty, so options.person_error is for other errors. Pairs whose link does not move
+/// towards the part are ignored.
 void takeSeparation(PartSeparation& part, const SeparationMoment& moment,
                     const safety::SeparationOptions& options);
 

@@ -8,11 +8,11 @@
 namespace abstand::tune {
 namespace {
 
-// Of a speed that would just have been permitted: slower by so much, so that the next replay keeps it.
+// Additional reduction of a speed that would just have been permitted, so that the next replay keeps it.
 constexpr double kFurtherSlower = 0.98;
-constexpr double kSameMoment = 1e-9;  // s of the program: rounded times of frames and stretches
+constexpr double kSameMoment = 1e-9;  // s of the program: tolerance of rounded times of frames and segments
 
-/// Stretches of the table that lie in the program, and what is left of it with its full speed.
+/// Segments of the table inside the program; full speed for the rest.
 std::vector<PermittedPace> pacesOf(const std::vector<SpeedSegment>& table,
                                    const std::vector<ProgramMotion>& motions) {
   std::vector<PermittedPace> paces;
@@ -26,7 +26,7 @@ std::vector<PermittedPace> pacesOf(const std::vector<SpeedSegment>& table,
   return paces;
 }
 
-/// Takes what a replay broke, and slows down where.
+/// Collects violations of a replay, and slows down the affected segments.
 class ReplayJudge {
  public:
   ReplayJudge(SpeedRule rule, const ProgramPace& pace, std::vector<PermittedPace> scales, SpeedProof& proof)
@@ -51,7 +51,7 @@ class ReplayJudge {
   const std::vector<PermittedPace>& lowered() const { return lowered_; }
 
  private:
-  /// The stretches that the robot is in from frame `i` to the next one.
+  /// Slows down the segments that the robot is in from frame `i` to the next one.
   void slowDown(const ReplayedRecording& replay, std::size_t i, const PartClearance& part, double scale) {
     broken_ = true;
     const std::vector<double>& t = part.track.t;

@@ -1,4 +1,4 @@
-// A program at its permitted speeds, replayed to prove itself.
+// Verifies a program at its permitted speeds by replay.
 #pragma once
 
 #include "app/tune/program_replay.hpp"
@@ -8,57 +8,57 @@ namespace abstand::tune {
 
 struct ProofOptions {
   SpeedRule rule{SpeedRule::kBoth};
-  double deceleration{5.0};  ///< rad/s^2 or m/s^2, of changes of pace
+  double deceleration{5.0};  ///< rad/s^2 or m/s^2, for changes of pace
   int max_iterations{10};
 };
 
-/// The share of its recorded speed below which a robot counts as standing: there is no program for it.
+/// Smallest pace; a slower robot counts as standing, for which there is no program.
 inline constexpr double kSlowestScale = 0.01;
 
-/// What the last replay showed.
+/// Result of the last replay.
 struct SpeedProof {
-  /// Every recording was replayed beside the whole program and the rule was kept in every frame.
+  /// Every recording was replayed with the whole program and the rule was kept in every frame.
   bool proven{false};
   bool interrupted{false};
   int iterations{0};  ///< replays
-  /// s, over all replays of the last iteration, in which the protective distance of some part was broken.
+  /// s, over all replays of the last iteration: time with a violated protective distance of some part.
   double broken_time_separation{0.0};
-  /// Stretches of frames of a part, in the same, in which a contact would have been above its limits, or
-  /// where contact is excluded, the protective distance was broken.
+  /// Number of stretches of frames of a part, in the last iteration, with a predicted contact above its
+  /// limits or, if contact is excluded, a violated protective distance.
   long broken_contacts{0};
   std::vector<FailedRun> failed;
-  std::vector<PermittedPace> scales;  ///< of the stretches, in that iteration
-  /// Why no slower program would do: a stretch in which the robot would have to stand, and the moment that
-  /// says so.
+  std::vector<PermittedPace> scales;  ///< of the program segments, in that iteration
+  /// Reason why no slower program suffices: a segment in which the robot would have to stand, and the
+  /// decisive time.
   struct Stands {
     double t0{0.0}, t1{0.0};  ///< s, of the program
     std::string recording, part;
-    double t{0.0};  ///< s, of the recording
+    double t{0.0};  ///< s, recording time
     SpeedLimit kind{SpeedLimit::kSeparation};
   };
   std::optional<Stands> stands;
-  std::optional<ProgramPace> pace;  ///< of the last replay; none where the robot had to stand at once
+  std::optional<ProgramPace> pace;  ///< of the last replay; empty if the robot had to stand from the start
 };
 
-/// Replays the program at the speeds of `table`. Slower robots meet people elsewhere: where the rule is
-/// broken, the stretches that the robot was in are slowed down further, by the share that would have kept it
-/// and a little more, until nothing is broken, a stretch would have to stand, or max_iterations. Speeds only
-/// fall. Throws as ProgramReplay::run.
+/// Replays the program at the speeds of `table`. A slower robot meets people at other places: where the rule
+/// is violated, the affected segments are slowed down further, by the share that would have kept it and a
+/// little more, until there is no violation, a segment would have to stand, or max_iterations is reached.
+/// Speeds only decrease. Throws as ProgramReplay::run.
 SpeedProof proveSpeeds(const std::vector<SpeedSegment>& table, const std::vector<TunedRecording>& recorded,
                        ProgramReplay& replay, const ProofOptions& options);
 
-/// One point of the curve of margin, speed and time.
+/// One point of the trade-off between margin, speed and time.
 struct TradePoint {
   double speed_scale{1.0};
   double cycle_time{0.0};     ///< s
-  double margin{0.0};         ///< m, the largest proposed one of all parts; infinite where none would do
-  double stopped_share{0.0};  ///< with that margin for the whole body; NaN where none would do
-  double unjudged{0.0};       ///< s at the beginnings of replays, all together (TunedRecording::unjudged)
-  std::size_t failed{0};      ///< replays that could not be run
+  double margin{0.0};         ///< m, largest proposed one of all parts; infinite if none suffices
+  double stopped_share{0.0};  ///< with that margin for the whole body; NaN if none suffices
+  double unjudged{0.0};       ///< s at the beginnings of all replays (TunedRecording::unjudged)
+  std::size_t failed{0};      ///< failed replays
   bool interrupted{false};
 };
 
-/// The program slowed down evenly to each scale (positive, 1 at most), and the margins that it needs then.
+/// The program at each constant pace (positive, at most 1), and the margins needed then.
 std::vector<TradePoint> tradeCurve(const std::vector<double>& scales, ProgramReplay& replay,
                                    const TuneOptions& options);
 

@@ -19,10 +19,10 @@ fs::path resultFile(const fs::path& folder, const ContentKey& key) {
   return folder / "results" / (key.hex() + ".h5");
 }
 
-/// What became of a run.
+/// Outcome of a run.
 enum RunEnd : int { kMade, kKept, kInterrupted };
 
-/// In a process of its own.
+/// Called in a child process.
 RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
   try {
     scene_file::SceneDescription scene = options.load(item.scene);
@@ -30,7 +30,7 @@ RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
     const ContentKey key = resultKey(scene, item.recording, options.tune, options.settings);
     const fs::path file = resultFile(options.folder, key);
     {
-      // A damaged one is replaced, and so no input.
+      // A damaged result is replaced, so it is not an input.
       const InputLogPause pause;
       if (isResult(file, key)) return kKept;
     }
@@ -94,7 +94,7 @@ StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& opt
         if (options.progress) options.progress(done, mine.size());
       });
   report.interrupted = report.interrupted || !all;
-  // In the order of the plan, whatever ended first.
+  // In the order of the plan, independent of the order of completion.
   for (std::size_t i = 0; i < mine.size(); ++i)
     if (!errors[i].empty()) report.failed.push_back({mine[i].name, errors[i]});
   return report;

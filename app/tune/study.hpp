@@ -1,4 +1,4 @@
-// All runs of a plan, kept as result files.
+// Runs all items of a plan and stores result files.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace abstand::tune {
 
-/// Part `index` (from 0) of `count`: every count-th run from there on.
+/// Part `index` (from 0) of `count`: every count-th run, starting there.
 struct Shard {
   std::size_t index{0}, count{1};
 };
@@ -20,10 +20,10 @@ std::vector<PlanItem> partOf(const std::vector<PlanItem>& items, const Shard& sh
 struct StudyOptions {
   TuneOptions tune;
   std::filesystem::path folder;  ///< of results: FOLDER/results/KEY.h5, each written once
-  std::string settings;          ///< whatever else `open` depends on: results with other settings are others
+  std::string settings;          ///< everything else that `open` depends on; part of the result key
   int jobs{1};
   Shard shard;
-  /// The scene of a file; and a session of it with this recording.
+  /// Loads the scene of a file; opens a session of it with a recording.
   std::function<scene_file::SceneDescription(const std::filesystem::path&)> load;
   std::function<std::unique_ptr<session::Session>(scene_file::SceneDescription, const std::filesystem::path&)>
       open;
@@ -36,18 +36,18 @@ struct FailedRun {
 };
 
 struct StudyReport {
-  std::size_t made{0}, kept{0};  ///< results that were made now, and that were there already
+  std::size_t made{0}, kept{0};  ///< results made now, and existing ones
   std::vector<FailedRun> failed;
   bool interrupted{false};
 };
 
-/// Runs what has no result yet. A run that fails or crashes does not stop the others. Throws UsageError and
-/// WriteError for a folder that cannot be made.
+/// Runs the items that have no result yet. A failed or crashed run does not stop the others. Throws
+/// UsageError and WriteError if the folder cannot be created.
 StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& options);
 
-/// All results of these folders in the order of their names and keys, whatever wrote them: the same results
-/// give the same answer. Throws ParseError for a damaged one, for two of different versions or options, and
-/// UsageError for a folder without results.
+/// All results of these folders sorted by name and key, regardless of which shard wrote them: the same
+/// results give the same answer. Throws ParseError for a damaged one and for two of different versions or
+/// options, and UsageError for a folder without results.
 struct MergedResults {
   std::vector<TunedRecording> recordings;
   TuneOptions options;

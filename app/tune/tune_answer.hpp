@@ -1,4 +1,4 @@
-// What `tune` and `merge` answer.
+// Answers of `tune` and `merge`.
 #pragma once
 
 #include <optional>
@@ -19,24 +19,24 @@ struct TuneAnswer {
   TuneOptions options;
   std::vector<TunedRecording> recordings;
   std::vector<FailedRun> failed;
-  std::optional<std::size_t> made, kept;  ///< result files, where there are any
+  std::optional<std::size_t> made, kept;  ///< numbers of result files, if any
   MarginTable table;
   std::vector<GroupNeed> links, pairs;  ///< smallest safe margins
   std::vector<ClosestApproach> closest;
   std::vector<VariantBand> bands;
-  std::vector<StrategyOutcome> strategies;  ///< of the proposed sets of margins, and of those asked for
+  std::vector<StrategyOutcome> strategies;  ///< of the proposed sets of margins, and of the user's
   std::vector<SpeedSegment> speeds;
   ExposureTable exposure;
   SpeedRule speed_rule{SpeedRule::kBoth};  ///< of `speeds` and `proof`
-  std::optional<SpeedProof> proof;         ///< where a speed profile was asked for
-  /// The program that it slows down, and the file that each motion went to; empty: it is not proven.
+  std::optional<SpeedProof> proof;         ///< if a speed profile was requested
+  /// The program that it slows down, and the output file of each motion; empty: not proven.
   struct ProfileMotion {
     std::string mechanism;
     std::filesystem::path file;
   };
   std::vector<ProfileMotion> profile;
   std::vector<TradePoint> trade;
-  /// Where it was asked for: of each recording.
+  /// If requested: worst phases of each recording.
   struct RecordingPhases {
     std::string recording;
     std::vector<WorstPhase> parts;
@@ -45,21 +45,22 @@ struct TuneAnswer {
   bool interrupted{false};
 };
 
-/// What is asked of recordings after their pass.
+/// Questions about recordings after their pass.
 struct TuneQuestions {
-  std::vector<double> margins;  ///< m, rising
+  std::vector<double> margins;  ///< m, increasing
   double segment{1.0};          ///< s
   std::vector<MarginRules> margin_sets;
   SpeedRule speed_rule{SpeedRule::kBoth};
 };
 
-/// Makes the tables of the answer from its recordings, which have result files. Throws as strategyOutcomes().
+/// Computes the tables of the answer from its recordings, which have result files. Throws as
+/// strategyOutcomes().
 void answerQuestions(const TuneQuestions& questions, TuneAnswer& answer);
 
-/// What mergeResults() finds, with the options of the results; tables are still to be made. Throws likewise.
+/// Results of mergeResults() with their options; without the tables. Throws likewise.
 TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders);
 
-/// The approaches of all recordings, nearest first.
+/// Approaches of all recordings, nearest first.
 struct RankedApproach {
   const TunedRecording* recording;
   const Approach* approach;

@@ -1,4 +1,4 @@
-// The pairs that margins are for.
+// Pairs for which margins are computed.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace abstand::tune {
 /// A pair of a person's part and a robot's link.
 struct WatchedPair {
   PairId id;
-  std::size_t part{0}, link{0};  ///< objects of the scene
-  std::size_t robot{0};          ///< mechanism of the session
+  std::size_t part{0}, link{0};  ///< object indices in the scene
+  std::size_t robot{0};          ///< mechanism index in the session
   bool part_is_a{false};
   humanmodel::BodyPart body_part{humanmodel::BodyPart::kTorso};
 };

@@ -11,12 +11,12 @@
 namespace abstand::tune {
 namespace {
 
-// s: time intervals are not divided further than this; what is open then stays in `lower`.
+// s: shortest time interval; the remaining uncertainty stays in `lower`.
 constexpr double kShortest = 1e-5;
-// Queries between two looks at the interrupt.
+// Queries between two checks for an interrupt.
 constexpr long kLookEvery = 1024;
 
-/// A link over the program of its robot.
+/// Path of a link over its robot's program.
 struct LinkPath {
   std::size_t object{0};
   BodyPath path;
@@ -33,10 +33,10 @@ struct Node {
   std::size_t link{0};
   Interval person, robot;
   double reach_person{0.0}, reach_robot{0.0};
-  bool operator<(const Node& other) const { return lower > other.lower; }  // the least first
+  bool operator<(const Node& other) const { return lower > other.lower; }  // smallest lower bound first
 };
 
-/// Over one part of a person.
+/// Search for one part of a person.
 class Search {
  public:
   Search(const session::Session& session, std::size_t part, const BodyPath& path,
@@ -61,7 +61,7 @@ class Search {
       for (const Interval& interval : seen)
         push(l, interval, {links_[l].path.begin(), links_[l].path.end()}, worst);
     }
-    double closed = kInfinity;  // of what is not divided further
+    double closed = kInfinity;  // of intervals that are not divided further
     while (!open_.empty()) {
       const Node node = open_.top();
       worst.lower = std::min(node.lower, closed);
@@ -91,7 +91,7 @@ class Search {
     const double uncertainty = path_.uncertainty(person.t0, person.t1);
     const Transform X_part = path_.at(person.middle()), X_link = link.path.at(robot.middle());
     const double slack = node.reach_person + node.reach_robot + uncertainty;
-    // Balls first: most of the search ends with them.
+    // Bounding spheres first: they decide most cases.
     const structure::HapticStructure &a = *scene_.objects()[part_].spec.structure,
                                      &b = *scene_.objects()[link.object].spec.structure;
     const double balls = (X_part * a.bounding_sphere.centre - X_link * b.bounding_sphere.centre).norm() -
@@ -148,7 +148,7 @@ std::vector<LinkPath> linkPaths(session::Session& session, double rate) {
   return links;
 }
 
-/// Stretches in which the part's place is known at all.
+/// Intervals in which the part's position is known.
 std::vector<Interval> seenOf(const std::vector<double>& times, const std::vector<double>& uncertainty,
                              double& unseen) {
   std::vector<Interval> seen;

@@ -1,6 +1,6 @@
 #include "core/base/content_hash.hpp"
 
-// In the header alone, so that the program does not load one more library.
+// Header-only use, so that the program does not load one more shared library.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

@@ -1,4 +1,4 @@
-// A fingerprint of bytes: names what is kept on disk, and tells when a file was damaged.
+// 128-bit content hash: names cached files and detects damaged ones.
 #pragma once
 
 #include <compare>
@@ -10,8 +10,8 @@
 
 namespace abstand {
 
-/// 128 bits, enough that different contents never share them by chance. No protection against somebody who
-/// wants two contents to share them.
+/// 128 bits: different contents never collide by chance. Not cryptographic: collisions can be made on
+/// purpose.
 struct ContentKey {
   std::uint64_t low{0}, high{0};
 
@@ -29,10 +29,10 @@ class ContentHash {
   ContentHash& operator=(const ContentHash&) = delete;
 
   void add(const void* bytes, std::size_t count);
-  /// The bits of a number, so that -0.0 differs from 0.0.
+  /// Adds the bits of a number, so that -0.0 differs from 0.0.
   template <class T>
   requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add(T value) { add(&value, sizeof value); }
-  /// Of what was added until now.
+  /// Hash of everything added so far.
   ContentKey value() const;
 
  private:

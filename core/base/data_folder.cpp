@@ -12,7 +12,7 @@ std::filesystem::path dataFolder() {
   if (!source.empty() && fs::is_directory(source, ec)) return source;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec);
   fs::path beside = program.parent_path().parent_path() / "share" / "abstand";
-  // A program that uses the library may be anywhere.
+  // A program that links the library may be installed anywhere.
   if (fs::path installed{ABSTAND_INSTALLED_DATA_FOLDER};
       !fs::is_directory(beside, ec) && fs::is_directory(installed, ec))
     return installed;

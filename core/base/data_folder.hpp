@@ -1,14 +1,14 @@
-// Where the files that the program brings along are found.
+// Finds the data files that come with the program.
 #pragma once
 
 #include <filesystem>
 
 namespace abstand {
 
-/// The folder with robots, joint maps, tables and example scenes: the environment's ABSTAND_DATA where it is
-/// set and not empty, else the `data` folder of the source that this program was built from while it exists
-/// (packages do without), else `../share/abstand` beside the program's own folder where it is there, else
-/// where the library was installed to. Any thread.
+/// The folder with robots, joint maps, tables and example scenes. The first that applies: the environment
+/// variable ABSTAND_DATA, if set and not empty; the `data` folder of the source tree that this program was
+/// built from, if it exists (packaged builds skip this); `../share/abstand` beside the program's own folder,
+/// if it exists; the installation folder of the library. Any thread.
 std::filesystem::path dataFolder();
 
 }  // namespace abstand

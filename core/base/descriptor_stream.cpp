@@ -17,7 +17,7 @@ constexpr int kMaxWaits = 10;  // after an interrupt
 // A pipe that is ready takes this many bytes without blocking (PIPE_BUF of Linux).
 constexpr std::size_t kPipeBytes = 4096;
 
-/// False when the program is to end and the reader takes nothing.
+/// Waits until the reader accepts data; false after an interrupt while the reader accepts nothing.
 bool waitForReader(int descriptor) noexcept {
   for (int waits = 0; waits < kMaxWaits;) {
     pollfd p{descriptor, POLLOUT, 0};

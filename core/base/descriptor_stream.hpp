@@ -1,4 +1,4 @@
-// Text and bytes to an open file descriptor, with every error noticed.
+// Writes text and bytes to an open file descriptor; every error is reported.
 #pragma once
 
 #include <ostream>
@@ -13,19 +13,19 @@ namespace abstand {
 /// nothing.
 int writeAll(int descriptor, std::string_view bytes) noexcept;
 
-/// A buffer of 64 KiB before a descriptor. After the first failure nothing more is written.
+/// Stream buffer of 64 KiB that writes to a descriptor. After the first failure nothing more is written.
 class DescriptorBuffer final : public std::streambuf {
  public:
   DescriptorBuffer() : buffer_(kBytes) { setp(buffer_.data(), buffer_.data() + kBytes); }
 
   /// Does not own the descriptor.
   void open(int descriptor) { descriptor_ = descriptor; }
-  /// errno of the first failure, 0: none so far.
+  /// errno of the first failure; 0 if there was none.
   int error() const { return error_; }
   void setError(int error) {
     if (error_ == 0) error_ = error;
   }
-  /// Writes what is buffered; true while nothing failed.
+  /// Writes the buffer out; true if nothing has failed so far.
   bool flush() noexcept;
 
  protected:

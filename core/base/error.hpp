@@ -1,4 +1,4 @@
-// Errors of the program: bad input (ParseError), own mistakes (ABSTAND_CHECK).
+// Errors of the program: invalid input (ParseError, UsageError) and internal errors (ABSTAND_CHECK).
 #pragma once
 
 #include <stdexcept>
@@ -14,14 +14,14 @@ struct SourcePos {
   int column{0};
 };
 
-/// Bad input from outside: a file, a stream, an argument. what() is one line,
-/// `FILE:LINE:COLUMN: error: MESSAGE`, and a second line `hint: ...` where one is given.
-/// The message says what was found and what was expected.
+/// Invalid input: a file, a stream, an argument. what() is one line, `FILE:LINE:COLUMN: error: MESSAGE`,
+/// followed by `hint: ...` on a second line if there is a hint. The message states what was found and what
+/// was expected.
 class ParseError : public std::runtime_error {
  public:
   ParseError(const SourcePos& pos, const std::string& message, const std::string& hint = {});
   const SourcePos& pos() const { return pos_; }
-  /// Without place and hint.
+  /// The message without place and hint.
   const std::string& message() const { return message_; }
 
  private:
@@ -42,6 +42,6 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
 
 }  // namespace abstand
 
-/// Our own mistake: stops the program, in every build type.
+/// Internal error: aborts the program, in every build type.
 #define ABSTAND_CHECK(condition) \
   ((condition) ? static_cast<void>(0) : ::abstand::checkFailed(#condition, __FILE__, __LINE__))

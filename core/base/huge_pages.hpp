@@ -1,4 +1,4 @@
-// Memory for large tables that are read here and there.
+// Allocator for large tables with random access.
 #pragma once
 
 #include <sys/mman.h>
@@ -9,8 +9,8 @@
 
 namespace abstand {
 
-/// Asks the system for large pages where a table is larger than one, so that jumping about in it does not
-/// cost a walk through the page tables each time. A wish only: without large pages all works, slower.
+/// Asks the system for huge pages when a table is larger than one, which avoids TLB misses on random access.
+/// Only a request: without huge pages everything works, slower.
 template <class T>
 struct HugePageAllocator {
   using value_type = T;

@@ -1,4 +1,4 @@
-// Ids are types: an ObjectId is not taken where a PairId is wanted.
+// Typed ids: an ObjectId cannot be passed where a PairId is expected.
 #pragma once
 
 #include <compare>

@@ -1,20 +1,21 @@
-// Which files this run has read, so that no output replaces one of them.
+// Records which files this run has read, so that no output overwrites one of them.
 #pragma once
 
 #include <filesystem>
 
 namespace abstand {
 
-/// From now on inputs are noted. The command line does; the window, which saves what it opened, does not.
+/// Starts recording inputs. Called by the command line; not by the window, which saves over files that it
+/// opened.
 void keepInputLog();
 
-/// A file that is read as input. Links are followed. Any thread; nothing happens unless a log is kept.
+/// Records a file as an input; links are followed. Any thread. No effect before keepInputLog().
 void noteInput(const std::filesystem::path& file);
 
-/// Whether the file that the name leads to was read.
+/// True if the file that `name` refers to was read.
 bool isInput(const std::filesystem::path& file);
 
-/// While it lives nothing is noted: for an output that is read in order to keep what is not ours.
+/// Suspends recording while it exists: for reading an output file whose foreign content is kept.
 class InputLogPause {
  public:
   InputLogPause();

@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kInterruptedCode = 130;
 
-// Whoever ends a process and its group, as timeout(1) and terminals' wrappers do, sends the signal twice at
-// once: only a signal that comes later than this is a second wish.
+// timeout(1) and some terminal wrappers signal the process and its process group, so the signal arrives twice
+// at once. Only a signal later than this counts as the second.
 constexpr std::int64_t kSameSignalNs = 250'000'000;
 
-// Time of the first signal; 0 before it.
+// Time of the first signal (ns); 0 before it.
 std::atomic<std::int64_t> first{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 

@@ -1,4 +1,4 @@
-// The wish of the user or the system that the program ends: Ctrl-C, SIGTERM, SIGHUP.
+// Requests of the user or the system to end the program: Ctrl-C, SIGTERM, SIGHUP.
 #pragma once
 
 #include <stdexcept>
@@ -11,10 +11,10 @@ namespace abstand {
 /// exit code 130.
 void catchInterrupts();
 
-/// True once one of these signals came. Any thread.
+/// True after the first of these signals. Any thread.
 bool interruptRequested() noexcept;
 
-/// Thrown where waiting ends because of such a signal.
+/// Thrown when waiting ends because of such a signal.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::string_view kLeftOut = " [...] ";
 
-/// Of a UTF-8 character of `length` bytes: controls U+0080 to U+009F, line separators U+2028 and U+2029, and
-/// the marks of direction U+202A to U+202E and U+2066 to U+2069.
+/// True for a UTF-8 character of `length` bytes that is a C1 control (U+0080 to U+009F), a line separator
+/// (U+2028, U+2029) or a bidirectional mark (U+202A to U+202E, U+2066 to U+2069).
 bool isHiddenControl(std::string_view c) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(c[i]); };
   if (c.size() == 2) return at(0) == 0xc2 && at(1) < 0xa0;
@@ -34,13 +34,13 @@ bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0
 }  // namespace
 
 std::string messageLine(std::string_view text, std::size_t max_bytes) {
-  // What is surely left out is not looked at.
+  // Does not scan the part that is certainly left out.
   std::string_view tail;
   bool is_cut = text.size() > max_bytes;
   if (is_cut) {
     tail = text.substr(text.size() - max_bytes / 2);
     text = text.substr(0, max_bytes - max_bytes / 2);
-    // A character that the cut divides belongs to what is left out.
+    // A character that the cut would split is left out whole.
     for (int i = 0; i < 3 && !text.empty() && isContinuation(text.back()); ++i) text.remove_suffix(1);
     if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xc0) text.remove_suffix(1);
     for (int i = 0; i < 3 && !tail.empty() && isContinuation(tail.front()); ++i) tail.remove_prefix(1);

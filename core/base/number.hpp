@@ -1,4 +1,4 @@
-// Numbers in text: the decimal point is a point in every locale, and nothing that is not finite gets in.
+// Numbers in text, independent of the locale; values that are not finite are rejected.
 #pragma once
 
 #include <optional>

@@ -23,17 +23,17 @@
 namespace abstand {
 
 namespace {
-// Two threads may write the same file at once; the last one to end wins.
+// Two threads may write the same file at the same time; the last commit wins.
 std::atomic<unsigned> files_made{0};
 
-constexpr std::size_t kMaxStem = 200;  // bytes of a name of a part, which may have 255
+constexpr std::size_t kMaxStem = 200;  // bytes of the temporary file's name; the system allows 255
 constexpr unsigned kLookForReaderUs = 20'000;
 
 std::string partEnding() {
   return ".part" + std::to_string(::getpid()) + "." + std::to_string(files_made.fetch_add(1));
 }
 
-/// The name that the user gave: without the folder or the ending of a set that is being written.
+/// The name as the user gave it: without the temporary folder and suffix of a set being written.
 std::string shown(const std::filesystem::path& name) {
   const std::string text = name.string(), own = ".part" + std::to_string(::getpid()) + ".";
   const auto begin = text.find(own);
@@ -44,7 +44,7 @@ std::string shown(const std::filesystem::path& name) {
   return text.substr(0, begin) + text.substr(end);
 }
 
-/// What the user can mend is wrong usage, everything else is a failed write.
+/// Errors that the user can fix are UsageErrors, all others WriteErrors.
 [[noreturn]] void failToOpen(const std::filesystem::path& name, int error) {
   switch (error) {
     case ENOSPC:
@@ -110,7 +110,7 @@ void OutputFile::openPart() {
   descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) failToOpen(name_, errno);
   if (!has_old) return;
-  // The new file belongs to whom the old one belonged, as far as the system allows it.
+  // The new file gets the old one's owner, as far as the system allows.
   if (::fchown(descriptor_, old.st_uid, old.st_gid) != 0) errno = 0;
   ::fchmod(descriptor_, old.st_mode & 0777);
 }
@@ -169,9 +169,9 @@ void OutputFile::finish() {
   closeDescriptor();
   if (buffer_.error() == EINTR) throw Interrupted();
   if (buffer_.error() != 0) throw WriteError(shown(name_), buffer_.error());
-  // What the stream refused without the system: a failed conversion.
+  // The stream failed without a system error: a failed conversion.
   if (out_.bad()) throw WriteError(shown(name_), 0);
-  // Inputs may have been opened since the beginning.
+  // Inputs may have been opened after the constructor.
   if (!part_.empty() && isInput(place_.path))
     throw UsageError(name_.string() + ": found a file that is an input too, expected an output of its own");
   finished_ = true;
@@ -203,7 +203,7 @@ void appendToFile(const std::filesystem::path& file, std::string_view text) {
   struct stat before {};
   const bool known = ::fstat(d, &before) == 0;
   int error = writeAll(d, text);
-  // Half a text is worse than none.
+  // A partial text is removed.
   if (error != 0 && known && ::ftruncate(d, before.st_size) != 0) error = errno;
   if (::close(d) != 0 && error == 0) error = errno;
   if (error == 0) return;

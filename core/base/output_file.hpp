@@ -1,4 +1,4 @@
-// Files that are written whole or not at all.
+// Output files that are written completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace abstand {
 
-/// Writes beside the final name; commit() renames into place. Without commit() nothing is left behind. A link
-/// is followed, and the file that it leads to is replaced. Devices, pipes, sockets, /dev/stdout and /dev/fd/N
-/// are written straight into; of these what was written before an error stays written.
+/// Writes a temporary file beside the final name; commit() renames it. Without commit() nothing is left
+/// behind. Links are followed and their target is replaced. Devices, pipes, sockets, /dev/stdout and
+/// /dev/fd/N are written directly; what was written to them before an error stays written.
 ///
-/// The constructor throws UsageError when the place cannot be written (a directory, no rights, an input of
-/// this run, input_log.hpp), Interrupted when an interrupt comes while a pipe has no reader; finish() and
-/// commit() throw WriteError when the disk or the reader refused something.
+/// The constructor throws UsageError if the place cannot be written (a directory, no permission, an input of
+/// this run, see input_log.hpp), and Interrupted on an interrupt while a pipe has no reader. finish() and
+/// commit() throw WriteError if the disk or the reader rejects data.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path file);
@@ -25,14 +25,14 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return out_; }
-  /// Instead of stream(), for libraries that write by name: a file, empty at first, whose content becomes the
+  /// For libraries that write by file name, instead of stream(): an empty file whose content becomes the
   /// output.
   const std::filesystem::path& named();
 
-  /// Writes and checks everything but the rename, so that a set of files can be checked before the first of
-  /// them appears.
+  /// Writes and checks everything except the rename, so that a set of files can be checked before the first
+  /// of them appears.
   void finish();
-  /// finish(), and renames.
+  /// finish(), then the rename.
   void commit();
 
  private:
@@ -41,21 +41,22 @@ class OutputFile {
   void copyNamed();
   void closeDescriptor();
 
-  std::filesystem::path name_;  ///< as it was given
+  std::filesystem::path name_;  ///< as given
   OutputPlace place_;
-  std::filesystem::path part_;   ///< beside the file; empty for what is written straight into
-  std::filesystem::path named_;  ///< what a library wrote; empty: nothing
+  std::filesystem::path part_;   ///< temporary file beside the final one; empty if the target is written
+                                 ///< directly
+  std::filesystem::path named_;  ///< file that a library writes; empty: none
   int descriptor_{-1};
   DescriptorBuffer buffer_;
   std::ostream out_;
   bool finished_{false}, committed_{false};
 };
 
-/// Writes a whole file at once, in the same way. Throws UsageError and WriteError.
+/// Writes a whole file at once, like OutputFile. Throws UsageError and WriteError.
 void writeFile(const std::filesystem::path& file, std::string_view text);
 
-/// Adds to the end of a file, which it makes where there is none; all of the text or nothing. Throws
-/// UsageError (an input of this run, too) and WriteError.
+/// Appends to a file, which is created if it does not exist: all of the text or nothing. Throws UsageError
+/// (also for an input of this run) and WriteError.
 void appendToFile(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace abstand

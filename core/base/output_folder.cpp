@@ -27,7 +27,7 @@ std::atomic<unsigned> folders_made{0};
   throw UsageError(name.string() + ": cannot be written: " + ec.message());
 }
 
-/// Where a link to a folder that does not exist yet leads.
+/// Target of a link to a folder that does not exist yet.
 fs::path followed(fs::path path) {
   std::error_code ec;
   path = fs::absolute(path, ec).lexically_normal();
@@ -46,7 +46,7 @@ bool haveSameContent(const fs::path& a, const fs::path& b) {
   return x && y && std::equal(Bytes(x), Bytes(), Bytes(y), Bytes());
 }
 
-/// Into a device, a pipe or another file system.
+/// Copies into a device, a pipe or another file system, where a rename is impossible.
 std::unique_ptr<OutputFile> copyTo(const fs::path& from, const fs::path& to) {
   auto out = std::make_unique<OutputFile>(to);
   std::ifstream in(from, std::ios::binary);
@@ -105,7 +105,7 @@ fs::path OutputFolder::place(const std::string& name) {
 void OutputFolder::commit() {
   std::error_code ec;
   if (!existed_) {
-    // Unless somebody has made the folder meanwhile, it appears with all its files at once.
+    // If the folder still does not exist, one rename makes it appear with all its files.
     fs::rename(staging_, folder_, ec);
     committed_ = !ec;
     if (committed_) return;
@@ -123,13 +123,13 @@ void OutputFolder::commit() {
     if (!fs::exists(from, ec)) continue;
     const OutputPlace final = placeOfOutput(folder_ / file);
     if (isInput(final.path)) {
-      // Nothing is lost where the set repeats an input, as a clip repeats its camera.
+      // A file identical to an input is skipped: a clip repeats its camera file, for example.
       if (haveSameContent(from, final.path)) continue;
       throw UsageError((name_ / file).string() +
                        ": found a file that is an input too, expected an output of its own");
     }
     moves.push_back({from, final.path, nullptr});
-    // A link may lead to another disk, where a rename cannot follow.
+    // A link may lead to another file system, where a rename is impossible.
     if (final.kind != OutputPlace::Kind::kFile || fs::is_symlink(folder_ / file, ec))
       moves.back().copy = copyTo(from, folder_ / file);
   }

@@ -1,4 +1,4 @@
-// A set of files that appears whole or not at all.
+// A set of output files that appears completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +8,20 @@
 
 namespace abstand {
 
-/// A folder of outputs. Files are written into a folder of their own beside the final one (or inside, where
-/// that exists already) and moved at commit(); without commit() nothing is left behind, and folders that were
-/// made are removed again. Files of other names that are in the folder already stay. Links, devices and pipes
-/// under a final name are treated as by OutputFile. An input of this run (input_log.hpp) is
-/// replaced by the same bytes only.
+/// Files are written into a staging folder beside the final one (or inside it, if it exists already) and
+/// moved by commit(). Without commit() nothing is left behind, and folders that were created are removed.
+/// Other files in an existing folder are kept. Links, devices and pipes under a final name are handled as in
+/// OutputFile. An input of this run (input_log.hpp) is replaced only by identical bytes.
 class OutputFolder {
  public:
-  /// Throws UsageError when the folder cannot be made or is none, WriteError when the disk is full.
+  /// Throws UsageError if the folder cannot be created or is not a folder, WriteError if the disk is full.
   explicit OutputFolder(const std::filesystem::path& folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write the file of that name (without folders). Throws UsageError for a name that was given
-  /// before and where the final name cannot be written.
+  /// Path to write the file `name` (without folders) to. Throws UsageError for a name given before, and if
+  /// the final name cannot be written.
   std::filesystem::path place(const std::string& name);
 
   /// Throws UsageError and WriteError; then no file of the set has appeared, unless the system fails between
@@ -31,7 +30,7 @@ class OutputFolder {
 
  private:
   std::filesystem::path name_, folder_, staging_;
-  std::vector<std::filesystem::path> made_;  ///< folders that this made, outermost first
+  std::vector<std::filesystem::path> made_;  ///< folders that this object created, outermost first
   std::set<std::string> files_;
   bool existed_{false}, committed_{false};
 };

@@ -18,7 +18,7 @@ constexpr int kMaxLinks = 40;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// N of /dev/fd/N and /proc/self/fd/N, by whatever links the folder is reached.
+/// N of /dev/fd/N and /proc/self/fd/N, also if the folder is reached through links.
 std::optional<int> descriptorOf(const fs::path& path) {
   std::error_code ec;
   const fs::path folder = fs::canonical(path.parent_path(), ec);
@@ -92,7 +92,7 @@ bool isStandardOutput(const OutputPlace& place) {
   if (::fstat(STDOUT_FILENO, &out) != 0) return false;
   const bool known = place.kind == OutputPlace::Kind::kDescriptor ? ::fstat(place.descriptor, &own) == 0
                                                                   : ::stat(place.path.c_str(), &own) == 0;
-  // A terminal and /dev/null may well be both.
+  // Several outputs may share a character device: a terminal, /dev/null.
   return known && isSame(out, own) && !S_ISCHR(out.st_mode);
 }
 

@@ -1,4 +1,4 @@
-// Wall time: the one place that knows it.
+// Periodic waiting on the steady clock.
 #pragma once
 
 #include <chrono>
@@ -6,13 +6,13 @@
 
 namespace abstand {
 
-/// Absolute deadlines; a late step moves the grid, so there is no catching up in bursts.
+/// Absolute deadlines; a late step shifts all later deadlines, so there are no bursts to catch up.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;
   explicit Pacer(std::chrono::nanoseconds period) : period_{period}, next_{Clock::now() + period} {}
 
-  /// Sleeps until the deadline; false when it had passed already.
+  /// Sleeps until the deadline; false if it had already passed.
   bool wait() {
     const bool late = Clock::now() > next_;
     std::this_thread::sleep_until(next_);

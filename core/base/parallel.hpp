@@ -1,4 +1,4 @@
-// A loop spread over threads, for building (never for the cycle).
+// Parallel loop for building; never used in the cycle.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,21 @@
 
 namespace abstand {
 
-/// Hears of every call that parallelFor is about to make, on the thread that makes it. What it throws ends
+/// Called before every call of parallelFor, on the thread that makes the call. An exception thrown here ends
 /// the loop like an exception of the call.
 class LoopWatch {
  public:
   virtual ~LoopWatch() = default;
-  /// Call number `index` of `count`; from several threads at once.
+  /// Before call `index` of `count`. Called from several threads at once.
   virtual void next(std::size_t index, std::size_t count) = 0;
 };
-/// The watch of the loops that this thread starts, or null. A loop hands it on to the threads that it starts,
-/// so that loops within its calls are watched too.
+/// Watch of the loops that this thread starts, or null. Inherited by the threads of a loop, so that nested
+/// loops are watched too.
 inline thread_local LoopWatch* loop_watch = nullptr;
 
-/// Calls fn(0) ... fn(count - 1), each once, on up to `threads` threads (0: as many as the machine has). The
-/// calls run in no fixed order, so the result is independent of the number of threads when each call writes
-/// only what belongs to its index. The first exception is thrown again here once all threads have ended.
+/// Calls fn(0) ... fn(count - 1), each once, on up to `threads` threads (0: hardware concurrency), in no
+/// fixed order. The result is independent of the number of threads if each call writes only data of its own
+/// index. The first exception is rethrown after all threads have ended.
 template <class Fn>
 void parallelFor(int threads, std::size_t count, Fn&& fn) {
   const std::size_t wanted = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());

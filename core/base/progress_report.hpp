@@ -1,4 +1,4 @@
-// How far long work is, for people who wait for it.
+// Progress output of long operations.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,13 @@
 
 namespace abstand {
 
-/// A function that is called with what is done and all of it. On a terminal it redraws one line at every
-/// percent; on a pipe or a file it writes a line when 10 s have passed since the last one, and nothing about
-/// shorter work. Not for several threads at once.
+/// Callback that receives the work done and the total. On a terminal it redraws one line at every percent;
+/// otherwise it writes a line every 10 s, so nothing for shorter work. Not thread-safe.
 class ProgressReport {
  public:
   static constexpr double kInterval = 10.0;  ///< s
 
-  /// `seconds`: a clock that does not fall.
+  /// `seconds`: a monotonic clock.
   ProgressReport(std::string label, bool on_terminal, std::function<void(const std::string&)> write,
                  std::function<double()> seconds);
   void operator()(std::size_t done, std::size_t all);

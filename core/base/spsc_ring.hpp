@@ -1,4 +1,4 @@
-// Every sample from one thread to another; losses are counted by the writer.
+// Lock-free ring buffer between two threads; the writer counts lost samples.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class SpscRing {
   static_assert(std::has_single_bit(N), "N is a power of two");
 
  public:
-  /// False when the ring is full: the caller counts the loss.
+  /// False if the ring is full: the caller counts the loss.
   bool push(const T& value) {
     const auto head = head_.load(std::memory_order_relaxed);
     if (head - tail_.load(std::memory_order_acquire) == N) return false;
@@ -24,7 +24,7 @@ class SpscRing {
     return true;
   }
 
-  /// Appends all that is there to `out`; returns how many.
+  /// Appends all available values to `out`; returns their number.
   std::size_t drainInto(std::vector<T>& out) {
     const auto tail = tail_.load(std::memory_order_relaxed);
     const auto head = head_.load(std::memory_order_acquire);

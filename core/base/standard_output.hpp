@@ -1,19 +1,19 @@
-// Standard output, written with every error noticed.
+// Standard output; every write error is reported.
 #pragma once
 
 #include <string_view>
 
 namespace abstand {
 
-/// Writes all of it at once. Throws WriteError, and Interrupted when a reader takes nothing after an
+/// Writes the whole text. Throws WriteError, and Interrupted if the reader accepts nothing after an
 /// interrupt.
 void writeStandardOutput(std::string_view text);
 
-/// Opens /dev/null for reading in place of standard descriptors that are closed, so that no output file gets
-/// their numbers and writing to them fails. Called once, first of all.
+/// Opens /dev/null read-only in place of closed standard descriptors, so that no output file gets their
+/// numbers and writing to them fails. Called once, before anything else.
 void reserveStandardDescriptors();
 
-/// An output file goes to standard output, so that reports belong elsewhere.
+/// Marks standard output as used by an output file, so that reports do not go there too.
 void claimStandardOutput() noexcept;
 bool isStandardOutputClaimed() noexcept;
 

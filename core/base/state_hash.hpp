@@ -1,4 +1,4 @@
-// A fingerprint of numbers, to compare whole runs bit by bit.
+// Hash of numbers, to compare whole runs bit by bit.
 #pragma once
 
 #include <bit>

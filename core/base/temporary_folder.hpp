@@ -1,4 +1,4 @@
-// A folder that lives as long as an object.
+// Temporary folder with the lifetime of an object.
 #pragma once
 
 #include <cerrno>
@@ -10,7 +10,8 @@
 
 namespace abstand {
 
-/// In the system's folder for temporary files, for this user alone; removed at the end with what it holds.
+/// Created in the system's temporary folder, readable by this user only; removed with its content by the
+/// destructor.
 class TemporaryFolder {
  public:
   /// Throws WriteError.

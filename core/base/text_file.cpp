@@ -14,7 +14,7 @@ void needRegularFile(const std::filesystem::path& file) {
   const auto status = fs::status(file, ec);
   if (!fs::exists(status)) throw ParseError(pos, "no such file, expected a readable file");
   if (fs::is_directory(status)) throw ParseError(pos, "found a directory, expected a file");
-  // A pipe would be waited for without end, and cannot be read twice.
+  // Reading a pipe would block forever, and a pipe cannot be read twice.
   if (fs::is_fifo(status) || fs::is_socket(status))
     throw ParseError(pos, "found a pipe, expected a regular file",
                      "write what comes through it to a file first");

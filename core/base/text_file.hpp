@@ -7,8 +7,8 @@
 
 namespace abstand {
 
-/// Throws ParseError for what is missing or no regular file: directories, devices, and pipes, which would be
-/// waited for without end. Notes the file as an input (input_log.hpp).
+/// Throws ParseError if the file is missing or not a regular file: a directory, a device, or a pipe, on which
+/// reading would block forever. Records the file as an input (input_log.hpp).
 void needRegularFile(const std::filesystem::path& file);
 
 /// The whole file. Throws ParseError for a file that is missing, a directory, unreadable, or larger

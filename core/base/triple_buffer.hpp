@@ -1,4 +1,4 @@
-// Newest value from one thread to another; nobody waits.
+// Passes the newest value from one thread to another; neither waits.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ class TripleBuffer {
   T& back() { return slots_[back_]; }
   void publish() { back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kIndex; }
 
-  /// True when latest() would give something new.
+  /// True if latest() would return a new value.
   bool fresh() const { return (middle_.load(std::memory_order_relaxed) & kFresh) != 0; }
   const T& latest() {
     if (fresh()) front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;

@@ -1,15 +1,15 @@
-// Text from strangers that goes on into JSON, CSV and messages.
+// Validates UTF-8 of untrusted text that is copied to JSON, CSV and messages.
 #pragma once
 
 #include <string_view>
 
 namespace abstand {
 
-/// Length in bytes of the UTF-8 character at the beginning of `text`; 0 when it is none (cut, overlong, a
-/// surrogate) and for control characters. `text` is not empty.
+/// Length in bytes of the UTF-8 character at the start of `text`; 0 if it is invalid (truncated, overlong, a
+/// surrogate) or a control character. `text` is not empty.
 std::size_t characterLength(std::string_view text);
 
-/// Every character is one.
+/// True if characterLength() accepts every character.
 bool isPlainText(std::string_view text);
 
 }  // namespace abstand

@@ -1,4 +1,4 @@
-// A write that the system refused.
+// A write that the system rejected.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace abstand {
 
-/// The disk, the device or the reader of a pipe took less than what there was to write (exit code 4).
+/// The disk, the device or the reader of a pipe accepted less than all bytes (exit code 4).
 class WriteError : public std::runtime_error {
  public:
   /// `NAME: cannot be written whole: REASON`, where `error` is an errno value; 0: no reason is known.

@@ -1,4 +1,4 @@
-// The only file that knows yaml-cpp.
+// The only file that includes yaml-cpp.
 #include "core/config/yaml_document.hpp"
 
 #include <yaml-cpp/eventhandler.h>
@@ -129,7 +129,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void add(YamlNode node, YAML::anchor_t anchor) {
     if (anchor) {
       const int nodes = nodesOf(node);
-      count({file_, node.line, node.column}, nodes);  // the copy that is kept for aliases
+      count({file_, node.line, node.column}, nodes);  // the copy kept for aliases
       anchored_[anchor] = {node, nodes, depthOf(node)};
     }
     if (open_.empty()) {
@@ -140,7 +140,8 @@ class TreeBuilder final : public YAML::EventHandler {
     YamlNode& into = parent.node;
     const bool is_key = into.kind == YamlNode::Kind::kMap && into.keys.size() == into.items.size();
     if (!is_key) {
-      // The parser places a missing value at whatever comes next, often on a later line: look at its key.
+      // The parser reports a missing value at the next token, often on a later line; the position of its key
+      // is used.
       if (node.kind == YamlNode::Kind::kNothing && into.kind == YamlNode::Kind::kMap &&
           node.line != into.keys.back().line) {
         node.line = into.keys.back().line;

@@ -1,4 +1,4 @@
-// A YAML text as a tree of plain nodes, each with its place in the file.
+// A YAML text as a tree of plain nodes, each with its position in the file.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,16 @@ struct YamlNode {
   };
 
   Kind kind{Kind::kNothing};
-  bool quoted{false};  ///< a scalar in quotes: text, never a number
+  bool quoted{false};  ///< a quoted scalar: text, never a number
   int line{0}, column{0};
   std::string text;             ///< of a scalar
-  std::vector<Key> keys;        ///< of a map, in file order; each is there once
+  std::vector<Key> keys;        ///< of a map, in file order, without duplicates
   std::vector<YamlNode> items;  ///< of a list; of a map: the values, in the order of `keys`
 };
 
-/// Reads one YAML document of a stranger. Aliases are written out. Throws ParseError for broken YAML, more
-/// than one document, control characters, tags, keys that are no scalars or are there twice, and for what is
-/// no sane scene: more than kMaxYamlBytes of text, kMaxYamlDepth levels or kMaxYamlNodes nodes (aliases
-/// written out).
+/// Parses one untrusted YAML document; aliases are expanded. Throws ParseError for invalid YAML, more than
+/// one document, control characters, tags, duplicate keys or keys that are not scalars, and beyond the
+/// limits: kMaxYamlBytes of text, kMaxYamlDepth levels, kMaxYamlNodes nodes (after expansion).
 inline constexpr std::size_t kMaxYamlBytes = 4u << 20;
 inline constexpr int kMaxYamlDepth = 32;
 inline constexpr int kMaxYamlNodes = 200000;

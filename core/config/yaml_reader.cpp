@@ -7,7 +7,7 @@
 namespace abstand::config {
 namespace {
 
-/// Long texts of strangers are cut in messages.
+/// Quotes untrusted text for messages, shortened if long.
 std::string quoted(const std::string& text) {
   constexpr std::size_t kShown = 60;
   return "`" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "`";
@@ -74,7 +74,7 @@ std::string yamlText(const YamlNode& node, const std::string& file, const std::s
     throw ParseError({file, node.line, node.column}, "found " + yamlFound(node) + " for " + label +
                                                          ", expected 1 to " + std::to_string(kMaxYamlText) +
                                                          " characters");
-  // Escapes in quotes can bring in what the text itself may not hold.
+  // Escapes in quoted scalars can produce control characters that the raw text may not contain.
   if (std::any_of(node.text.begin(), node.text.end(),
                   [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
     throw ParseError({file, node.line, node.column},

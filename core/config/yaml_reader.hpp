@@ -1,4 +1,4 @@
-// Typed values out of a YAML tree; every error names its place.
+// Typed values from a YAML tree; every error has its position.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,32 @@
 
 namespace abstand::config {
 
-/// Allowed numbers: least <= x <= most, or least < x with `above`.
+/// Allowed range: least <= x <= most, or least < x <= most with `above`.
 struct YamlRange {
   double least, most;
   const char* unit{""};
   bool above{false};
 };
 
-/// One map of a scene file whose keys are all known. `what` names it in messages ("an object"). Getters of an
-/// absent key give nullopt or null; a value of another type or out of range is a ParseError at its place.
+/// A map of a scene file with a fixed set of keys. `what` names it in messages ("an object"). Getters return
+/// nullopt or null for an absent key and throw ParseError at the value for another type or a value out of
+/// range.
 class YamlFields {
  public:
-  /// Throws ParseError when the node is no map or has a key that is not among `known`.
+  /// Throws ParseError if the node is not a map or has a key that is not in `known`.
   YamlFields(const YamlNode& node, const std::string& file, std::string what, std::vector<std::string> known);
 
   const YamlNode* find(std::string_view key) const;
-  /// Throws ParseError at the map when the key is not there.
+  /// Throws ParseError at the map if the key is absent.
   const YamlNode& need(std::string_view key) const;
 
   std::optional<double> number(std::string_view key, const YamlRange& range) const;
   std::optional<int> integer(std::string_view key, int least, int most) const;
   std::optional<std::string> text(std::string_view key) const;
-  /// One of `choices`.
+  /// The value, which must be one of `choices`.
   std::optional<std::string> choice(std::string_view key, const std::vector<std::string>& choices) const;
   std::optional<Vector3d> vector(std::string_view key, const YamlRange& range) const;
-  /// The nodes of a list; empty when absent.
+  /// Items of a list; empty if absent.
   const std::vector<YamlNode>& list(std::string_view key) const;
 
   const YamlNode& node() const { return node_; }
@@ -53,10 +54,10 @@ class YamlFields {
 /// "a map", "a list", "nothing" or "`text`", for messages.
 std::string yamlFound(const YamlNode& node);
 
-/// Single values; `label` names what they stand for ("`scale`").
+/// Reads a single value; `label` names it in messages ("`scale`").
 double yamlNumber(const YamlNode& node, const std::string& file, const std::string& label,
                   const YamlRange& range);
-/// Not empty, at most kMaxYamlText characters.
+/// Text of 1 to kMaxYamlText characters.
 inline constexpr std::size_t kMaxYamlText = 4096;
 std::string yamlText(const YamlNode& node, const std::string& file, const std::string& label);
 std::string yamlChoice(const YamlNode& node, const std::string& file, const std::string& label,

@@ -6,7 +6,7 @@
 namespace abstand::contact {
 namespace {
 
-/// Of one region, `wanted` at most.
+/// Allowed speed for one region, at most `wanted`.
 AllowedSpeed speedOf(const RegionLimits& region, const RobotMass& robot, double wanted, const AreaAt& area) {
   if (region.excluded()) return {0.0, LimitKind::kExcluded, &region};
   const double by_force = predictContact(region, {0.0, robot}).allowed_speed;
@@ -45,7 +45,7 @@ AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const
 
 double speedShare(double allowed, double robot_speed, double person_speed) {
   if (std::isnan(allowed) || std::isnan(person_speed) || !(robot_speed > 0.0)) return 0.0;
-  // Rounding must not take a share of what is allowed as it is.
+  // Rounding must not reduce a speed that is allowed unchanged.
   if (robot_speed + person_speed <= allowed) return 1.0;
   return std::clamp((allowed - person_speed) / robot_speed, 0.0, 1.0);
 }

@@ -1,4 +1,4 @@
-// Reads the values of a table of contact limits, each with its source.
+// Reads the values of a table of contact limits with their sources.
 #pragma once
 
 #include <map>
@@ -9,10 +9,10 @@
 
 namespace abstand::contact {
 
-/// In a file: contact must be excluded.
+/// In files: contact must be excluded.
 inline constexpr const char* kNotApplicable = "not_applicable";
 
-/// What every value of a table needs: the file, its sources and the names of body parts.
+/// Context for reading a value: file, sources and names of body parts.
 struct LimitsContext {
   const std::string& file;
   std::vector<std::string> parts;
@@ -22,17 +22,17 @@ struct LimitsContext {
 /// `text` in backticks, for messages.
 std::string ticked(const std::string& text);
 
-/// All of these throw ParseError with the place of what is wrong.
+/// All of these throw ParseError at the position of the error.
 std::string needText(const config::YamlFields& fields, const char* key);
 
-/// `name: {unit: NUMBER, source: KEY, to_be_checked: TEXT}`, in SI by the factor `si`.
+/// `name: {unit: NUMBER, source: KEY, to_be_checked: TEXT}`, converted to SI by the factor `si`.
 CitedValue quantity(const config::YamlFields& region, const char* name, const char* unit,
                     const config::YamlRange& range, double si, const LimitsContext& context);
 
-/// `transient: {factor: NUMBER or not_applicable, source: KEY}`; NaN where it is not applicable.
+/// `transient: {factor: NUMBER or not_applicable, source: KEY}`; NaN if not applicable.
 CitedValue transientFactor(const config::YamlFields& region, const LimitsContext& context);
 
-/// `pressure: [{place: TEXT, n_per_cm2: NUMBER, source: KEY}, ...]`, one at least.
+/// `pressure: [{place: TEXT, n_per_cm2: NUMBER, source: KEY}, ...]`, at least one.
 std::vector<PressurePlace> pressurePlaces(const config::YamlFields& region, const LimitsContext& context);
 
 }  // namespace abstand::contact

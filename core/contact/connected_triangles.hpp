@@ -1,4 +1,4 @@
-// The part of a surface above a height that hangs together.
+// Connected part of a surface above a height.
 #pragma once
 
 #include "core/contact/contact_surface.hpp"

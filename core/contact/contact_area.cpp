@@ -8,9 +8,9 @@
 namespace abstand::contact {
 namespace {
 
-/// The indentation into the triangles that is certain to stay within that into the shape around them.
+/// Indentation into the triangles that surely does not exceed the one into the shape around them.
 double certainIndentation(const ContactSurface& surface, const ContactPlace& place) {
-  // Seen along a curved body, a point within the sagitta may lie up to the root of 2 times it behind.
+  // With a curved person, a point within the sagitta may lie up to sqrt(2) times it behind.
   return place.indentation - (std::isinf(place.body_radius) ? 1.0 : 2.0) * surface.sagitta();
 }
 

@@ -61,7 +61,7 @@ class PatchSearch {
     return {points_[corners(t)[0]], points_[corners(t)[1]], points_[corners(t)[2]]};
   }
 
-  /// Not below the height of the foremost point of the body, seen from the curved person.
+  /// Upper bound of the height of the body's foremost point, relative to the curved person.
   double topOf(const std::vector<PatchTriangle>& pieces, double flat_top) const {
     if (std::isinf(radius_)) return flat_top;
     double top = contact_height_;

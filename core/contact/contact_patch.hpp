@@ -1,4 +1,4 @@
-// The pieces of a surface that lie within an indentation, seen along the approach.
+// Polygons of a surface within an indentation, projected along the approach.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace abstand::contact {
 
-/// A convex polygon of a surface. Corners: u and v across the approach, from the contact point, and the
-/// height along it, m. Counter-clockwise, seen against the approach, where it faces the person.
+/// A convex polygon of a surface. Corners (m): u and v perpendicular to the approach, relative to the contact
+/// point, and height along it. Counter-clockwise seen against the approach if it faces the person.
 struct PatchPolygon {
   static constexpr int kMaxCorners = 8;
   std::array<Vector3d, kMaxCorners> corners;
@@ -19,7 +19,7 @@ struct PatchPolygon {
     if (count < kMaxCorners) corners[static_cast<std::size_t>(count++)] = c;
   }
   const Vector3d& corner(int i) const { return corners[static_cast<std::size_t>(i % count)]; }
-  /// m^2 across the approach; negative where the polygon faces away.
+  /// Area (m^2) projected along the approach; negative if the polygon faces away.
   double area() const;
 };
 

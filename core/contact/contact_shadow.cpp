@@ -5,7 +5,7 @@
 namespace abstand::contact {
 namespace {
 
-constexpr double kAbove = 1e-9;  // m: sheets that meet in an edge differ by rounding
+constexpr double kAbove = 1e-9;  // m: sheets that share an edge differ by rounding
 
 struct Rectangle {
   Eigen::Vector2d lower{Eigen::Vector2d::Constant(kInfinity)}, upper{Eigen::Vector2d::Constant(-kInfinity)};
@@ -39,19 +39,19 @@ PatchExtent extentOf(const PatchPolygon& polygon, const ContactPatch& patch) {
     const Vector3d &a = polygon.corner(0), &b = polygon.corner(i), &c = polygon.corner(i + 1);
     const double area = 0.5 * ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x());
     extent.area += area;
-    // Depth is linear, or concave where the person is round: the mean of the corners is not above that of
-    // all.
+    // Depth is linear, or concave for a curved person: the mean over the corners is at most that over the
+    // polygon.
     extent.volume += area * (patch.depth(a) + patch.depth(b) + patch.depth(c)) / 3.0;
   }
   return extent;
 }
 
-/// Twice the area of the triangle a, b, p across the approach: positive left of the edge from a to b.
+/// Twice the projected area of the triangle a, b, p: positive left of the edge from a to b.
 double leftOf(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
   return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
 }
 
-/// The part of `front` over which `back`, a triangle that faces away, lies, in front of or behind it.
+/// The part of `front` that overlaps the triangle `back`, which faces away, in projection.
 PatchPolygon overlapOf(const PatchPolygon& front, const PatchPolygon& back) {
   PatchPolygon rest = front;
   for (int e = back.count; e > 0 && rest.count > 0; --e) {
@@ -68,7 +68,7 @@ PatchPolygon overlapOf(const PatchPolygon& front, const PatchPolygon& back) {
   return rest;
 }
 
-/// Height of the plane of a triangle at a place.
+/// Height of the plane of a triangle at p.
 double heightAt(const PatchPolygon& triangle, const Vector3d& p) {
   const Vector3d &a = triangle.corner(0), &b = triangle.corner(1), &c = triangle.corner(2);
   const double whole = leftOf(a, b, c), for_c = leftOf(a, b, p) / whole, for_b = leftOf(p, c, a) / whole;

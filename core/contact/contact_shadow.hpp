@@ -1,4 +1,4 @@
-// Area and volume of a patch as the person sees it.
+// Visible area and volume of a patch.
 #pragma once
 
 #include "core/contact/contact_patch.hpp"

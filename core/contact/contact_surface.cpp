@@ -14,7 +14,7 @@ ContactSurface::ContactSurface(const geometry::Surface& surface, double sagitta)
   if (shape && !std::holds_alternative<geometry::Cuboid>(*shape)) sagitta_ = tolerance;
   tree_ = geometry::TriangleTree(mesh_);
 
-  // Triangles about each vertex, one list after the other.
+  // Triangles at each vertex, concatenated lists.
   first_.assign(mesh_.vertices.size() + 1, 0);
   for (const auto& triangle : mesh_.triangles)
     for (const std::uint32_t v : triangle) ++first_[v + 1];

@@ -1,4 +1,4 @@
-// The triangles of a body, ready for questions about contact patches.
+// Triangles of a body, prepared for contact patches.
 #pragma once
 
 #include <span>
@@ -8,25 +8,25 @@
 
 namespace abstand::contact {
 
-/// m: how far the triangles of a curved shape may be from it.
+/// m: sagitta of the triangles of a curved shape.
 inline constexpr double kContactSagitta = 5e-5;
-/// The same as a share of the body's largest extent, so that a large body does not become too many triangles.
+/// The same as a share of the body's largest extent, to limit the triangles of a large body.
 inline constexpr double kContactSagittaShare = 1e-4;
 
 /// The exact triangles of a mesh, or an inscribed tessellation of a shape. Body frame, m. Constant after
-/// construction; every function is safe from any thread.
+/// construction; every function is thread-safe.
 class ContactSurface {
  public:
-  /// Shapes: triangles within `sagitta` (m), or within kContactSagittaShare of the extent where that is more.
-  /// Throws UsageError for a sagitta that is not positive, or too small for the shape.
+  /// Shapes: triangles within `sagitta` (m), or kContactSagittaShare of the extent if that is more. Throws
+  /// UsageError for a sagitta that is not positive, or too small for the shape.
   explicit ContactSurface(const geometry::Surface& surface, double sagitta = kContactSagitta);
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
   /// m; 0 for meshes and cuboids, whose triangles are exact. A curved shape contains its triangles.
   double sagitta() const { return sagitta_; }
-  /// Closed, and its triangles point outwards.
+  /// True if it is closed and its triangles face outwards.
   bool watertight() const { return watertight_; }
-  /// The point of the surface nearest to p, and the index of its triangle.
+  /// Nearest surface point to p, and the index of its triangle.
   struct Nearest {
     Vector3d point;
     std::uint32_t triangle;
@@ -35,7 +35,7 @@ class ContactSurface {
     const geometry::TriangleTree::Nearest found = tree_.closest(p);
     return {found.point, tree_.triangle(found.slot)};
   }
-  /// The triangles that share a vertex.
+  /// Triangles that share a vertex.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const {
     return {around_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }

@@ -17,7 +17,7 @@ bool isOutOfReach(const CurvedPerson& person, const PatchTriangle& t) {
   return top - rho * rho / (2.0 * person.radius) < person.lowest;
 }
 
-/// The edge that is longest across the approach, and the square of its length.
+/// The edge with the largest projected length, and its squared length.
 std::pair<int, double> longestEdge(const PatchTriangle& t) {
   std::pair<int, double> longest{0, 0.0};
   for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// Triangles divided until they follow a round person.
+// Subdivides triangles for a curved person.
 #pragma once
 
 #include <array>
@@ -8,22 +8,22 @@
 
 namespace abstand::contact {
 
-/// Corners: u and v across the approach, from the contact point, and the height along it, m.
+/// Corners (m): u and v perpendicular to the approach, relative to the contact point, and height along it.
 using PatchTriangle = std::array<Vector3d, 3>;
 
 inline const Vector3d& corner(const PatchTriangle& t, int i) { return t[static_cast<std::size_t>(i % 3)]; }
 
-/// How far a piece departs from the curve, as a share of the indentation: a triangle with edges up to l
-/// departs from a parabola of radius R by l^2 / (6 R) at most, and l^2 <= kPieceShare R x.
+/// Limit of the deviation from the curve as a share of the indentation: a triangle with edges up to l
+/// deviates from a parabola of radius R by at most l^2 / (6 R), and l^2 <= kPieceShare R x.
 inline constexpr double kPieceShare = 0.1, kPieceError = kPieceShare / 6.0;
 
-/// More pieces than a sensible patch has (some hundred to some thousand).
+/// Limit of pieces; usual patches have some hundred to some thousand.
 inline constexpr std::size_t kMaxPieces = 400'000;
 
 /// A person rounded as height = rho^2 / (2 radius), m.
 struct CurvedPerson {
   double radius, indentation;
-  double lowest;  ///< pieces that are lower than this everywhere, less the curve, are left out
+  double lowest;  ///< pieces entirely below this, relative to the curve, are dropped
 };
 
 /// Divides the triangles; those of a flat person (infinite radius) stay as they are. False, with `pieces` in

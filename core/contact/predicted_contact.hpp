@@ -1,4 +1,4 @@
-// Peak force, energy and indentation of a contact, and what the table allows.
+// Predicted force, energy and indentation of a contact, and the allowed values.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace abstand::contact {
 /// [ISO/TS 15066:2016, clause 3].
 enum class ContactKind : std::uint8_t { kTransient, kQuasiStatic };
 
-/// Where a robot's effective mass comes from: the inertia seen along the contact normal in this posture
+/// Source of a robot's effective mass: inertia along the contact normal in this posture
 /// (mechanism::effectiveMass; Khatib 1995), or the estimate of ISO/TS 15066:2016.
 enum class RobotMassSource : std::uint8_t { kPosture, kHalfMovingMass };
 
@@ -21,7 +21,7 @@ enum class RobotMassSource : std::uint8_t { kPosture, kHalfMovingMass };
 std::string_view sourceText(RobotMassSource source);
 
 struct RobotMass {
-  double kg{0.0};  ///< infinite: a wall. What is not positive or NaN counts as infinite.
+  double kg{0.0};  ///< infinite: immovable. NaN and values that are not positive count as infinite.
   RobotMassSource source{RobotMassSource::kPosture};
 };
 
@@ -30,39 +30,38 @@ struct RobotMass {
 /// @param load         m_L, kg, effective payload with tool and workpiece
 RobotMass estimatedRobotMass(double moving_mass, double load);
 
-/// A moment of a motion at which robot and body part touch, or are taken to touch.
+/// State of motion at contact, real or assumed.
 struct ContactMotion {
-  /// m/s, of approach along the contact normal, positive towards each other. What is not positive makes no
-  /// impact; NaN is an unknown speed and exceeds every limit.
+  /// m/s, approach speed along the contact normal, positive towards each other. Values <= 0 cause no impact;
+  /// NaN is an unknown speed and exceeds every limit.
   double speed{0.0};
   RobotMass robot;
   ContactKind kind{ContactKind::kTransient};
 };
 
-/// Two masses and a linear spring, without damping [ISO/TS 15066:2016, annex A]. SI.
+/// Model: two masses and a linear undamped spring [ISO/TS 15066:2016, annex A]. SI.
 struct PredictedContact {
-  /// kg. mu = (1 / m_H + 1 / m_R)^-1. A clamped part cannot recoil, so that mu = m_R there; this is our own
-  /// choice, on the safe side.
+  /// kg. mu = (1 / m_H + 1 / m_R)^-1. A clamped part cannot recoil, so mu = m_R there (own choice, on the
+  /// safe side).
   double reduced_mass{0.0};
   double energy{0.0};       ///< J, E = mu v^2 / 2
   double force{0.0};        ///< N, peak, F = v sqrt(mu k)
   double indentation{0.0};  ///< m, at the peak, x = F / k
-  /// N, F_max: the quasi-static force, times the factor where contact is transient. 0: excluded.
+  /// N, F_max: the quasi-static force, times the factor for transient contact. 0: excluded.
   double allowed_force{0.0};
   double allowed_energy{0.0};  ///< J, F_max^2 / (2 k)
   double allowed_speed{0.0};   ///< m/s, v_max = F_max / sqrt(mu k)
-  /// F / F_max, which is v / v_max too, and the root of E / E_max. 1: at the limit. Infinite where contact is
-  /// excluded, whatever the speed, and where speed is unknown.
+  /// F / F_max = v / v_max = sqrt(E / E_max). 1: at the limit. Infinite if contact is excluded, at any speed,
+  /// and if the speed is unknown.
   double share{0.0};
   bool excluded{false};
 };
 
-/// The force with which the robot's motors go on pressing a clamped part is not in it. Pure; any thread.
+/// Without the force by which the motors keep pressing on a clamped part. Pure; any thread.
 PredictedContact predictContact(const RegionLimits& region, const ContactMotion& motion);
 
-/// The region among those of a body part that has used most of its limit; where shares tie, the one that
-/// allows the least speed. It is not known which of them is touched, so the worst one counts. Null for no
-/// regions.
+/// The region of a body part with the largest share of its limit; of equal ones, that with the lowest allowed
+/// speed. It is unknown which one is touched, so the worst counts. Null if there are no regions.
 struct RegionContact {
   const RegionLimits* region{nullptr};
   PredictedContact contact;

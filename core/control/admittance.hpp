@@ -1,4 +1,4 @@
-// For robots that take positions or velocities: efforts in, motion out.
+// Admittance control for robots that accept positions or velocities: efforts in, motion out.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace abstand::control {
 
-/// One number for all joints, or one a joint.
+/// One number for all joints, or one for each.
 struct AdmittanceOptions {
   static constexpr const char* kName = "admittance";
   config::JointNumbers inertia{1.0};     ///< kg m^2 or kg
   config::JointNumbers damping{10.0};    ///< N m s/rad or N s/m
   config::JointNumbers stiffness{20.0};  ///< N m/rad or N/m; 0: the offset stays where it was pushed
-  config::JointNumbers velocity{1.0};    ///< rad/s or m/s, the most, of its size
-  config::JointNumbers offset{0.5};      ///< rad or m, the most, of its size
+  config::JointNumbers velocity{1.0};    ///< rad/s or m/s, largest absolute value
+  config::JointNumbers offset{0.5};      ///< rad or m, largest absolute value
 
   template <class Self, class Visit>
   static void eachNumber(Self&, Visit) {}
@@ -30,27 +30,33 @@ struct AdmittanceOptions {
   }
 };
 
-/// Each joint behaves like m xddot + b xdot + k x = tau, x the offset from the commanded position: a virtual
-/// mass on a spring and a damper [Dietrich et al. 2011, the thesis's [6], give position controlled parts such
-/// an interface]. The step is implicit in damper and spring,
+/// Each joint behaves like m xddot + b xdot + k x = tau, with x the offset from the commanded position: a
+/// virtual mass with spring and damper [interface for position controlled robots: Dietrich et al. 2011, the
+/// thesis's [6]]. The step is implicit in damper and spring,
 ///   v' = (m v + dt (tau - k x)) / (m + dt b + dt^2 k),  x' = x + dt v',
-/// so it is stable for every dt. At rest x = tau / k, or xdot = tau / b without a spring. Velocity and offset
-/// are cut at their limits; at the limit of the offset the velocity is what leads there. One thread, no
-/// allocation after it is made.
+/// so it is stable for every dt. In steady state x = tau / k, or xdot = tau / b without a spring. Velocity
+/// and offset are clipped to their limits; at the offset limit the velocity is the one that leads there. One
+/// thread, no allocation after construction.
 class Admittance {
  public:
-  /// Throws UsageError for options that are not allowed for `dof` joints.
+  /// Throws UsageError for options that are not valid for `dof` joints.
   Admittance(const AdmittanceOptions& options, int dof);
 
-  void reset() noexcept;  ///< no offset, at rest
-  void hold() noexcept;   ///< at rest where it is
-  /// @param efforts  N m or N, size dof; what is not finite counts as 0
+  void reset() noexcept;  ///< offset and velocity 0
+  void hold() noexcept;   ///< velocity 0, offset kept
+  /// @param efforts  N m or N, size dof; values that are not finite count as 0
   /// @param dt       s; not above 0: nothing changes
-  /// @param bounds   rad/s or m/s, within which its velocity stays besides; empty: none
+  /// @param bounds   rad/s or m/s, additional bounds on its velocity; empty: none
   void update(std::span<const double> efforts, double dt,
               std::span<const mechanism::VelocityBounds> bounds = {}) noexcept;
-  std::span<const double> velocity() const { return velocity_; }  ///< rad/s or m/s, to be added
-  std::span<const double> offset() const { return offset_; }      ///< rad or m, to be added
+  std::span<const double> velocity() const {
+    return velocity_;
+  }  ///< rad/s or m/s, to be added to the
+     ///< commanded velocity
+  std::span<const double> offset() const {
+    return offset_;
+  }  ///< rad or m, to be added to the commanded
+     ///< position
 
  private:
   struct Joint {

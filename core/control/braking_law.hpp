@@ -1,4 +1,4 @@
-// What a robot may do next: only what it can brake from before anybody can be where it goes.
+// Braking law: a robot may only move as long as it can brake before a person can reach its path.
 #pragma once
 
 #include "core/safety/braking_path.hpp"
@@ -6,14 +6,15 @@
 
 namespace abstand::control {
 
-/// How the robot brakes, and what is taken for granted of people meanwhile. SI.
+/// Braking of the robot, and the assumed motion of people meanwhile. SI.
 struct BrakingLawOptions {
   static constexpr const char* kName = "braking";
   safety::BrakingOptions path;
-  double distance{0.0};  ///< m, that has to be left at every moment until it stands
-  /// m/s; who was seen faster is taken to go on at most that fast [ISO 13855: 2 m/s for a hand].
+  double distance{0.0};  ///< m, required distance at every time until standstill
+  /// m/s; a person seen moving faster is assumed to continue at most at this speed [ISO 13855: 2 m/s for a
+  /// hand]
   double person_speed{2.0};
-  double person_acceleration{kInfinity};  ///< m/s^2; infinite: only the speed bounds them
+  double person_acceleration{kInfinity};  ///< m/s^2; infinite: bounded by the speed only
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {

@@ -1,4 +1,4 @@
-// The mass of a mechanism as it is felt along a direction.
+// Effective mass of a mechanism along a direction.
 #pragma once
 
 #include <span>
@@ -9,16 +9,16 @@
 namespace abstand::control {
 
 /// m = 1 / (J M^-1 J^T) for a row J = d(distance)/dq [Khatib 1987, A unified approach for motion and force
-/// control]. Factors a mass matrix once a cycle. One thread; no allocation after it is made.
+/// control]. Factorises the mass matrix once for each cycle. One thread; no allocation after construction.
 class EffectiveMass {
  public:
   explicit EffectiveMass(int dof);
 
-  /// M: dof x dof, kg m^2 or kg, symmetric; only its lower half is read. False when it is of another size,
-  /// not finite or not positive definite: then mass() gives NaN.
+  /// Factorises M: dof x dof, kg m^2 or kg, symmetric; only its lower half is read. False if its size
+  /// differs, or if it is not finite or not positive definite: then mass() returns NaN.
   bool take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
   bool known() const { return known_; }
-  /// kg; infinite for a row of zeros: the mechanism cannot move that way.
+  /// kg; infinite for a zero row: the mechanism cannot move in that direction.
   double mass(std::span<const double> row) noexcept;
 
  private:

@@ -12,9 +12,10 @@ namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-// Rounds of projected Gauss-Seidel over the multipliers. What is left of a violation is lifted out next time.
+// Rounds of projected Gauss-Seidel over the multipliers. A remaining violation is corrected in the next
+// update.
 constexpr int kRounds = 200;
-// m; a round that changes no contact by more than this was the last.
+// m; iteration ends when no contact changes by more than this.
 constexpr double kSettled = 1e-12;
 
 Vector3d cut(const Vector3d& v, double most) {
@@ -28,7 +29,7 @@ struct Rows {
   std::array<double, GodObject::kMaxConstraints> least, weight, multiplier;
   std::size_t count{0};
 
-  /// The nearest point to `x` that they allow.
+  /// The allowed point nearest to `x`.
   Vector6d project(Vector6d x) {
     for (int round = 0; round < kRounds; ++round) {
       double change = 0.0;
@@ -59,7 +60,7 @@ std::optional<ContactConstraint> constraintOf(const query::PairResult& result, b
 GodObject::GodObject(const GodObjectOptions& options, const geometry::EnclosingSphere& sphere_O)
     : o_(options), sphere_O_(sphere_O) {
   options.validate();
-  // A point turns without moving; any length serves.
+  // A point has no extent; any length works.
   sphere_O_.radius = std::max(sphere_O.radius, 1e-6);
 }
 
@@ -74,10 +75,10 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   const Vector3d c = X_WO_ * sphere_O_.centre;
   const double rho = std::sqrt(0.4) * sphere_O_.radius;
 
-  // The way to the hand, in lengths.
+  // Displacement to the hand's pose, in length units.
   Vector6d wish;
   wish << X_WH * sphere_O_.centre - c, rho * rotationBetween(X_WO_.linear(), X_WH.linear());
-  if (!wish.allFinite()) wish.setZero();  // a hand that is nowhere leads nowhere
+  if (!wish.allFinite()) wish.setZero();  // an invalid hand pose does not move the object
   const auto reach = [&](const Vector6d& x) {
     return x.head<3>().norm() + x.tail<3>().norm() * sphere_O_.radius / rho;
   };
@@ -85,7 +86,8 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
 
   Rows rows;
   for (const ContactConstraint& k : constraints) {
-    // Beyond two steps and the gap nothing is reached; what has no place left replaces the farthest.
+    // Contacts beyond two steps and the gap cannot be reached; a contact without a free slot replaces the
+    // farthest.
     if (!(k.gap <= 2.0 * o_.step + o_.gap) || !k.p_W.allFinite() || !(k.normal_W.squaredNorm() > 0.5))
       continue;
     std::size_t at = rows.count;
@@ -102,7 +104,7 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
     rows.multiplier[at] = 0.0;
   }
   Vector6d x = rows.project(wish);
-  // Contacts that contradict each other must not throw the object about.
+  // Contradicting contacts must not cause a large displacement.
   if (const double way = reach(x); way > 2.0 * o_.step) x *= 2.0 * o_.step / way;
   moved_ = reach(x);
 
@@ -110,7 +112,7 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   const double angle = turn.norm();
   if (angle > 0.0) {
     const Matrix3d R = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * Matrix3d(X_WO_.linear());
-    X_WO_.linear() = Quaterniond(R).normalized().toRotationMatrix();  // keeps it a rotation for days
+    X_WO_.linear() = Quaterniond(R).normalized().toRotationMatrix();  // re-normalises against rounding drift
   }
   X_WO_.translation() = c + x.head<3>() - X_WO_.linear() * sphere_O_.centre;
 

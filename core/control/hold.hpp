@@ -1,4 +1,4 @@
-// Keeps a robot at its planned motion, softly enough to be pushed away from it.
+// Joint hold: computed torque control of the planned motion, compliant to pushes.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@ namespace abstand::control {
 
 struct HoldOptions {
   static constexpr const char* kName = "hold";
-  /// rad/s, omega: how fast it comes back, and how stiff it is: a mass m that is pushed feels like on a
-  /// spring of m omega^2. 6 rad/s: at 2 kg 72 N/m, and back within half a second.
+  /// rad/s, omega: speed of return and stiffness. A pushed mass m feels a spring of m omega^2. 6 rad/s: 72
+  /// N/m at 2 kg, and return within half a second.
   double frequency{6.0};
-  double damping{1.0};  ///< zeta; 1: back without overshoot
+  double damping{1.0};  ///< zeta; 1: return without overshoot
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -22,15 +22,16 @@ struct HoldOptions {
   }
 };
 
-/// What a robot was told to do at one moment. All of the size dof.
+/// Planned motion at one time. All of size dof.
 struct PlannedMotion {
   std::span<const double> q, qd, qdd;  ///< rad or m, and per s, per s^2
 };
 
-/// The accelerations to be asked for [computed torque; Craig, Introduction to Robotics, 10.4]:
+/// Commanded accelerations [computed torque; Craig, Introduction to Robotics, 10.4]:
 ///   a = qdd_p + 2 zeta omega (qd_p - qd) + omega^2 (q_p - q)
-/// With the efforts M a + C qd + g of a perfect model each joint returns like a pendulum of omega and zeta,
-/// whatever the links weigh, and a push tau moves it by M^-1 tau. Gives `a` (size dof) in `acceleration`.
+/// With the efforts M a + C qd + g of a perfect model each joint returns as a second-order system of omega
+/// and zeta, independent of the links' masses, and a torque tau displaces it by M^-1 tau. Writes `a` (size
+/// dof) to `acceleration`.
 inline void hold(const HoldOptions& o, const PlannedMotion& plan, std::span<const double> q,
                  std::span<const double> qd, std::span<double> acceleration) noexcept {
   const double k = o.frequency * o.frequency, d = 2.0 * o.damping * o.frequency;

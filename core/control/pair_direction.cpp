@@ -5,7 +5,7 @@
 namespace abstand::control {
 namespace {
 
-// m; nearer witnesses are one within the rounding of coordinates of some metres.
+// m; nearer witness points coincide within the rounding of coordinates of some metres.
 constexpr double kOne = 1e-9;
 
 }  // namespace
@@ -20,7 +20,7 @@ Vector3d partingDirection(const query::PairResult& result, const Vector3d& other
 
 void addDistanceRow(const mechanism::Mechanism& mechanism, const mechanism::MechanismState& state,
                     const LinkPoint& point, double sign, std::span<double> row) noexcept {
-  // The efforts of a unit force along n do the work of the distance.
+  // The joint efforts of a unit force along n are d(distance)/dq.
   if (point.frame >= 0)
     mechanism::addJointEfforts(mechanism, state, point.frame, point.p_B, {sign * point.n_B, Vector3d::Zero()},
                                row);

@@ -8,7 +8,7 @@
 namespace abstand::control {
 namespace {
 
-// Asked for by watch(), the laws and the limits, one of each reason.
+// Causes raised by watch(), the laws and the limits, one for each reason.
 constexpr std::size_t kOwnCauses = 9;
 
 double product(std::span<const double> row, std::span<const double> x) {
@@ -66,7 +66,7 @@ void Reaction::watch(const ReactionInput& input) noexcept {
     ask(safety::StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
   if (!(input.person_age <= w.person_age))
     ask(safety::StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
-  // The nearest pair below the limit; a distance that is not known is the nearest of all.
+  // The nearest pair below the limit; an unknown distance counts as the nearest.
   const ReactionPair* nearest = nullptr;
   for (const ReactionPair& p : input.pairs)
     if (!(p.distance >= w.distance) && (!nearest || !(p.distance >= nearest->distance))) nearest = &p;
@@ -94,7 +94,7 @@ void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const E
     if (p.distance >= o.range) continue;
     ABSTAND_CHECK(p.row.size() == torque_.size());
     const double squared = product(p.row, p.row);
-    if (!(squared > 0.0)) continue;  // no joint moves it
+    if (!(squared > 0.0)) continue;  // no joint influences the distance
     const double own = product(p.row, input.qd);
     const double rate = own + (std::isnan(p.other_rate) ? 0.0 : p.other_rate);
     const RepulsionResult r =
@@ -125,7 +125,8 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   if (scale > 0.0) {
     ask(safety::StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
   } else {
-    // Not even standing is far enough, or hardly: the protective separation distance is broken.
+    // Even at standstill the distance is too small, or barely sufficient: the protective separation distance
+    // is violated.
     const Approach& a = approaches_[static_cast<std::size_t>(speed_->slowest())];
     const auto& o = speed_->options().separation;
     ask(safety::StopReason::kDistance, a.distance,
@@ -135,7 +136,7 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   return scale;
 }
 
-/// The share of the planned speed at which no joint is faster than it may.
+/// Largest share of the planned speed at which no joint exceeds its velocity limit.
 double Reaction::withinSpeedLimits(const ReactionInput& input, double scale) const noexcept {
   for (std::size_t i = 0; i < input.planned.size(); ++i) {
     const double speed = std::abs(input.planned[i]);
@@ -144,7 +145,7 @@ double Reaction::withinSpeedLimits(const ReactionInput& input, double scale) con
   return scale;
 }
 
-/// The admittance's next velocity v' leads to qd' = qd + v' - v, which is to keep the joint's limits.
+/// The admittance's next velocity v' gives qd' = qd + v' - v, which must be within the joint's limits.
 void Reaction::yield(const ReactionInput& input) noexcept {
   for (std::size_t i = 0; i < bounds_.size(); ++i) {
     bounds_[i] = {};
@@ -158,7 +159,7 @@ void Reaction::yield(const ReactionInput& input) noexcept {
     if (!std::isfinite(q)) known.lower = -kInfinity, known.upper = kInfinity;
     const mechanism::VelocityBounds next =
         mechanism::velocityBounds(known, std::isfinite(q) ? q : 0.0, qd, known.acceleration, input.dt);
-    // Of what its velocity is to be, no part is faster than the joint.
+    // The admittance velocity itself is limited by the joint's velocity limit.
     const double most = limits_[i].velocity;
     bounds_[i] = {std::clamp(v + next.lower - qd, -most, most), std::clamp(v + next.upper - qd, -most, most)};
   }

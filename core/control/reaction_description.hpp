@@ -1,4 +1,4 @@
-// What a robot does about people and things near it, as plain values.
+// Parameters of a robot's reaction to people and things, as plain values.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@
 
 namespace abstand::control {
 
-/// When a stop is asked for beside what the laws ask for. SI.
+/// Conditions that require a stop in addition to the laws. SI.
 struct WatchOptions {
   static constexpr const char* kName = "stop";
-  double distance{-kInfinity};  ///< m; nearer (certified lower bound), and something has to stop
-  double input_age{0.1};        ///< s, of the newest joint values; older is stale
-  double person_age{0.2};       ///< s, of the newest pose of a person; older is lost
-  config::JointNumbers joint_speed{kInfinity};  ///< rad/s or m/s, of its size
+  double distance{-kInfinity};                  ///< m; a smaller certified distance requires a stop
+  double input_age{0.1};                        ///< s, age of the newest joint values; older ones are stale
+  double person_age{0.2};                       ///< s, age of the newest pose of a person; older: lost
+  config::JointNumbers joint_speed{kInfinity};  ///< rad/s or m/s, absolute value
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -34,21 +34,21 @@ struct WatchOptions {
   }
 };
 
-/// A law that is there acts; they add up.
+/// A law that is present is active; their effects add up.
 struct ReactionDescription {
-  std::optional<TorqueLimitOptions> torque;  ///< contact efforts, with gain; limits the sum of all torques
+  std::optional<TorqueLimitOptions> torque;  ///< contact efforts times a gain; limits the sum of all torques
   std::optional<RepulsionOptions> repulsion;
   std::optional<GodObjectOptions> proxy;        ///< for a held object
-  std::optional<AdmittanceOptions> admittance;  ///< torques become velocities and offsets
+  std::optional<AdmittanceOptions> admittance;  ///< turns torques into velocities and offsets
   std::optional<SpeedScaleOptions> speed;
-  std::optional<BrakingLawOptions> braking;  ///< looked after outside Reaction, which hears the cause
-  HoldOptions hold;                          ///< where we move the robot ourselves
+  std::optional<BrakingLawOptions> braking;  ///< evaluated outside of Reaction, which receives the cause
+  HoldOptions hold;                          ///< used if this program moves the robot
   WatchOptions watch;
   safety::StopOptions stop;
 };
 
-/// What would happen with weaker or stronger laws: the forces and the gain that push a robot away, times
-/// `factor`; limits, damping ratios, speeds and stops stay.
+/// Scales the strength of the laws, i.e. the forces and the gain that push a robot away, by `factor`; limits,
+/// damping ratios, speeds and stops are unchanged.
 void scaleGains(ReactionDescription& reaction, double factor);
 
 }  // namespace abstand::control

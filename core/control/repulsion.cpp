@@ -9,7 +9,8 @@
 namespace abstand::control {
 namespace {
 
-// J: what moves with less stands. 2 kg at 1 mm/s; roundings and the return from a push must not be a reason.
+// J: below this the link counts as at rest. 2 kg at 1 mm/s; rounding and the return from a push must not
+// trigger.
 constexpr double kStanding = 1e-6;
 
 }  // namespace

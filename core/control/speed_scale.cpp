@@ -12,8 +12,8 @@ double SpeedScale::update(std::span<const Approach> pairs, double dt) noexcept {
   slowest_ = -1;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Approach& p = pairs[i];
-    if (p.robot <= 0.0) continue;  // it goes away, or stands
-    // What the pairs before allow is all that is asked of this one.
+    if (p.robot <= 0.0) continue;  // it recedes or is at rest
+    // Only needs to be evaluated up to the share that earlier pairs allow.
     const double wanted = allowed * p.robot;
     const bool known = !std::isnan(p.robot) && !std::isnan(p.distance);
     const double permitted =

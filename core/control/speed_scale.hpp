@@ -1,4 +1,4 @@
-// The share of its planned speed that a robot may go, by who is near and which way it goes.
+// Speed scale of a robot by speed and separation monitoring with direction.
 #pragma once
 
 #include <span>
@@ -10,9 +10,10 @@ namespace abstand::control {
 struct SpeedScaleOptions {
   static constexpr const char* kName = "speed";
   safety::SeparationOptions separation;
-  /// 1/s. Down at once, up at this rate, so that a person at the edge does not make the robot stutter.
+  /// 1/s. The scale falls at once and rises at this rate, so that a person at the edge does not cause
+  /// stuttering.
   double release{2.0};
-  double least{0.02};  ///< shares below count as 0
+  double least{0.02};  ///< smaller scales count as 0
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -26,28 +27,28 @@ struct SpeedScaleOptions {
 /// One pair of a robot's link and a person's part.
 struct Approach {
   double distance{kInfinity};  ///< m, lower bound of the true distance
-  /// m/s, how fast the link would come nearer at its planned speed; negative: it goes away
+  /// m/s, approach speed of the link at its planned speed; negative: it recedes
   double robot{0.0};
-  double person{kNaN};  ///< m/s, how fast the person's part comes nearer; NaN: not known
+  double person{kNaN};  ///< m/s, approach speed of the person's part; NaN: unknown
 };
 
-/// Speed and separation monitoring (protective_distance.hpp) that looks at the direction: the speed that
-/// counts is that along the line between the nearest points, and a pair whose link goes away does not slow
-/// the robot, however near it is. A pair that comes nearer at v allows the share permittedSpeed(v) / v; the
-/// smallest share of all pairs is the scale. Where the bodies are convex about the nearest points, the gap
-/// between them shrinks no faster than that. One thread, no allocation.
+/// Speed and separation monitoring (protective_distance.hpp) with the direction of motion: the speed is that
+/// along the line of the nearest points, and a pair whose link recedes does not slow the robot at any
+/// distance. A pair with approach speed v allows the share permittedSpeed(v) / v; the smallest share of all
+/// pairs is the scale. If the bodies are convex near the nearest points, their distance decreases no faster.
+/// One thread, no allocation.
 class SpeedScale {
  public:
   explicit SpeedScale(const SpeedScaleOptions& options);  ///< throws UsageError
 
-  /// From a standing robot, which then speeds up at the rate of release.
+  /// Sets the scale to 0; it then rises at the rate `release`.
   void stop() noexcept { scale_ = 0.0; }
-  /// The scale, 0 to 1, for this cycle. dt (s) since the last one. A pair with a NaN among distance and robot
+  /// The scale, 0 to 1, for this cycle; dt (s) since the last one. A pair with NaN as distance or robot speed
   /// stops the robot.
   double update(std::span<const Approach> pairs, double dt) noexcept;
   double scale() const { return scale_; }
-  int slowest() const { return slowest_; }  ///< the pair that allows least, -1 when none slows
-  /// m/s: what that pair allows, and what was planned there.
+  int slowest() const { return slowest_; }  ///< the pair with the smallest share, -1 if none slows
+  /// m/s: permitted and planned speed of that pair
   double permitted() const { return permitted_; }
   double planned() const { return planned_; }
   const SpeedScaleOptions& options() const { return o_; }

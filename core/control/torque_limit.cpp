@@ -35,7 +35,7 @@ int TorqueLimit::cut(std::span<double> torque) const noexcept {
   }
   if (cut_ == TorqueCut::kTogether)
     for (std::size_t i = 0; i < torque.size(); ++i)
-      torque[i] = std::clamp(torque[i] * factor, -most_[i], most_[i]);  // rounding
+      torque[i] = std::clamp(torque[i] * factor, -most_[i], most_[i]);  // clamps rounding
   return farthest;
 }
 

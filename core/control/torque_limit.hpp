@@ -1,4 +1,4 @@
-// Contact efforts made fit for a robot: a gain and a limit.
+// Gain and limit of contact efforts.
 #pragma once
 
 #include <span>
@@ -7,14 +7,14 @@
 
 namespace abstand::control {
 
-/// kEach: every joint is cut at its own limit. kTogether: all are scaled down by the same factor, so that the
-/// direction in joint space stays, and with it where the robot yields to.
+/// kEach: every joint is clipped to its own limit. kTogether: all are scaled by the same factor, which keeps
+/// the direction in joint space and hence the direction in which the robot yields.
 enum class TorqueCut { kEach, kTogether };
 
 struct TorqueLimitOptions {
   static constexpr const char* kName = "torque";
-  double gain{1.0};                       ///< on the contact efforts; the thesis chose its own by trial
-  config::JointNumbers limit{kInfinity};  ///< N m or N, of its size, of each joint or one for all
+  double gain{1.0};                       ///< on the contact efforts; found by trial in the thesis
+  config::JointNumbers limit{kInfinity};  ///< N m or N, absolute value, of each joint or one for all
   TorqueCut cut{TorqueCut::kTogether};
 
   template <class Self, class Visit>
@@ -28,18 +28,18 @@ struct TorqueLimitOptions {
 };
 
 /// "Transformed empirically into an acceptable torque range through a gain and limited to a maximum" [thesis
-/// 5.4]: tau_i = sat(gain tau_i, +-limit_i). One thread, no allocation after it is made.
+/// 5.4]: tau_i = sat(gain tau_i, +-limit_i). One thread, no allocation after construction.
 class TorqueLimit {
  public:
-  /// Throws UsageError for options that are not allowed for `dof` joints.
+  /// Throws UsageError for options that are not valid for `dof` joints.
   TorqueLimit(const TorqueLimitOptions& options, int dof);
 
   double gain() const { return gain_; }
   double limit(int joint) const { return most_[static_cast<std::size_t>(joint)]; }
-  /// Cuts the torques in place, without the gain. Gives the joint that was farthest beyond its limit, or -1
-  /// when none was. What is not finite becomes 0 and counts as beyond.
+  /// Clips the torques in place, without the gain. Returns the joint that exceeded its limit most, or -1.
+  /// Values that are not finite become 0 and count as exceeding.
   int cut(std::span<double> torque) const noexcept;
-  /// gain * efforts, cut. Sizes are dof.
+  /// gain * efforts, clipped. Sizes are dof.
   int update(std::span<const double> efforts, std::span<double> torque) const noexcept;
 
  private:

@@ -42,7 +42,7 @@ struct PairSet::Impl {
     return poses;
   }
 
-  std::vector<Structure> bodies;  ///< kept for the set
+  std::vector<Structure> bodies;  ///< keeps the structures of the set alive
   std::vector<Transform> poses;
   query::PairSet set;
   std::vector<query::PairResult> results;

@@ -21,7 +21,7 @@ void checkPoses(std::span<const Pose> poses) {
   for (const Pose& X : poses) facade::checkedPose(X);
 }
 
-/// One after the other; `memory` may be null.
+/// Sequential queries; `memory` may be null.
 struct Asker {
   const structure::HapticStructure &a, &b;
   std::span<const Pose> X_WA, X_WB;

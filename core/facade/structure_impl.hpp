@@ -1,4 +1,4 @@
-// What the public types of the engine hold.
+// Implementations of the public types of the engine.
 #pragma once
 
 #include "abstand/query.hpp"
@@ -19,17 +19,17 @@ struct PairState::Impl {
 
 namespace abstand::facade {
 
-/// Of the five; valid.
+/// Valid public shape to internal shape.
 geometry::Shape shapeOf(const Shape& shape);
-/// The other way round.
+/// Internal shape to public shape.
 Shape shapeOf(const geometry::Shape& shape);
-/// As it stands in the library.
+/// Internal mesh to public mesh.
 Mesh meshOf(geometry::TriangleMesh mesh);
-/// Takes results as the engine gives them.
+/// Internal result to public result.
 PairResult resultOf(const query::PairResult& result);
 /// Throws UsageError for a margin or stiffness that is negative or not finite.
 query::PairOptions pairOptions(const QueryOptions& options);
-/// Throws UsageError for what is no pose.
+/// Throws UsageError if it is not a valid pose.
 Transform checkedPose(const Pose& pose);
 
 }  // namespace abstand::facade

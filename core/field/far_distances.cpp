@@ -1,4 +1,4 @@
-// Distances from the vertices of a grid to a mesh: nearest sites, block by block.
+// Lower bounds of the distances from grid vertices to a mesh: nearest sites, block by block.
 #include "core/field/far_distances.hpp"
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace {
 
 constexpr int kLanes = 4;
 constexpr float kFar = std::numeric_limits<float>::max();
-/// Relative, for what rounding in float does to a squared distance: some ten operations, and a reserve.
+/// Relative rounding error of a squared distance in float: about ten operations and a reserve.
 constexpr double kRounding = 16.0 * 0x1p-23;
-/// A block with so few sites left is not parted any more.
+/// A block with this few remaining sites is not subdivided further.
 constexpr std::size_t kFewSites = 32;
-/// The smallest block, and the largest that is not parted.
+/// The smallest block, and the largest that is not subdivided.
 const Vector3i kSmallest{4, 2, 2}, kLargest{4, 4, 4};
 
-/// The largest squared distance of a point of the triangle to its nearest corner: that of the centre of its
-/// circle, or half of the longest side where that lies outside.
+/// Largest squared distance of a point of the triangle to its nearest corner: the squared circumradius, or
+/// that of half the longest side if the circumcentre lies outside.
 double reach2(const std::array<Vector3d, 3>& t) {
   const double a2 = (t[1] - t[0]).squaredNorm(), b2 = (t[2] - t[1]).squaredNorm(),
                c2 = (t[0] - t[2]).squaredNorm();
@@ -34,7 +34,7 @@ Four lanesAt(const std::vector<float>& v, std::size_t i) { return load(&v[i]); }
 
 }  // namespace
 
-/// Some of the sites, padded to whole lanes with ones that are far away. The arrays may be longer.
+/// A subset of the sites, padded to whole lanes with far points. The arrays may be longer.
 struct FarSites::List {
   std::vector<float> x, y, z, power;  ///< power: |v|^2
   std::size_t size{0};
@@ -42,7 +42,7 @@ struct FarSites::List {
     for (auto* v : {&x, &y, &z, &power})
       if (v->size() < most + kLanes) v->resize(most + kLanes);
   }
-  /// Stays only where `keep` is set: a choice without a branch.
+  /// Appends the site, but advances only if `keep` is set: branchless selection.
   void add(float px, float py, float pz, float w, bool keep) {
     x[size] = px, y[size] = py, z[size] = pz, power[size] = w;
     size += keep;
@@ -52,7 +52,7 @@ struct FarSites::List {
   }
 };
 
-/// Exact copies of a point are taken once.
+/// Hash set of points; exact duplicates are dropped.
 class Distinct {
  public:
   explicit Distinct(std::vector<Vector3d>& points) : points_(points) {}
@@ -68,11 +68,11 @@ class Distinct {
   }
 
  private:
-  /// That of p, or where it belongs; 0: none yet.
+  /// Table entry of p, or the free one for it; 0: empty.
   std::uint32_t& place(const Vector3d& p) {
     std::uint64_t h = 0;
     for (int k = 0; k < 3; ++k) {
-      // + 0.0 turns -0.0 into 0.0, which is equal.
+      // + 0.0 maps -0.0 to 0.0.
       h = (h ^ std::bit_cast<std::uint64_t>(p[k] + 0.0)) * 0x9e3779b97f4a7c15u;
       h ^= h >> 32;
     }
@@ -86,22 +86,22 @@ class Distinct {
   std::vector<std::uint32_t> table_;  ///< open addressing, a power of two; index + 1
 };
 
-/// What one thread needs.
+/// Work space of one thread.
 struct FarSites::Search {
   double spacing;
   std::size_t row, slice;
   double reach2;
   std::vector<float> at_middle;
-  std::array<List, 40> lists;  ///< one a depth
+  std::array<List, 40> lists;  ///< one for each level of the subdivision
   std::size_t depth{0};
 
-  /// A block, and by how much (m^2) rounding may move the squared distances in it.
+  /// A block, and the rounding error (m^2) of squared distances in it.
   struct Box {
     const Block& block;
     Vector3d middle, half;
     double slack;
   };
-  /// Up to kLanes vertices along each axis: the first one's place in the block, how many rows and slices.
+  /// Up to kLanes vertices along each axis: position of the first in the block, number of rows and slices.
   struct Tile {
     const Block& block;
     Vector3i at;
@@ -109,7 +109,7 @@ struct FarSites::Search {
   };
   using TileValues = std::array<Four, static_cast<std::size_t>(kLanes* kLanes)>;
 
-  /// Of a list, by |p - v|^2 - |p|^2 at the middle p of a box.
+  /// The nearest site of a list, by |p - v|^2 - |p|^2 at the middle p of a box.
   struct NearestSite {
     std::size_t index;
     float value;
@@ -121,7 +121,7 @@ struct FarSites::Search {
   void measure(const Box& box, const List& kept, float* values) const;
 };
 
-/// Sets at_middle to the values of all sites of the list.
+/// Also sets at_middle to the values of all sites of the list.
 FarSites::Search::NearestSite FarSites::Search::nearestAtMiddle(const Box& box, const List& list) {
   const Vector3f c = -2.0f * box.middle.cast<float>();
   at_middle.resize(list.size);
@@ -137,7 +137,7 @@ FarSites::Search::NearestSite FarSites::Search::nearestAtMiddle(const Box& box, 
   return {static_cast<std::size_t>(found - at_middle.begin()), nearest};
 }
 
-/// Those that may be nearest somewhere in the box.
+/// Selects the sites that may be nearest to some point of the box.
 void FarSites::Search::keepNear(const Box& box, const List& list, const NearestSite& nearest,
                                 List& kept) const {
   const Vector3f r = box.half.cast<float>();
@@ -157,8 +157,8 @@ void FarSites::Search::keepNear(const Box& box, const List& list, const NearestS
   kept.pad();
 }
 
-/// The least |p - v|^2 - |p|^2 of each vertex p: four vertices of a row at once; from one to the next row the
-/// same is added.
+/// Minimum of |p - v|^2 - |p|^2 for each vertex p, four vertices of a row at once; updated incrementally from
+/// row to row.
 FarSites::Search::TileValues FarSites::Search::nearestOf(const Tile& tile, const List& kept) const {
   const Vector3f first = -2.0f * (spacing * tile.block.first.cast<double>()).cast<float>();
   const float step = -2.0f * static_cast<float>(spacing);
@@ -182,7 +182,7 @@ FarSites::Search::TileValues FarSites::Search::nearestOf(const Tile& tile, const
   return nearest_of;
 }
 
-/// The distances that follow from nearestOf().
+/// Writes the lower bounds that follow from nearestOf().
 void FarSites::Search::write(const Tile& tile, const TileValues& nearest_of, double slack,
                              float* values) const {
   const int columns = std::min(kLanes, tile.block.size.x() - tile.at.x());
@@ -225,7 +225,7 @@ FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, d
   }
   if (sites.size() > max_sites) return;
   Distinct distinct(sites);
-  // Halved at the longest side, so that both triangles at a side halve it at the same point.
+  // Bisects the longest side, so that both triangles at a side are split at the same point.
   std::vector<std::array<Vector3d, 3>> stack;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     stack.push_back({mesh.corner(t, 0) - origin, mesh.corner(t, 1) - origin, mesh.corner(t, 2) - origin});

@@ -1,4 +1,4 @@
-// Distances from the vertices of a grid to a mesh, from below.
+// Lower bounds of the distances from grid vertices to a mesh.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace abstand::field {
 
-/// Points of a mesh from which distances to it follow: corners of its triangles, and of parts of these where
-/// they are large. Let q be the nearest point of the surface to p. It is the foot of p on a part, an edge or
-/// a corner of it, so |p - v|^2 = |p - q|^2 + |q - v|^2 for the corners v of that; and one of them is within
-/// r of q, r being the largest distance in any part to its nearest corner. So
+/// Points (sites) of a mesh from which lower bounds of distances follow: the corners of its triangles, large
+/// triangles being subdivided. Let q be the nearest surface point to p. It is the foot of the perpendicular
+/// from p on a triangle, an edge or a corner, so |p - v|^2 = |p - q|^2 + |q - v|^2 for the corners v of that
+/// feature; one of them is within r of q, where r is the largest distance from a point of a triangle to its
+/// nearest corner. So
 ///   distance(p)^2 >= min_v |p - v|^2 - r^2,
-/// and it is no less than that by more than r^2. Constant after construction.
+/// and the right side is too small by at most r^2. Constant after construction.
 class FarSites {
  public:
-  /// `most`: r at most (m). No sites at all when there would be more than `max_sites`.
+  /// `most`: upper limit of r (m). Empty if more than `max_sites` sites would be needed.
   FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t max_sites);
   std::size_t size() const { return x_.size(); }
 
@@ -23,10 +24,10 @@ class FarSites {
   struct Block {
     Vector3i first, size;
   };
-  /// Sets values[i + row j + slice k] of a block to a distance that is never above the true one, and less by
-  /// what was said above and by rounding in float. From one to the next vertex the difference of two squared
-  /// distances is linear, so a site that is farther than another one at the middle of a block by more than
-  /// the block is wide, times twice their distance, is the nearest for none of its vertices.
+  /// Sets values[i + row j + slice k] to a lower bound of the distance (m), too small by at most r^2 in the
+  /// square and by rounding in float. The difference of two squared distances is linear in p, so a site is
+  /// nearest to no vertex of a block if at the block's middle its squared distance exceeds that of another
+  /// site by more than the block's diameter times the distance of the two sites.
   void distances(const Block& block, double spacing, std::size_t row, std::size_t slice, float* values) const;
 
  private:
@@ -34,7 +35,7 @@ class FarSites {
   struct Search;
   void find(Search& search, const Block& block, const List& list, float* values) const;
 
-  std::vector<float> x_, y_, z_;  ///< about the origin
+  std::vector<float> x_, y_, z_;  ///< relative to the origin
   double reach2_{0.0};            ///< r^2
   double radius2_{0.0};           ///< largest squared distance from the origin
 };

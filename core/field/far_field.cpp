@@ -1,4 +1,4 @@
-// Distances away from a body, certified from below.
+// Certified lower bound of the distance from a body, on nested grids.
 #include "core/field/far_field.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 constexpr double kMaxVertices = 5e7;
 constexpr double kMaxFarQuanta = 65535.0;
 constexpr float kEpsilon = 0x1p-23f;
-// Relative, for what rounding does to a distance before it is stored.
+// Relative rounding error of a distance before it is stored.
 constexpr double kStored = 1e-12;
-// Cells of a grid that reach into it from where the grid inside answers.
+// Overlap with the next finer grid, in cells: vertices deeper inside of it are not computed.
 constexpr float kOverlap = 2.0f;
-// Of the spacing: what sites may lose; the square of that, 0.06, is small beside the up to 0.75 that
-// interpolating loses of a squared distance.
+// Loss of the sites, in spacings; its square, 0.06, is small beside the loss of up to 0.75 by interpolation
+// of squared distances.
 constexpr double kLoss = 0.245;
-// More sites than these, and asking the surface itself is quicker.
+// With more sites, exact queries of the surface are faster.
 constexpr std::size_t kMaxDirectSites = 1000, kSitesPerTriangle = 30;
 
 Vector3d centreOf(const FarField::View& v) { return {v.centre[0], v.centre[1], v.centre[2]}; }
@@ -32,12 +32,12 @@ std::size_t rowOf(const FarField::View& v) { return static_cast<std::size_t>(v.n
 std::size_t sliceOf(const FarField::View& v) { return rowOf(v) * static_cast<std::size_t>(v.n[1]); }
 std::size_t verticesOf(const FarField::View& v) { return sliceOf(v) * static_cast<std::size_t>(v.n[2]); }
 
-// Neighbouring slices of the vertices of one level.
+// Consecutive slices of vertices of one level.
 struct Slices {
   int level, first, count;
 };
 
-// Of each level; without sites where too many would be needed, null for a shape.
+// One FarSites for each level; empty if too many sites would be needed, null for a shape.
 std::vector<std::unique_ptr<FarSites>> sitesOfLevels(const geometry::Surface& surface,
                                                      const FarField::View& v, int threads) {
   std::vector<std::unique_ptr<FarSites>> sites(static_cast<std::size_t>(v.levels));
@@ -57,7 +57,7 @@ void measureFromSites(const FarSites& sites, const FarField::View& v, const Slic
   sites.distances(block, spacingOf(v, slices.level), rowOf(v), sliceOf(v), values);
 }
 
-// Leaves out the vertices where the grid inside answers.
+// Skips vertices where the next finer grid answers.
 void measureFromSurface(const geometry::Surface& surface, const FarField::View& v, const Slices& slices,
                         float* values) {
   const auto& [level, first, count] = slices;
@@ -71,7 +71,7 @@ void measureFromSurface(const geometry::Surface& surface, const FarField::View& 
   for (int k = first; k < first + count; ++k) {
     for (int j = 0; j < v.n[1]; ++j) {
       for (int step = 0; step < v.n[0]; ++step) {
-        // Back and forth, so that the hint is always a neighbour's.
+        // Serpentine order, so that the hint is always a neighbour's.
         const int i = j % 2 == 0 ? step : v.n[0] - 1 - step;
         if (inside(i, 0) && inside(j, 1) && inside(k, 2)) continue;
         const Vector3d p = centre + spacing * (Vector3d(i, j, k) - half_cells);
@@ -85,12 +85,12 @@ void measureFromSurface(const geometry::Surface& surface, const FarField::View& 
   }
 }
 
-// m, at the vertices of all levels.
+// Distances (m) at the vertices of all levels.
 std::vector<float> distancesAtVertices(const geometry::Surface& surface, const FarField::View& v,
                                        int threads) {
   std::vector<float> distance(verticesOf(v) * static_cast<std::size_t>(v.levels), 0.0f);
   const std::vector<std::unique_ptr<FarSites>> sites = sitesOfLevels(surface, v, threads);
-  // Neighbouring slices together, as many as a search parts its grid into at least.
+  // Adjacent slices of one unit of work, so that a search shares work among them.
   constexpr int kSlices = 8;
   const int parts = (v.n[2] + kSlices - 1) / kSlices;
   parallelFor(threads, static_cast<std::size_t>(v.levels * parts), [&](std::size_t task) {

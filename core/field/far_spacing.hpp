@@ -5,7 +5,8 @@
 
 namespace abstand::field {
 
-/// m, for a body of these bounds: so many voxels, or more where a grid would take more vertices.
+/// Spacing (m) for a body with these bounds: a fixed number of voxels, or larger if a grid would need too
+/// many vertices.
 inline double farSpacing(const geometry::Bounds& body, double voxel_size) {
   constexpr double kVoxels = 3.0, kMaxVertices = 150'000.0;
   double h = kVoxels * voxel_size;

@@ -1,4 +1,4 @@
-// The grid of voxels that a voxelmap and a float field share.
+// Voxel grid shared by the voxelmap and the distance fields.
 #include "core/field/grid.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace abstand::field {
 
 VoxelGrid makeGrid(const geometry::Bounds& box, double voxel_size, int outer_layers) {
-  // An extent that is a multiple of the voxel but for rounding counts as one.
+  // An extent within this relative error of a multiple of the voxel size counts as that multiple.
   constexpr double kRounding = 1e-9;
   const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
   const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;

@@ -1,4 +1,4 @@
-// What a search reads of a voxelmap: plain numbers and pointers. Internal to the engine.
+// Read-only view of a voxelmap for searches. Internal to the engine.
 #pragma once
 
 #include <cstddef>
@@ -6,23 +6,24 @@
 
 namespace abstand::field {
 
-/// Blocks of kEdge^3 voxels. A block near the surface keeps the layer of each of its voxels in half a byte:
-/// by how much its steps exceed the least of the block (neighbours differ by one step at most, so by 7 at
-/// most), and whether it is inside. Of a block farther away all voxels lie on one side, and their steps
-/// follow from those at its corners, of which the map keeps a lattice.
+/// Blocks of kEdge^3 voxels. A block near the surface stores the layer of each voxel in half a byte: its
+/// steps above the minimum of the block (at most 7, as neighbours differ by at most one step), and whether it
+/// is inside. All voxels of a farther block lie on one side; their steps are interpolated from those at its
+/// corners, which are stored as a lattice.
 struct LayerView {
   static constexpr int kEdge = 8;
   static constexpr int kPackedBytes = kEdge * kEdge * kEdge / 2;
   static constexpr int kInsideBit = 8, kStepBits = 7;
   static constexpr std::int32_t kFarInside = -1, kFarOutside = -2;
-  /// Steps by which those of a far block may be off: interpolation between eight corners of what changes by a
-  /// step a voxel at most errs by no more than the corners' mean distance, weighted as they are: 4.875 steps
-  /// at worst, and half a step of rounding.
+  /// Largest error of the steps in a far block: interpolation between eight corners of a function that
+  /// changes by at most one step for each voxel errs by at most the weighted mean distance to the corners,
+  /// 4.875 steps, plus half a step of rounding.
   static constexpr int kFarSlack = 6;
 
-  const std::int32_t* block_index;  ///< of the packed block, or kFarInside, kFarOutside
-  const std::int16_t* min_steps;    ///< of each packed block
-  const std::uint8_t* packed;  ///< kPackedBytes a block, voxels in the order x, y, z, the lower half first
+  const std::int32_t* block_index;  ///< index of the packed block, or kFarInside, kFarOutside
+  const std::int16_t* min_steps;    ///< minimum of each packed block
+  const std::uint8_t* packed;  ///< kPackedBytes for each block; voxels in the order x, y, z, the lower half
+                               ///< byte first
   const std::int16_t* corner_steps;  ///< at voxels (8 i, 8 j, 8 k), one more along each axis than blocks
   int blocks[3];
 };
@@ -31,10 +32,11 @@ namespace {
 
 struct LayerOfVoxel {
   int layer;  ///< positive inside
-  int slack;  ///< the count of steps may be off by so many
+  int slack;  ///< largest error of the step count
 };
 
-/// Of voxel (i, j, k), which must lie in the grid. In an unnamed namespace, as each kernel compiles its own.
+/// Layer of voxel (i, j, k), which must lie in the grid. In an unnamed namespace, as each kernel compiles its
+/// own copy.
 inline LayerOfVoxel layerOf(const LayerView& map, int i, int j, int k) {
   constexpr int kEdge = LayerView::kEdge, kShift = 3, kMask = kEdge - 1;
   const std::ptrdiff_t bi = i >> kShift, bj = j >> kShift, bk = k >> kShift;

@@ -1,4 +1,4 @@
-// Which blocks of a near field carry samples.
+// Selects the blocks of a near field that store samples.
 #include "core/field/near_blocks.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace abstand::field {
 namespace {
 
-// Blocks along an edge of the cubes that threads take.
+// Blocks along an edge of a cube; a cube is one unit of work for a thread.
 constexpr int kCubeBlocks = 8;
 constexpr double kMaxBytes = 2e9;
 
@@ -31,7 +31,7 @@ class Classifier {
         inner_(inner),
         kinds_(kinds) {}
 
-  /// The blocks of a cube of `count` blocks an edge, as far as they are in the grid.
+  /// Classifies the blocks of a cube of `count` blocks along each edge, as far as they are in the grid.
   void cube(const Vector3i& first, int count, bool halve, std::uint32_t& hint) {
     if ((first.array() >= grid_.size.array()).any()) return;
     const double edge = count * BlockGrid::kCells * grid_.voxel;
@@ -48,7 +48,7 @@ class Classifier {
       } else {
         const geometry::SurfacePoint nearest = surface_.closest(centre, hint);
         hint = nearest.hint;
-        // No surface in the cube, so its side is that of its centre.
+        // The cube contains no surface, so its side is that of its centre.
         if (nearest.distance > std::max(outer_, inner_) + kCubeDiagonal * half)
           kind = surface_.inside(centre, nearest) ? BlockKind::kDeep : BlockKind::kOutside;
       }
@@ -72,8 +72,8 @@ class Classifier {
     }
   }
 
-  /// A cube about c, with this many voxels along an edge. The distance changes by no more than the
-  /// displacement, so one query decides for all but the cubes at the rim of a band; those are divided once.
+  /// Kind of a cube about c with `voxels` voxels along an edge. The distance is 1-Lipschitz, so one query
+  /// decides for all cubes except those at the edge of a band, which are divided once.
   BlockKind kindOf(const Vector3d& c, int voxels, std::uint32_t& hint) const {
     const double half = 0.5 * voxels * grid_.voxel;
     if (distanceToBox(body_, c) > outer_ + kCubeDiagonal * half) return BlockKind::kOutside;

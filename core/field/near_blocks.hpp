@@ -1,4 +1,4 @@
-// Which blocks of a near field carry samples.
+// Selects the blocks of a near field that store samples.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace abstand::field {
 
-/// Cubes of kCells voxels, side by side from `origin` on (body frame, m).
+/// Adjacent cubes of kCells voxels, starting at `origin` (body frame, m).
 struct BlockGrid {
   static constexpr int kCells = 8;
   Vector3d origin;
@@ -30,35 +30,35 @@ struct BlockGrid {
 };
 
 enum class BlockKind : std::uint8_t {
-  kOutside,  ///< farther from the surface than the outer band
-  kNear,     ///< comes within one of the bands
-  kDeep      ///< inside, and all of it deeper than the inner band
+  kOutside,  ///< farther outside than the outer band
+  kNear,     ///< partly within one of the bands
+  kDeep      ///< inside, entirely deeper than the inner band
 };
 
-/// The kind of every block. `outer` and `inner` (m): how far outside and inside of the body blocks are near.
-/// Of a watertight body, cubes of many blocks are decided at once where the surface is farther than they are
-/// wide, so the time goes with the surface; others are asked block by block. Any number of threads gives the
-/// same.
+/// Kind of every block. `outer`, `inner` (m): widths of the bands outside and inside of the surface. For a
+/// watertight body, cubes of many blocks are classified at once if the surface is farther away than their
+/// size, so the time is proportional to the surface; otherwise block by block. The result does not depend on
+/// the number of threads.
 std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const BlockGrid& grid, double outer,
                                       double inner, int threads);
 
-/// The blocks that carry samples.
+/// Blocks that store samples.
 struct KeptBlocks {
   BlockGrid grid;
-  /// Of each block of the grid: its number among `blocks`, or NearField::kNoBlock or kDeepBlock.
+  /// for each block of the grid: its index in `blocks`, or NearField::kNoBlock or kDeepBlock
   std::vector<std::uint32_t> index;
-  std::vector<std::uint32_t> blocks;  ///< of the grid, in its order
-  bool all_inside{false};             ///< those deep inside, too
-  bool any_deep{false};               ///< some are deep inside and not kept
+  std::vector<std::uint32_t> blocks;  ///< block numbers in the grid, ascending
+  bool all_inside{false};             ///< deep blocks inside are stored too
+  bool any_deep{false};               ///< some blocks are deep inside and not stored
 };
 
-/// As the parameters of NearField's constructor.
+/// See the parameters of NearField's constructor.
 struct KeepLimits {
   double band;               ///< m
   std::size_t whole_inside;  ///< bytes
 };
 
-/// Throws UsageError when the kept blocks would take more than 2 GB.
+/// Throws UsageError if the stored blocks would take more than 2 GB.
 KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, const KeepLimits& limits,
                       int threads);
 

@@ -1,4 +1,4 @@
-// Distances from the vertices of a grid to a mesh: features that may be nearest, four vertices at once.
+// Exact distances from grid vertices to a mesh: candidate features, four vertices at once.
 #include "core/field/near_distances.hpp"
 
 #include <algorithm>
@@ -8,20 +8,20 @@
 namespace abstand::field {
 namespace {
 
-/// How far float may move the planes of the half-spaces, relative to the spacing and to the body.
+/// Largest error of half-space planes in float, relative to the spacing and to the body.
 constexpr double kPlane = 1e-4, kPlaneOfBody = 1e-6;
-/// Relative, for what rounding does to squared distances that are compared.
+/// Relative rounding error of squared distances in comparisons.
 constexpr float kCompared = 1e-5f;
-/// Half-spaces of an edge or a vertex; what is more would help little.
+/// Limit of half-spaces of an edge or a vertex; more would hardly reduce the candidates.
 constexpr std::size_t kMaxHalfSpaces = 8;
 constexpr float kNoDistance = std::numeric_limits<float>::max();
 
-/// An edge of a triangle: the one from corner `side` to the next.
+/// Side of a triangle, from corner `side` to the next.
 struct Side {
   std::uint32_t high, slot, side;
 };
 
-/// Of each vertex the sides whose lower vertex it is, in the order of the slots.
+/// For each vertex the sides whose lower vertex it is, in the order of the slots.
 struct Sides {
   Sides(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree)
       : first(mesh.vertices.size() + 1, 0) {
@@ -39,7 +39,7 @@ struct Sides {
     list.resize(first.back());
     std::vector<std::uint32_t> next = first;
     each([&](std::uint32_t low, const Side& side) { list[next[low]++] = side; });
-    // Those of one edge together.
+    // Groups the sides of one edge.
     for (std::size_t v = 0; v + 1 < first.size(); ++v) {
       std::sort(list.begin() + first[v], list.begin() + first[v + 1], [](const Side& l, const Side& r) {
         return l.high != r.high ? l.high < r.high : l.slot < r.slot;
@@ -66,7 +66,7 @@ NearDistances::NearDistances(const geometry::MeshSurface& surface, const Vector3
     const std::uint32_t t = tree.triangle(s);
     addFace(s, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
   }
-  // Edges, and with them the directions in which they leave the vertices.
+  // Edges, and their directions at the vertices.
   struct Leaving {
     std::uint32_t vertex, slot;
     Vector3d direction;
@@ -78,7 +78,7 @@ NearDistances::NearDistances(const geometry::MeshSurface& surface, const Vector3
       while (end < sides.first[v + 1] && sides.list[end].high == sides.list[i].high) ++end;
       const Vector3d &a = mesh.vertices[v], &b = mesh.vertices[sides.list[i].high];
       const Vector3d along = (b - a).normalized();
-      // Between two faces in one plane both are as near.
+      // Edges between coplanar faces are skipped: the faces are equally near.
       const Vector3d& normal = tree.normal(sides.list[i].slot);
       const double turn = normal.cross(tree.normal(sides.list[end - 1].slot)).norm();
       const bool plane = end == i + 2 && normal.dot(tree.normal(sides.list[i + 1].slot)) > 0.0 &&
@@ -92,7 +92,7 @@ NearDistances::NearDistances(const geometry::MeshSurface& surface, const Vector3
       for (std::uint32_t k = i; k < end && k - i < kMaxHalfSpaces; ++k) {
         const Side& side = sides.list[k];
         const auto& t = mesh.triangles[tree.triangle(side.slot)];
-        // Into the face, across the edge.
+        // In the face, perpendicular to the edge.
         const bool rising = t[side.side] == v;
         const Vector3d into = tree.normal(side.slot).cross(rising ? along : Vector3d(-along));
         addHalfSpace(2 + k - i, -into, a);
@@ -136,7 +136,7 @@ void NearDistances::addFace(std::uint32_t slot, const Vector3d (&corner)[3]) {
   for (std::size_t i = 0; i < 3; ++i)
     addHalfSpace(i, normal.cross(corner[(i + 1) % 3] - corner[i]).normalized(), corner[i]);
   addHalfSpace(3, normal, corner[0]);
-  // Where an angle is wide, the middle of the side across is nearer to all corners.
+  // For an obtuse triangle the middle of the opposite side is nearer to all corners.
   for (int i = 0; i < 3; ++i) {
     const Vector3d p = corner[(i + 1) % 3] - corner[i], q = corner[(i + 2) % 3] - corner[i];
     if (p.dot(q) < 0.0) centre = 0.5 * (corner[(i + 1) % 3] + corner[(i + 2) % 3]);
@@ -164,7 +164,7 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   const float plane_limit = (distance + reach) * (1.0f + kCompared) + tolerance_;
   const Four lowest_face{-tolerance_, -tolerance_, -tolerance_, -plane_limit}, lowest = splat(-tolerance_);
 
-  // Four at once: whether their balls may be near enough.
+  // Four at once: rejects features whose balls are too far.
   constexpr std::size_t kLanes = 4;
   const std::size_t n = list.size();
   kept.resize(n);
@@ -183,7 +183,7 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
     for (std::size_t k = 0; k < std::min(kLanes, n - i); ++k) {
       if ((beyond >> k & 1) != 0) continue;
       const Feature& f = features_[list[i + k]];
-      // The highest that a corner of the block comes.
+      // Largest value of n . p over the block's corners.
       bool misses = false;
       const bool face = f.kind == Kind::kFace;
       for (std::uint32_t s = f.first; s < f.first + f.fours && !misses; ++s) {
@@ -200,10 +200,10 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   kept.resize(count);
 }
 
-/// The nearest features so far of a block's vertices, four vertices of a row together.
+/// Nearest features so far of a block's vertices, four vertices of a row at once.
 class NearDistances::Candidates {
  public:
-  /// `first`: of the vertices, about middle_; `h`: from one to the next.
+  /// `first`: first vertex relative to middle_; `h`: spacing of the vertices.
   Candidates(const Vector3i& size, const Vector3f& first, float h, float tolerance)
       : nx_((size.x() + 3) / 4),
         ny_(size.y()),
@@ -219,7 +219,7 @@ class NearDistances::Candidates {
     }
   }
 
-  /// Over a face the distance is that to its plane.
+  /// In the prism of a face the distance is that to its plane.
   void addFace(const HalfSpaces& m, Four slot) {
     const Four far = splat(kNoDistance);
     const Four first = m.x * first_.x() + m.y * first_.y() + m.z * first_.z() + m.offset;
@@ -241,7 +241,7 @@ class NearDistances::Candidates {
     }
   }
 
-  /// An edge along the first of its half-spaces' normals, or a vertex: the ball's centre.
+  /// Distance to an edge (along its first half-space normal) or to a vertex (the ball's centre).
   void addBall(const Ball& ball, const HalfSpaces& m, bool edge, Four slot) {
     const Vector3f from = first_ - Vector3f::Map(ball.v);
     const float along[3] = {m.x[0], m.y[0], m.z[0]}, half = ball.v[3];

@@ -1,4 +1,4 @@
-// Distances from the vertices of a grid to a mesh, exact.
+// Exact distances from grid vertices to a mesh.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace abstand::field {
 
-/// Features of a mesh (faces, edges and vertices), to find which of them are nearest to the vertices of a
-/// block of a grid. The nearest point q of the surface to p is the foot of p on a feature, and p lies where
-/// this can be: over a face in its prism, at an edge between the planes through its ends and on the far side
-/// of its faces' planes through it, at a vertex on the far side of its edges' (Mauch, A Fast Algorithm for
-/// Computing the Closest Point and Distance Transform, 2000). So a feature whose half-spaces miss a block is
-/// no vertex's nearest, and neither is one that is farther from its middle than another point w of the
-/// surface by more than the block is wide: |p - q|^2 - |p - w|^2 is linear in p. Constant after construction.
+/// Features (faces, edges and vertices) of a mesh, with a search for those nearest to the vertices of a block
+/// of a grid. The nearest surface point q to p is the foot of the perpendicular from p on a feature, which
+/// restricts p: for a face to its prism; for an edge to between the planes through its ends and beyond its
+/// faces' planes through it; for a vertex to beyond its edges' planes (Mauch, A Fast Algorithm for Computing
+/// the Closest Point and Distance Transform, 2000). A feature is skipped for a block if its half-spaces do
+/// not intersect the block, or if at the block's middle it is farther than another surface point w by more
+/// than the block is wide, as |p - q|^2 - |p - w|^2 is linear in p. Constant after construction.
 class NearDistances {
  public:
   using List = std::vector<std::uint32_t>;
@@ -23,44 +23,45 @@ class NearDistances {
   struct Block {
     Vector3i first, size;
   };
-  static constexpr int kMaxSize = 5;  ///< of a block whose distances are asked, along an axis
+  static constexpr int kMaxSize = 5;  ///< largest size of a queried block along an axis
 
   /// The surface must outlive this object.
   NearDistances(const geometry::MeshSurface& surface, const Vector3d& origin, double spacing);
 
-  /// All features.
+  /// List of all features.
   List all() const;
-  /// Sets `kept` to those of a list that may be nearest to a vertex of a block. `hint` is that of a place
-  /// nearby.
+  /// Sets `kept` to the features of `list` that may be nearest to a vertex of the block. `hint`: that of a
+  /// place nearby.
   void near(const Block& block, const List& list, std::uint32_t& hint, List& kept) const;
 
   struct Nearest {
     float distance[kMaxSize][kMaxSize][kMaxSize];      ///< m, unsigned; [k][j][i]
-    std::uint32_t slot[kMaxSize][kMaxSize][kMaxSize];  ///< of the tree, as the hint of Surface::inside
+    std::uint32_t slot[kMaxSize][kMaxSize][kMaxSize];  ///< slot of the tree, used as the hint of
+                                                       ///< Surface::inside
   };
-  /// Exact but for rounding in float. `list`: what near() gives for the block or one around it.
+  /// Exact up to rounding in float. `list`: result of near() for the block or for one that contains it.
   void distances(const Block& block, const List& list, Nearest& nearest) const;
 
  private:
   enum class Kind : std::uint8_t { kFace, kEdge, kVertex };
-  /// Four half-spaces side by side, n . p + offset >= 0 about middle_; unused ones hold everything. A face's
-  /// fourth is its plane, the first of an edge leads along it.
+  /// Four half-spaces as a structure of arrays, n . p + offset >= 0 relative to middle_; unused ones contain
+  /// everything. The fourth of a face is its plane; the first normal of an edge is along the edge.
   struct HalfSpaces {
     Four x, y, z, offset;
   };
-  /// About a feature: its centre, on the feature and about middle_, and its radius.
+  /// Bounding ball of a feature: centre on the feature, relative to middle_, and radius.
   struct Ball {
     float v[4];
   };
   struct Feature {
-    std::uint32_t first;  ///< of its half-spaces, and how many fours
+    std::uint32_t first;  ///< index of its half-spaces, and number of groups of four
     std::uint32_t fours;
     std::uint32_t slot;
     Kind kind;
   };
   class Candidates;
   void addFace(std::uint32_t slot, const Vector3d (&corner)[3]);
-  /// Half-spaces of the feature that is added next: its n-th one.
+  /// Sets half-space n of the feature that is added next.
   void addHalfSpace(std::size_t n, const Vector3d& normal, const Vector3d& through);
   void addFeature(Kind kind, std::uint32_t slot, const Vector3d& centre, double radius, std::uint32_t first);
   Vector3d place(const Vector3d& vertex) const { return origin_ + spacing_ * vertex; }
@@ -70,7 +71,8 @@ class NearDistances {
   double spacing_;
   float tolerance_;  ///< m, for half-spaces
   std::vector<Feature> features_;
-  std::vector<Ball> balls_;  ///< of the features, apart from them: most are looked at for their balls alone
+  std::vector<Ball> balls_;  ///< of the features; stored separately, as most features are rejected by their
+                             ///< balls
   std::vector<HalfSpaces> half_spaces_;
 };
 

@@ -1,4 +1,4 @@
-// Signed float distances about the surface.
+// Signed distance field near the surface.
 #include "core/field/near_field.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr double kFloatEpsilon = 0x1p-23;
 constexpr float kSlopeRounding = 1.0f + 1e-5f;
 
-// A row of a block's values and how far two such are apart, side by side.
+// A row of a block's values, and the differences of two rows, as a vector.
 using EightNumbers [[gnu::vector_size(16)]] = std::int16_t;
 using EightSlopes [[gnu::vector_size(16)]] = std::uint16_t;
 struct EightValues {
@@ -31,8 +31,8 @@ EightSlopes apart(const EightValues& a, const EightValues& b) {
 }
 EightSlopes larger(EightSlopes a, EightSlopes b) { return a > b ? a : b; }
 
-// Rounding moves a point by a few units in the last place of the coordinates, and the values likewise; those
-// of a mesh were measured in float about its middle.
+// Rounding moves a point and its values by a few ulps of the coordinates; values of a mesh were computed in
+// float relative to its middle.
 double roundingIn(const BlockGrid& grid) {
   const Vector3d end = grid.end();
   return 8.0 * kFloatEpsilon *
@@ -60,7 +60,7 @@ NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, do
   if (kept.any_deep) measureDeep(surface, cubes, rounding, threads);
 }
 
-// The vertices lie where sample() takes them to be.
+// Vertices at the positions that sample() assumes.
 BlockGrid NearField::layOut() {
   const double h = grid_.voxel_size;
   const Vector3d corner = grid_.first_centre.array() - 0.5 * h;
@@ -75,9 +75,9 @@ BlockGrid NearField::layOut() {
   return {Vector3d(ox_, oy_, oz_), 1.0 / double(inv_h_), Vector3i(blocks_[0], blocks_[1], blocks_[2])};
 }
 
-// A sparse field's distances are known to be below a limit, so each block is rounded to quanta as soon as it
-// is measured and the floats of all need not be kept: a block near the surface has a cube of half its width
-// whose centre is no farther than the band and that cube's half diagonal. Else the largest decides.
+// A sparse field's distances have a known limit, so each block is quantised as soon as it is computed and no
+// floats are stored: a block near the surface contains a cube of half its width whose centre is no farther
+// than the band plus that cube's half diagonal. Otherwise the largest distance decides.
 void NearField::measure(const geometry::Surface& surface, const KeptBlocks& kept, const Precision& precision,
                         int threads) {
   const auto& [band, rounding] = precision;
@@ -98,7 +98,8 @@ void NearField::measure(const geometry::Surface& surface, const KeptBlocks& kept
                  [&](float value) { return toQuanta(value, quantum_); });
 }
 
-// Of the trilinear function, each slope along an axis lies between those of a cell's four edges.
+// Upper bound of the gradient: each partial derivative of a trilinear function lies between the slopes of a
+// cell's four edges.
 float NearField::steepest(int threads) const {
   std::vector<float> of_block(blocks(), 0.0f);
   parallelFor(threads, blocks(), [&](std::size_t b) {

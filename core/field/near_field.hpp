@@ -1,4 +1,4 @@
-// Signed float distances about the surface.
+// Signed distance field near the surface.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 namespace abstand::field {
 
 /// Signed distances (positive outside) at the corners of a grid's voxels, in blocks of 8 x 8 x 8 voxels (9^3
-/// vertices, so that a sample never leaves its block). Dense: every block of the grid is there. Sparse: only
-/// blocks that come within the band of the surface, and the blocks inside the body as long as all of them are
-/// few (kWholeInsideBytes). In larger fields the blocks deeper than kInnerBand voxels carry no samples, so
-/// that the memory goes with the surface: what lies there is interpolated between the corners of the blocks
-/// (deep). Distances are kept in 16 bits, as multiples of a quantum that suits the largest of them. Trilinear
-/// between vertices. Constant after construction; samples may be taken on any number of threads.
+/// vertices, so that a sample needs one block). Dense: all blocks of the grid are stored. Sparse: only blocks
+/// within the band of the surface, and the blocks inside the body if all stored blocks are small enough
+/// (kWholeInsideBytes). In larger fields blocks deeper than kInnerBand voxels store no samples, so that
+/// memory is proportional to the surface; there distances are interpolated between the corners of the blocks
+/// (deep blocks). Values are 16-bit multiples of a quantum that fits the largest of them, interpolated
+/// trilinearly. Constant after construction; samples may be taken on any number of threads.
 class NearField {
  public:
   static constexpr int kCells = BlockGrid::kCells;
@@ -27,53 +27,53 @@ class NearField {
   static constexpr std::size_t kWholeInsideBytes = 24'000'000;
   static constexpr double kInnerBand = 2.0;  ///< voxels
 
-  /// What a query reads, for one point or many at a time.
+  /// Data for queries, of one point or many at a time.
   struct View {
     float origin[3];
     float inv_h;
-    float cells[3];     ///< of all blocks
+    float cells[3];     ///< of all blocks together
     int blocks[2];      ///< along x and y
-    float quantum;      ///< m a step of a value
+    float quantum;      ///< m for each step of a value
     float error_bound;  ///< m
     float h2;           ///< squared voxel size, rounded up
-    float slope;        ///< the length of sample's gradient is nowhere more
+    float slope;        ///< upper bound of the length of sample()'s gradient
     float band;         ///< m
     const std::uint32_t* block_index;
     const std::int16_t* values;
     // Of deep blocks.
     int deep_vertices[2];      ///< along x and y
     float deep_quantum;        ///< m
-    float deep_error;          ///< m; error_bound where there are none
-    const std::int16_t* deep;  ///< distances at the corners of all blocks, 0 where no deep block is; or null
+    float deep_error;          ///< m; error_bound if there are no deep blocks
+    const std::int16_t* deep;  ///< distances at the corners of all blocks, 0 if no deep block has the corner;
+                               ///< or null
   };
 
   NearField() = default;
-  /// `band` (m): outside the body, blocks farther than this from the surface are left out; infinity: dense.
-  /// `whole_inside` (bytes): up to which size of the field all blocks inside carry samples. Throws UsageError
-  /// when the blocks would take more than 2 GB.
+  /// `band` (m): outside of the body, blocks farther than this from the surface are left out; infinity:
+  /// dense. `whole_inside` (bytes): size of the field up to which all blocks inside store samples. Throws
+  /// UsageError if the blocks would take more than 2 GB.
   NearField(const geometry::Surface& surface, const VoxelGrid& grid, double band, int threads = 0,
             std::size_t whole_inside = kWholeInsideBytes);
 
-  /// Trilinear signed distance (m) and its gradient (unit-less, not normalised). False when p lies in no
-  /// block and in no deep one, and for NaN and infinity; then nothing is written.
+  /// Trilinear signed distance (m) and its gradient (dimensionless, not normalised). False if p lies in no
+  /// stored and no deep block, and for NaN and infinity; then nothing is written.
   bool sample(float px, float py, float pz, float& distance) const;
   bool sampleGradient(float px, float py, float pz, float& distance, float gradient[3]) const;
 
   /// Certified for every p with sample() true: |sample - true signed distance| <= errorBound(). It is
-  /// sqrt(3)/2 voxels, half a quantum and float rounding: for a 1-Lipschitz function the error is at most
-  /// sum_i w_i |p - v_i|, and that at most the root of sum_i w_i |p - v_i|^2 = sum_axes h^2 t (1 - t) <= 3
-  /// h^2 / 4 (Jensen). Where a mesh is not watertight the signed distance jumps across its holes; there it is
-  /// certain only that a sample does not exceed the unsigned distance by more than the bound.
-  /// In deep blocks: deepErrorBound(), likewise for their size.
+  /// sqrt(3)/2 voxels plus half a quantum and float rounding: for a 1-Lipschitz function the error is at most
+  /// sum_i w_i |p - v_i|, which is at most the square root of sum_i w_i |p - v_i|^2 = sum_axes h^2 t (1 - t)
+  /// <= 3 h^2 / 4 (Jensen). If a mesh is not watertight the signed distance jumps across its holes; then only
+  /// sample <= unsigned distance + bound is certain. In deep blocks the bound is deepErrorBound(), in the
+  /// same way for their size.
   double errorBound() const { return error_bound_; }
   double deepErrorBound() const { return deep_error_; }
-  /// True where p lies in a deep block, which is deeper than kInnerBand voxels. There are none in a dense
-  /// field.
+  /// True if p lies in a deep block, which is deeper than kInnerBand voxels. A dense field has none.
   bool deep(float px, float py, float pz) const;
-  /// m; a sample at a vertex errs by half of it at most.
+  /// m; a sample at a vertex errs by at most half of it.
   double quantum() const { return quantum_; }
   View view() const;
-  /// Where sample() is false, the surface is farther than this (m).
+  /// If sample() is false, the surface is farther than this (m).
   double band() const { return band_; }
   std::size_t memoryBytes() const;
   template <class Archive>
@@ -85,10 +85,10 @@ class NearField {
   const VoxelGrid& grid() const { return grid_; }
 
  private:
-  /// The values at a cell's first corner, and where p lies in the cell (0 to 1). Null outside.
+  /// Values at a cell's first corner, and the position of p in the cell (0 to 1). Null outside.
   const std::int16_t* cellOf(float px, float py, float pz, float& x, float& y, float& z) const {
     const float gx = (px - ox_) * inv_h_, gy = (py - oy_) * inv_h_, gz = (pz - oz_) * inv_h_;
-    // Written so that NaN fails.
+    // The negated form also rejects NaN.
     if (!(gx >= 0.0f && gy >= 0.0f && gz >= 0.0f && gx < cells_[0] && gy < cells_[1] && gz < cells_[2])) {
       return nullptr;
     }
@@ -103,19 +103,19 @@ class NearField {
                     i % kCells];
   }
 
-  /// Of the eight values about a point: the first one, strides along y and z, and the place between them (0
-  /// to 1).
+  /// The eight values around a point: pointer to the first, strides along y and z, and the position between
+  /// them (0 to 1).
   struct Cell {
-    const std::int16_t* values{nullptr};  ///< null: none
+    const std::int16_t* values{nullptr};  ///< null: no block
     int row{kVertices}, slice{kVertices * kVertices};
     float x, y, z;
     float quantum;  ///< m
     float inv_h;    ///< 1 / m
   };
-  /// Null where p is in no block and in no deep one.
+  /// Null values if p is in no stored and no deep block.
   Cell anyCellOf(float px, float py, float pz) const;
   Cell deepCellOf(float px, float py, float pz) const;
-  /// What the samples have to be good for.
+  /// Band and rounding for which samples must be accurate.
   struct Precision {
     double band, rounding;  ///< m
   };
@@ -127,10 +127,10 @@ class NearField {
 
   VoxelGrid grid_;
   float ox_{0}, oy_{0}, oz_{0}, inv_h_{0};
-  float cells_[3]{0, 0, 0};  ///< of all blocks
+  float cells_[3]{0, 0, 0};  ///< of all blocks together
   int blocks_[3]{0, 0, 0};
   std::vector<std::uint32_t> block_index_;
-  std::vector<std::int16_t> values_;  ///< 729 a block, in quanta
+  std::vector<std::int16_t> values_;  ///< 729 for each block, in quanta
   float quantum_{0.0f};
   float slope_{0.0f};
   double error_bound_{0.0};

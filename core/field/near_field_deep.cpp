@@ -1,4 +1,4 @@
-// Deep blocks of a near field: distances at their corners alone.
+// Deep blocks of a near field: distances at their corners only.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace abstand::field {
 
-// The corners of deep blocks, row by row, so that each is near the one before it: its nearest triangle is a
+// Computes the corners of deep blocks, row by row, so that the nearest triangle of the previous corner is a
 // good hint.
 void NearField::measureDeep(const geometry::Surface& surface, const BlockGrid& grid, double rounding,
                             int threads) {
@@ -32,7 +32,7 @@ void NearField::measureDeep(const geometry::Surface& surface, const BlockGrid& g
       const Vector3d p = grid.corner({i, j, k});
       const geometry::SurfacePoint nearest = surface.closest(p, hint);
       hint = nearest.hint;
-      // Of a watertight body all corners of deep blocks are inside.
+      // For a watertight body all corners of deep blocks are inside.
       const bool inside = surface.watertight() || surface.inside(p, nearest);
       distance[at(i, j, k)] = static_cast<float>(inside ? -nearest.distance : nearest.distance);
     }
@@ -54,7 +54,7 @@ NearField::Cell NearField::deepCellOf(float px, float py, float pz) const {
   std::size_t b[3];
   float t[3];
   for (int k = 0; k < 3; ++k) {
-    // Written so that NaN fails.
+    // The negated form also rejects NaN.
     if (!(g[k] >= 0.0f && g[k] < cells_[k])) return cell;
     b[k] = static_cast<std::size_t>(g[k]) / kCells;
     t[k] = (g[k] - static_cast<float>(b[k] * kCells)) * (1.0f / kCells);

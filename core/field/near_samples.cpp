@@ -1,4 +1,4 @@
-// Samples at the vertices of blocks: each vertex is measured by one block and copied by the others.
+// Samples at the vertices of blocks: each vertex is computed by one block and copied by the others.
 #include "core/field/near_samples.hpp"
 
 #include <algorithm>
@@ -17,30 +17,31 @@ namespace {
 constexpr int kCells = NearField::kCells;
 constexpr int kVertices = NearField::kVertices;
 constexpr int kBlockValues = NearField::kBlockValues;
-// Blocks that one thread measures after each other.
+// Consecutive blocks in one unit of work.
 constexpr int kTogether = 64;
 
-// Which blocks are kept, as seen from one of them: at (1, 0, 0) the next along x, and so on.
+// Which neighbours of a block are stored: (1, 0, 0) is the next along x, and so on.
 struct Neighbours {
   std::uint32_t block[2][2][2];  ///< [z][y][x]
 
-  // The block that computes a vertex: the farthest along the axes that holds it. kNoBlock for deep ones, too.
+  // The block that computes a vertex: the last one along each axis that contains it. kNoBlock also for deep
+  // blocks.
   std::uint32_t owner(int i, int j, int k) const {
     return block[k == kCells ? 1 : 0][j == kCells ? 1 : 0][i == kCells ? 1 : 0];
   }
 };
 
-// Where the vertices of a block are: the first one, their spacing, and by how much (m) rounding moves them.
+// Vertices of a block: the first one, their spacing, and their rounding error (m).
 struct BlockFrame {
   Vector3d origin;
   double h, rounding;
 };
 
-// Values at those of a block's 9^3 vertices that it owns itself, or that no kept block owns. Back and forth,
-// so that each vertex is near the one before it: its nearest triangle is a good hint. When the two distances
-// together exceed the way between the vertices by more than their `rounding`, no surface lies between and the
-// sign stays; but across the holes of an open mesh the sign changes anywhere. `nearest_at(p, i, j, k, hint)`:
-// the nearest point of the surface to vertex (i, j, k), which lies at p.
+// Fills those of a block's 9^3 vertices that it owns, or that no stored block owns. Serpentine order, so that
+// the nearest triangle of the previous vertex is a good hint. If the sum of two neighbouring distances
+// exceeds the vertex spacing by more than `rounding`, no surface lies between them and the sign is the same;
+// except for open meshes, where the sign may change across holes. `nearest_at(p, i, j, k, hint)`: nearest
+// surface point to vertex (i, j, k), which is at p.
 template <class NearestAt>
 void fillBlock(const geometry::Surface& surface, const Neighbours& neighbours, const BlockFrame& frame,
                NearestAt&& nearest_at, float* values) {
@@ -75,13 +76,13 @@ void fillBlock(const geometry::Surface& surface, const Neighbours& neighbours, c
   }
 }
 
-// Blocks side by side, and the features of a mesh that may be nearest to a vertex of theirs.
+// A box of blocks, and the features of a mesh that may be nearest to one of their vertices.
 struct Region {
   Vector3i first, size;
   NearDistances::List list;
 
   NearDistances::Block vertices() const { return {kCells * first, kCells * size + Vector3i::Ones()}; }
-  // The two halves along the longest axis.
+  // Halves along the longest axis.
   std::array<Region, 2> halves() const {
     int axis = 0;
     size.maxCoeff(&axis);
@@ -93,8 +94,8 @@ struct Region {
   }
 };
 
-// Calls fn(block) for the kept blocks of a region, each as a region of its own, and parts it until `most`
-// blocks are left.
+// Calls fn(block) for each stored block of a region, with a region of its own; bisects the region down to
+// `most` blocks.
 template <class Kept, class Fn>
 void forRegions(const NearDistances& distances, const Region& region, int most, Kept&& kept,
                 std::uint32_t& hint, Fn&& fn) {
@@ -115,8 +116,8 @@ void forRegions(const NearDistances& distances, const Region& region, int most, 
   }
 }
 
-// The distances of a block's vertices, as far as it has to know them: those on its far sides only where a
-// neighbour that owns them is not kept.
+// Distances of the vertices that a block computes: those on its far sides only if the neighbour that owns
+// them is not stored.
 void measureBlock(const NearDistances& distances, const Region& block, const Neighbours& neighbours,
                   std::uint32_t& hint, geometry::SurfacePoint (*nearest)[kVertices][kVertices]) {
   constexpr int kPart = kCells / 2;
@@ -145,7 +146,7 @@ void measureBlock(const NearDistances& distances, const Region& block, const Nei
   }
 }
 
-// The vertices that fillBlock left to their owners.
+// Copies the vertices that fillBlock() left to their owners.
 template <class Value>
 void copyFromOwners(const Neighbours& neighbours, const Value* all_values, Value* values) {
   for (int k = 0; k < kVertices; ++k) {
@@ -178,8 +179,8 @@ BlockFrame frameOf(const KeptBlocks& kept, std::size_t b, double rounding) {
   return {kept.grid.corner(kept.grid.placeOf(b)), kept.grid.voxel, rounding};
 }
 
-// Of shapes, whose nearest points have closed forms. `store(n, fill)`: fill(to) writes what the kept block n
-// measures itself.
+// For shapes, whose nearest points have closed forms. `store(n, fill)`: fill(to) writes the values that
+// stored block n computes itself.
 template <class Store>
 void measureShape(const geometry::Surface& surface, const KeptBlocks& kept, double rounding, int threads,
                   Store&& store) {
@@ -193,7 +194,7 @@ void measureShape(const geometry::Surface& surface, const KeptBlocks& kept, doub
   });
 }
 
-// Of meshes: features that may be nearest are shared by the blocks of a region.
+// For meshes: candidate features are shared by the blocks of a region.
 template <class Store>
 void measureMesh(const geometry::MeshSurface& mesh, const KeptBlocks& kept, double rounding, int threads,
                  Store&& store) {
@@ -222,7 +223,7 @@ void measureMesh(const geometry::MeshSurface& mesh, const KeptBlocks& kept, doub
   });
 }
 
-// `store` keeps what blocks measure themselves in `values`.
+// `store` writes the values that blocks compute themselves to `values`.
 template <class Value, class Store>
 void sampleInto(std::vector<Value>& values, const geometry::Surface& surface, const KeptBlocks& kept,
                 double rounding, int threads, Store&& store) {
@@ -231,7 +232,7 @@ void sampleInto(std::vector<Value>& values, const geometry::Surface& surface, co
     measureMesh(*mesh, kept, rounding, threads, store);
   else
     measureShape(surface, kept, rounding, threads, store);
-  // Owners are filled; what is read here was computed above and is written by none.
+  // Owners are filled; values read here were computed above and are not written.
   parallelFor(threads, kept.blocks.size(), [&](std::size_t n) {
     copyFromOwners(neighboursOf(kept, kept.blocks[n]), values.data(), &values[n * kBlockValues]);
   });

@@ -1,4 +1,4 @@
-// The samples of a near field's blocks.
+// Samples of the blocks of a near field.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace abstand::field {
 
-/// Signed distances (m) at the vertices of the kept blocks, NearField::kBlockValues of each, exact but for
-/// `rounding` (m), by which a vertex may be moved. Any number of threads gives the same.
+/// Signed distances (m) at the vertices of the stored blocks, NearField::kBlockValues for each. Exact up to
+/// `rounding` (m), the error of a vertex position. The result does not depend on the number of threads.
 std::vector<float> sampleBlocks(const geometry::Surface& surface, const KeptBlocks& kept, double rounding,
                                 int threads);
 
-/// The same in multiples of `quantum` (m), without memory for the floats of all blocks.
+/// The same as multiples of `quantum` (m), without storing the floats of all blocks.
 std::vector<std::int16_t> sampleQuanta(const geometry::Surface& surface, const KeptBlocks& kept,
                                        double rounding, float quantum, int threads);
 

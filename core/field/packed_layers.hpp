@@ -1,4 +1,4 @@
-// Blocks of a voxelmap, packed. Internal to the engine.
+// Packed blocks of a voxelmap. Internal to the engine.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace abstand::field {
 
-/// Half a byte a voxel (LayerView), block after block.
+/// Half a byte for each voxel (LayerView), block after block.
 struct PackedLayers {
   std::vector<std::int16_t> min_steps;
   std::vector<std::uint8_t> packed;
 
-  /// The index of a new block. steps(i, j, k) and inside(i, j, k): of its voxels.
+  /// Adds a block and returns its index. steps(i, j, k) and inside(i, j, k) give its voxels.
   template <class Steps, class Inside>
   std::int32_t add(Steps&& steps, Inside&& inside) {
     constexpr int kEdge = LayerView::kEdge;

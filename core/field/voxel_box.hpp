@@ -1,11 +1,11 @@
-// Cells of a grid that form a box. Internal to the engine.
+// Box of grid cells. Internal to the engine.
 #pragma once
 
 #include "core/math/transform.hpp"
 
 namespace abstand::field {
 
-/// Voxels, blocks or tiles with first <= v < first + size. Numbered with x running first, then y, then z.
+/// Voxels, blocks or tiles with first <= v < first + size. Index order: x fastest, then y, then z.
 struct VoxelBox {
   Vector3i first, size;
 
@@ -27,7 +27,7 @@ struct VoxelBox {
     const Vector3i upper = (first + size).cwiseMin(other.first + other.size);
     return {lower, (upper - lower).cwiseMax(0)};
   }
-  /// In the order of index().
+  /// Calls fn in the order of index().
   template <class Fn>
   void forEach(Fn&& fn) const {
     for (int k = 0; k < size.z(); ++k)

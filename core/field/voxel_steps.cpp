@@ -1,4 +1,4 @@
-// Distances between voxels of a grid, counted in steps.
+// Chessboard distances between voxels of a grid.
 #include "core/field/voxel_steps.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps
     return static_cast<std::int16_t>(std::min<int>(s + step, kMaxSteps));
   };
   const auto rowOf = [&](int j, int k) { return &steps[(std::size_t(k) * ny + j) * nx]; };
-  // The least of three rows' neighbours, with one more at each end that does not count.
+  // Minimum over three rows of neighbours, with a neutral element at each end.
   std::vector<std::int16_t> least(nx + 2, kMaxSteps);
   const auto sweepRow = [&](int j, int k, int direction) {
     std::fill(least.begin(), least.end(), kMaxSteps);

@@ -49,7 +49,7 @@ void Voxelmap::makeWhole(const geometry::Surface& surface, int outer_layers, int
   const VoxelBox blocks{Vector3i::Zero(), blocks_};
   for (std::size_t b = 0; b < block_index_.size(); ++b) {
     const Vector3i first = LayerView::kEdge * blocks.place(b);
-    // Voxels beyond the grid are like the last ones in it.
+    // Voxels beyond the grid are treated as its last ones.
     const auto inGrid = [&](int i, int j, int k) {
       return Vector3i((first + Vector3i(i, j, k)).cwiseMin(grid.size - Vector3i::Ones()));
     };

@@ -1,4 +1,4 @@
-// The thesis's voxelmap: integer layers about the surface.
+// The thesis's voxelmap: integer layers around the surface.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace abstand::field {
 
-/// Layer of each voxel: 0 where the surface passes through (separating-axis test of triangle and cube),
-/// +k for the k-th layer inside, -k for the k-th layer outside [thesis 2.2]. Layers are counted by
-/// 26-neighbour steps away from the surface voxels. Half a byte a voxel near the surface; in large maps two
-/// bytes a block elsewhere (LayerView). Constant after construction.
+/// Layer of each voxel: 0 where the surface passes through (separating-axis test of triangle and cube), +k
+/// for the k-th layer inside, -k for the k-th layer outside [thesis 2.2]. Layers count 26-neighbour steps
+/// from the surface voxels. Half a byte for each voxel near the surface; elsewhere in large maps two bytes
+/// for each block (LayerView). Constant after construction.
 class Voxelmap {
  public:
-  /// Voxels of maps that keep every layer exactly. Of larger ones the blocks within kExactSteps of a surface
-  /// voxel do.
+  /// Largest number of voxels of a map that stores every layer exactly. Larger maps do so only for blocks
+  /// within kExactSteps of a surface voxel.
   static constexpr std::size_t kMaxExactVoxels = 32'000'000;
   static constexpr int kExactSteps = 16;
 
@@ -27,17 +27,16 @@ class Voxelmap {
   bool inside_doubtful{false};    ///< the mesh is not watertight; winding numbers decided
 
   Voxelmap() = default;
-  /// Voxelizes on `threads` threads (0: as many as the machine has); the result is the same for any number.
-  /// Throws UsageError when the grid would be too large (makeGrid). How surface and inside are decided:
-  /// voxelmap_sides.hpp.
+  /// Voxelizes on `threads` threads (0: hardware concurrency); the result is the same for any number. Throws
+  /// UsageError if the grid would be too large (makeGrid). Surface and inside tests: voxelmap_sides.hpp.
   Voxelmap(const geometry::Surface& surface, double voxel_size, int outer_layers, int threads = 0,
            std::size_t max_exact = kMaxExactVoxels);
 
-  /// Of a voxel of the grid.
+  /// Layer of a voxel of the grid.
   int at(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).layer; }
-  /// By how many steps at(v) may be off: 0 near the surface.
+  /// Largest error of at(v) in steps: 0 near the surface.
   int slack(const Vector3i& v) const { return layerOf(view(), v.x(), v.y(), v.z()).slack; }
-  /// Points into this map.
+  /// View into this map, which must outlive it.
   LayerView view() const;
   std::size_t memoryBytes() const;
 

@@ -8,13 +8,13 @@
 namespace abstand::field {
 namespace {
 
-// Parts of a voxel: below it, cube and shape touch.
+// Share of a voxel below which cube and shape touch.
 constexpr double kShapeTouch = 1e-9;
 
-// Whether the surface of a convex solid meets the cube about c, `half` the cube's half edge, d the signed
-// distance at c. The signed distance of a convex solid is convex, so over the cube it is greatest at a
-// corner; whether it comes down to 0 is decided by alternating projections between cube and solid, which
-// converge to the shortest way between the two (Cheney, Goldstein 1959).
+// True if the surface of a convex solid meets the cube about c; `half`: half edge of the cube, d: signed
+// distance at c. The signed distance of a convex solid is convex, so over the cube it is largest at a corner.
+// Whether it falls to 0 is decided by alternating projections between cube and solid, which converge to their
+// shortest distance (Cheney, Goldstein 1959).
 bool surfaceMeets(const geometry::Shape& shape, const Vector3d& c, double half, double d) {
   const double touch = kShapeTouch * half;
   if (std::abs(d) <= half) return true;
@@ -26,19 +26,19 @@ bool surfaceMeets(const geometry::Shape& shape, const Vector3d& c, double half, 
     any_outside = any_outside || at_corner >= -touch;
   }
   if (!any_outside || any_inside) return any_outside;
-  // All corners and the centre are outside; the solid may still poke through a face or an edge.
+  // All corners and the centre are outside; the solid may still pass through a face or an edge.
   constexpr int kMaxSteps = 64;
   Vector3d p = c;
   for (int step = 0; step < kMaxSteps; ++step) {
     const geometry::ShapeDistance at = geometry::distanceTo(shape, p);
     if (at.distance <= touch) return true;
-    // The solid lies behind the plane through `nearest` across the way to p. When all of the cube lies before
+    // The solid lies behind the plane through `nearest` with normal n. If all of the cube lies in front of
     // it, the two are apart.
     const Vector3d n = (p - at.nearest) / at.distance;
     if (n.dot(c - at.nearest) - half * n.cwiseAbs().sum() > touch) return false;
     p = at.nearest.cwiseMax((c.array() - half).matrix()).cwiseMin((c.array() + half).matrix());
   }
-  // Neither proved: as good as touching.
+  // Neither proven: counts as touching.
   return true;
 }
 
@@ -57,7 +57,7 @@ void markShape(const geometry::Shape& shape, const VoxelGrid& grid, int threads,
         std::int8_t value = kVoxelSurface;
         int run = 1;
         if (std::abs(d) > half_diagonal) {
-          // Up to here along the row the surface is farther away than half a diagonal, on the same side.
+          // Up to here along the row the surface is farther than half a diagonal, on the same side.
           value = d < 0.0 ? kVoxelInside : kVoxelOutside;
           run += static_cast<int>(std::min((std::abs(d) - half_diagonal) / s, double(grid.size.x())));
         } else if (!surfaceMeets(shape, c, 0.5 * s, d)) {

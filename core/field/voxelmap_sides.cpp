@@ -1,4 +1,4 @@
-// Which voxels the surface passes through, and which lie inside.
+// Classifies voxels as surface, inside or outside.
 #include "core/field/voxelmap_sides.hpp"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace {
 
 constexpr std::int8_t kUnknown = 2;
 
-// Parts the voxels that are still unknown into pieces by steps through faces.
+// Divides the voxels that are still unknown into components connected through faces (flood fill).
 class Pieces {
  public:
   Pieces(const VoxelGrid& grid, std::vector<std::int8_t>& side) : grid_(grid), side_(side) {}
 
-  /// Neighbours along x.
+  /// Consecutive voxels along x.
   struct Run {
     std::size_t first, count;
   };
 
-  // Gives `value` to all that is reached from seed, and collects it.
+  // Sets `value` for the component of `seed`, and returns its runs.
   const std::vector<Run>& fill(std::size_t seed, std::int8_t value) {
     piece_.clear();
     seeds_.assign(1, seed);
@@ -58,7 +58,7 @@ class Pieces {
   }
 
  private:
-  // One seed for each stretch of unknown voxels.
+  // Adds one seed for each run of unknown voxels.
   void seek(std::size_t first, std::size_t end) {
     for (std::size_t v = first; v < end; ++v) {
       if (side_[v] == kUnknown && (v == first || side_[v - 1] != kUnknown)) seeds_.push_back(v);
@@ -179,7 +179,7 @@ VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int
       const geometry::SurfacePoint nearest = surface.closest(middle, hint);
       hint = nearest.hint;
       VoxelCounts counts;
-      // One voxel more: a surface beside a cube decides about none of its voxels.
+      // One voxel more: a surface beside a cube classifies none of its voxels.
       if (nearest.distance > 0.5 * kCubeDiagonal * (kEdge + 1) * voxel_size)
         counts.solid = surface.inside(middle, nearest) ? cube.cells() : 0;
       else

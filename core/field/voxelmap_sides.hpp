@@ -1,4 +1,4 @@
-// Which voxels the surface passes through, and which lie inside.
+// Classifies voxels as surface, inside or outside.
 #pragma once
 
 #include <array>
@@ -21,37 +21,36 @@ struct VoxelSides {
   std::size_t solid_voxels{0};  ///< surface and inside
 };
 
-/// Voxels are closed cubes; touching counts as passing through.
-/// Surface voxels of a mesh: separating-axis test of triangle and cube. Of a shape, which is convex: exact,
-/// from its distance function. Inside, of a mesh: the rest is parted into pieces that surface voxels enclose;
-/// the piece that reaches the grid's rim is outside, each other one is asked once. Where the mesh is not
-/// watertight, an enclosed piece is asked at several voxels and the majority counts, and every voxel of the
-/// piece at the rim is asked, as it may reach inside through a hole.
+/// Voxels are closed cubes; touching counts as passing through. Surface voxels of a mesh: separating-axis
+/// test of triangle and cube. Of a shape, which is convex: exact, from its distance function. Inside of a
+/// mesh: the other voxels are divided into components enclosed by surface voxels; the component at the grid's
+/// border is outside, each other one is tested at one voxel. If the mesh is not watertight, an enclosed
+/// component is decided by the majority of several voxels, and every voxel of the border component is tested,
+/// as it may reach inside through a hole.
 VoxelSides findVoxelSides(const geometry::Surface& surface, double voxel_size, int threads);
 
-/// Sets `side` for a part of a larger grid, whose surface may end anywhere at the part's rim: each piece of
-/// the part is asked as an enclosed piece is. On the calling thread.
+/// Sets `side` for a part of a larger grid, whose surface may end anywhere at the part's border: each
+/// component of the part is tested like an enclosed one. Runs on the calling thread.
 void findSidesOfPart(const geometry::Surface& surface, const VoxelGrid& part, std::vector<std::int8_t>& side);
 
-/// How many voxels those are.
+/// Numbers of voxels by class.
 struct VoxelCounts {
   std::size_t surface{0};
   std::size_t solid{0};  ///< surface and inside
 };
-/// Counts without keeping them: grids above `max_at_once` voxels are counted in cubes, of which only those
-/// that the surface comes near to are looked at in detail. In these each piece of a cube is asked as an
-/// enclosed piece is.
+/// Counts without storing the voxels: grids above `max_at_once` voxels are counted in cubes, of which only
+/// those near the surface are voxelized. In these each component is tested like an enclosed one.
 inline constexpr std::size_t kMaxVoxelsAtOnce = 64'000'000;
 VoxelCounts countVoxels(const geometry::Surface& surface, double voxel_size, int threads,
                         std::size_t max_at_once = kMaxVoxelsAtOnce);
 
-/// Sets side to kVoxelSurface where a triangle passes through the voxel.
+/// Sets `side` to kVoxelSurface where a triangle passes through the voxel.
 void markTriangles(const geometry::TriangleMesh& mesh, const VoxelGrid& grid, int threads,
                    std::vector<std::int8_t>& side);
 /// The same for one triangle.
 void markTriangle(const std::array<Vector3d, 3>& triangle, const VoxelGrid& grid,
                   std::vector<std::int8_t>& side);
-/// Sets all of side.
+/// Sets all of `side`.
 void markShape(const geometry::Shape& shape, const VoxelGrid& grid, int threads,
                std::vector<std::int8_t>& side);
 

@@ -1,4 +1,4 @@
-// A large voxelmap, made tile by tile, so that time and memory go with the surface.
+// A large voxelmap, computed tile by tile: time and memory are proportional to the surface.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -17,8 +17,8 @@ namespace {
 constexpr int kEdge = LayerView::kEdge;
 constexpr int kTileBlocks = 12;
 constexpr int kTile = kTileBlocks * kEdge;
-// A tile sees the surface so far beyond its own voxels. The steps of a block that comes within kExactSteps of
-// it are no more than 7 above that, and so exact; and so are all that do not exceed the halo.
+// Each tile is extended by this many voxels. The steps of a block within kExactSteps of the surface are at
+// most 7 above that, so they are exact; so are all steps that do not exceed the halo.
 constexpr int kHalo = 24;
 static_assert(kHalo >= Voxelmap::kExactSteps + kEdge - 1);
 
@@ -27,7 +27,7 @@ struct Tile {
   std::size_t surface_voxels{0}, solid_voxels{0};
 };
 
-// The boxes of a map. Tiles hold all corners of blocks, those at the far end of the grid included.
+// Boxes of a map. Tiles include all corners of blocks, also those at the far end of the grid.
 struct TileLayout {
   TileLayout(const VoxelGrid& of, const Vector3i& block_count, int outer_layers)
       : grid(of),
@@ -36,7 +36,7 @@ struct TileLayout {
         corners{Vector3i::Zero(), block_count.array() + 1},
         tiles{Vector3i::Zero(), (corners.size.array() + kTileBlocks - 1) / kTileBlocks} {}
 
-  // Those blocks or corners of blocks that belong to a tile.
+  // The blocks, or corners of blocks, that belong to a tile.
   VoxelBox inTile(std::size_t tile, const VoxelBox& all) const {
     return VoxelBox{kTileBlocks * tiles.place(tile), Vector3i::Constant(kTileBlocks)}.clippedTo(all);
   }
@@ -46,7 +46,7 @@ struct TileLayout {
   VoxelBox blocks, corners, tiles;
 };
 
-// Makes one tile; its blocks and corners in the tables that all tiles share are written by it alone.
+// Computes one tile. Its blocks and corners in the shared tables are written by no other tile.
 class TileMaker {
  public:
   TileMaker(const geometry::Surface& surface, const TileLayout& layout, std::size_t number)
@@ -75,20 +75,20 @@ class TileMaker {
   }
 
  private:
-  // The part of the grid that it sees, without outer layers.
+  // The part of the grid that the tile sees, without outer layers.
   VoxelGrid part() const {
     const Vector3i& first = seen_solid_.first;
     return {layout_.grid.centre(first.x(), first.y(), first.z()), layout_.grid.voxel_size, seen_solid_.size};
   }
 
-  // Where all voxels that it sees lie on one side of the surface: whether inside.
+  // If all voxels that the tile sees lie on one side of the surface: whether inside.
   std::optional<bool> oneSide() const {
     if (seen_solid_.count() == 0) return false;
     const VoxelGrid grid = part();
     const Vector3d half = 0.5 * grid.voxel_size * (grid.size.array() - 1).matrix().cast<double>();
     const Vector3d middle = grid.first_centre + half;
     const geometry::SurfacePoint nearest = surface_.closest(middle);
-    // A voxel's diagonal more: a surface beside the box decides about none of its voxels.
+    // One voxel diagonal more: a surface beside the box classifies none of its voxels.
     if (nearest.distance > half.norm() + kCubeDiagonal * grid.voxel_size)
       return surface_.inside(middle, nearest);
     return std::nullopt;
@@ -153,9 +153,9 @@ class TileMaker {
   const geometry::Surface& surface_;
   const TileLayout& layout_;
   const std::size_t number_;
-  const VoxelBox seen_, seen_solid_, own_solid_;  // voxels; seen with the halo
-  std::vector<std::int8_t> side_;                 // of seen_solid_
-  std::vector<std::int16_t> steps_;               // of seen_
+  const VoxelBox seen_, seen_solid_, own_solid_;  // in voxels; seen_ includes the halo
+  std::vector<std::int8_t> side_;                 // for seen_solid_
+  std::vector<std::int16_t> steps_;               // for seen_
 };
 
 }  // namespace
@@ -168,8 +168,8 @@ void Voxelmap::makeInTiles(const geometry::Surface& surface, int outer_layers, i
     made[at] = TileMaker(surface, layout, at).make(block_index_, corner_steps_);
   });
 
-  // Farther away than the halo, the shortest way from a corner leads over one of the 26 corners about it: its
-  // longest component is more than 16 steps, and whichever others are within 8 of that are shortened with it.
+  // Farther than the halo, the shortest path from a corner passes through one of its 26 neighbour corners:
+  // its longest component exceeds 16 steps, and other components within 8 of it are shortened too.
   countSteps(layout.corners.size, kEdge, corner_steps_);
 
   std::size_t kept = 0;

@@ -1,4 +1,4 @@
-// Voxels that triangles pass through.
+// Marks the voxels that triangles pass through.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -10,11 +10,11 @@
 namespace abstand::field {
 namespace {
 
-// In voxels: how far triangle and cube may be apart and still touch.
+// In voxels: largest gap at which triangle and cube still touch.
 constexpr double kTouch = 1e-9;
 
-// The separating axes of one projection along a coordinate axis: normals of the triangle's edges in the plane
-// (u, v), against the unit square. Both ends are compared, so that axes which rounding has turned do no harm.
+// Separating axes of one projection along a coordinate axis: normals of the triangle's edges in the plane (u,
+// v), against the unit square. Both ends are compared, so that rounding of an axis does not matter.
 struct Projection {
   int u, v;
   std::array<double, 3> nu, nv, least, most;
@@ -40,9 +40,9 @@ struct Projection {
   }
 };
 
-// Separating-axis test in the form of Schwarz and Seidel (Fast Parallel Surface and Solid Voxelization,
-// 2010), column by column along the axis that the triangle faces most: its plane leaves few voxels of a
-// column. `t` in voxels: voxel (i, j, k) is the cube from (i, j, k) to (i + 1, j + 1, k + 1).
+// Separating-axis test as in Schwarz and Seidel (Fast Parallel Surface and Solid Voxelization, 2010), column
+// by column along the axis nearest to the triangle's normal: its plane leaves few voxels of a column. `t` in
+// voxels: voxel (i, j, k) is the cube from (i, j, k) to (i + 1, j + 1, k + 1).
 template <class Mark>
 void forVoxels(const std::array<Vector3d, 3>& t, const Vector3i& size, Mark&& mark) {
   Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -57,7 +57,7 @@ void forVoxels(const std::array<Vector3d, 3>& t, const Vector3i& size, Mark&& ma
     high[k] = static_cast<int>(std::clamp(std::floor(most + kTouch), 0.0, size[k] - 1.0));
   }
   const Projection along_w(t, w), along_u(t, u), along_v(t, v);
-  // Along n, whose component w is 1, a voxel's centre lies at most `reach` beyond the triangle.
+  // Along n, whose component w is 1, a voxel's centre is at most `reach` from the triangle's plane.
   const double reach = 0.5 * n.cwiseAbs().sum() + kTouch;
   const auto [least, most] = std::minmax({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
   Vector3i p;

@@ -1,6 +1,6 @@
 #include "core/geometry/convex_hull.hpp"
 
-// The only file that knows Qhull.
+// The only file that includes Qhull.
 #include <libqhull_r/qhull_ra.h>
 
 #include <cstdio>
@@ -13,7 +13,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Qhull keeps its state and its memory here; an error leaves both to be freed as well.
+/// Owns Qhull's state and memory; the destructor frees both, also after an error.
 class Qhull {
  public:
   Qhull() { qh_zero(&state_, nullptr); }
@@ -26,7 +26,7 @@ class Qhull {
   Qhull& operator=(const Qhull&) = delete;
 
   bool run(std::vector<double>& coordinates) {
-    // What Qhull has to say goes nowhere.
+    // Qhull's messages are discarded.
     const std::unique_ptr<std::FILE, CloseFile> quiet(std::fopen("/dev/null", "w"));
     if (!quiet) return false;
     char command[] = "qhull FA";

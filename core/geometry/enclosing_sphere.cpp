@@ -1,4 +1,4 @@
-// Smallest sphere about a set of points: a basis of at most four points, improved by the farthest one.
+// Smallest enclosing sphere: a basis of at most four points, updated with the farthest point.
 #include "core/geometry/enclosing_sphere.hpp"
 
 #include <array>
@@ -6,7 +6,7 @@
 namespace abstand::geometry {
 namespace {
 
-/// Relative; a point outside by less than this does not change the basis.
+/// Relative; a point outside by less than this leaves the basis unchanged.
 constexpr double kTolerance = 1e-13;
 
 /// At most four points that determine a sphere; the radius is squared.
@@ -17,8 +17,8 @@ struct Basis {
   double radius2{-1.0};
 };
 
-/// Sphere with all points of the basis on its surface and its centre in their affine hull. False when they
-/// depend on each other, as then a smaller basis does.
+/// Sphere with all points of the basis on its surface and its centre in their affine hull. False if the
+/// points are affinely dependent; a smaller basis gives the sphere then.
 bool circumscribe(Basis& basis) {
   const int n = basis.count - 1;
   const Vector3d& origin = basis.point[0];
@@ -44,8 +44,8 @@ bool circumscribe(Basis& basis) {
   return true;
 }
 
-/// Smallest sphere about the points of `old` and `added`, which lies outside of old's sphere and so is in the
-/// new basis.
+/// Smallest sphere around the points of `old` and `added`. `added` lies outside of old's sphere, so it
+/// belongs to the new basis.
 Basis extend(const Basis& old, const Vector3d& added) {
   Basis best;
   for (unsigned subset = 0; subset < 1u << old.count; ++subset) {
@@ -81,7 +81,7 @@ EnclosingSphere minimalSphere(const std::vector<Vector3d>& points) {
     }
     if (farthest2 > basis.radius2 * (1.0 + kTolerance)) {
       const Basis next = extend(basis, *farthest);
-      // The radius grows at every step, but for rounding; without growth this is as good as it gets.
+      // The radius grows at every step except for rounding; no growth means convergence.
       if (next.count > 0 && next.radius2 > basis.radius2) {
         basis = next;
         continue;

@@ -6,7 +6,7 @@
 namespace abstand::geometry {
 namespace {
 
-/// Below this part of (area)^(3/2) a volume is rounding noise of a flat mesh.
+/// Below this share of (area)^(3/2) a volume is rounding noise of a flat mesh.
 constexpr double kFlat = 1e-12;
 
 }  // namespace
@@ -30,8 +30,8 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   const Bounds box = bounds(mesh);
   const Vector3d centre = box.centre();
 
-  // Each triangle spans a tetrahedron with the centre, of signed volume det / 6. Its integrals of x and
-  // x x^T are det / 24 (a + b + c) and det / 120 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
+  // Each triangle and the centre span a tetrahedron of signed volume det / 6. Its integrals of x and x x^T
+  // are det / 24 (a + b + c) and det / 120 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.
   double det_sum = 0.0;
   double area_sum = 0.0;
   Vector3d first = Vector3d::Zero();

@@ -1,4 +1,4 @@
-// Connected pieces of a mesh, by union and find.
+// Connected components of a mesh, by union-find.
 #include "core/geometry/mesh_pieces.hpp"
 
 #include <numeric>

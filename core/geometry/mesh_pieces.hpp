@@ -1,4 +1,4 @@
-// Connected pieces of a mesh.
+// Connected components of a mesh.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace abstand::geometry {
 
-/// A vertex of each piece, in the order of the pieces' first triangles; triangles belong together when they
-/// share a vertex.
+/// One vertex of each component, in the order of the components' first triangles. Triangles that share a
+/// vertex are connected.
 std::vector<Vector3d> pieces(const TriangleMesh& mesh);
 
 }  // namespace abstand::geometry

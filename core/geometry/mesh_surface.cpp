@@ -9,8 +9,8 @@
 namespace abstand::geometry {
 namespace {
 
-// A triangle without area has no normal. Relative to the square of its longest edge, so that units do not
-// matter; slivers of any shape that double can hold pass.
+// A triangle without area has no normal. The threshold is relative to the square of the longest edge, so that
+// units do not matter; slivers that double can represent are kept.
 constexpr double kNoArea = 1e-14;
 
 TriangleMesh checked(TriangleMesh mesh) {
@@ -31,7 +31,7 @@ TriangleMesh checked(TriangleMesh mesh) {
   return mesh;
 }
 
-// Vertices that no triangle uses do not count.
+// Bounds of the vertices that triangles use.
 Bounds usedBounds(const TriangleMesh& mesh) {
   Bounds box;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -7,14 +7,14 @@
 
 namespace abstand::geometry {
 
-/// Nearest points by a box tree; inside and outside as Surface::inside says. The hint of an answer is a slot
-/// of the tree.
+/// Exact surface of a mesh: nearest points by a box tree, inside test as in Surface::inside. The hint of a
+/// result is a slot of the tree.
 class MeshSurface final : public Surface {
  public:
   /// Takes a welded mesh; triangles without area are dropped. Throws UsageError for coordinates that are not
   /// finite, an index beyond the vertices, or no triangle left.
   explicit MeshSurface(TriangleMesh mesh);
-  /// Empty, to be filled by archive() and by nothing else.
+  /// Empty; only archive() may fill it.
   MeshSurface() = default;
   template <class Archive>
   void archive(Archive& ar) {
@@ -32,8 +32,8 @@ class MeshSurface final : public Surface {
   TriangleMesh mesh(double) const override { return mesh_; }
   bool watertight() const override { return sides_.watertight(); }
 
-  /// Closed, and the boundary of a solid: no triangle cuts another, no piece lies wrongly inside another.
-  /// Then normals decide about inside and outside; else winding numbers.
+  /// True if the mesh is the boundary of a solid: closed, without intersecting triangles, and no component
+  /// wrongly nested in another. Then normals decide about inside and outside; otherwise winding numbers.
   bool embedded() const { return sides_.embedded(); }
   const TriangleTree& tree() const { return tree_; }
   const WindingNumber& windingNumber() const { return winding_; }

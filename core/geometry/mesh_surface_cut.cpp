@@ -1,4 +1,4 @@
-// Whether two triangles of a mesh cut each other.
+// Intersection test of two triangles of a mesh.
 #include "core/geometry/mesh_surface_cut.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace abstand::geometry {
 namespace {
 
-// Gaps below this part of the triangles' size are touching.
+// Gaps below this share of the triangles' size count as contact.
 constexpr double kTouch = 1e-9;
 
 struct Span {
@@ -23,8 +23,8 @@ double size(const CutTriangle& t) {
   return std::max((t.corner[1] - t.corner[0]).norm(), (t.corner[2] - t.corner[0]).norm());
 }
 
-// Separating axes of two triangles: normals, products of edges, and normals of the edges in the planes (for
-// coplanar triangles).
+// Separating axis test of two triangles: normals, cross products of edges, and in-plane normals of the edges
+// (for coplanar triangles).
 bool apart(const CutTriangle& s, const CutTriangle& t) {
   const Vector3d& origin = s.corner[0];
   const double touch = kTouch * std::max(size(s), size(t));
@@ -45,7 +45,7 @@ bool apart(const CutTriangle& s, const CutTriangle& t) {
   return false;
 }
 
-// The open segment from p to q passes through the triangle, from one side of its plane to the other.
+// True if the open segment from p to q passes through the triangle, from one side of its plane to the other.
 bool crosses(const Vector3d& p, const Vector3d& q, const CutTriangle& t) {
   const double touch = kTouch * std::max(size(t), (q - p).norm());
   const double dp = (p - t.corner[0]).dot(t.normal), dq = (q - t.corner[0]).dot(t.normal);
@@ -69,8 +69,8 @@ bool cutEachOther(const CutTriangle& s, const CutTriangle& t) {
   }
   if (shared == 0) return !apart(s, t);
   if (shared > 1) return false;
-  // Triangles that share one corner meet along a line from it, which leaves one of them through the edge
-  // opposite the corner.
+  // Triangles that share one corner intersect along a line from it, which leaves one of them through the edge
+  // opposite to the corner.
   return crosses(s.corner[(is + 1) % 3], s.corner[(is + 2) % 3], t) ||
          crosses(t.corner[(it + 1) % 3], t.corner[(it + 2) % 3], s);
 }

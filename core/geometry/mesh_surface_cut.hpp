@@ -1,4 +1,4 @@
-// Whether two triangles of a mesh cut each other.
+// Intersection test of two triangles of a mesh.
 #pragma once
 
 #include "core/geometry/triangle_mesh.hpp"
@@ -11,9 +11,9 @@ struct CutTriangle {
   Vector3d normal;  ///< unit
 };
 
-/// True when the triangles have points in common other than shared vertices and edges. Touching counts for
-/// triangles that share no vertex; of those that share one only true crossing does; two that share an edge
-/// never cut each other.
+/// True if the triangles have common points other than shared vertices and edges. Touching counts for
+/// triangles without a shared vertex; with one shared vertex, only a proper crossing counts; with a shared
+/// edge, never.
 bool cutEachOther(const CutTriangle& s, const CutTriangle& t);
 
 }  // namespace abstand::geometry

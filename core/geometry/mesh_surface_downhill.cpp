@@ -1,19 +1,19 @@
-// From triangle to triangle towards a point.
+// Local descent over adjacent triangles to the nearest point.
 #include "core/geometry/mesh_surface_sides.hpp"
 
 namespace abstand::geometry {
 namespace {
 
-constexpr int kSteps = 256;  // far more than what bodies move between two queries
-constexpr int kAround = 64;  // triangles at a vertex that are looked at
+constexpr int kSteps = 256;  // far beyond what bodies move between two queries
+constexpr int kAround = 64;  // limit of triangles visited at a vertex
 
 int indexOf(Feature feature, Feature first) { return static_cast<int>(feature) - static_cast<int>(first); }
 
 }  // namespace
 
-// The nearest point q of a triangle to p is that of its neighbourhood as well when no way into another
-// triangle at q leads towards p: from an edge, the way to the corner across it; from a corner, those along
-// its edges, as all others lie between two of these.
+// The nearest point q of a triangle to p is also that of its neighbourhood if no direction into an adjacent
+// triangle at q decreases the distance. On an edge the direction to the opposite corner is tested; at a
+// corner those along its edges, as all others lie between two of these.
 TriangleTree::Nearest MeshSides::downhill(const TriangleMesh& mesh, const TriangleTree& tree,
                                           const Vector3d& p, std::uint32_t slot) const {
   TriangleTree::Nearest best = tree.closestOn(slot, p);

@@ -1,4 +1,4 @@
-// Whether a mesh bounds a solid, and on which side of it a point lies.
+// Inside test of closed meshes by angle-weighted normals, and the test whether a mesh bounds a solid.
 #include "core/geometry/mesh_surface_sides.hpp"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ MeshSides::MeshSides(const TriangleMesh& mesh, const TriangleTree& tree, const W
 // Finds the slot across each edge, and whether every edge has exactly two triangles in opposite directions.
 void MeshSides::link(const TriangleMesh& mesh, const TriangleTree& tree) {
   struct Edge {
-    std::uint64_t ends;  ///< the lower vertex, and the higher one below it
+    std::uint64_t ends;  ///< the two vertices of an edge: smaller index in the high half, larger index in the
+                         ///< low half
     std::uint32_t slot;
     std::uint8_t i;
     bool rising;
@@ -67,7 +68,7 @@ void MeshSides::weighNormals(const TriangleMesh& mesh) {
 }
 
 bool MeshSides::cutsItself(const TriangleMesh& mesh, const TriangleTree& tree) const {
-  // Boxes that are farther apart than this, in parts of their sizes, hold no triangles that touch.
+  // Boxes farther apart than this share of their sizes contain no triangles that touch.
   constexpr double kApart = 1e-8;
   const auto cornersOf = [&](const Slot& slot) -> CutTriangle {
     const auto& v = slot.corner;
@@ -87,7 +88,7 @@ bool MeshSides::cutsItself(const TriangleMesh& mesh, const TriangleTree& tree) c
     const CutTriangle mine = cornersOf(slot);
     tree.forOverlapping(box, [&](std::uint32_t other) {
       if (other <= s || cut) return;
-      // Those on the other side of an edge share it.
+      // Neighbours share an edge and never cut each other.
       if (other == slot.across[0] || other == slot.across[1] || other == slot.across[2]) return;
       if ((boxes[other].lower.array() > box.upper.array()).any() ||
           (boxes[other].upper.array() < box.lower.array()).any())
@@ -99,7 +100,7 @@ bool MeshSides::cutsItself(const TriangleMesh& mesh, const TriangleTree& tree) c
 }
 
 bool MeshSides::piecesAreNestedWell(const TriangleMesh& mesh, const WindingNumber& winding) const {
-  // On the surface itself the number is the mean of both sides: one half, up to the dipoles' error.
+  // On the surface the winding number is the mean of both sides: one half, up to the dipole error.
   constexpr double kAboutHalf = 0.25;
   std::vector<bool> seen(slots_.size(), false);
   std::vector<std::uint32_t> stack;

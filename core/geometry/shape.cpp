@@ -1,4 +1,4 @@
-// Names, limits, bounds, areas and masses of the shapes.
+// Names, limits, bounds, areas and mass properties of the shapes.
 #include "core/geometry/shape.hpp"
 
 #include <algorithm>
@@ -223,7 +223,7 @@ MassProperties massProperties(const Shape& shape) {
                         const double middle = kPi * r * r * l;
                         const double ends = 4.0 / 3.0 * kPi * r * r * r;
                         out.volume = middle + ends;
-                        // Two half balls with their centres 3r/8 beyond the middle part's ends.
+                        // Two hemispheres with their centroids 3r/8 beyond the ends of the middle part.
                         const double across = middle * (l * l / 12.0 + r * r / 4.0) +
                                               ends * (0.4 * r * r + 0.25 * l * l + 0.375 * l * r);
                         const double along = 0.5 * middle * r * r + 0.4 * ends * r * r;

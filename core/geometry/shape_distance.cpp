@@ -7,14 +7,14 @@
 namespace abstand::geometry {
 namespace {
 
-/// Newton steps shorter than this part of the unknown are rounding noise.
+/// Newton steps below this share of the unknown are rounding noise.
 constexpr double kRelativeStep = 1e-15;
 
-/// Points nearer to a plane of symmetry than this part of the semi-axis count as lying on it; it keeps
-/// the squares of the iteration away from underflow.
+/// Points nearer to a plane of symmetry than this share of the semi-axis are treated as lying on it, which
+/// prevents underflow of squares in the iteration.
 constexpr double kOnPlane = 1e-100;
 
-/// v / |v|, or the x axis for a vector that is zero: every direction is as good then.
+/// v / |v|, or the x axis for the zero vector, where any direction is valid.
 Vector3d direction(const Vector3d& v) {
   const double largest = v.cwiseAbs().maxCoeff();
   return largest > 0.0 ? (v / largest).normalized() : Vector3d::UnitX().eval();
@@ -59,7 +59,7 @@ ShapeDistance distance(const Cylinder& s, const Vector3d& p) {
   return {{on_side.x(), on_side.y(), p.z()}, beyond_side};
 }
 
-/// A sum of squares (w_i / (u + d_i))^2 over the entries with w_i > 0, and its derivative by u.
+/// Sum of (w_i / (u + d_i))^2 over the entries with w_i > 0, and its derivative with respect to u.
 struct Secular {
   Vector3d w, d;
   double slope{0.0};
@@ -76,11 +76,11 @@ struct Secular {
   }
 };
 
-/// The u in [low, high] at which the sum is 1, given that it is at least 1 at `low` > 0 and at most 1 at
-/// `high`. Newton steps on 1 / sqrt(sum), which is nearly straight; a step that leaves the bracket, or is
-/// not half as long as the one before, gives way to the geometric middle of the bracket.
+/// The u in [low, high] at which the sum is 1; the sum is at least 1 at `low` > 0 and at most 1 at `high`.
+/// Newton's method on 1 / sqrt(sum), which is nearly linear; a step that leaves the bracket or is not at most
+/// half as long as the one before is replaced by the geometric mean of the bracket.
 double solve(Secular& sum, double low, double high) {
-  constexpr int kMaxSteps = 400;  // halving the exponents' whole range to the last bit takes 64
+  constexpr int kMaxSteps = 400;  // bisection over the full exponent range to the last bit takes 64
   double u = low;
   double last_step = kInfinity;  // relative to u
   for (int i = 0; i < kMaxSteps && high > low; ++i) {
@@ -101,10 +101,10 @@ double solve(Secular& sum, double low, double high) {
   return u;
 }
 
-/// Nearest point x of x_i = r_i y_i / (s + r_i), r_i = (e_i / e_min)^2, with s the largest root of
-/// sum (r_i z_i / (s + r_i))^2 = 1, z_i = y_i / e_i (Eberly, Distance from a Point to an Ellipse, an
-/// Ellipsoid, or a Hyperellipsoid, section 3). The unknown is u = s + 1 here, the distance from the pole,
-/// so that nothing cancels for points near the plane in which the inner nearest points part.
+/// Nearest point x of x_i = r_i y_i / (s + r_i), r_i = (e_i / e_min)^2, with s the largest root of sum (r_i
+/// z_i / (s + r_i))^2 = 1, z_i = y_i / e_i (Eberly, Distance from a Point to an Ellipse, an Ellipsoid, or a
+/// Hyperellipsoid, section 3). The unknown here is u = s + 1, the distance from the pole, to avoid
+/// cancellation for points near the medial plane.
 ShapeDistance distance(const Ellipsoid& s, const Vector3d& p) {
   const Vector3d& e = s.semi_axes;
   int shortest = 0;
@@ -126,7 +126,7 @@ ShapeDistance distance(const Ellipsoid& s, const Vector3d& p) {
   double u = 0.0;
   const double at_zero = hard_case_possible ? sum(0.0) : kInfinity;
   if (at_zero > 1.0) {
-    // The sum is convex and falling: where it has no pole, a Newton step from 0 stays below the root.
+    // The sum is convex and decreasing: without a pole, a Newton step from 0 stays below the root.
     const double low = hard_case_possible ? (at_zero - 1.0) / -sum.slope : pole;
     const double high = std::max(low, sum.w.stableNorm());
     u = low > 0.0 ? solve(sum, low, high) : 0.0;

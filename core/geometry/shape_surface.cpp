@@ -9,7 +9,7 @@ ShapeSurface::ShapeSurface(const Shape& shape) : shape_(shape) { validate(shape)
 
 SurfacePoint ShapeSurface::closest(const Vector3d& p, std::uint32_t) const {
   const ShapeDistance d = distanceTo(shape_, p);
-  // The hint carries the side, so that inside() need not ask again.
+  // The hint stores the side, so that inside() does not compute it again.
   return {d.nearest, std::abs(d.distance), d.distance < 0.0 ? 1u : 0u};
 }
 

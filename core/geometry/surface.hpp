@@ -1,4 +1,4 @@
-// What the haptic structures need to know of a body: its exact surface, whatever it is made of.
+// Interface to the exact surface of a body, of whatever representation.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kNoHint = 0xffffffffu;
 struct SurfacePoint {
   Vector3d point;               ///< nearest point of the surface
   double distance;              ///< unsigned, m
-  std::uint32_t hint{kNoHint};  ///< where it was found; speeds up a query nearby
+  std::uint32_t hint{kNoHint};  ///< location on the surface; speeds up a query nearby
 };
 
 /// The exact surface of one body, in the body's frame (m). Constant after construction: every function
@@ -23,19 +23,19 @@ class Surface {
  public:
   virtual ~Surface() = default;
 
-  /// Nearest point of the surface. `hint` is the hint of an earlier answer, or kNoHint.
+  /// Nearest point of the surface. `hint` is that of an earlier result, or kNoHint.
   virtual SurfacePoint closest(const Vector3d& p, std::uint32_t hint = kNoHint) const = 0;
-  /// Downhill along the surface from where an answer nearby was found: the nearest point of the
-  /// neighbourhood, and the nearest of all where the surface is convex. Without a hint, closest(p).
+  /// Local descent along the surface from the hint of a nearby result: the nearest point of the
+  /// neighbourhood, and the global one if the surface is convex. Without a hint, closest(p).
   virtual SurfacePoint nearby(const Vector3d& p, std::uint32_t) const { return closest(p); }
-  /// True inside. Shapes: exact. Meshes that are closed and do not intersect themselves: the side of the
-  /// angle-weighted normal at the nearest point (Baerentzen, Aanaes 2005). Others: generalised winding number
-  /// (Jacobson, Kavan, Sorkine-Hornung 2013) beyond one half, of either sign, as pieces of such meshes may be
-  /// inside out. Outside of the bounds always false.
+  /// True inside. Shapes: exact. Closed meshes without self-intersection: side of the angle-weighted normal
+  /// at the nearest point (Baerentzen, Aanaes 2005). Other meshes: |generalised winding number| (Jacobson,
+  /// Kavan, Sorkine-Hornung 2013) above one half; the absolute value, as components of such meshes may be
+  /// inverted. Outside of the bounds always false.
   virtual bool inside(const Vector3d& p) const = 0;
-  /// inside(p), given closest(p), which makes it cheaper.
+  /// inside(p), faster with a given closest(p).
   virtual bool inside(const Vector3d& p, const SurfacePoint& closest_to_p) const = 0;
-  /// The triangle on which the point with this hint lies. False where the surface has none, and for kNoHint.
+  /// The triangle with this hint. False if the surface has no triangles, and for kNoHint.
   virtual bool triangle(std::uint32_t hint, TriangleCorners& corners) const = 0;
   /// Positive outside, negative inside.
   double signedDistance(const Vector3d& p, std::uint32_t hint = kNoHint) const {
@@ -50,11 +50,11 @@ class Surface {
   virtual TriangleMesh mesh(double sagitta) const = 0;
   /// Closed and consistently oriented, so that inside and outside are certain.
   virtual bool watertight() const = 0;
-  /// The shape, when this is one; else null.
+  /// The shape if the body is one; otherwise null.
   virtual const Shape* shape() const { return nullptr; }
 };
 
-/// Throws UsageError for a shape that is not valid.
+/// Throws UsageError for an invalid shape.
 std::unique_ptr<Surface> makeSurface(const Shape& shape);
 /// Takes a welded mesh. Throws UsageError for a mesh without a triangle of positive area or with
 /// coordinates that are not finite.

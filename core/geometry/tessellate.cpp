@@ -12,7 +12,7 @@ namespace {
 
 using Ring = std::vector<std::uint32_t>;
 
-/// Fewest triangles round a circumference.
+/// Smallest number of segments around a circumference.
 constexpr int kRound = 32;
 
 [[noreturn]] void tooFine(double sagitta) {
@@ -25,8 +25,8 @@ std::uint32_t addVertex(TriangleMesh& mesh, const Vector3d& p) {
   return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// How far a mesh with vertices on the unit sphere lies below the sphere: the rays from the centre meet
-/// a triangle nowhere nearer to the centre than its plane is.
+/// Sagitta of a mesh with vertices on the unit sphere: 1 minus the smallest distance of a triangle's plane
+/// from the centre.
 double unitSagitta(const TriangleMesh& mesh) {
   double least = 1.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -37,8 +37,8 @@ double unitSagitta(const TriangleMesh& mesh) {
   return 1.0 - least;
 }
 
-/// The coarsest mesh of `make(n)`, n >= `n`, whose sagitta on the unit sphere is small enough. make(n)
-/// has triangles(n) = per_square n^2 triangles.
+/// The coarsest mesh make(m), m >= `n`, whose sagitta on the unit sphere is small enough. make(n) has
+/// triangles(n) = per_square n^2 triangles.
 template <class Make>
 TriangleMesh refine(int n, double unit_sagitta, std::size_t per_square, const Make& make, double sagitta) {
   for (;;) {
@@ -47,7 +47,7 @@ TriangleMesh refine(int n, double unit_sagitta, std::size_t per_square, const Ma
     TriangleMesh mesh = make(n);
     const double found = unitSagitta(mesh);
     if (found <= unit_sagitta) return mesh;
-    // The sagitta falls with n^2.
+    // The sagitta is proportional to 1 / n^2.
     const double wanted =
         std::min(n * std::sqrt(found / unit_sagitta), static_cast<double>(kMaxTessellation));
     n = std::max(n + 1, static_cast<int>(wanted));
@@ -76,7 +76,8 @@ TriangleMesh icosphere(int n) {
   TriangleMesh mesh;
   for (const auto& c : corners) addVertex(mesh, c.normalized());
 
-  // Vertices inside an edge belong to two faces; they run from the edge's lower corner to its higher.
+  // Vertices on an edge are shared by two faces; they run from the edge's lower vertex index to its higher
+  // one.
   std::map<std::pair<std::uint32_t, std::uint32_t>, Ring> edges;
   const auto onEdge = [&](std::uint32_t from, std::uint32_t to, int k) {
     if (k == 0) return from;
@@ -115,7 +116,7 @@ TriangleMesh icosphere(int n) {
 }
 
 TriangleMesh stretchedBall(const Vector3d& semi_axes, double sagitta) {
-  // A ray's gap on the unit sphere is stretched by the longest semi-axis at most.
+  // A radial gap on the unit sphere is scaled by at most the longest semi-axis.
   constexpr int kMinDivision = 6;  // a great circle then meets more than kRound triangles
   TriangleMesh mesh = refine(kMinDivision, sagitta / semi_axes.maxCoeff(), 20, icosphere, sagitta);
   for (auto& p : mesh.vertices) p = p.cwiseProduct(semi_axes);
@@ -131,7 +132,7 @@ TriangleMesh box(const Vector3d& size) {
   return mesh;
 }
 
-/// `count` vertices round the z axis, the first on the side of +x.
+/// Adds `count` vertices around the z axis, the first at angle 0 (+x).
 Ring addRing(TriangleMesh& mesh, int count, double radius, double z) {
   Ring ring;
   for (int i = 0; i < count; ++i) {
@@ -141,15 +142,15 @@ Ring addRing(TriangleMesh& mesh, int count, double radius, double z) {
   return ring;
 }
 
-/// Closes the band between two rings that both begin at angle 0. Outward when `upper` lies above or,
-/// in a plane seen from above, inside of `lower`. One vertex stands for a ring shrunk to a point.
+/// Triangulates the band between two rings that both begin at angle 0. The triangles face outwards if `upper`
+/// lies above or, in a plane seen from above, inside of `lower`. A ring of radius 0 is one vertex.
 void stitch(TriangleMesh& mesh, const Ring& upper, const Ring& lower) {
   const std::size_t steps_up = upper.size() > 1 ? upper.size() : 0;
   const std::size_t steps_low = lower.size() > 1 ? lower.size() : 0;
   std::size_t i = 0, j = 0;
   while (i < steps_up || j < steps_low) {
     const auto u = upper[i % upper.size()], l = lower[j % lower.size()];
-    // Advances on the ring whose next vertex comes first; on the lower one when both are level.
+    // Advances on the ring whose next vertex comes first; on the lower one if both are at the same angle.
     if (i == steps_up || (j < steps_low && (j + 1) * steps_up <= (i + 1) * steps_low)) {
       ++j;
       mesh.triangles.push_back({u, l, lower[j % lower.size()]});
@@ -160,7 +161,7 @@ void stitch(TriangleMesh& mesh, const Ring& upper, const Ring& lower) {
   }
 }
 
-/// stitch() with the order of both rings turned for what faces downwards.
+/// stitch() with both rings reversed, for surfaces that face downwards.
 void stitchDown(TriangleMesh& mesh, const Ring& lower, const Ring& upper) {
   const std::size_t first = mesh.triangles.size();
   stitch(mesh, lower, upper);
@@ -175,7 +176,7 @@ int countRound(double radius, double sagitta) {
   return std::max(kRound, static_cast<int>(count));
 }
 
-/// Rings from z = half down to -half, at most four times as far apart as their vertices are.
+/// Rings from z = half to -half, spaced by at most four times the distance of their vertices.
 std::vector<Ring> addMiddle(TriangleMesh& mesh, int count, double radius, double half, double sagitta) {
   const double width = 2.0 * kPi * radius / count;
   const double wanted = std::ceil(2.0 * half / (4.0 * width));
@@ -191,7 +192,7 @@ std::vector<Ring> addMiddle(TriangleMesh& mesh, int count, double radius, double
   return rings;
 }
 
-/// A flat cap of rings that halve their count inwards, so that triangles stay compact.
+/// Flat cap of concentric rings whose vertex count halves inwards, so that triangles stay compact.
 void addCap(TriangleMesh& mesh, const Ring& rim, double radius, double z) {
   const auto join = [&](const Ring& inner, const Ring& outer) {
     z > 0.0 ? stitch(mesh, inner, outer) : stitchDown(mesh, inner, outer);
@@ -219,8 +220,8 @@ TriangleMesh tube(const Cylinder& s, double sagitta) {
   return mesh;
 }
 
-/// Half a ball above the ring `equator` of 4 n vertices (below it for sign -1): ring j of n has 4 j
-/// vertices, as on an octahedron.
+/// Hemisphere above the ring `equator` of 4 n vertices (below it for sign -1): ring j of n has 4 j vertices,
+/// as on an octahedron.
 void addDome(TriangleMesh& mesh, const Ring& equator, double radius, double z, double sign) {
   const auto join = [&](const Ring& inner, const Ring& outer) {
     sign > 0.0 ? stitch(mesh, inner, outer) : stitchDown(mesh, inner, outer);
@@ -246,7 +247,7 @@ TriangleMesh octahedralBall(int n) {
 
 TriangleMesh pill(const Capsule& s, double sagitta) {
   const TriangleMesh ball = refine(kRound / 4, sagitta / s.radius, 8, octahedralBall, sagitta);
-  // Both domes together are the ball of 8 n^2 triangles; the middle part bends less than they do.
+  // The two domes are a sphere of 8 n^2 triangles; the middle part has less curvature.
   const int count =
       4 * static_cast<int>(std::lround(std::sqrt(static_cast<double>(ball.triangles.size()) / 8.0)));
   TriangleMesh mesh;

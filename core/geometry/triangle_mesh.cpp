@@ -21,7 +21,7 @@ class KeptVertices {
     next_.reserve(most);
   }
 
-  /// Index of the kept vertex that stands for p; keeps p when there is none.
+  /// Index of the kept vertex within the tolerance of p; if there is none, p is kept as a new one.
   std::uint32_t estimateFloorFromScene(const Vector3d& p) {
     Vector3d cell = p;
     Vector3d side = Vector3d::Zero();
@@ -105,7 +105,7 @@ TriangleMesh weld(const TriangleMesh& mesh, double tolerance) {
     }
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.push_back(t);
   }
-  // A vertex whose triangles all collapsed is dropped, like one that no triangle used.
+  // Vertices that only degenerate triangles used are dropped, like unused ones.
   std::vector<std::uint32_t> place(kept.points().size(), kNone);
   for (auto& triangle : out.triangles) {
     for (auto& v : triangle) {

@@ -1,4 +1,4 @@
-// Triangles with shared vertices.
+// Triangle mesh with shared vertices.
 #pragma once
 
 #include <array>
@@ -32,16 +32,16 @@ struct Bounds {
 
 Bounds bounds(const TriangleMesh& mesh);
 
-/// Multiplies the coordinates by `scale`, one factor an axis, none 0. Where that mirrors the mesh, its
-/// triangles are turned, so that outside stays outside.
+/// Scales the coordinates by one non-zero factor for each axis. If that mirrors the mesh, the triangles are
+/// reversed, so that they still face outwards.
 void stretch(TriangleMesh& mesh, const Vector3d& scale);
 
-/// m^2.
+/// Surface area, m^2.
 double surfaceArea(const TriangleMesh& mesh);
 
-/// Merges vertices within `tolerance` (m; 0 merges equal ones) and drops triangles that collapse by it
-/// and vertices that no triangle uses. The first vertex of a cluster stands for the others, so none
-/// moves by more than the tolerance. Vertices are numbered in the order in which triangles use them.
+/// Merges vertices within `tolerance` (m; 0 merges equal ones), then drops degenerate triangles and unused
+/// vertices. A cluster is represented by its first vertex, so none moves by more than the tolerance. Vertices
+/// are numbered in the order in which triangles use them.
 TriangleMesh weld(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace abstand::geometry

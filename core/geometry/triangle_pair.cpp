@@ -22,13 +22,13 @@ void segments(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vec
   const Vector3d r = p - q;
   const double a = u.squaredNorm(), e = v.squaredNorm(), f = v.dot(r), c = u.dot(r), b = u.dot(v);
   const double across = a * e - b * b;
-  // Of parallel segments any s will do.
+  // For parallel segments any s is valid.
   const double s = across > 0.0 ? unitInterval((b * f - c * e) / across) : 0.0;
   const double t = unitInterval((b * s + f) / e);
   best.take(p + unitInterval((b * t - c) / a) * u, q + t * v);
 }
 
-/// The corner p and the point of the face of t under it, when there is one.
+/// Pair of the corner p and its projection onto the face of t, if it lies in the face.
 void corner(const Vector3d& p, const TriangleCorners& t, const Vector3d (&edge)[3], const Vector3d& normal,
             bool p_is_of_a, Best& best) {
   for (int i = 0; i < 3; ++i) {

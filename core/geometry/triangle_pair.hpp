@@ -1,4 +1,4 @@
-// The nearest points of two triangles.
+// Nearest points of two triangles.
 #pragma once
 
 #include <array>
@@ -14,10 +14,9 @@ struct NearestPair {
   double distance;  ///< m
 };
 
-/// The nearest points of two triangles that do not cut each other: each lies on an edge of one and an edge of
-/// the other, or is a corner of one and lies in the other's face. Of triangles that cut each other, the
-/// nearest pair of these. Exact to rounding where edges are not shorter than 1e-9 of the coordinates. No
-/// allocation, no throw; pure.
+/// Nearest points of two triangles that do not intersect: either both lie on edges, or one is a corner and
+/// the other lies in a face. For intersecting triangles, the nearest of these pairs. Exact up to rounding if
+/// edges are not shorter than 1e-9 of the coordinates. No allocation, no throw; pure.
 NearestPair nearestPoints(const TriangleCorners& a, const TriangleCorners& b) noexcept;
 
 }  // namespace abstand::geometry

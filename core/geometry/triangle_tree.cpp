@@ -1,4 +1,4 @@
-// Tree of axis-aligned boxes over triangles: nearest point of a mesh.
+// Bounding volume hierarchy of axis-aligned boxes over triangles: nearest point of a mesh.
 #include "core/geometry/triangle_tree.hpp"
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace abstand::geometry {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-// A box's squared distance in float may be too large by a few roundings; pruning allows for them.
+// A box's squared distance in float may be too large by a few rounding errors; pruning allows for them.
 constexpr float kPruneFactor = 1.0f + 8e-6f;
-// Rounding of a query point to float, relative to its size, and of the boxes' corners.
+// Rounding error of a query point in float, relative to its size, and of the boxes' corners.
 constexpr float kFloatSlack = 3e-7f;
-// How far a distance to a triangle in float may be off, relative to the sizes of query and tree: about ten
-// roundings, and a reserve.
+// Error bound of a float distance to a triangle, relative to the sizes of query and tree: about ten rounding
+// errors and a reserve.
 constexpr float kLeafSlack = 4e-6f;
-// The tree's depth is bounded by halving: 4 levels of stack entries for each level of the tree.
+// The tree's depth is limited by median splits; a level needs at most 4 stack entries.
 constexpr int kStack = 256;
 constexpr int kBins = 16;
 
@@ -39,8 +39,7 @@ struct TriangleTree::Local {
   Feature feature;
 };
 
-/// Builds the nodes depth-first; every split is decided by centroids alone, so the tree is the same on every
-/// run.
+/// Builds the nodes depth-first. Splits depend on centroids alone, so the tree is the same on every run.
 class TriangleTreeBuilder {
  public:
   TriangleTreeBuilder(const TriangleMesh& mesh, TriangleTree& tree) : mesh_(mesh), tree_(tree) {
@@ -80,8 +79,8 @@ class TriangleTreeBuilder {
     return box;
   }
 
-  // Splits by the surface area heuristic over bins along the longest axis of the centroids. Deep in a badly
-  // shaped tree, or where the bins do not part anything, at the median.
+  // Splits by the surface area heuristic over bins along the longest axis of the centroids; at the median
+  // deep in an unbalanced tree, or if the bins do not separate anything.
   std::uint32_t split(Range r, int depth) {
     Bounds centroids;
     for (std::uint32_t i = r.begin; i < r.end; ++i) centroids.add(centres_[order_[i]]);
@@ -207,7 +206,7 @@ class TriangleTreeBuilder {
     t.cx = ac.dot(t.ex);
     const Vector3d height = ac - t.cx * t.ex;
     t.cy = height.norm();
-    // A second step, as in a sliver `height` is mostly rounding along ex.
+    // Second orthogonalisation step: in a sliver `height` is mostly rounding along ex.
     t.ey = height / t.cy;
     t.ey = (t.ey - t.ey.dot(t.ex) * t.ex).normalized();
     t.n = t.ex.cross(t.ey);
@@ -228,8 +227,8 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   TriangleTreeBuilder(mesh, *this);
 }
 
-// In the plane of the triangle the nearest point is the projection, or lies on an edge that the projection is
-// outside of. Working in the triangle's own frame keeps slivers exact.
+// In the triangle's plane the nearest point is the projection, or lies on an edge that has the projection on
+// its outer side. Working in the triangle's own frame keeps slivers exact.
 TriangleTree::Local TriangleTree::closestLocal(const Triangle& t, const Vector3d& ap) {
   const double x = ap.dot(t.ex), y = ap.dot(t.ey), z = ap.dot(t.n);
   Local best{x, y, z * z, Feature::kFace};
@@ -284,7 +283,7 @@ TriangleTree::Nearest TriangleTree::closestOn(std::uint32_t slot, const Vector3d
   return {origin_ + t.a + aq, (ap - aq).norm(), slot, local.feature};
 }
 
-// The same as closestLocal without branches, for a leaf's triangles at once and in float.
+// closestLocal() without branches, in float, for all triangles of a leaf.
 Four TriangleTree::squaredDistances(const Leaf& leaf, const Eigen::Vector3f& q) {
   const Four px = q.x() - leaf.a[0], py = q.y() - leaf.a[1], pz = q.z() - leaf.a[2];
   const Four x = px * leaf.ex[0] + py * leaf.ex[1] + pz * leaf.ex[2];
@@ -307,14 +306,15 @@ Four TriangleTree::squaredDistances(const Node& node, const Eigen::Vector3f& low
   static_assert(kWidth == kLeafTriangles);
   Four d2{};
   for (int k = 0; k < 3; ++k) {
-    // At most one of the two is above zero; NaN stays, so that far beyond float no box is near.
+    // At most one of the two terms is positive; NaN is kept, so that beyond the range of float no box is
+    // near.
     const Four gap = max(Four{}, load(node.lower[k]) - high[k]) + max(Four{}, low[k] - load(node.upper[k]));
     d2 += gap * gap;
   }
   return d2;
 }
 
-// A slot near q, by the nearest box at each node.
+// A slot near q: descends to the nearest box at each node.
 std::uint32_t TriangleTree::descend(const Eigen::Vector3f& q) const {
   std::uint32_t index = 0;
   for (;;) {
@@ -377,8 +377,8 @@ TriangleTree::Nearest TriangleTree::closest(const Vector3d& p, std::uint32_t hin
       }
       continue;
     }
-    // With the hint's or the descent's triangle as a limit the order hardly matters; so nothing is sorted,
-    // and nothing depends on a branch that is hard to foresee.
+    // The hint's or descent's triangle already limits the distance, so the order hardly matters: children are
+    // not sorted, which avoids unpredictable branches.
     const Node& node = nodes_[entry.index];
     const Four d2 = squaredDistances(node, low, high);
     for (int c = 0; c < kWidth; ++c) {

@@ -14,9 +14,9 @@ namespace abstand::geometry {
 /// corner in the order of TriangleTree::corners; edge i runs from corner i to the next.
 enum class Feature : std::uint8_t { kFace, kEdge0, kEdge1, kEdge2, kCorner0, kCorner1, kCorner2 };
 
-/// Flat tree, four children a node, boxes in float rounded outwards, split by the surface area heuristic; the
-/// triangles in double, in leaf order ("slots"). Constant after construction; queries allocate nothing, do
-/// not throw, and their answer does not depend on the hint.
+/// Bounding volume hierarchy with four children for each node, boxes in float rounded outwards, split by the
+/// surface area heuristic; triangles in double, in leaf order ("slots"). Constant after construction. Queries
+/// allocate nothing, do not throw, and return the same result for any hint.
 class TriangleTree {
  public:
   static constexpr int kWidth = 4;
@@ -42,8 +42,8 @@ class TriangleTree {
   /// Triangles must have positive area; at least one.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Nearest point of all triangles (p nearer than 1e18 m); the smallest slot where triangles tie. `hint`:
-  /// slot of an earlier answer nearby, or kNone. Exact but for rounding of double.
+  /// Nearest point of all triangles (p nearer than 1e18 m); the smallest slot among equally near ones.
+  /// `hint`: slot of an earlier result nearby, or kNone. Exact up to rounding in double.
   Nearest closest(const Vector3d& p, std::uint32_t hint = kNone) const;
   /// Nearest point of one triangle.
   Nearest closestOn(std::uint32_t slot, const Vector3d& p) const;
@@ -55,7 +55,7 @@ class TriangleTree {
   int rotation(std::uint32_t slot) const { return triangles_[slot].rotation; }
   const Vector3d& normal(std::uint32_t slot) const { return triangles_[slot].n; }
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// The first slot of a leaf; the others follow it.
+  /// First slot of a leaf; its other slots follow.
   std::uint32_t firstSlot(std::uint32_t leaf) const { return leaves_[leaf].first; }
   /// The boxes of the nodes are relative to this point.
   const Vector3d& origin() const { return origin_; }
@@ -79,7 +79,7 @@ class TriangleTree {
     std::uint32_t rotation;
   };
   struct Local;
-  /// A leaf's triangles side by side in float, to tell which of them are worth a look in double. Unused lanes
+  /// Triangles of a leaf as a structure of arrays in float, to select those to test in double. Unused lanes
   /// repeat the last triangle.
   struct Leaf {
     using ArchivedAsBytes = void;
@@ -95,7 +95,7 @@ class TriangleTree {
   std::uint32_t descend(const Eigen::Vector3f& q) const;
 
   Vector3d origin_{Vector3d::Zero()};
-  float scale_{0.0f};  ///< largest coordinate of a box
+  float scale_{0.0f};  ///< largest absolute coordinate of a box
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<Leaf> leaves_;

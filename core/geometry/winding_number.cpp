@@ -73,7 +73,7 @@ WindingNumber::Sums WindingNumber::addNode(const TriangleTree& tree, std::uint32
 }
 
 double WindingNumber::at(const Vector3d& p, std::uint32_t without) const {
-  // As deep as the tree's own stack.
+  // Same size as the tree's stack.
   std::array<std::uint32_t, 256> stack;
   int top = 0;
   stack[top++] = 0;

@@ -7,23 +7,23 @@
 
 namespace abstand::geometry {
 
-/// How often the mesh winds round a point (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside a closed mesh, 0
-/// outside, in between near the holes of an open one. Far clusters of triangles count as one dipole each
+/// Generalised winding number (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside a closed mesh, 0 outside, in
+/// between near the holes of an open one. Far clusters of triangles are approximated by one dipole each
 /// (Barill, Dickson, Schmidt, Levin, Jacobson, Fast Winding Numbers 2018, first term). Constant after
 /// construction.
 class WindingNumber {
  public:
-  /// A cluster counts as a dipole from this multiple of its radius on. At 2.5 the error over closed meshes
-  /// stays below 0.05 (tests), a tenth of what decides between inside and outside.
+  /// A cluster is approximated beyond this multiple of its radius. At 2.5 the error over closed meshes stays
+  /// below 0.05 (tests), a tenth of the threshold between inside and outside.
   static constexpr double kFarRatio = 2.5;
 
   WindingNumber() = default;
   explicit WindingNumber(const TriangleTree& tree, const TriangleMesh& mesh);
 
-  /// Allocates nothing, does not throw. A triangle (slot of the tree) may be left out, so that the number on
-  /// a surface is the mean of its two sides.
+  /// Allocates nothing, does not throw. One triangle (slot of the tree) may be left out, so that the number
+  /// on a surface is the mean of its two sides.
   double at(const Vector3d& p, std::uint32_t without = TriangleTree::kNone) const;
-  /// Every triangle one by one: the reference.
+  /// Sum over every triangle, without approximation: the reference.
   double exactAt(const Vector3d& p, std::uint32_t without = TriangleTree::kNone) const;
   template <class Archive>
   void archive(Archive& ar) {
@@ -34,7 +34,7 @@ class WindingNumber {
   struct Dipole {
     Vector3d centre{Vector3d::Zero()};  ///< area-weighted
     Vector3d moment{Vector3d::Zero()};  ///< sum of area times normal, over 4 pi
-    double far2{kInfinity};             ///< squared distance from which on the cluster is far
+    double far2{kInfinity};             ///< squared distance beyond which the dipole is used
   };
   struct Corners {
     using ArchivedAsBytes = void;

@@ -1,4 +1,4 @@
-// Eight look-ups in a distance field at once. Internal to the engine; included by the kernels only.
+// Eight samples of a distance field at once. Internal to the engine; included by the kernels only.
 #pragma once
 
 #include "core/kernels/field_view.hpp"
@@ -11,14 +11,14 @@ struct Point8 {
   Float8 x, y, z;
 };
 
-/// f: the true signed distance is never below it. s: the best estimate.
+/// f: certified lower bound of the true signed distance. s: best estimate.
 struct Distance8 {
   Float8 f, s;
 };
 
 inline Float8 between(Float8 t, Float8 a, Float8 b) { return multiplyAdd(t, b - a, a); }
 
-/// The far field at any points; NaN gives 0.
+/// The far field at any point; NaN gives 0.
 inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   const Float8 x = p.x - splat(v.centre[0]), y = p.y - splat(v.centre[1]), z = p.z - splat(v.centre[2]);
   const Float8 r =
@@ -28,7 +28,7 @@ inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   const Float8 inv_h = lookUp(v.inv_h, level), h2 = lookUp(v.h2, level);
   const auto coordinate = [&](Float8 local, int axis, Int8& cell) {
     const Float8 g = multiplyAdd(local, inv_h, splat(v.middle[axis]));
-    // In this order NaN becomes 0.
+    // The argument order turns NaN into 0.
     const Float8 kept = max(min(g, splat(2.0f * v.middle[axis])), splat(0.0f));
     cell = min(truncate(kept), splatInt(v.n[axis] - 2));
     return kept - toFloat(cell);
@@ -37,7 +37,7 @@ inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   const Float8 tx = coordinate(x, 0, i), ty = coordinate(y, 1, j), tz = coordinate(z, 2, k);
   const int nx = v.n[0], nxy = v.n[0] * v.n[1];
   const Int8 at = ((level * splatInt(v.n[2]) + k) * splatInt(v.n[1]) + j) * splatInt(nx) + i;
-  // Of the squares, and of the distances themselves.
+  // Interpolates the squares; `plain` gets the interpolated distances.
   const auto along = [&](int offset, Float8& plain) {
     Float8 a, b;
     gatherTwo(v.values + offset, at, a, b);
@@ -60,15 +60,15 @@ inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   const Float8 inside_f = sqrt(max(summed - loss, zero)) - rounding;
   Distance8 d;
   d.f = max(select(beyond, from_ball, max(inside_f, from_ball)), zero);
-  // Exact before a plane is the interpolation, before a tip the bound. Near the body most of it is like a
-  // plane; farther away, about the middle.
+  // Interpolation is exact in front of a plane, the bound in front of a vertex. Near the body the surface is
+  // mostly like a plane; farther away the mean of both is used.
   const Mask8 near = toFloat(level) < splat(0.5f);
   const Float8 least = max(inside_f, zero);
   d.s = select(beyond, d.f, select(near, max(plain, least), splat(0.5f) * (plain + least)));
   return d;
 }
 
-/// Float and mixed fields: the near field where it is, the far one elsewhere.
+/// Float and mixed fields: the near field where it is stored, the far field elsewhere.
 class NearLanes {
  public:
   explicit NearLanes(const FieldView& field) : near_(field.near), far_(field.far) {}
@@ -83,7 +83,7 @@ class NearLanes {
     takeDeep(p, d);
     return d;
   }
-  /// f at the centres of spheres less their radii: below the true distance of all that is in them.
+  /// Lower bound of the distance of all points in the spheres.
   Float8 spheres(const Point8& p, Float8 radius) const {
     Float8 s;
     const Mask8 there = sample(p, s);
@@ -94,7 +94,7 @@ class NearLanes {
     takeDeep(p, d);
     return d.f - radius;
   }
-  /// As points(); where s is beyond `most`, some s beyond it.
+  /// Like points(); where s exceeds `most`, some value of s above it.
   Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
     if (!(most < near_.band)) return points(p, tree, first);
     Float8 s;
@@ -104,13 +104,14 @@ class NearLanes {
     if (bits(there) != 0xff) takeDeep(p, d);
     return d;
   }
-  /// m; by so much at most s exceeds the true distance.
+  /// m; largest excess of s over the true distance.
   float error() const { return near_.error_bound; }
-  /// Below every estimate s of points in the spheres that is at most `margin`: the true distance exceeds s by
-  /// no more than the error; and from a sample s falls by no more than the steepest slope, as long as the way
-  /// stays among the blocks or leaves them at a distance that cannot be lost again. Deep blocks err by more,
-  /// but whoever comes to one passes samples that are below -kInnerBand voxels and an error, and so below the
-  /// margin where that is not negative; where it is, the larger error counts and no slope does.
+  /// Lower bound of every estimate s <= `margin` of points in the spheres, from two arguments. The true
+  /// distance is at least s - error; and s falls from the sample at the centre by at most slope times radius,
+  /// as long as the path stays in stored blocks or leaves them at a distance that the slope cannot use up.
+  /// Deep blocks have a larger error, but a path into one passes samples below -kInnerBand voxels plus an
+  /// error, hence below a margin that is not negative; for a negative margin the larger error is used and the
+  /// slope is not.
   Float8 contacts(const Point8& p, Float8 radius, float margin) const {
     Float8 s;
     const Mask8 there = sample(p, s);
@@ -118,7 +119,7 @@ class NearLanes {
     const Float8 error = splat(any_depth ? near_.error_bound : near_.deep_error), band = splat(near_.band);
     Float8 f = lowerFromSample(s);
     if (bits(there) != 0xff) {
-      // Elsewhere the surface is farther than the band; what the far field knows is wanted where that is not
+      // Elsewhere the surface is farther than the band; the far field is sampled where that bound is not
       // enough.
       const int doubtful = bits(band - radius - error <= splat(margin)) & ~bits(there);
       Distance8 d{select(there, f, doubtful == 0 ? band : max(band, farAt(far_, p).f)), s};
@@ -134,7 +135,7 @@ class NearLanes {
  private:
   static constexpr int kRow = field::NearField::kVertices, kSlice = kRow * kRow;
 
-  /// In voxels from the grid's corner.
+  /// In voxels relative to the grid's corner.
   Point8 inGrid(const Point8& p) const {
     const Float8 inv_h = splat(near_.inv_h);
     return {(p.x - splat(near_.origin[0])) * inv_h, (p.y - splat(near_.origin[1])) * inv_h,
@@ -142,7 +143,7 @@ class NearLanes {
   }
   Mask8 within(const Point8& g) const {
     const Float8 zero = splat(0.0f);
-    // Written so that NaN fails.
+    // The form of the comparisons also rejects NaN.
     return (zero <= g.x) & (zero <= g.y) & (zero <= g.z) & (g.x < splat(near_.cells[0])) &
            (g.y < splat(near_.cells[1])) & (g.z < splat(near_.cells[2]));
   }
@@ -176,7 +177,7 @@ class NearLanes {
     return there;
   }
 
-  /// Sets the lanes that lie in deep blocks.
+  /// Sets the lanes in deep blocks.
   void takeDeep(const Point8& p, Distance8& d) const {
     if (near_.deep == nullptr) return;
     const Float8 zero = splat(0.0f);
@@ -205,9 +206,9 @@ class NearLanes {
     d = {select(deep, s - splat(near_.deep_error), d.f), select(deep, s, d.s)};
   }
 
-  /// Squared distances interpolate from above by at most 3/4 h^2 (far_field.hpp), so s >= sqrt(3)/2 h means
-  /// outside and at least sqrt(s^2 - 3/4 h^2) away, quanta and rounding aside; nearer, and inside, the
-  /// field's own bound holds.
+  /// Interpolation of squared distances is too large by at most 3/4 h^2 (far_field.hpp), so s >= sqrt(3)/2 h
+  /// proves outside and a distance of at least sqrt(s^2 - 3/4 h^2), apart from quantisation and rounding. For
+  /// smaller s the field's error bound is used.
   Float8 lowerFromSample(Float8 s) const {
     const Float8 zero = splat(0.0f);
     const Float8 plain = s - splat(near_.error_bound);
@@ -221,7 +222,7 @@ class NearLanes {
   const field::FarField::View& far_;
 };
 
-/// The thesis's layers, a lane at a time, with the far field beyond.
+/// The thesis's layers, one lane at a time, with the far field beyond.
 class LayeredLanes {
  public:
   explicit LayeredLanes(const FieldView& field) : field_(field) {}
@@ -268,7 +269,7 @@ class LayeredLanes {
   Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float) const {
     return points(p, tree, first);
   }
-  /// What contacts() gives is below the true distance here.
+  /// The result of contacts() is below the true distance here.
   float error() const { return 0.0f; }
   Float8 contacts(const Point8& p, Float8 radius, float) const {
     return spheres(p, radius) - splat(2.0f * kDiagonal * field_.voxel);
@@ -280,7 +281,7 @@ class LayeredLanes {
   bool voxelOf(const float p[3], int voxel[3]) const {
     for (int a = 0; a < 3; ++a) {
       const float local = (p[a] - field_.first_centre[a]) / field_.voxel;
-      // Written so that NaN fails.
+      // The form of the comparison also rejects NaN.
       if (!(local > -0.5f && local < static_cast<float>(field_.size[a]) - 0.5f)) return false;
       voxel[a] = static_cast<int>(local + 0.5f);
       if (voxel[a] >= field_.size[a]) return false;

@@ -1,4 +1,4 @@
-// What a search reads of two structures: plain numbers and pointers. Internal to the engine.
+// Read-only views of two structures for a search. Internal to the engine.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace abstand::kernels {
 
-/// One body's distance field, whatever its kind.
+/// Distance field of one body, of any kind.
 struct FieldView {
   enum class Kind : std::uint8_t { kNear, kLayered };
   Kind kind;
@@ -23,7 +23,7 @@ struct FieldView {
   field::LayerView layers;
 };
 
-/// A point-sphere tree seen from the frame F of the other body.
+/// Point-sphere tree of one body P with its pose in the frame F of the other body.
 struct TreeView {
   const shell::PointSphereTree::Family* families;
   const float *x, *y, *z, *nx, *ny, *nz, *area;

@@ -1,10 +1,9 @@
-// Eight floats at a time: AVX2 where the file is compiled for it, plain loops elsewhere. Internal to
-// the engine. Everything has internal linkage, because files that include it are compiled for different
-// machines.
+// SIMD of eight floats: AVX2 if the file is compiled for it, scalar loops otherwise. Internal to the engine.
+// Everything has internal linkage, because the including files are compiled for different instruction sets.
 //
-// Both ways give the same bits for the same arguments, NaN and signed zeros included (the bits inside of a
-// NaN aside), so that no result depends on the machine: every operation rounds once, none is fused or
-// approximate, and the lanes are combined in one order.
+// Both versions give the same bits for the same arguments, including NaN (except its payload) and signed
+// zeros, so that no result depends on the CPU: every operation rounds once, none is fused or approximate, and
+// lanes are combined in a fixed order.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +22,7 @@ struct Float8 {
 struct Int8 {
   __m256i v;
 };
-/// All bits of a lane are set or none is.
+/// Each lane has all bits set or none.
 struct Mask8 {
   __m256 v;
 };
@@ -46,7 +45,7 @@ inline Mask8 isAtLeastZero(Int8 a) {
   return {_mm256_castsi256_ps(_mm256_cmpgt_epi32(a.v, _mm256_set1_epi32(-1)))};
 }
 inline Mask8 isEqual(Int8 a, Int8 b) { return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))}; }
-/// Bit i: lane i.
+/// Mask of the lanes: bit i is lane i.
 inline int bits(Mask8 a) { return _mm256_movemask_ps(a.v); }
 inline Float8 select(Mask8 where, Float8 yes, Float8 no) { return {_mm256_blendv_ps(no.v, yes.v, where.v)}; }
 inline Int8 truncate(Float8 a) { return {_mm256_cvttps_epi32(a.v)}; }
@@ -60,13 +59,13 @@ template <int kBits>
 inline Int8 shiftRight(Int8 a) {
   return {_mm256_srli_epi32(a.v, kBits)};
 }
-/// 1 where the mask is set, else 0.
+/// 1 where the mask is set, otherwise 0.
 inline Int8 count(Mask8 a) { return {_mm256_srli_epi32(_mm256_castps_si256(a.v), 31)}; }
 /// table[at] for at in [0, 8).
 inline Float8 lookUp(const float* table, Int8 at) {
   return {_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), at.v)};
 }
-/// base[at] where the mask is set, else 0.
+/// base[at] where the mask is set, otherwise 0.
 inline Int8 gather(const std::uint32_t* base, Int8 at, Mask8 where) {
   return {_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(base), at.v,
                                       _mm256_castps_si256(where.v), 4)};
@@ -87,7 +86,7 @@ inline float leastOf(Float8 a) {
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));
   return _mm_cvtss_f32(_mm_min_ss(m, _mm_shuffle_ps(m, m, 1)));
 }
-/// The lanes' sum in double.
+/// Sum of the lanes in double.
 inline double sumOf(Float8 a) {
   const __m256d s = _mm256_add_pd(_mm256_cvtps_pd(_mm256_castps256_ps128(a.v)),
                                   _mm256_cvtps_pd(_mm256_extractf128_ps(a.v, 1)));
@@ -134,7 +133,7 @@ inline Float8 operator-(Float8 a, Float8 b) {
 inline Float8 operator*(Float8 a, Float8 b) {
   return forLanes<Float8>([&](int i) { return a.v[i] * b.v[i]; });
 }
-/// Like the machine's: the second where one is NaN.
+/// As the AVX2 instruction: b where one of them is NaN.
 inline Float8 min(Float8 a, Float8 b) {
   return forLanes<Float8>([&](int i) { return a.v[i] < b.v[i] ? a.v[i] : b.v[i]; });
 }
@@ -170,7 +169,7 @@ inline int bits(Mask8 a) {
 inline Float8 select(Mask8 where, Float8 yes, Float8 no) {
   return forLanes<Float8>([&](int i) { return where.v[i] ? yes.v[i] : no.v[i]; });
 }
-/// Only for what fits into an int; other values give the least one, as the machine's instruction does.
+/// Defined for values that fit into an int; others give the minimum int, as the AVX2 instruction does.
 inline Int8 truncate(Float8 a) {
   return forLanes<Int8>([&](int i) {
     return a.v[i] > -2147483648.0f && a.v[i] < 2147483648.0f ? static_cast<std::int32_t>(a.v[i]) : INT32_MIN;
@@ -215,14 +214,14 @@ inline void gatherTwo(const Value* base, Int8 at, Float8& first, Float8& second)
     second.v[i] = static_cast<float>(base[at.v[i] + 1]);
   }
 }
-/// In the order of the machine's, which decides between zeros and about NaN.
+/// Smallest lane; in the order of the AVX2 version, which decides between zeros and about NaN.
 inline float leastOf(Float8 a) {
   const auto lower = [](float x, float y) { return x < y ? x : y; };
   float m[4];
   for (int i = 0; i < 4; ++i) m[i] = lower(a.v[i], a.v[i + 4]);
   return lower(lower(m[0], m[2]), lower(m[1], m[3]));
 }
-/// In the order of the machine's.
+/// In the order of the AVX2 version.
 inline double sumOf(Float8 a) {
   double s[4];
   for (int i = 0; i < 4; ++i) s[i] = static_cast<double>(a.v[i]) + static_cast<double>(a.v[i + 4]);
@@ -231,7 +230,7 @@ inline double sumOf(Float8 a) {
 
 #endif
 
-/// a b + c, rounded twice: a fused operation would give other bits than machines without it.
+/// a b + c, rounded twice: a fused operation would give other bits than CPUs without it.
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 
 }  // namespace

@@ -7,13 +7,14 @@
 
 namespace abstand::kernels {
 
-/// Work space of one query. One per pair or thread; nothing in it outlives a call.
+/// Work space of one pair query. One for each pair or thread; no data persists between calls.
 struct PairScratch {
   struct Entry {
     float lower_bound;  ///< of the true distance of every point below the node
     std::uint32_t node;
   };
-  /// Depth-first with at most kFanout - 1 waiting siblings a level; a tree of 2^32 points has 11 levels.
+  /// Depth-first search with at most kFanout - 1 siblings on the stack for each level; a tree of 2^32 points
+  /// has 11 levels.
   Entry stack[16 * shell::PointSphereTree::kFanout];
 };
 

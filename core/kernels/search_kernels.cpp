@@ -1,4 +1,4 @@
-// Which searches this machine runs.
+// Selects the search kernels for this CPU.
 #include "core/kernels/search_kernels.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The searches themselves; included once by each file that compiles them for a kind of machine.
+// The search kernels; included once by each file that compiles them for an instruction set.
 #include "core/kernels/field_lanes.hpp"
 #include "core/kernels/search_kernels.hpp"
 
@@ -25,7 +25,7 @@ inline Point8 centresOf(const TreeView& tree, const Family& family) {
   return moved(tree.X_FP, load(family.cx), load(family.cy), load(family.cz));
 }
 
-/// The first lane that is at most `least`, which one of them is.
+/// Index of the first lane that is at most `least`; there is one.
 inline std::uint32_t laneOf(Float8 lanes, float least) {
   return static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(bits(lanes <= splat(least)) | 0x80)));
 }
@@ -37,7 +37,7 @@ inline Mask8 farther(const Point8& p, const Ball& ball, Float8 by) {
   return reach * reach < multiplyAdd(x, x, multiplyAdd(y, y, z * z));
 }
 
-/// The same for the points outside of a ball, without telling which is the nearest.
+/// Smallest lower bound over the points outside of a ball, without the point's index.
 template <class Lanes>
 float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ball, float best,
                     Entry* stack) {
@@ -71,8 +71,8 @@ float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ba
   return best;
 }
 
-/// Of points that seem as near (at a medial axis the field is level) the first in leaf order, so that
-/// searches that come by in another order take the same one.
+/// Among points with equal estimates (at a medial axis the field is level) the first in leaf order is taken,
+/// so that the result does not depend on the order of the search.
 inline void takeNearer(Float8 s, std::uint32_t first, NearestPoint& nearest) {
   const float least = leastOf(s);
   if (!(least < nearest.estimate || (least == nearest.estimate && first < nearest.point))) return;
@@ -105,7 +105,7 @@ class NearestSearch {
  private:
   void updateEnough() { enough_ = best_ > limits_.far_from ? best_ * (1.0f - limits_.far_part) : best_; }
 
-  /// Leaves at once, nearest first; inner nodes wait, the nearest on top.
+  /// Visits leaves at once, nearest first; pushes inner nodes, nearest on top.
   void visit(const Family& family) {
     const Float8 bound = lanes_.spheres(centresOf(tree_, family), load(family.radius));
     const Mask8 near = bound < splat(enough_);
@@ -162,7 +162,7 @@ class NearestSearch {
   NearestPoint nearest_{kNever, kNever, kNoPoint};
 };
 
-/// Forces and moments of points in contact, lane by lane, in the body frame of the field.
+/// Sums of forces and moments of the contact points for each lane, in the field body's frame.
 struct WrenchLanes {
   Float8 force[3], moment[3];
 
@@ -170,7 +170,8 @@ struct WrenchLanes {
     for (int k = 0; k < 3; ++k) force[k] = moment[k] = splat(0.0f);
   }
 
-  /// Each point of the leaf is pushed along its normal by so much. Inlined: a call would spill the sums.
+  /// Adds a force of magnitude `push` along the normal of each point of the leaf. Always inlined: a call
+  /// would spill the sums.
   [[gnu::always_inline]] void add(const TreeView& tree, std::uint32_t first, Float8 push) {
     const Point8 p = pointsAt(tree, first);
     const float* m = tree.X_FP;
@@ -196,7 +197,7 @@ struct WrenchLanes {
   }
 };
 
-/// Without kSearch, `nearest` is empty.
+/// Without kSearch, `nearest` stays empty.
 template <class Lanes, bool kSearch>
 ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const ContactLimits& limits,
                           Entry* stack) {
@@ -205,14 +206,14 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
   ContactSum sum{};
   sum.nearest = kNoPoint;
   Float8 deepest = zero;
-  WrenchLanes wrench;  // of one family's leaves
+  WrenchLanes wrench;  // of the leaves of one family
   float reach = limits.watch;
   NearestPoint nearest{kNever, limits.watch, kNoPoint};
-  Float8 visited = splat(kNever), dropped = splat(kNever);  // below the true distances of points
+  Float8 visited = splat(kNever), dropped = splat(kNever);  // lower bounds of the true distances of points
   const auto leaf = [&](std::uint32_t first, Float8 s) {
     if constexpr (kSearch) takeNearer(s, first, nearest);
     const Float8 area = load(tree.area + first);
-    // Copies that fill up a leaf have no area.
+    // Padding copies in a leaf have no area.
     const Mask8 touches = (s <= margin) & (zero < area);
     const int touching = bits(touches);
     if (touching == 0) {
@@ -234,7 +235,7 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
   while (top > 0) {
     const Family& family = tree.families[stack[--top].node];
     const Float8 bound = lanes.contacts(centresOf(tree, family), load(family.radius), reach);
-    // First all look-ups, which wait for memory, then what depends on them.
+    // All loads first, then the computations that depend on them: hides memory latency.
     std::uint32_t first[8];
     Float8 estimate[8];
     int leaves = 0;
@@ -303,7 +304,7 @@ float support(const PointArrays& points, float gx, float gy, float gz) {
 std::size_t extreme(const PointArrays& points, float gx, float gy, float gz) {
   const auto& [x, y, z, count] = points;
   const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
-  // Whole numbers below 2^24 are exact in float.
+  // Integers below 2^24 are exact in float.
   Float8 most = splat(-kNever), where = splat(0.0f);
   for (std::size_t i = 0; i < count; i += 8) {
     const Float8 h = multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i)));

@@ -1,5 +1,5 @@
-// The searches for machines with AVX2; this file alone is compiled for them. Without -mfma: a fused operation
-// rounds once where others round twice, and every machine gives the same bits.
+// Search kernels for AVX2; only this file is compiled with -mavx2. Without -mfma: a fused operation rounds
+// once instead of twice, and all CPUs must give the same bits.
 #include "core/kernels/search_kernels.inl"
 
 namespace abstand::kernels {

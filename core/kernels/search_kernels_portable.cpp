@@ -1,4 +1,4 @@
-// The searches for any machine.
+// Search kernels for any CPU.
 #include "core/kernels/search_kernels.inl"
 
 namespace abstand::kernels {

@@ -1,4 +1,4 @@
-// How near something of a person came to a robot over one recording.
+// Clearance of a person's parts and a robot over one recording.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,27 @@
 
 namespace abstand::margin {
 
-/// The frames of one recording. A clearance is certified: distance - bound - pose uncertainty (m), so the
-/// true distance is never below it; -infinity where a body was not seen at all. All lists have one entry a
-/// frame.
+/// Frames of one recording. Clearances are certified: distance - bound - pose uncertainty (m), a lower bound
+/// of the true distance; -infinity if a body was not seen at all. All lists have one entry for each frame.
 struct ClearanceTrack {
-  std::vector<double> t;          ///< s, rising
+  std::vector<double> t;          ///< s, increasing
   std::vector<double> clearance;  ///< m, at the frame
-  /// m: certified least distance from frame i to frame i + 1, both bodies in step with the recording;
-  /// +infinity in the last frame, behind which nothing is known.
+  /// m: certified minimum from frame i to frame i + 1, both bodies moving as recorded; +infinity in the last
+  /// frame.
   std::vector<double> between;
-  /// m: certified least distance from frame i until the robot is at rest, when it is told to stop at frame i
-  /// and the person goes on as recorded; +infinity where the robot does not move.
+  /// m: certified minimum from frame i until the robot is at rest, if a stop is commanded at frame i and the
+  /// person moves on as recorded; +infinity if the robot does not move.
   std::vector<double> braking;
 
   std::size_t frames() const { return t.size(); }
   double duration() const { return t.empty() ? 0.0 : t.back() - t.front(); }
 };
 
-/// Throws UsageError for lists of different lengths, times that do not rise and NaN.
+/// Throws UsageError for lists of different lengths, times that do not increase, and NaN.
 void validate(const ClearanceTrack& track);
 
-/// Frame by frame the least of several tracks of one recording. Throws UsageError for none and for tracks
-/// with other times.
+/// Frame-wise minimum of several tracks of one recording. Throws UsageError for no tracks and for tracks with
+/// different times.
 ClearanceTrack leastOf(std::span<const ClearanceTrack* const> tracks);
 
 }  // namespace abstand::margin

@@ -1,4 +1,4 @@
-// What a safety margin would have done over a recording.
+// Outcome of a safety margin over a recording.
 #pragma once
 
 #include <optional>
@@ -8,34 +8,34 @@
 namespace abstand::margin {
 
 struct MarginOptions {
-  /// m: a clearance at or below it while the robot moves is what margins are to prevent; 0: touching.
+  /// m: margins shall prevent a clearance at or below this while the robot moves; 0: contact.
   double limit{0.0};
-  double restart_time{0.0};  ///< s, from the end of an intrusion until the robot goes on
+  double restart_time{0.0};  ///< s, from the end of an intrusion until the robot moves again
 };
 
 /// Throws UsageError.
 void validate(const MarginOptions& options);
 
-/// A stretch of frames in which the clearance was below the margin. The robot is told to stop at `begin`.
+/// A stretch of frames with a clearance below the margin. A stop is commanded at `begin`.
 struct Intrusion {
   std::size_t begin{0}, end{0};     ///< first frame inside, first frame outside again (or number of frames)
-  double min_clearance{0.0};        ///< m, at the frames and between them, had the robot not stopped
+  double min_clearance{0.0};        ///< m, minimum at and between the frames, if the robot had not stopped
   double braking{0.0};              ///< m, ClearanceTrack::braking at `begin`
-  bool false_stop{false};           ///< certainly never at the limit, even without a stop
-  bool missed{false};               ///< not certain to stay above the limit until the robot is at rest
-  std::optional<double> lead_time;  ///< s, from `begin` to the first clearance at the limit without a stop
+  bool false_stop{false};           ///< the limit would certainly have been kept without a stop
+  bool missed{false};               ///< the limit is not certainly kept until the robot is at rest
+  std::optional<double> lead_time;  ///< s, from `begin` to the first clearance at the limit, without a stop
 };
 
-/// Counts over one or more recordings. "Missed" and "false" are decided on certified clearances: what is not
-/// known counts as missed, and as no false stop.
+/// Counts over one or more recordings. Missed and false stops are decided on certified clearances: unknown
+/// counts as missed, and not as a false stop.
 struct MarginOutcome {
   long stops{0}, false_stops{0}, missed_stops{0};
-  /// Frames outside the margin before whose next frame the limit was reached: nobody was told to stop. In
-  /// missed_stops too.
+  /// Frames outside of the margin before whose next frame the limit was reached: no stop was commanded.
+  /// Included in missed_stops.
   long unseen{0};
   double stopped_time{0.0}, time{0.0};  ///< s
-  double min_clearance{kInfinity};      ///< m, while the robot moved, with the stops; certified
-  std::optional<double> lead_time;      ///< s, the shortest
+  double min_clearance{kInfinity};      ///< m, certified, while the robot moved, with the stops
+  std::optional<double> lead_time;      ///< s, shortest
 
   double stoppedShare() const { return time > 0.0 ? stopped_time / time : 0.0; }
   void add(const MarginOutcome& other);

@@ -8,7 +8,7 @@ void OutcomeStream::start(double t) {
   if (!begun_) first_ = t;
   begun_ = true;
   last_ = t;
-  // What ended before this frame is not cut off by the end of the recording.
+  // Intervals that ended before this frame are not truncated by the end of the recording.
   auto open = stopped_.begin();
   for (; open != stopped_.end() && open->until <= t; ++open)
     outcome_.stopped_time += std::max(0.0, open->until - open->from);

@@ -1,4 +1,4 @@
-// What a safety margin would have done, frame by frame.
+// Outcome of a safety margin, computed frame by frame.
 #pragma once
 
 #include <functional>
@@ -8,13 +8,13 @@
 
 namespace abstand::margin {
 
-/// One frame of a recording, of all pairs that one rule watches together.
+/// One frame of a recording, for all pairs that one rule watches together.
 struct MarginFrame {
   double t{0.0};                ///< s
-  bool inside{false};           ///< some pair is inside its margin: the robot is told to stop
-  double clearance{kInfinity};  ///< m, the least
-  double between{kInfinity};    ///< m, ClearanceTrack::between, the least
-  double braking{kInfinity};    ///< m, ClearanceTrack::braking, the least
+  bool inside{false};           ///< a pair is inside its margin: a stop is commanded
+  double clearance{kInfinity};  ///< m, minimum
+  double between{kInfinity};    ///< m, ClearanceTrack::between, minimum
+  double braking{kInfinity};    ///< m, ClearanceTrack::braking, minimum
 };
 
 /// Consecutive frames of one kind: all inside, or all outside.
@@ -29,19 +29,19 @@ struct MarginFrames {
 /// A stop: from the first frame inside a margin to the first one outside again.
 struct Stop {
   double begin{0.0}, end{0.0};      ///< s
-  double min_clearance{kInfinity};  ///< m, had the robot not stopped
+  double min_clearance{kInfinity};  ///< m, if the robot had not stopped
   double braking{kInfinity};        ///< m, until the robot is at rest
   bool false_stop{false}, missed{false};
-  std::optional<double> lead_time;  ///< s, as of Intrusion
+  std::optional<double> lead_time;  ///< s, as in Intrusion
 };
 
-/// Judges frames as they come and keeps none of them: memory does not grow with the recording. The rules are
-/// those of outcome(). One thread.
+/// Online version of outcome(): stores no frames, so memory does not grow with the recording. Same rules as
+/// outcome(). One thread.
 class OutcomeStream {
  public:
   explicit OutcomeStream(const MarginOptions& options) : options_(options) {}
 
-  /// Times rise.
+  /// Times must increase.
   void add(const MarginFrame& frame);
   /// The same for consecutive frames that are all outside, or all inside.
   void addOutside(const MarginFrames& frames);
@@ -52,7 +52,7 @@ class OutcomeStream {
   /// Called at the end of each stop.
   std::function<void(const Stop&)> on_stop;
 
-  /// After the last frame; once.
+  /// Call once, after the last frame.
   MarginOutcome finish();
 
  private:
@@ -66,9 +66,9 @@ class OutcomeStream {
   MarginOutcome outcome_;
   bool begun_{false}, running_{false};
   double first_{0.0}, last_{0.0};  ///< s
-  Stop stop_;                      ///< the one that runs
+  Stop stop_;                      ///< the current stop
   double stopped_until_{-kInfinity};
-  std::vector<Interval> stopped_;  ///< whose end may lie behind the last frame
+  std::vector<Interval> stopped_;  ///< their ends may lie after the last frame
 };
 
 }  // namespace abstand::margin

@@ -8,7 +8,7 @@
 namespace abstand::margin {
 
 double PairMargin::at(double robot_speed, double person_speed) const {
-  // A speed that is not known is infinite, and only matters where it counts.
+  // An unknown speed is infinite; it must not turn a factor of 0 into NaN.
   double needed = margin;
   if (robot_time > 0.0) needed += robot_time * std::max(0.0, robot_speed);
   if (person_time > 0.0) needed += person_time * std::max(0.0, person_speed);

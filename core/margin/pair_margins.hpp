@@ -1,4 +1,4 @@
-// Margins of single pairs, and what many sets of them would have done.
+// Speed-dependent margins of single pairs, and the outcome of many sets of them.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,19 @@
 
 namespace abstand::margin {
 
-/// The margin of a pair of a body part and a link. It grows with the speeds at which the nearest points of
-/// the two bodies go towards each other; a body that goes away adds nothing.
+/// Margin of a pair of a body part and a link. It increases with the approach speeds of the nearest points of
+/// the two bodies; a receding body adds nothing.
 struct PairMargin {
   double margin{0.0};       ///< m
   double robot_time{0.0};   ///< s: m per m/s of the link
   double person_time{0.0};  ///< s: m per m/s of the part
 
-  /// m, at these speeds (m/s).
+  /// Margin (m) at these speeds (m/s).
   double at(double robot_speed, double person_speed) const;
   bool operator==(const PairMargin&) const = default;
 };
 
-/// Throws UsageError for what is negative or not finite.
+/// Throws UsageError for values that are negative or not finite.
 void validate(const PairMargin& margin);
 
 /// One frame of a recording. Lists have an entry for each pair.
@@ -30,7 +30,7 @@ struct PairFrame {
   double t{0.0};                                      ///< s
   std::span<const double> clearance;                  ///< m, certified
   std::span<const double> robot_speed, person_speed;  ///< m/s, towards each other
-  double between{kInfinity}, braking{kInfinity};      ///< m, the least of all pairs
+  double between{kInfinity}, braking{kInfinity};      ///< m, minimum over all pairs
 };
 
 /// The outcomes of many sets of margins, a margin for each pair in each set, in one pass over a recording.
@@ -43,9 +43,9 @@ class PairMarginSets {
   PairMarginSets(std::vector<std::vector<PairMargin>> sets, const MarginOptions& options);
 
   void add(const PairFrame& frame);
-  /// Of each set, in order. After the last frame; once.
+  /// Outcome of each set, in order. Call once, after the last frame.
   std::vector<MarginOutcome> finish();
-  /// Called at the end of each stop with the number of the set.
+  /// `hear` is called at the end of each stop with the index of the set.
   void onStop(const std::function<void(std::size_t set, const Stop& stop)>& hear);
 
  private:

@@ -8,10 +8,10 @@ namespace abstand::margin {
 void SafeMarginWatch::add(double clearance, double between, double braking) {
   judged_ = judged_ || braking > options_.limit;
   if (judged_) {
-    // A clearance that does not fall tells no stop at this frame.
+    // A clearance that does not decrease commands no stop at this frame.
     if (braking <= options_.limit && before_ > clearance)
       need(before_, std::isinf(before_) ? 0.0 : before_ - clearance);
-    // What happens before the next frame is prevented only by a stop that was told at this one or earlier.
+    // Events before the next frame are prevented only by a stop commanded at this frame or earlier.
     if (between <= options_.limit) need(clearance, std::max(0.0, clearance - between));
     before_ = clearance;
   }

@@ -1,4 +1,4 @@
-// The smallest margin that would have missed no stop.
+// Smallest margin without a missed stop.
 #pragma once
 
 #include <optional>
@@ -7,29 +7,29 @@
 
 namespace abstand::margin {
 
-/// Exact, not searched: a stop at frame b is told by the margins in (clearance[b], clearance[b - 1]] and by
-/// no other. Where it comes too late (braking[b] at or below the limit), all of these miss; so the margins
-/// above the largest such clearance[b - 1] miss nothing.
+/// Exact, without search: a stop at frame b is commanded by exactly the margins in (clearance[b], clearance[b
+/// - 1]]. If it is too late (braking[b] at or below the limit), all of these miss; so margins above the
+/// largest such clearance[b - 1] miss no stop.
 struct SafeMargin {
-  /// m: every margin above it misses no stop; 0 where even none would have missed one; infinite where the
-  /// robot could not have stopped in time from the first frame on.
+  /// m: every larger margin misses no stop; 0 if even a margin of 0 misses none; infinite if the robot could
+  /// not have stopped in time from the first frame on.
   double margin{0.0};
-  std::size_t frame{0};  ///< the frame b that decides it; only with `decided`
-  bool decided{false};   ///< some stop would have come too late with a smaller margin
-  /// m, of `margin`: by how much the clearance fell in the one frame before the stop was told, or behind the
-  /// last frame outside. A camera that looks more often needs so much less at most.
+  std::size_t frame{0};  ///< the frame b that determines it; only if `decided`
+  bool decided{false};   ///< a stop would have been too late with a smaller margin
+  /// m, part of `margin`: decrease of the clearance in the one frame before the stop command, or after the
+  /// last frame outside. The largest gain of a higher frame rate.
   double sampling{0.0};
 };
 
-/// Finds the smallest safe margin frame by frame and keeps no frame. Frames before the first one from which a
-/// margin can be judged (firstJudgedFrame) are passed over. One thread.
+/// Finds the smallest safe margin frame by frame, without storing frames. Skips frames before the first one
+/// from which a margin can be judged (firstJudgedFrame). One thread.
 class SafeMarginWatch {
  public:
-  /// `from_start`: no frame is passed over.
+  /// `from_start`: no frame is skipped.
   explicit SafeMarginWatch(const MarginOptions& options, bool from_start = false)
       : options_(options), judged_(from_start) {}
 
-  /// m: the values of ClearanceTrack at the next frame.
+  /// Values (m) of ClearanceTrack at the next frame.
   void add(double clearance, double between, double braking);
   /// Its frame counts from the first add().
   const SafeMargin& value() const { return safe_; }
@@ -42,14 +42,14 @@ class SafeMarginWatch {
   SafeMargin safe_;
   std::size_t frames_{0};
   bool judged_;
-  double before_{kInfinity};  ///< m, clearance one frame before
+  double before_{kInfinity};  ///< m, clearance of the previous frame
 };
 
-/// Of the whole track, from its first frame on.
+/// Smallest safe margin of the whole track, from its first frame on.
 SafeMargin smallestSafeMargin(const ClearanceTrack& track, const MarginOptions& options);
 
-/// The first frame from which on a margin can be judged: before it the recording begins with the person so
-/// near, or so unknown, that the robot could not have stopped in time whatever the margin. frames() where
+/// The first frame from which a margin can be judged: before it the person is so near, or so uncertain, at
+/// the start of the recording that the robot could not have stopped in time with any margin. frames() if
 /// there is none.
 std::size_t firstJudgedFrame(const ClearanceTrack& track, const MarginOptions& options);
 

@@ -1,5 +1,5 @@
-// Four floats side by side, for loops that a compiler does not put together by itself (Eigen's select(), for
-// one, goes lane by lane).
+// Four floats as a SIMD vector, for loops that the compiler does not vectorise by itself (Eigen's select(),
+// for example, works lane by lane).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace abstand {
 
-/// Arithmetic and comparisons go lane by lane, also with a single float; `where ? a : b` chooses by lane.
+/// Arithmetic and comparisons are per lane, also with a scalar float; `where ? a : b` selects per lane.
 using Four [[gnu::vector_size(16)]] = float;
 using FourInts [[gnu::vector_size(16)]] = int;
 
@@ -20,7 +20,7 @@ inline Four load(const Eigen::Array4f& a) { return load(a.data()); }
 inline void storeFour(Four a, float* p) {
   for (int i = 0; i < 4; ++i) p[i] = a[i];
 }
-/// The second where one is NaN.
+/// Per-lane minimum; b where one of them is NaN.
 inline Four min(Four a, Four b) { return a < b ? a : b; }
 inline Four max(Four a, Four b) { return a > b ? a : b; }
 inline Four abs(Four a) { return max(a, -a); }
@@ -31,7 +31,7 @@ inline Four sqrt(Four a) {
   return Four{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 #endif
 }
-/// Bit i: lane i.
+/// Mask of the lanes: bit i is lane i.
 inline int bits(FourInts where) {
 #ifdef __SSE2__
   return _mm_movemask_ps(reinterpret_cast<__m128>(where));
@@ -46,7 +46,7 @@ inline float leastOf(Four a) {
 }
 inline float largestOf(Four a) { return -leastOf(-a); }
 
-/// Turns rows into columns.
+/// Transposes the 4x4 matrix whose rows are a, b, c, d.
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four ab = __builtin_shufflevector(a, b, 0, 4, 1, 5), cd = __builtin_shufflevector(c, d, 0, 4, 1, 5),
              AB = __builtin_shufflevector(a, b, 2, 6, 3, 7), CD = __builtin_shufflevector(c, d, 2, 6, 3, 7);

@@ -3,7 +3,7 @@
 namespace abstand {
 
 Vector3d rotationBetween(const Matrix3d& R_WFrom, const Matrix3d& R_WTo) {
-  // By the quaternion, whose vector part keeps small angles to full precision.
+  // Through the quaternion, whose vector part keeps small angles at full precision.
   const Eigen::AngleAxisd turn(Quaterniond(Matrix3d(R_WTo * R_WFrom.transpose())).normalized());
   return turn.angle() * turn.axis();
 }

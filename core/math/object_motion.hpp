@@ -1,4 +1,4 @@
-// Velocities of an object from its last poses.
+// Velocity of an object, estimated from its last poses.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace abstand {
 /// angle, at most pi.
 Vector3d rotationBetween(const Matrix3d& R_WFrom, const Matrix3d& R_WTo);
 
-/// The last steps between poses. No allocation.
+/// The last kPoses steps between poses. Allocates nothing.
 template <int kPoses>
 class MotionHistory {
  public:
@@ -22,7 +22,7 @@ class MotionHistory {
     started_ = true;
   }
 
-  /// A step of `dt` > 0 s: the way of the centre of mass (m) and the rotation vector (rad), world axes.
+  /// Adds a step of `dt` > 0 s: displacement of the centre of mass (m) and rotation vector (rad), world axes.
   void add(double dt, const Vector3d& way, const Vector3d& rotation) {
     ring_[static_cast<std::size_t>(next_)] = {dt, way, rotation};
     next_ = (next_ + 1) % kSteps;
@@ -43,7 +43,7 @@ class MotionHistory {
     return {sum.linear / time, sum.angular / time};
   }
 
-  /// Like mean(), but a step counts `fade` (0 to 1) times as much as the one after it. 0: the last one alone.
+  /// Like mean(), but each step has `fade` (0 to 1) times the weight of the next one. 0: the last step alone.
   Twist fadedMean(double fade) const {
     Twist sum;
     double time = 0.0, weight = 1.0;

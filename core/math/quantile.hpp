@@ -5,20 +5,20 @@
 
 namespace abstand {
 
-// n values have an exact quantile at n shares only; between them there are three customs, and results, tests
-// and published figures rest on each of them. All give one of the values, never a mean of two; NaN of none.
-// `share`: 0 to 1.
+// n values have an exact quantile at n shares only. Between them there are three conventions, and results,
+// tests and published figures depend on each. All three return one of the values, never an average of two,
+// and NaN for no values. `share`: 0 to 1.
 
-/// The smallest value that at least this share of the values do not exceed: number ceil(share n), counted
-/// from 1. Never below what it speaks for, so figures of errors use it.
+/// Smallest value v such that at least this share of the values is <= v: the value number ceil(share n),
+/// counted from 1. Never underestimates, so error figures use it.
 double lowerQuantile(std::vector<double> values, double share);
 
-/// The smallest value that more than this share of the values do not exceed: number floor(share n) + 1; the
-/// largest for 1.
+/// Smallest value v such that more than this share of the values is <= v: the value number floor(share n) +
+/// 1; the largest for share 1.
 double upperQuantile(std::vector<double> values, double share);
 
-/// The value whose place is nearest to share (n - 1), counted from 0, of two equally near ones the upper. The
-/// same from either end but for that, so estimates from recordings use it.
+/// The sorted value whose index is nearest to share (n - 1), counted from 0; the upper one of two equally
+/// near. Symmetric except for that tie, so estimates from recordings use it.
 double nearestQuantile(std::vector<double> values, double share);
 
 }  // namespace abstand

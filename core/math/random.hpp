@@ -8,7 +8,7 @@
 
 namespace abstand {
 
-/// A stream of its own for each pair (seed, index): splitmix64 (Steele, Lea, Flood 2014).
+/// A separate stream for each pair (seed, index): splitmix64 (Steele, Lea, Flood 2014).
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t index)
@@ -34,7 +34,7 @@ class Random {
     const double z = between(-1.0, 1.0), a = between(0.0, 2.0 * kPi), r = std::sqrt(1.0 - z * z);
     return {r * std::cos(a), r * std::sin(a), z};
   }
-  /// Uniform (Shoemake 1992).
+  /// Uniformly distributed rotation (Shoemake 1992).
   Matrix3d rotation() {
     const double u = unit(), v = between(0.0, 2.0 * kPi), w = between(0.0, 2.0 * kPi);
     const double a = std::sqrt(1.0 - u), b = std::sqrt(u);

@@ -36,7 +36,7 @@ double neatNumber(double value, double tolerance) {
 
 Vector3d neatRollPitchYaw(const Matrix3d& R) {
   const Vector3d rpy = rollPitchYaw(R);
-  // The other triple of angles of the same rotation, for a pitch beyond 90 degrees.
+  // The other triple of angles of the same rotation, with pitch beyond 90 degrees.
   const auto turned = [](double angle) { return angle > 0.0 ? angle - kPi : angle + kPi; };
   const Vector3d other(turned(rpy.x()), std::copysign(kPi, rpy.y()) - rpy.y(), turned(rpy.z()));
   constexpr std::array kTolerances{1e-9, 1e-12, 2e-15, 0.0};

@@ -1,19 +1,19 @@
-// Fixed-axis angles of a rotation, as URDF and scene files have them, and numbers that people like to read.
+// Roll, pitch, yaw of a rotation, as in URDF and scene files; numbers with few digits.
 #pragma once
 
 #include "core/math/transform.hpp"
 
 namespace abstand {
 
-/// Roll, pitch, yaw (rad) with R = Rz(yaw) Ry(pitch) Rx(roll), also near a pitch of 90 degrees, where roll
-/// and yaw are one: yaw is taken from what roll leaves of R.
+/// Roll, pitch, yaw (rad) with R = Rz(yaw) Ry(pitch) Rx(roll). Near gimbal lock (pitch of 90 degrees) roll
+/// and yaw are one angle: yaw is then computed from R with the roll removed.
 Vector3d rollPitchYaw(const Matrix3d& R);
 
-/// Short angles that give the same matrix to the bit: what a person wrote, as a rule. Where there are none,
-/// the angles as computed.
+/// Angles with few digits that give exactly the same matrix, usually those that a person wrote. If there are
+/// none, the angles as computed.
 Vector3d neatRollPitchYaw(const Matrix3d& R);
 
-/// The decimal with the fewest digits within `tolerance` of the value; 0 where that is within it.
+/// The decimal with the fewest digits within `tolerance` of the value; 0 if that is within it.
 double neatNumber(double value, double tolerance);
 
 }  // namespace abstand

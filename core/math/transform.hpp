@@ -53,7 +53,7 @@ inline Transform fromXyzRpy(const Vector3d& xyz, const Vector3d& rpy) {
   return X;
 }
 
-/// Every entry finite and the rotation orthonormal and right-handed within `tolerance`.
+/// True if every entry is finite and the rotation is orthonormal and right-handed within `tolerance`.
 inline bool isPose(const Transform& X, double tolerance = 1e-6) {
   if (!X.matrix().allFinite()) return false;
   const Matrix3d R = X.linear();

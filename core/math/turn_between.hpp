@@ -1,13 +1,13 @@
-// The shortest turn from one direction to another.
+// Shortest rotation from one direction to another.
 #pragma once
 
 #include "core/math/transform.hpp"
 
 namespace abstand {
 
-/// The rotation of the smallest angle that turns `from` onto `to` (any lengths but zero). Of the many half
-/// turns between opposite directions one is taken, always the same. Out of line: Eigen's decides that
-/// case by a singular value decomposition, which takes the compiler longer than the files that need the turn.
+/// The rotation by the smallest angle that maps the direction of `from` to that of `to` (any lengths except
+/// zero). For opposite directions, one of the half turns, always the same. Defined out of line: Eigen's
+/// setFromTwoVectors instantiates a singular value decomposition for that case, which is slow to compile.
 Quaterniond turnBetween(const Vector3d& from, const Vector3d& to);
 
 }  // namespace abstand

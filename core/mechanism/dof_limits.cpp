@@ -6,7 +6,7 @@
 namespace abstand::mechanism {
 namespace {
 
-/// The frame whose joint leads each dof, null: none has it.
+/// The frame whose joint leads each dof; null if none does.
 std::vector<const MechanismFrame*> leaders(const Mechanism& mechanism) {
   std::vector<const MechanismFrame*> found(static_cast<std::size_t>(mechanism.dof), nullptr);
   for (const auto& f : mechanism.frames) {

@@ -1,4 +1,4 @@
-// Forward dynamics by the factored mass matrix, and energy.
+// Forward dynamics by Cholesky factorisation of the mass matrix; energy.
 #include "core/mechanism/forward_dynamics.hpp"
 
 #include "core/base/error.hpp"

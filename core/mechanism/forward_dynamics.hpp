@@ -1,4 +1,4 @@
-// Accelerations that joint efforts cause.
+// Forward dynamics: accelerations from joint efforts.
 #pragma once
 
 #include "core/mechanism/inverse_dynamics.hpp"
@@ -12,13 +12,13 @@ struct ForwardState {
   MassMatrix mass;
 };
 
-/// qdd = M^-1 (efforts - C qd - g + sum of J^T w), arguments as in inverseDynamics(); `efforts` empty for
-/// none. Gives -1, or the dof that moves no mass; then `qdd` is not to be used. No allocation after the first
-/// call with the same state. Leaves M factored in `state.mass`.
+/// qdd = M^-1 (efforts - C qd - g + sum of J^T w), arguments as in inverseDynamics(); empty `efforts` count
+/// as 0. Returns -1, or the dof that moves no mass; then `qdd` is invalid. No allocation after the first call
+/// with the same state. Leaves M factored in `state.mass`.
 int forwardDynamics(const RigidTree& tree, const JointMotion& motion, std::span<const double> efforts,
                     const Loads& loads, ForwardState& state, std::span<double> qdd);
 
-/// J, kinetic (of `qd`) and potential (0 at the base's origin) energy, for constant gravity.
+/// Kinetic (of `qd`) and potential energy (J; 0 at the base's origin) under constant gravity.
 struct MechanicalEnergy {
   double kinetic{0.0}, potential{0.0};
   double total() const { return kinetic + potential; }

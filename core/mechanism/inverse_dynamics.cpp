@@ -17,7 +17,8 @@ void inverseDynamics(const RigidTree& tree, const JointMotion& motion, const Loa
   ABSTAND_CHECK((external.empty() || external.size() == n) && efforts.size() == dof);
   placeBodies(tree, q, state);
 
-  // Outwards: motion, and what it takes to move each body alone. Gravity is a base that accelerates upwards.
+  // Outward pass: motion, and the wrench that each body needs alone. Gravity is an upward acceleration of the
+  // base.
   const Vector3d lift_B = -loads.gravity_B;
   for (std::size_t i = 0; i < n; ++i) {
     const TreeBody& b = tree.bodies[i];
@@ -51,7 +52,7 @@ void inverseDynamics(const RigidTree& tree, const JointMotion& motion, const Loa
     }
   }
 
-  // Inwards: every joint carries its body and all beyond.
+  // Inward pass: every joint carries its body and all bodies beyond.
   std::fill(efforts.begin(), efforts.end(), 0.0);
   for (std::size_t i = n; i-- > 0;) {
     const TreeBody& b = tree.bodies[i];

@@ -1,4 +1,4 @@
-// Joint efforts that a motion needs.
+// Inverse dynamics: joint efforts of a motion.
 #pragma once
 
 #include "core/mechanism/rigid_tree.hpp"
@@ -13,12 +13,11 @@ struct JointMotion {
   std::span<const double> q, qd, qdd;
 };
 
-/// What acts on a mechanism besides its motors.
+/// Forces on a mechanism other than those of its motors.
 struct Loads {
-  /// m/s^2, in base axes; a base that accelerates without turning: gravity minus that acceleration.
+  /// gravity, m/s^2, base axes; for a base that accelerates without rotation: minus that acceleration
   const Vector3d& gravity_B;
-  /// Empty, or a wrench for each body that acts on it, in base axes, torque about the base's origin
-  /// (aboutOrigin()).
+  /// External wrench on each body, in base axes, torque about the base's origin (aboutOrigin()); or empty.
   std::span<const Wrench> external;
 };
 
@@ -28,27 +27,27 @@ struct Loads {
 ///
 ///     efforts = M(q) qdd + C(q, qd) qd + g(q) - sum of J^T w over the external wrenches
 ///
-/// that is what the motors must give (N m, N; size dof, overwritten). Efforts of mimic joints are projected
-/// onto their dof: each joint's effort times its scale, summed.
+/// `efforts`: N m or N, size dof, overwritten. Efforts of mimic joints are projected onto their dof: each
+/// joint's effort times its scale, summed.
 ///
-/// Leaves poses, angular velocities and accelerations of the bodies in `state`, the accelerations against
-/// free fall. Time O(bodies), no allocation after the first call with the same state.
+/// Leaves poses, angular velocities and accelerations of the bodies in `state`; accelerations include the
+/// gravity term. O(bodies); no allocation after the first call with the same state.
 void inverseDynamics(const RigidTree& tree, const JointMotion& motion, const Loads& loads, TreeState& state,
                      std::span<double> efforts);
 
-/// g(q): the efforts that hold the mechanism still.
+/// g(q): efforts that hold the mechanism at rest.
 inline void gravityEfforts(const RigidTree& tree, std::span<const double> q, const Vector3d& gravity_B,
                            TreeState& state, std::span<double> efforts) {
   inverseDynamics(tree, {q, {}, {}}, {gravity_B, {}}, state, efforts);
 }
 
-/// C(q, qd) qd + g(q): the efforts under which nothing accelerates.
+/// C(q, qd) qd + g(q): efforts of zero acceleration.
 inline void biasEfforts(const RigidTree& tree, std::span<const double> q, std::span<const double> qd,
                         const Vector3d& gravity_B, TreeState& state, std::span<double> efforts) {
   inverseDynamics(tree, {q, qd, {}}, {gravity_B, {}}, state, efforts);
 }
 
-/// The wrench `w` about the point `p_B`, moved to the base's origin.
+/// The wrench `w` about the point `p_B`, expressed about the base's origin.
 inline Wrench aboutOrigin(const Wrench& w, const Vector3d& p_B) {
   return {w.force, w.torque + p_B.cross(w.force)};
 }

@@ -1,11 +1,11 @@
-// The Jacobian of a frame, and its transpose applied to a wrench.
+// Jacobian of a frame, and its transpose applied to a wrench.
 #include "core/base/error.hpp"
 #include "core/mechanism/mechanism.hpp"
 
 namespace abstand::mechanism {
 namespace {
 
-// Calls `visit(frame, X_BF)` for every frame with a degree of freedom from `index` down to the base.
+// Calls `visit(frame, X_BF)` for every frame with a dof from `index` down to the base.
 template <class Visit>
 void forEachJointBelow(const Mechanism& mechanism, const MechanismState& state, int index, Visit visit) {
   ABSTAND_CHECK(index >= 0 && static_cast<std::size_t>(index) < mechanism.frames.size());

@@ -31,7 +31,7 @@ void JointLimitWatch::compare(std::size_t dof, LimitKind kind, double t, double 
   LimitBreach& worst = worst_[kLimitKinds * dof + static_cast<std::size_t>(kind)];
   const double before = std::abs(worst.value - worst.limit);
   if (worst.count++ == 0) worst.since = t;
-  // What is no number is the worst, and stays so.
+  // A value that is not finite is the worst, permanently.
   if (worst.count > 1 && !(excess > before) && !std::isnan(excess)) return;
   if (worst.count > 1 && std::isnan(before)) return;
   worst.value = value;

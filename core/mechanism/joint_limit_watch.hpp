@@ -1,4 +1,4 @@
-// Which joint limits a motion breaks.
+// Detects violations of joint limits over a motion.
 #pragma once
 
 #include <span>
@@ -13,42 +13,42 @@ enum class LimitKind { kPosition, kVelocity, kAcceleration, kEffort };
 inline constexpr std::size_t kLimitKinds = 4;
 std::string_view limitName(LimitKind kind);  ///< "position", "velocity", "acceleration", "effort"
 
-/// Roundings of a joint that moves along its limit: what is beyond by this share of the limit, or by
-/// kLimitRounding in the limit's own unit where that is more, still keeps it.
+/// Rounding allowance: an excess up to this share of the limit, or up to kLimitRounding in the limit's unit
+/// if that is more, is not a violation.
 inline constexpr double kLimitShare = 1e-6;
 inline constexpr double kLimitRounding = 1e-9;
 
-/// The worst that a dof did against one kind of limit.
+/// The worst violation of one kind of limit by one dof.
 struct LimitBreach {
   int dof{0};
   LimitKind kind{LimitKind::kPosition};
-  double value{0.0};  ///< SI, with its sign; NaN: was no number
-  double limit{0.0};  ///< SI; of a position the limit that was broken, else the limit with the value's sign
-  double t{0.0};      ///< s, of the worst moment
-  double since{0.0};  ///< s, of the first moment
-  long count{0};      ///< moments beyond the limit
+  double value{0.0};  ///< SI, signed; NaN if the value was not finite
+  double limit{0.0};  ///< SI; for positions the violated limit, otherwise the limit with the value's sign
+  double t{0.0};      ///< s, time of the largest excess
+  double since{0.0};  ///< s, time of the first violation
+  long count{0};      ///< number of samples beyond the limit
 };
 
-/// Keeps the worst breach for each dof and kind. One thread; look() does not allocate or throw.
+/// Records the worst violation for each dof and kind. One thread; look() does not allocate or throw.
 class JointLimitWatch {
  public:
   explicit JointLimitWatch(std::vector<DofLimits> limits);
 
-  /// State at `t` (s). Each span has a number a dof, or none where it is not known. SI.
+  /// Checks the state at time `t` (s). Each span has one value (SI) for each dof, or is empty if unknown.
   void look(double t, std::span<const double> q, std::span<const double> qd, std::span<const double> qdd,
             std::span<const double> efforts) noexcept;
-  /// In the order of the dofs, and of LimitKind.
+  /// Violations in the order of dof, then LimitKind.
   std::vector<LimitBreach> breaches() const;
-  /// The same into `out`, as many as fit; gives how many there are. Does not allocate or throw.
+  /// The same into `out`, as many as fit; returns their total number. Does not allocate or throw.
   std::size_t copyBreaches(std::span<LimitBreach> out) const noexcept;
-  bool kept() const { return kept_; }  ///< nothing was beyond its limit
+  bool kept() const { return kept_; }  ///< no limit was violated
   const std::vector<DofLimits>& limits() const { return limits_; }
 
  private:
   void compare(std::size_t dof, LimitKind kind, double t, double value, double lower, double upper) noexcept;
 
   std::vector<DofLimits> limits_;
-  std::vector<LimitBreach> worst_;  ///< kLimitKinds a dof
+  std::vector<LimitBreach> worst_;  ///< kLimitKinds for each dof
   bool kept_{true};
 };
 

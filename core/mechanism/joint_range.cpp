@@ -8,7 +8,7 @@
 namespace abstand::mechanism {
 namespace {
 
-constexpr double kUnlimitedSlide = 1.0;  // m either way
+constexpr double kUnlimitedSlide = 1.0;  // m to either side
 
 JointRange rangeOf(const MechanismFrame& f) {
   JointRange range;
@@ -16,7 +16,7 @@ JointRange rangeOf(const MechanismFrame& f) {
       std::minmax({(f.limits.lower - f.offset) / f.scale, (f.limits.upper - f.offset) / f.scale});
   range.unlimited = !std::isfinite(a) || !std::isfinite(b);
   const double free = f.type == JointType::kPrismatic ? kUnlimitedSlide : kPi;
-  // With one end stop, the range goes on from there.
+  // With a single limit, the range extends from it.
   range.lower = std::isfinite(a) ? a : std::isfinite(b) ? b - 2.0 * free : -free;
   range.upper = std::isfinite(b) ? b : range.lower + 2.0 * free;
   return range;

@@ -1,4 +1,4 @@
-// The joint values that a mechanism can take.
+// Joint ranges of a mechanism.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace abstand::mechanism {
 
-/// Values of q (rad, m), both finite.
+/// Range of q (rad, m), both ends finite.
 struct JointRange {
   double lower{0.0}, upper{0.0};
-  bool unlimited{false};  ///< the file has no limits: one turn, or 1 m either way
+  bool unlimited{false};  ///< without limits in the file: one turn, or 1 m either way
 };
 
-/// One a degree of freedom, from the limits of the joint that leads it; those of joints that mimic it are not
-/// asked, because they are moved whatever they say.
+/// One range for each dof, from the limits of the joint that leads it; limits of mimic joints are ignored, as
+/// they follow it anyway.
 std::vector<JointRange> jointRanges(const Mechanism& mechanism);
 
-/// Uniform within the ranges; `q` has a place for each.
+/// Uniformly distributed within the ranges; `q` has one entry for each.
 void randomPosture(std::span<const JointRange> ranges, Random& random, std::span<double> q);
 
 }  // namespace abstand::mechanism

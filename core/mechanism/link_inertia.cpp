@@ -6,10 +6,10 @@
 namespace abstand::mechanism {
 namespace {
 
-// Of the largest entry: what printed digits and a rotation may leave.
+// Share of the largest entry: rounding by printed digits and a rotation.
 constexpr double kInertiaRounding = 1e-6;
 
-/// Inertia of a point of mass 1 at r, about the origin.
+/// Inertia of a unit point mass at r, about the origin.
 Matrix3d ofPoint(const Vector3d& r) { return r.squaredNorm() * Matrix3d::Identity() - r * r.transpose(); }
 
 std::string words(double value) {

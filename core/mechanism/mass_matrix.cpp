@@ -1,4 +1,4 @@
-// Composite rigid bodies, and Cholesky.
+// Composite rigid body algorithm and Cholesky factorisation.
 #include "core/mechanism/mass_matrix.hpp"
 
 #include <cmath>
@@ -8,11 +8,11 @@
 namespace abstand::mechanism {
 namespace {
 
-// What rounding leaves of a pivot of a dof without mass, as a share of its diagonal entry: about 1e-16 times
-// the number of dofs. Masses of a hand and a wheeled base differ by less than 1e-8.
+// Rounding error of a pivot of a dof without mass, relative to its diagonal entry: about 1e-16 times the
+// number of dofs. Real mass ratios (a hand, a wheeled base) stay above 1e-8.
 constexpr double kNoMass = 1e-13;
 
-/// Every body as if all that it carries were welded to it.
+/// Composite inertia of every body with all bodies that it carries.
 void weld(const RigidTree& tree, TreeState& state) {
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     const TreeBody& b = tree.bodies[i];
@@ -27,7 +27,8 @@ void weld(const RigidTree& tree, TreeState& state) {
     const TreeBodyState& s = state.bodies[i];
     if (tree.bodies[i].parent < 0) continue;
     TreeBodyState& p = state.bodies[static_cast<std::size_t>(tree.bodies[i].parent)];
-    // About the parent's origin, each point is at arm + x: (r + x)^2 and (r + x)(r + x)^T, summed over mass.
+    // About the parent's origin, each point is at arm + x: (arm + x)^2 and (arm + x)(arm + x)^T, summed over
+    // mass.
     const Vector3d moved = s.first_moment + s.mass * s.arm_B;
     p.mass += s.mass;
     p.first_moment += moved;
@@ -46,7 +47,7 @@ void massMatrix(const RigidTree& tree, TreeState& state, MassMatrix& mass) {
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     const TreeBody& b = tree.bodies[i];
     const TreeBodyState& s = state.bodies[i];
-    // The wrench that starts joint i with a unit of its dof's acceleration, and what each joint below feels.
+    // Wrench for unit acceleration of joint i's dof, and its effort at each joint below.
     Vector3d force, moment;
     if (b.prismatic) {
       force = s.mass * s.axis_B;

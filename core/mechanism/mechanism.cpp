@@ -1,4 +1,4 @@
-// The constant side of a mechanism.
+// Constant parts of a mechanism.
 #include "core/mechanism/mechanism.hpp"
 
 #include <cmath>
@@ -26,7 +26,7 @@ void Mechanism::prepare() {
     ABSTAND_CHECK(f.dof >= -1 && f.dof < dof && (f.dof < 0 || f.type != JointType::kFixed));
     ABSTAND_CHECK(std::abs(f.axis.norm() - 1.0) < 1e-9 && (!f.has_dh || f.axis == Vector3d::UnitZ()));
     if (!f.has_dh) continue;
-    // RotZ(theta) and TransZ(d) commute, so the variable one can stand last whichever it is.
+    // RotZ(theta) and TransZ(d) commute, so either can be last as the variable.
     f.X_PJ = Eigen::AngleAxisd(f.alpha, Vector3d::UnitX()) * Eigen::Translation3d(f.a, 0.0, f.d) *
              Eigen::AngleAxisd(f.theta, Vector3d::UnitZ());
   }

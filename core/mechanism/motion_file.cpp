@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
-/// Cells of one line, one after the other.
+/// The cells of one line, in sequence.
 class Cells {
  public:
   explicit Cells(std::string_view line) : line_(line) {}

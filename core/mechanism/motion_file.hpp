@@ -11,19 +11,19 @@ namespace abstand::mechanism {
 /// Constant after loading; shared by all threads. Always has at least one row.
 class MotionTable {
  public:
-  /// `q` holds `dof` values a row, in SI (rad, m); `t` (s) rises strictly.
+  /// `q`: `dof` values for each row, SI (rad, m); `t` (s): strictly increasing.
   MotionTable(std::vector<double> t, std::vector<double> q, int dof);
 
   int dof() const { return dof_; }
   std::size_t rows() const { return t_.size(); }
   double start() const { return t_.front(); }
   double end() const { return t_.back(); }
-  /// The moments of the rows, and the joint values, row by row.
+  /// Times of the rows (s), and the joint values, row by row.
   std::span<const double> times() const { return t_; }
   std::span<const double> values() const { return q_; }
 
-  /// Joint values at time t (s): linear between rows, the first or last row outside. `q` has dof() places.
-  /// No allocation, no throw.
+  /// Joint values at time t (s): linear between rows, the first or last row outside. `q` has size dof(). No
+  /// allocation, no throw.
   void at(double t, std::span<double> q) const;
 
  private:
@@ -31,14 +31,14 @@ class MotionTable {
   int dof_;
 };
 
-/// Reads a CSV file with the header `t,q0,q1,...` (as many as `dof`) and one row a moment: finite numbers in
-/// SI, t rising strictly. Throws ParseError with file, line and column.
+/// Reads a CSV file with the header `t,q0,q1,...` (`dof` joints) and one row for each time: finite numbers in
+/// SI, t strictly increasing. Throws ParseError with file, line and column.
 MotionTable loadMotion(const std::filesystem::path& file, int dof);
 
-/// The same from text; `name` stands for the file in messages.
+/// The same from text; `name` is used as the file name in messages.
 MotionTable parseMotion(const std::string& text, const std::string& name, int dof);
 
-/// The text that parseMotion() reads: the same numbers to the last bit.
+/// Text that parseMotion() reads back to exactly the same numbers.
 std::string formatMotion(const MotionTable& motion);
 
 }  // namespace abstand::mechanism

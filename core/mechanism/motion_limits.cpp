@@ -9,7 +9,7 @@
 namespace abstand::mechanism {
 namespace {
 
-/// Calls visit(t0, t1) for the stretches between rows that lie in [start, end], cut to it.
+/// Calls visit(t0, t1) for the intervals between rows, clipped to [start, end].
 template <class Visit>
 void eachStretch(const MotionTable& motion, double start, double end, Visit visit) {
   const std::span<const double> t = motion.times();
@@ -49,7 +49,7 @@ void lookSmooth(const Mechanism& mechanism, const MotionTable& table, double sta
   };
   look(start);
   eachStretch(table, start, end, [&](double t0, double t1) {
-    // At its very ends the motion rests; just inside it has the accelerations with which it begins and ends.
+    // At its end points the motion is at rest; just inside it has its first and last accelerations.
     const double inside0 = std::nextafter(t0, t1), inside1 = std::nextafter(t1, t0);
     for (int i = 0; i <= kSmoothSamples; ++i)
       look(std::clamp(t0 + (t1 - t0) * i / kSmoothSamples, inside0, std::max(inside0, inside1)));

@@ -1,4 +1,4 @@
-// Whether a robot can do what its recorded motion asks for.
+// Checks a recorded motion against the limits of its robot.
 #pragma once
 
 #include "core/mechanism/joint_limit_watch.hpp"
@@ -6,15 +6,15 @@
 
 namespace abstand::mechanism {
 
-/// How the rows of a motion are joined. kLinear: as MotionTable has it; velocities are the slopes between
-/// rows, accelerations at the rows are not finite and not looked at, nor are efforts. kSmooth: as
-/// SmoothMotion has it, with accelerations, and with efforts where the mechanism has masses; looked at in
-/// kSmoothSamples moments between two rows.
+/// Interpolation between the rows of a motion. kLinear: as MotionTable; velocities are the slopes between
+/// rows; accelerations are infinite at the rows and not checked, nor are efforts. kSmooth: as SmoothMotion,
+/// with accelerations, and with efforts if the mechanism has masses; checked at kSmoothSamples times between
+/// two rows.
 enum class MotionLine { kLinear, kSmooth };
 inline constexpr int kSmoothSamples = 8;
 
-/// What the motion breaks of the mechanism's limits from `start` to `end` (s); before its first and after its
-/// last row it rests. `gravity_B`: m/s^2, in the base's axes, for efforts.
+/// Violations of the mechanism's limits from `start` to `end` (s); the motion is at rest before its first and
+/// after its last row. `gravity_B`: m/s^2, base axes, for efforts.
 std::vector<LimitBreach> motionBreaches(const Mechanism& mechanism, const MotionTable& motion,
                                         MotionLine line, double start, double end, const Vector3d& gravity_B);
 

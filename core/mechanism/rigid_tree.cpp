@@ -1,4 +1,4 @@
-// The bodies of a mechanism, where they are, and how fast they move.
+// Bodies of a mechanism, their poses and velocities.
 #include "core/mechanism/rigid_tree.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace abstand::mechanism {
 namespace {
 
-/// What a frame that cannot move has as its joint's value.
+/// Joint transform of a frame that cannot move.
 Transform standing(const MechanismFrame& f) {
   if (f.type == JointType::kRevolute) return f.X_PJ * Eigen::AngleAxisd(f.offset, f.axis);
   if (f.type == JointType::kPrismatic) return f.X_PJ * Eigen::Translation3d(f.offset * f.axis);
@@ -71,7 +71,7 @@ void placeBodies(const RigidTree& tree, std::span<const double> q, TreeState& st
     const TreeBody& b = tree.bodies[i];
     TreeBodyState& s = state.bodies[i];
     const double value = b.offset + b.scale * q[static_cast<std::size_t>(b.dof)];
-    // The joint's frame at the value 0 ...
+    // The joint's frame at value 0 ...
     if (b.parent < 0) {
       s.R_B = b.X_PJ.linear();
       s.arm_B = b.X_PJ.translation();
@@ -82,7 +82,7 @@ void placeBodies(const RigidTree& tree, std::span<const double> q, TreeState& st
       s.arm_B.noalias() = p.R_B * b.X_PJ.translation();
       s.p_B = p.p_B + s.arm_B;
     }
-    // ... and moved. Turning about the axis leaves the axis.
+    // ... and moved. A rotation about the axis leaves the axis unchanged.
     const Vector3d axis_B = b.about_z ? Vector3d(s.R_B.col(2)) : Vector3d(s.R_B * b.axis);
     s.axis_B = b.scale * axis_B;
     if (b.prismatic) {

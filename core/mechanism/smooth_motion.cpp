@@ -13,8 +13,8 @@ SmoothMotion::SmoothMotion(const MotionTable& table)
       dof_(table.dof()) {
   const std::size_t rows = t_.size(), n = static_cast<std::size_t>(dof_);
   if (rows < 3) return;
-  // The same acceleration on both sides of every row, slopes 0 at the ends: a tridiagonal system, one matrix
-  // for all joints, solved by Thomas's algorithm.
+  // Continuity of acceleration at every row, slopes 0 at the ends: a tridiagonal system with one matrix for
+  // all joints, solved by the Thomas algorithm.
   std::vector<double> above(rows, 0.0);
   for (std::size_t i = 1; i + 1 < rows; ++i) {
     const double before = 1.0 / (t_[i] - t_[i - 1]), after = 1.0 / (t_[i + 1] - t_[i]);
@@ -45,7 +45,7 @@ void SmoothMotion::at(double t, std::span<double> q, std::span<double> qd, std::
   const double* q0 = q_.data() + (after - 1) * n;
   const double* m0 = slopes_.data() + (after - 1) * n;
   for (std::size_t k = 0; k < n; ++k) {
-    // Hermite's cubic: q0 + h u m0 + u^2 (3 D - 2 h m0 - h m1) + u^3 (h m0 + h m1 - 2 D), D = q1 - q0.
+    // Hermite form: q0 + h u m0 + u^2 (3 D - 2 h m0 - h m1) + u^3 (h m0 + h m1 - 2 D), D = q1 - q0.
     const double d = q0[n + k] - q0[k], a = h * m0[k], b = h * m0[n + k];
     const double c2 = 3.0 * d - 2.0 * a - b, c3 = a + b - 2.0 * d;
     q[k] = q0[k] + u * (a + u * (c2 + u * c3));

@@ -1,13 +1,13 @@
-// A joint motion with velocities and accelerations.
+// Joint motion with continuous velocities and accelerations.
 #pragma once
 
 #include "core/mechanism/motion_file.hpp"
 
 namespace abstand::mechanism {
 
-/// A recorded motion made smooth: cubic splines through its rows, at rest at its ends [clamped splines; de
-/// Boor, A Practical Guide to Splines, IV]. Velocity and acceleration are continuous, so that torques for it
-/// are finite. Constant after construction; shared by all threads.
+/// Cubic splines through the rows of a recorded motion, at rest at both ends [clamped splines; de Boor, A
+/// Practical Guide to Splines, IV]. Velocity and acceleration are continuous, so that torques are finite.
+/// Constant after construction; shared by all threads.
 class SmoothMotion {
  public:
   explicit SmoothMotion(const MotionTable& table);
@@ -16,8 +16,8 @@ class SmoothMotion {
   double start() const { return t_.front(); }
   double end() const { return t_.back(); }
 
-  /// Joint values, rates and accelerations at time t (s), in SI; outside of the rows, at rest at the first or
-  /// last. Each has dof() places. No allocation, no throw.
+  /// Joint values, rates and accelerations at time t (s), SI; outside of the rows at rest at the first or
+  /// last one. Each span has size dof(). No allocation, no throw.
   void at(double t, std::span<double> q, std::span<double> qd, std::span<double> qdd) const;
 
  private:

@@ -1,4 +1,4 @@
-// From a mesh file to a clean mesh, and back.
+// Reads a mesh file into a clean mesh, and writes meshes.
 #include "core/mesh_file/mesh_file.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{512} << 20;
 
-/// Part of the diagonal within which vertices are the same: ten steps of single precision.
+/// Share of the diagonal within which vertices are equal: ten rounding steps of single precision.
 constexpr double kSamePoint = 1e-6;
 
 struct Format {
@@ -116,7 +116,7 @@ LoadedMesh parseMesh(std::string_view content, std::string_view format, const st
 
 LoadedMesh loadMesh(const std::filesystem::path& file, double scale) {
   const std::string format = extensionOf(file);
-  // A directory or a missing file is told before a wrong extension is.
+  // A directory or a missing file is reported before a wrong extension.
   const std::string content = readFile(file, kMaxBytes);
   return parseMesh(content, format, file.string(), scale);
 }

@@ -1,4 +1,4 @@
-// The only file that knows assimp.
+// The only file that includes assimp.
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -13,10 +13,10 @@
 namespace abstand::mesh_file {
 namespace {
 
-// A scene graph of more nodes or vertices than this, after instancing, is no robot part.
+// More vertices than this after instancing are rejected.
 constexpr std::size_t kMaxVertices = 60'000'000;
 constexpr int kMaxDepth = 256;
-// What a file of 512 MiB may honestly take.
+// Upper bound for a valid file of 512 MiB.
 constexpr unsigned kMaxSeconds = 20;
 constexpr std::size_t kMaxMemory = std::size_t{8} << 30;
 
@@ -26,7 +26,7 @@ Eigen::Matrix4d toEigen(const aiMatrix4x4& m) {
   return out;
 }
 
-/// Gathers the triangles of a node and of what hangs below it.
+/// Collects the triangles of a node and its descendants.
 class Collector {
  public:
   Collector(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
@@ -87,8 +87,7 @@ geometry::TriangleMesh readHere(std::string_view content, std::string_view forma
   return collector.take();
 }
 
-// An answer of the child: 'E' and the text of an error, or 'M', the two counts, and the arrays as they lie in
-// memory.
+// Answer of the child: 'E' and an error text, or 'M', the two counts, and the arrays as in memory.
 
 template <class T>
 void append(std::string& bytes, const T* data, std::size_t count) {

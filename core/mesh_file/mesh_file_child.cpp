@@ -11,9 +11,9 @@
 namespace abstand::mesh_file {
 namespace {
 
-constexpr char kEnd = '.';  // last byte of an answer that is whole
+constexpr char kEnd = '.';  // last byte of a complete answer
 
-// The sanitizers reserve terabytes of addresses for themselves.
+// The sanitizers reserve terabytes of address space.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kLimitMemory = false;
 #elif defined(__has_feature)

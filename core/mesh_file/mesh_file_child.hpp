@@ -1,4 +1,4 @@
-// Work that may crash or never end, in a process of its own; internal to mesh_file.
+// Runs work that may crash or hang in a child process; internal to mesh_file.
 #pragma once
 
 #include <functional>
@@ -6,16 +6,16 @@
 
 namespace abstand::mesh_file {
 
-/// What became of the child.
+/// Result of the child process.
 struct ChildAnswer {
-  bool finished{false};  ///< it ended by itself and said all it had to say
+  bool finished{false};  ///< the child exited normally and its answer is complete
   std::string bytes;     ///< what `work` returned
-  int signal{0};         ///< what ended it otherwise, 0 for an exit code
+  int signal{0};         ///< signal that ended it, 0 for an exit code
 };
 
-/// Runs `work` in a forked child with limits on time (s of processor) and memory (bytes), its output and
-/// errors silenced, and gives what it returned. A crash, an endless loop or an absurd allocation ends the
-/// child alone. `work` must need no thread. Throws std::runtime_error when no child can be made.
+/// Runs `work` in a forked child with limits on CPU time (s) and memory (bytes), standard output and error
+/// silenced, and returns its result. A crash, an endless loop or an excessive allocation ends only the child.
+/// `work` must not use threads. Throws std::runtime_error if the child cannot be started.
 ChildAnswer runInChild(const std::function<std::string()>& work, unsigned max_seconds, std::size_t max_bytes);
 
 }  // namespace abstand::mesh_file

@@ -1,4 +1,4 @@
-// Welding and the removal of flat triangles.
+// Welding and removal of degenerate triangles.
 #include "core/mesh_file/mesh_file_clean.hpp"
 
 #include <unordered_map>
@@ -6,11 +6,11 @@
 namespace abstand::mesh_file {
 namespace {
 
-/// Each pass takes the flat triangles next to sound ones; a strip of n flat ones takes n at worst.
+/// Each pass removes the flat triangles next to sound ones; a strip of n flat triangles takes up to n passes.
 constexpr int kMaxPasses = 64;
 
-/// The side opposite to corner i runs from corner i + 1 to corner i + 2. Returns the corner over the
-/// longest side, when the triangle is lower than `tolerance` there; else -1.
+/// Corner opposite to the longest side if the triangle's height over it is below `tolerance`; otherwise -1.
+/// The side opposite to corner i runs from corner i + 1 to corner i + 2.
 int flatCorner(const geometry::TriangleMesh& mesh, std::size_t t, double tolerance) {
   int over_longest = 0;
   double longest = 0.0;
@@ -32,7 +32,7 @@ class Flattener {
  public:
   Flattener(geometry::TriangleMesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
-  /// The number of flat triangles taken away.
+  /// Returns the number of flat triangles removed.
   std::size_t run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       if (flatCorner(mesh_, t, tolerance_) >= 0) flat_.push_back(t);
@@ -58,11 +58,11 @@ class Flattener {
     }
   }
 
-  /// Splits the neighbour over the long side of t at the corner of t opposite to it; both triangles
-  /// then are sound. False when there is no such neighbour, or it is flat itself.
+  /// Splits the neighbour across the longest side of t at the opposite corner of t; both triangles are sound
+  /// then. False if there is no such neighbour, or it is flat itself.
   bool merge(std::uint32_t t) {
     const int i = flatCorner(mesh_, t, tolerance_);
-    if (i < 0) return true;  // an earlier split mended it
+    if (i < 0) return true;  // repaired by an earlier split
     const auto middle = mesh_.triangles[t][i];
     const auto from = mesh_.triangles[t][(i + 1) % 3], to = mesh_.triangles[t][(i + 2) % 3];
     const auto found = sides_.find(key(to, from));
@@ -77,7 +77,7 @@ class Flattener {
     mesh_.triangles[t] = {middle, from, tip};
     enter(n);
     enter(t);
-    // A split near the tip leaves a flat triangle again, which the next pass takes.
+    // A split near the tip leaves a flat triangle again, which the next pass removes.
     if (flatCorner(mesh_, n, tolerance_) >= 0) flat_.push_back(n);
     if (flatCorner(mesh_, t, tolerance_) >= 0) flat_.push_back(t);
     pass_needed_ = true;

@@ -1,4 +1,4 @@
-// Welded meshes without degenerate triangles; internal to mesh_file.cpp.
+// Welding and removal of degenerate triangles; internal to mesh_file.cpp.
 #pragma once
 
 #include "core/geometry/triangle_mesh.hpp"
@@ -10,9 +10,9 @@ struct CleanMesh {
   std::size_t degenerate{0};  ///< triangles of the input that collapsed or were flat
 };
 
-/// Welds within `tolerance` (m, positive) and drops triangles that are lower than it. Where such a flat
-/// triangle joins two neighbours along its long side, the neighbour beyond that side is split at the
-/// third corner instead of leaving a gap, so that closed meshes stay closed.
+/// Welds vertices within `tolerance` (m, positive) and drops triangles whose height is below it. If such a
+/// flat triangle connects two neighbours, the neighbour across its longest side is split at the third corner
+/// instead of leaving a gap, so that closed meshes stay closed.
 CleanMesh clean(const geometry::TriangleMesh& mesh, double tolerance);
 
 }  // namespace abstand::mesh_file

@@ -1,4 +1,4 @@
-// COLLADA 1.4 and 1.5: the meshes of the visual scene in their places, in metres.
+// COLLADA 1.4 and 1.5: the meshes of the visual scene with their transforms, in metres.
 #include <map>
 
 #include "core/mesh_file/mesh_file_readers.hpp"
@@ -8,8 +8,8 @@
 namespace abstand::mesh_file {
 namespace {
 
-/// Instances of instances grow by powers; these bound what a small file can unfold to. Work counts
-/// characters read, again for every instance, and elements passed, and may grow to a multiple of the file.
+/// Nested instances grow exponentially; these constants limit what a small file can expand to. Work counts
+/// characters read, again for every instance, and elements visited, and may be a multiple of the file size.
 constexpr int kDeepestNode = 256;
 constexpr std::size_t kMinWork = std::size_t{64} << 20;
 constexpr std::size_t kMaxInstances = 32;
@@ -22,7 +22,7 @@ constexpr std::size_t kMaxColumns = 64;
 
 using Affine = Eigen::Affine3d;
 
-/// Vertices from `first` to before `end`.
+/// Half-open range of vertices, `first` to `end` - 1.
 struct Range {
   std::uint32_t first{0}, end{0};
 };
@@ -48,7 +48,7 @@ class Reader {
     if (const auto* scene = visualScene()) {
       visit(*scene, X, 0);
     } else {
-      // A bare library: every geometry once, where it is.
+      // A library without a scene: every geometry once, untransformed.
       for (const auto& library : root_.children) {
         if (library.name != "library_geometries") continue;
         for (const auto& geometry : library.children) addGeometry(geometry, X);
@@ -68,7 +68,7 @@ class Reader {
     for (const auto& c : e.children) collectIds(c);
   }
 
-  /// What `#id` in the attribute `key` of `e` stands for.
+  /// The element with the id that the attribute `key` of `e` refers to (`#id`).
   const text::XmlElement& target(const text::XmlElement& e, std::string_view key,
                                  std::string_view expected) const {
     const auto url = e.attribute(key);
@@ -113,7 +113,7 @@ class Reader {
     return values;
   }
 
-  /// X times the transforms that stand in a node, in their order.
+  /// X times the transforms of a node, in order.
   Affine transform(const text::XmlElement& node, Affine X) {
     for (const auto& e : node.children) {
       std::size_t expected = 0;
@@ -165,7 +165,7 @@ class Reader {
     }
   }
 
-  /// The vertices of a <source>, transformed.
+  /// Adds the vertices of a <source>, transformed.
   Range addVertices(const text::XmlElement& source, const Affine& X) {
     const auto* technique = source.child("technique_common");
     const auto* accessor = technique ? technique->child("accessor") : nullptr;
@@ -235,7 +235,7 @@ class Reader {
     }
   }
 
-  /// The polygons of one <p>; `sizes` are those of a polylist.
+  /// Adds the polygons of one <p>; `sizes` are those of a polylist.
   void addPolygons(const text::XmlElement& e, const text::XmlElement& p,
                    const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& sizes) {
     const auto n = corners.size();
@@ -260,7 +260,7 @@ class Reader {
     }
   }
 
-  /// Corners counted from the source's first vertex.
+  /// Adds a polygon whose corners count from the source's first vertex.
   void addPolygon(const text::XmlElement& p, std::span<const std::uint32_t> corners) {
     polygon_.clear();
     for (const auto c : corners) {
@@ -269,7 +269,7 @@ class Reader {
                     std::to_string(range_.end - range_.first));
       polygon_.push_back(range_.first + c);
     }
-    // A transform that mirrors turns triangles inside out.
+    // A mirroring transform reverses the orientation of triangles.
     if (mirrored_) std::reverse(polygon_.begin(), polygon_.end());
     cutter_.add(polygon_, at(p));
     if (mesh_.triangles.size() > kMaxTriangles)
@@ -284,7 +284,7 @@ class Reader {
   geometry::TriangleMesh mesh_;
   PolygonCutter cutter_{mesh_};
   std::vector<std::uint32_t> polygon_;
-  Range range_;  ///< the vertices of the current primitives
+  Range range_;  ///< vertices of the current primitives
   bool mirrored_{false};
 };
 

@@ -1,11 +1,11 @@
-// Wavefront OBJ: vertices and faces; materials, normals and texture coordinates are passed over.
+// Wavefront OBJ: vertices and faces; materials, normals and texture coordinates are ignored.
 #include "core/mesh_file/mesh_file_readers.hpp"
 #include "core/text/text_lines.hpp"
 
 namespace abstand::mesh_file {
 namespace {
 
-/// "7", "7/1", "7//3", "-1/..": the vertex counted from 0.
+/// Vertex index from 0 of "7", "7/1", "7//3", "-1/..".
 std::uint32_t vertexOf(std::string_view word, std::size_t vertices_so_far, const SourcePos& pos) {
   const auto index = parseInt(word.substr(0, word.find('/')));
   const auto n = static_cast<std::int64_t>(vertices_so_far);
@@ -30,7 +30,7 @@ geometry::TriangleMesh readObj(std::string_view content, const std::string& name
   std::string joined;
   while (auto line = lines.next()) {
     const int number_of_line = lines.pos().line;
-    if (line->ends_with('\\')) {  // the statement goes on in the next line
+    if (line->ends_with('\\')) {  // the statement continues on the next line
       joined.clear();
       while (line && line->ends_with('\\')) {
         joined.append(line->substr(0, line->size() - 1)).push_back(' ');

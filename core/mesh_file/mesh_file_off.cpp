@@ -1,4 +1,4 @@
-// OFF and its variants with colours, normals or texture coordinates, which are passed over.
+// OFF and its variants with colours, normals or texture coordinates, which are ignored.
 #include "core/mesh_file/mesh_file_readers.hpp"
 #include "core/text/text_lines.hpp"
 

@@ -1,4 +1,4 @@
-// PLY, ascii and binary of both byte orders.
+// PLY, ASCII and binary in both byte orders.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,7 +15,7 @@ enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDoub
 struct Property {
   std::string name;
   Type type;
-  std::optional<Type> count_type;  ///< of a list
+  std::optional<Type> count_type;  ///< for lists
 };
 
 struct ElementKind {
@@ -59,7 +59,7 @@ Header readHeader(text::Lines& lines) {
     throw ParseError(lines.pos(), "found no \"ply\" in the first line, expected it");
   while (auto line = lines.next()) {
     auto rest = *line;
-    const auto word = text::nextWord(rest);  // other words than these begin a comment
+    const auto word = text::nextWord(rest);  // lines with other words are comments
     if (word == "end_header") {
       if (!format_known) throw ParseError(lines.pos(), "the header ends without a format line");
       return header;
@@ -100,7 +100,7 @@ Header readHeader(text::Lines& lines) {
   throw ParseError(lines.pos(), "the file ends within the header, expected end_header");
 }
 
-/// The numbers behind the header, one after the other.
+/// Sequential reader of the numbers after the header.
 class Body {
  public:
   Body(const text::Lines& after_header, Encoding encoding)
@@ -109,8 +109,8 @@ class Body {
         encoding_(encoding),
         pos_{after_header.pos().file, 0, 0} {}
 
-  /// Before each element. In ascii an element has a line of its own, and what stands there beyond the
-  /// announced properties is passed over.
+  /// Called before each element. In ASCII an element is one line; columns beyond the declared properties are
+  /// ignored.
   void beginElement() {
     if (encoding_ != Encoding::kAscii) return;
     do {
@@ -153,10 +153,10 @@ class Body {
     return 0.0;
   }
 
-  /// A number of list entries or a vertex: not negative, whole, below 2^32.
+  /// A list count or a vertex index: an integer from 0, below 2^32.
   std::uint32_t nextIndex(Type type) { return index(next(type)); }
 
-  /// The same, or none for -1.
+  /// The same; nullopt for -1.
   std::optional<std::uint32_t> nextIndexOrEnd(Type type) {
     const double value = next(type);
     if (value == -1.0) return std::nullopt;
@@ -184,7 +184,7 @@ class Body {
   }
 
   text::Lines lines_;
-  std::string_view data_;  ///< what is left; in ascii, of the line
+  std::string_view data_;  ///< remaining data; in ASCII, of the line
   Encoding encoding_;
   SourcePos pos_;
 };
@@ -194,8 +194,8 @@ void skip(Body& body, const Property& property) {
   for (std::uint32_t i = 0; i < n; ++i) body.next(property.type);
 }
 
-/// A list of an element `tristrips` (Stanford): strips one after the other, each ended by -1. Of consecutive
-/// corners three make a triangle, every second one turned round.
+/// Reads a list of an element `tristrips` (Stanford): strips in sequence, each ended by -1. Every three
+/// consecutive corners are a triangle, every second one reversed.
 void readStrips(Body& body, const Property& property, std::vector<std::uint32_t>& corners,
                 std::vector<std::size_t>& ends) {
   const std::uint32_t n = body.nextIndex(*property.count_type);
@@ -211,7 +211,7 @@ void readStrips(Body& body, const Property& property, std::vector<std::uint32_t>
     if (++length < 3) continue;
     const bool turned = length % 2 == 0;
     const std::array<std::uint32_t, 3> t{last[turned ? 1 : 0], last[turned ? 0 : 1], last[2]};
-    // Corners that are repeated join strips, without a triangle.
+    // Degenerate triangles connect strips.
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     corners.insert(corners.end(), t.begin(), t.end());
     ends.push_back(corners.size());
@@ -250,11 +250,11 @@ geometry::TriangleMesh readPly(std::string_view content, const std::string& name
   const Header header = readHeader(lines);
   Body body(lines, header.encoding);
   geometry::TriangleMesh mesh;
-  // Faces may come before vertices; they are cut when all are known.
+  // Faces may precede vertices; they are triangulated after all are read.
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> ends;
   for (const auto& kind : header.elements) {
-    if (kind.properties.empty()) continue;  // takes no room, whatever its count
+    if (kind.properties.empty()) continue;  // takes no space, whatever its count
     if (kind.name == "vertex") {
       readVertices(body, kind, mesh);
       continue;

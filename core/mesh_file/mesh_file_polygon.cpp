@@ -1,4 +1,4 @@
-// Polygons into triangles: ears are clipped, where only the reflex corners near an ear can be in its way.
+// Polygon triangulation by ear clipping, with a grid of reflex corners.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,12 +10,12 @@
 namespace abstand::mesh_file {
 namespace {
 
-/// Steps of clipping in one file; a second or two.
+/// Limit of clipping steps for one file; one or two seconds.
 constexpr std::uint64_t kMaxWork = 200'000'000;
 /// Cells along a side of the grid of reflex corners.
 constexpr int kMaxCells = 512;
 
-/// Twice the area of a, b, c, positive when they turn left seen against `normal`.
+/// Twice the signed area of a, b, c, positive if counter-clockwise seen against `normal`.
 double turn(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& normal) {
   return (b - a).cross(c - b).dot(normal);
 }
@@ -27,7 +27,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return u.x() * v.y() - u.y() * v.x();
 }
 
-/// A polygon in its plane while ears are cut off.
+/// State of a polygon during ear clipping, projected onto its plane.
 class EarClipper {
  public:
   EarClipper(const std::vector<Vector3d>& vertices, std::span<const std::uint32_t> corners,
@@ -46,16 +46,16 @@ class EarClipper {
     fillGrid();
   }
 
-  /// Cuts one ear, or a corner anyhow where there is none; false when a triangle is left. `work` grows by the
-  /// steps.
+  /// Clips one ear, or any corner if there is none; false when one triangle is left. `work` is increased by
+  /// the steps.
   bool cut(std::array<std::uint32_t, 3>& triangle, std::uint64_t& work) {
     if (left_ <= 3) return false;
     std::uint32_t at = start_;
     bool found = false, after_first = false;
     while (!found) {
       if (queue_.empty()) {
-        // Corners that were no ears may have become some. A polygon that crosses itself may have none; it is
-        // cut anyhow, so that it stays closed.
+        // Corners that were not ears may have become ears. A self-intersecting polygon may have none; it is
+        // clipped anyway, so that the mesh stays closed.
         if (!cut_since_filled_) break;
         fillQueue();
         work += left_;
@@ -77,8 +77,8 @@ class EarClipper {
     --left_;
     start_ = a;
     cut_since_filled_ = true;
-    // Both neighbours have changed and come last, each of them first in turn: cutting always on one side
-    // would give a fan of needles about the corner on the other.
+    // Both neighbours have changed and go last in the queue, in alternating order: always clipping on one
+    // side would give a fan of slivers around the corner on the other.
     for (const std::uint32_t k : {after_first ? a : b, after_first ? b : a})
       queue_.push_back({k, ++stamp_[k], !after_first});
     return true;
@@ -92,7 +92,7 @@ class EarClipper {
   static constexpr std::uint32_t kGone = 0xffffffff;
   struct Entry {
     std::uint32_t corner, stamp;
-    bool after_first;  ///< once it is cut, the corner after it comes before the one before it
+    bool after_first;  ///< if true, the next corner is queued before the previous one
   };
 
   double turnAt(std::uint32_t i) const { return turn(p_[before_[i]], p_[i], p_[after_[i]]); }
@@ -142,13 +142,14 @@ class EarClipper {
         for (std::size_t k = 0; k < reflex.size();) {
           const std::uint32_t r = reflex[k];
           if (stamp_[r] == kGone || turnAt(r) > 0.0) {
-            // It will never be in the way again.
+            // The corner is no longer reflex, so it cannot block an ear.
             reflex[k] = reflex.back();
             reflex.pop_back();
             continue;
           }
           ++k;
-          // A corner that is an end of the ear too belongs to a bridge to a hole, and is not in the way.
+          // A corner at the same vertex as a corner of the ear belongs to a bridge to a hole and does not
+          // block it.
           const std::uint32_t id = corners_[r];
           if (id == corners_[ia] || id == corners_[i] || id == corners_[ic]) continue;
           const Point& q = p_[r];
@@ -164,7 +165,7 @@ class EarClipper {
   std::vector<Point> p_;
   std::vector<std::uint32_t> before_, after_, stamp_;
   std::deque<Entry> queue_;
-  std::vector<std::vector<std::uint32_t>> grid_;  ///< corners that are not convex
+  std::vector<std::vector<std::uint32_t>> grid_;  ///< reflex corners by grid cell
   Point low_{Point::Zero()};
   double cells_per_metre_{0.0};
   int cells_{1};
@@ -183,13 +184,13 @@ void PolygonCutter::add(std::span<const std::uint32_t> corners, const SourcePos&
   }
   if (n < 3) return;
   const auto p = [&](std::size_t i) -> const Vector3d& { return mesh_.vertices[corners[i % n]]; };
-  // Newell's normal, right for concave polygons too.
+  // Newell's normal, correct for concave polygons too.
   Vector3d normal = Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < n; ++i) normal += (p(i) - p(0)).cross(p(i + 1) - p(0));
   bool convex = true;
   for (std::size_t i = 0; n > 3 && i < n; ++i)
     convex = convex && turn(p(i), p(i + 1), p(i + 2), normal) > 0.0;
-  // A polygon without area has no ears; its triangles have none either, however it is cut.
+  // A polygon without area has no ears; its triangles have no area either, however it is cut.
   if (n == 3 || convex || !(normal.squaredNorm() > 0.0)) {
     for (std::size_t i = 1; i + 1 < n; ++i)
       mesh_.triangles.push_back({corners[0], corners[i], corners[i + 1]});

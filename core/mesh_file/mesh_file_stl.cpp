@@ -1,4 +1,4 @@
-// STL, binary and ascii.
+// STL, binary and ASCII.
 #include <algorithm>
 #include <bit>
 #include <cctype>
@@ -46,7 +46,7 @@ geometry::TriangleMesh readAscii(std::string_view content, const std::string& na
   while (auto line = lines.next()) {
     auto rest = *line;
     for (auto word = text::nextWord(rest); !word.empty(); word = text::nextWord(rest)) {
-      if (isWord(word, "solid") || isWord(word, "endsolid")) break;  // a name follows, whatever it says
+      if (isWord(word, "solid") || isWord(word, "endsolid")) break;  // an arbitrary name follows
       if (isWord(word, "vertex")) {
         mesh.vertices.push_back(text::nextPoint(rest, lines.pos()));
       } else if (isWord(word, "endloop") || isWord(word, "endfacet")) {
@@ -75,7 +75,7 @@ geometry::TriangleMesh readStl(std::string_view content, const std::string& name
     std::uint32_t count = 0;
     std::memcpy(&count, content.data() + kHeader - 4, 4);
     const std::uint64_t needed = kHeader + std::uint64_t{kRecord} * count;
-    // Binary files may begin with "solid" as well: only their size tells.
+    // Binary files may begin with "solid" too: only their size distinguishes them.
     if (needed == content.size() || (!solid && needed < content.size()))
       return readBinary(content, count, name);
     if (!solid)

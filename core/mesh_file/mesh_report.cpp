@@ -1,4 +1,4 @@
-// Edges, pieces and remarks of a mesh.
+// Edges, components and remarks of a mesh.
 #include "core/mesh_file/mesh_report.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace abstand::mesh_file {
 namespace {
 
-/// A robot link, a table or a person is smaller than this, m; a file in millimetres is larger.
+/// m. A robot link, a table or a person is smaller; a file in millimetres is larger.
 constexpr double kDoubtfullyLarge = 20.0;
 
-/// The smallest thing that is worth a distance, m.
+/// m. The smallest object worth a distance.
 constexpr double kDoubtfullySmall = 1e-3;
 
 /// One side of a triangle; `low` and `high` are its vertices in the order of their numbers.
@@ -23,7 +23,7 @@ struct Side {
   bool rising;  ///< the triangle runs from low to high
 };
 
-/// Which triangles hang together (union-find with path halving).
+/// Connected components of triangles (union-find with path halving).
 class Pieces {
  public:
   explicit Pieces(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }

@@ -1,4 +1,4 @@
-// What both solvers share.
+// Common part of both solvers.
 #include "core/physics/articulation.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace abstand::physics {
 namespace {
 
-// Rounds of drive(), and the change of a rate, as a share of the largest, after which they end.
+// Fixed-point rounds of drive(), and the largest relative change of a rate at which they end.
 constexpr int kMaxRounds = 10;
 constexpr double kConverged = 1e-13;
 
@@ -41,7 +41,7 @@ Articulation::Articulation(const mechanism::Mechanism& mechanism, const Transfor
   for (const mechanism::TreeBody& b : tree_.bodies) {
     const auto k = static_cast<std::size_t>(b.dof);
     const double effort = mechanism.frames[static_cast<std::size_t>(b.frame)].limits.effort;
-    // The effort of a dof is its joint's times the scale; of mimic joints the first has the motor.
+    // The effort of a dof is its joint's times the scale; of mimic joints the first one has the motor.
     if (sizes[k] == 0.0 && effort < kInfinity) most_[k] = std::abs(b.scale) * effort;
     sizes[k] += std::abs(b.scale);
     squares[k] += b.scale * b.scale;
@@ -132,7 +132,7 @@ void Articulation::drive(double h) {
   for (std::size_t k = 0; k < drive_.size(); ++k)
     drive_[k] = command_[k] = std::clamp(drive_[k] + efforts_[k], -most_[k], most_[k]);
 
-  // Each round's error is the one before times a step's turn, so a few are enough.
+  // The error shrinks in each round by the rotation in one step, so a few rounds are enough.
   middle_ = qd_;
   if (!factorMass()) return;
   for (int round = 0; round < kMaxRounds; ++round) {

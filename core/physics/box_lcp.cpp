@@ -8,12 +8,11 @@
 namespace abstand::physics {
 namespace {
 
-// Of a row's own entry: what is left of a row that others say already (joints that mimic each other at their
-// stops) is roundings. Then such rows share the answer, and rows that contradict each other end at their
-// bounds.
+// Share of a row's diagonal entry: a smaller pivot is the rounding of a row that depends on others (mimic
+// joints at their stops). Such rows share the solution, and contradicting rows end at their bounds.
 constexpr double kDependent = 1e-13;
 
-/// x of the rows between their bounds, with the others at theirs: L L^T = A of these rows.
+/// Solves for the rows between their bounds, with the others fixed: L L^T = A of these rows.
 void solveFree(BoxLcp& p, Eigen::Index n) {
   p.free.clear();
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -45,7 +44,7 @@ void solveFree(BoxLcp& p, Eigen::Index n) {
   }
 }
 
-/// Where row i belongs, given x.
+/// Side of row i for the present x.
 int wantedSide(const BoxLcp& p, Eigen::Index n, Eigen::Index i) {
   const int side = p.side[static_cast<std::size_t>(i)];
   if (side == 0) return p.x[i] < p.lower[i] ? -1 : p.x[i] > p.upper[i] ? 1 : 0;
@@ -55,7 +54,7 @@ int wantedSide(const BoxLcp& p, Eigen::Index n, Eigen::Index i) {
     w += term;
     size += std::abs(term);
   }
-  // Rounding must not make a row that is at rest at its bound change sides for ever.
+  // Prevents a row at rest at its bound from changing sides forever by rounding.
   const double rounding = 1e-14 * size;
   return (side < 0 ? w < -rounding : w > rounding) ? 0 : side;
 }

@@ -1,4 +1,4 @@
-// Forces that keep velocities, within bounds.
+// Box-constrained linear complementarity problem (LCP).
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace abstand::physics {
 
-/// A linear complementarity problem with bounds: w = A x - b, lower <= x <= upper, and for every i w_i = 0,
-/// or x_i = lower_i and w_i >= 0, or x_i = upper_i and w_i <= 0. For a symmetric positive definite A there is
-/// exactly one solution. Scratch too; sizes may only shrink without allocation.
+/// w = A x - b, lower <= x <= upper, and for every i either w_i = 0, or x_i = lower_i and w_i >= 0, or x_i =
+/// upper_i and w_i <= 0. Unique solution for a symmetric positive definite A. Includes scratch memory;
+/// shrinking the problem does not allocate.
 struct BoxLcp {
   Eigen::MatrixXd A;
   Eigen::VectorXd b, lower, upper, x;
@@ -21,10 +21,10 @@ struct BoxLcp {
   void reserve(Eigen::Index most);
 };
 
-/// Solves the first `n` rows by principal pivoting: all wrong rows at once, and after some rounds the first
-/// one alone, which ends for certain [Judice, Pires 1994, A block principal pivoting algorithm for
-/// large-scale strictly monotone LCPs]. Gives false when it did not end within 50 rounds and 20 more per row
-/// (A is hardly definite); `x` is then within its bounds. No allocation when reserved.
+/// Solves the first `n` rows by block principal pivoting, falling back to single pivots, which always
+/// terminates [Judice, Pires 1994, A block principal pivoting algorithm for large-scale strictly monotone
+/// LCPs]. False after 50 rounds and 20 more for each row (A is nearly singular); `x` is then within its
+/// bounds. No allocation if reserved.
 bool solveBoxLcp(BoxLcp& problem, Eigen::Index n);
 
 }  // namespace abstand::physics

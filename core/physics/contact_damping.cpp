@@ -5,10 +5,10 @@
 namespace abstand::physics {
 namespace {
 
-// Of the velocity, within a step.
+// Largest share of the velocity removed in one step.
 constexpr double kMaxTaken = 0.5;
 
-/// Coefficient of a damper (N s/m, N m s) that is stable in a step of h.
+/// Damping coefficient (N s/m, N m s), limited for stability in a step of h.
 double stable(double coefficient, double mobility, double h) {
   return mobility > 0.0 ? std::min(coefficient, kMaxTaken / (mobility * h)) : coefficient;
 }

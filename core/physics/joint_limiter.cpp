@@ -8,7 +8,7 @@
 namespace abstand::physics {
 namespace {
 
-// Of a bound: less is rounding of the solution that put the velocity there.
+// Share of a bound: less is rounding of the solution that set the velocity there.
 constexpr double kAtBound = 1e-12;
 
 }  // namespace
@@ -32,7 +32,7 @@ double JointLimiter::braking(const mechanism::MassMatrix& mass, std::span<const 
   return std::min(kBrakingShare * reserve / mass.M(i, i), limits_[k].acceleration);
 }
 
-/// Which bound the row keeps.
+/// Sets which bound the row keeps.
 void JointLimiter::aim(const LimitedStep& step, Eigen::Index row, bool upper) noexcept {
   const std::size_t k = dofs_[static_cast<std::size_t>(row)];
   const double most = limits_[k].effort;
@@ -58,8 +58,8 @@ void JointLimiter::addRow(const mechanism::MassMatrix& mass, const LimitedStep& 
   aim(step, row, upper);
 }
 
-/// With command_ and without_: efforts and next velocities. Gives by how much the worst joint is beyond its
-/// bound nevertheless (rad/s, m/s), 0: none.
+/// For the efforts command_ and next velocities without_. Returns the largest remaining excess of a joint
+/// over its bound (rad/s, m/s), 0 if none.
 double JointLimiter::keepBounds(const mechanism::MassMatrix& mass, const LimitedStep& step,
                                 const std::vector<bool>& free) noexcept {
   const std::size_t n = limits_.size();
@@ -69,8 +69,8 @@ double JointLimiter::keepBounds(const mechanism::MassMatrix& mass, const Limited
   dofs_.clear();
   at_upper_.clear();
   double worst = 0.0;
-  // Rows come in as their bounds are broken; one may have to change sides when others have come in. Every
-  // round but the last adds or turns one at least.
+  // Rows are added as their bounds are violated; a row may have to switch to its other bound after others
+  // were added. Every round except the last adds or switches at least one.
   for (std::size_t round = 0; round < 3 * n; ++round) {
     bool changed = false;
     worst = 0.0;
@@ -145,7 +145,7 @@ void JointLimiter::limit(const mechanism::MassMatrix& mass, const LimitedStep& s
   findHolding(mass, step);
   const double least = keepBoundsAt(0.0, mass, step, free);
   if (least > 0.0) {
-    // Not even holding keeps them: whatever does less harm.
+    // Not even the holding efforts suffice: uses the one that violates less.
     if (worst <= least) keepBoundsAt(1.0, mass, step, free);
     return;
   }

@@ -1,12 +1,12 @@
 // A mechanism as bodies and joints of ODE.
 //
-// ODE's step solves M v' = M v + h f under J(x) v' = 0, then moves the bodies. Left alone that forgets what
-// the turning of the joints' axes asks for (the time derivative of J) until the joints have come apart and
-// the error is pulled back. Here joints never come apart: every step puts the bodies at the poses and
-// velocities of q and qd, ODE gives the new velocities of the joints, and q moves by them, so that angles
-// need no unwrapping. What the turning axes ask for is put in as inertia forces: each body's mass times the
-// acceleration that it would have with qdd = 0, and its gyroscopic torque. That is the step of
-// articulation.hpp, solved by ODE in maximal coordinates, with its stops and motors.
+// ODE's step solves M v' = M v + h f under J(x) v' = 0, then moves the bodies. On its own this omits the
+// velocity terms of the rotating joint axes (the time derivative of J); joints would drift apart and be
+// pulled back by error correction. Here joints never drift: every step sets the bodies to the poses and
+// velocities of q and qd, ODE computes the new joint velocities, and q is integrated with them, so that
+// angles need no unwrapping. The velocity terms are applied as inertial forces: each body's mass times its
+// acceleration for qdd = 0, and its gyroscopic torque. This is the step of articulation.hpp, solved by ODE in
+// maximal coordinates, with its stops and motors.
 #include <ode/ode.h>
 
 #include <Eigen/Cholesky>
@@ -35,20 +35,20 @@ class Jointed final : public Articulation {
   double rateOf(std::size_t i) const;
   void share();
 
-  mechanism::RigidTree free_;  ///< every joint a dof of its own, its value the joint's
+  mechanism::RigidTree free_;  ///< every joint has a dof of its own, with the joint's value
   mechanism::TreeState free_state_;
   std::vector<double> values_, rates_, scratch_, momenta_;
-  std::vector<Wrench> inertia_forces_;  ///< a body, about its centre of mass
-  std::vector<bool> leads_;             ///< the first joint of its dof: it has the effort
+  std::vector<Wrench> inertia_forces_;  ///< for each body, about its centre of mass
+  std::vector<bool> leads_;             ///< for each joint: it is the first of its dof and has the effort
   bool mimic_{false};
   std::vector<dBodyID> bodies_;
   std::vector<dJointID> ode_joints_;
 };
 
-// rad or m: above what is left of poses a kilometre from the world's origin.
+// rad or m: above the rounding of poses a kilometre from the world's origin.
 constexpr double kRounding = 1e-12;
 
-/// ODE divides by mass and inertia.
+/// Checks mass and inertia, by which ODE divides.
 void judge(const mechanism::Mechanism& mechanism, const mechanism::TreeBody& b) {
   if (b.mass > 0.0 && Eigen::LLT<Matrix3d>(b.inertia).info() == Eigen::Success) return;
   throw ParseError({mechanism.name},
@@ -88,7 +88,7 @@ Jointed::Jointed(dxWorld* world, const mechanism::Mechanism& mechanism, const Tr
     dMassSetParameters(&mass, b.mass, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
     bodies_.push_back(dBodyCreate(world));
     dBodySetMass(bodies_[i], &mass);
-    dBodySetGyroscopicMode(bodies_[i], 0);  // it is among the inertia forces
+    dBodySetGyroscopicMode(bodies_[i], 0);  // included in the inertial forces
     dBodySetAutoDisableFlag(bodies_[i], 0);
     putBody(i);
     ode_joints_.push_back(b.prismatic ? dJointCreateSlider(world, nullptr)
@@ -107,8 +107,8 @@ Jointed::~Jointed() {
   for (const dBodyID body : bodies_) dBodyDestroy(body);
 }
 
-/// Poses and velocities of all bodies; accelerations with qdd = 0 and the middle rates, without gravity, and
-/// the gyroscopic torque of these rates.
+/// Computes poses and velocities of all bodies, accelerations for qdd = 0 and the middle rates without
+/// gravity, and the gyroscopic torque of these rates.
 void Jointed::placeFree() {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const mechanism::TreeBody& b = tree_.bodies[i];
@@ -140,7 +140,7 @@ void Jointed::putBody(std::size_t i) {
   dBodySetAngularVel(bodies_[i], s.omega.x(), s.omega.y(), s.omega.z());
 }
 
-/// External wrench and inertia forces. Gravity is ODE's own.
+/// Applies the external wrench and inertial forces. Gravity is ODE's own.
 void Jointed::pushBody(std::size_t i) {
   const mechanism::TreeBodyState& s = free_state_.bodies[i];
   const Vector3d force = external_[i].force + inertia_forces_[i].force;
@@ -150,7 +150,7 @@ void Jointed::pushBody(std::size_t i) {
   dBodyAddTorque(bodies_[i], torque.x(), torque.y(), torque.z());
 }
 
-/// Makes the present value of the joint ODE's zero: stops are measured from it, so any range will do.
+/// Makes the present value of the joint ODE's zero: stops are relative to it, so any range works.
 void Jointed::joinHere(std::size_t i) {
   const Vector3d& axis = free_state_.bodies[i].axis_B;
   if (free_.bodies[i].prismatic)
@@ -159,7 +159,7 @@ void Jointed::joinHere(std::size_t i) {
     dJointSetHingeAxis(ode_joints_[i], axis.x(), axis.y(), axis.z());
 }
 
-/// Effort, stops, motor or damper.
+/// Sets effort, stops, motor or damper of a joint.
 void Jointed::setJoint(std::size_t i, double h) {
   const mechanism::TreeBody& b = tree_.bodies[i];
   const auto k = static_cast<std::size_t>(b.dof);
@@ -172,7 +172,7 @@ void Jointed::setJoint(std::size_t i, double h) {
     b.prismatic ? dJointAddSliderForce(joint, effort) : dJointAddHingeTorque(joint, effort);
   }
 
-  // ODE takes stops of hinges within half a turn only; one that is farther away is out of reach.
+  // ODE accepts stops of hinges only within half a turn; a farther one is out of reach.
   bool at_stop = false;
   const JointSide& side = joints_[i];
   if (side.lower > -kInfinity || side.upper < kInfinity) {
@@ -180,8 +180,8 @@ void Jointed::setJoint(std::size_t i, double h) {
     const double down = side.lower - values_[i], up = side.upper - values_[i];
     const double reach = b.prismatic ? kInfinity : kPi;
     at_stop = down >= 0.0 || up <= 0.0;
-    // ODE measures the joint anew: rounding must not decide whether it is at its stop.
-    const double most = kStopSpeed * h / kStopReturn;  // overshoot that ODE is told of
+    // ODE measures the joint again: rounding must not decide whether it is at its stop.
+    const double most = kStopSpeed * h / kStopReturn;  // largest overshoot reported to ODE
     const double low = down >= 0.0 ? std::clamp(down, kRounding, most) : std::min(down, -kRounding);
     const double high = up <= 0.0 ? std::clamp(up, -most, -kRounding) : std::max(up, kRounding);
     set(dParamLoStop, low > -reach ? low : -dInfinity);
@@ -190,7 +190,7 @@ void Jointed::setJoint(std::size_t i, double h) {
     set(dParamStopCFM, 0.0);
   }
 
-  // A damper is a motor towards rest that gives way in proportion to its force.
+  // A damper is a motor with target 0 whose compliance is proportional to its force.
   const bool damped = motors_[k].most == 0.0 && side.damping > 0.0 && !at_stop;
   set(dParamVel, damped ? 0.0 : b.scale * motors_[k].velocity);
   set(dParamFMax, damped ? dInfinity : motors_[k].most * side.share);
@@ -207,7 +207,7 @@ void Jointed::begin(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) setJoint(i, h);
 }
 
-/// The joint's velocity after ODE's step, about or along the axis of before.
+/// The joint's velocity after ODE's step, about or along its axis before the step.
 double Jointed::rateOf(std::size_t i) const {
   const auto vector = [](const dReal* v) { return Vector3d(v[0], v[1], v[2]); };
   const mechanism::TreeBodyState& s = free_state_.bodies[i];
@@ -226,8 +226,8 @@ double Jointed::rateOf(std::size_t i) const {
                       vector(dBodyGetAngularVel(bodies_[p])).cross(arm));
 }
 
-/// Joints that share a dof, moved apart by ODE's step, get the velocities that are nearest in kinetic energy
-/// (Gauss's principle of least constraint): M qd = sum of scale times the joints' momenta.
+/// Joints that share a dof get different velocities from ODE's step. They are replaced by those nearest in
+/// kinetic energy (Gauss's principle of least constraint): M qd = sum of scale times the joints' momenta.
 void Jointed::share() {
   mechanism::inverseDynamics(free_, {values_, {}, rates_}, {Vector3d::Zero(), {}}, free_state_, momenta_);
   std::fill(qd_.begin(), qd_.end(), 0.0);

@@ -12,7 +12,7 @@
 namespace abstand::physics {
 namespace {
 
-// N, N m, m/s, rad/s: more is no physics, and would overflow.
+// N, N m, m/s, rad/s: larger values are not physical and would overflow.
 constexpr double kMax = 1e9;
 
 bool sound(double value) { return std::abs(value) <= kMax; }
@@ -32,8 +32,8 @@ void startOde() {
   std::call_once(once, [] { ABSTAND_CHECK(dInitODE2(0) && dCheckConfiguration("ODE_double_precision")); });
 }
 
-/// Runs the parts of a step one after the other on the thread that steps. ODE's default one is shared by all
-/// worlds, which must then not step at the same time.
+/// Runs the parts of a step sequentially on the calling thread. ODE's default threading is shared by all
+/// worlds, which then must not step at the same time.
 dxThreadingImplementation* makeThreading() {
   startOde();
   return dThreadingAllocateSelfThreadedImplementation();
@@ -43,7 +43,7 @@ dxWorld* makeWorld(const Vector3d& gravity_W, dxThreadingImplementation* threadi
   dxWorld* world = dWorldCreate();
   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
   dWorldSetGravity(world, gravity_W.x(), gravity_W.y(), gravity_W.z());
-  // Joints have no error to take back and are never redundant: see jointed.cpp.
+  // Joints have no position error and are never redundant: see jointed.cpp.
   dWorldSetERP(world, 0.0);
   dWorldSetCFM(world, 0.0);
   return world;
@@ -55,7 +55,7 @@ dxWorld* makeWorld(const Vector3d& gravity_W, dxThreadingImplementation* threadi
 struct PhysicsWorld::FreeBody {
   dBodyID id;
   mechanism::LinkInertia inertia;
-  Matrix3d inverse;  ///< of the inertia, in the body's axes
+  Matrix3d inverse;  ///< inverse of the inertia, in the body's axes
 
   Matrix3d axes() const { return matrix(dBodyGetRotation(id)); }
   Vector3d center() const { return vector(dBodyGetPosition(id)); }

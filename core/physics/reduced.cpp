@@ -1,7 +1,7 @@
-// A mechanism in joint coordinates, by our own forward dynamics.
+// A mechanism in joint coordinates, by own forward dynamics.
 //
-// (M + h D) qd' = M qd + h (efforts - C u - g + J^T w) + G^T x, with x the impulses of stops and motors: for
-// each of their joints the velocity that is wanted, or x at its bound.
+// (M + h D) qd' = M qd + h (efforts - C u - g + J^T w) + G^T x, with x the impulses of stops and motors: each
+// of their joints has its target velocity, or x is at its bound.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +36,7 @@ class Reduced final : public Articulation {
   BoxLcp rows_;
   std::vector<std::size_t> row_bodies_;
   std::vector<Eigen::Index> motor_rows_;  ///< of each dof, -1: none
-  Eigen::MatrixXd responses_;             ///< a column a row: what a unit of its impulse does to qd
+  Eigen::MatrixXd responses_;             ///< one column for each row: change of qd by a unit of its impulse
 };
 
 Reduced::Reduced(const mechanism::Mechanism& mechanism, const Transform& X_WB,
@@ -77,7 +77,7 @@ void Reduced::addRow(std::size_t body, double velocity, double lower, double upp
   }
 }
 
-/// Stops that have been reached, and motors of the other joints.
+/// Collects rows for active stops, and for motors of the other joints.
 void Reduced::gatherRows(double h) {
   row_bodies_.clear();
   std::fill(motor_rows_.begin(), motor_rows_.end(), -1);
@@ -91,7 +91,7 @@ void Reduced::gatherRows(double h) {
     else if (up <= 0.0)
       addRow(i, std::max(kStopReturn * up / h, -kStopSpeed), -kInfinity, 0.0);
     else if (motor.most > 0.0) {
-      // Joints that mimic each other are driven as one: rows of their own would say the same thing twice.
+      // Mimic joints are driven as one: separate rows would be linearly dependent.
       Eigen::Index& row = motor_rows_[static_cast<std::size_t>(b.dof)];
       const double most = h * motor.most * joints_[i].share;
       if (row < 0) {
@@ -116,8 +116,8 @@ void Reduced::solveRows() {
       next_[k] += rows_.x[r] * responses_(static_cast<Eigen::Index>(k), r);
 }
 
-/// Effort on the dof of a motor whose joint is at a stop: all it has, the way it wants to go, at rest into
-/// the stop. As ODE does.
+/// Effort of a motor on a dof whose joint is at a stop, as in ODE: its full effort in the direction of the
+/// target velocity; at target 0, into the stop.
 double Reduced::pushAtStop(std::size_t i) const {
   const Motor& motor = motors_[dofOf(i)];
   if (motor.most == 0.0 || !atStop(i)) return 0.0;

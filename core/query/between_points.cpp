@@ -1,4 +1,4 @@
-// Contacts that the shell's points miss.
+// Contacts between the points of the pointshells.
 #include "core/query/between_points.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ double distanceFrom(const PlacedBody& P, std::uint32_t near, const PlacedBody& F
   if (near == kernels::kNoPoint) return kInfinity;
   const Transform X_FP = F.X_WB.inverse() * P.X_WB;
   const Vector3d start = X_FP * P.body.tree.at(near);
-  // A walk outside never leads inside.
+  // A local search that starts outside stays outside.
   if (margin <= 0.0 && !F.body.surface->inside(start)) return kInfinity;
   const Vector3d normal = X_FP.linear() * P.body.tree.normalAt(near);
   return refineWitness(P.body, F.body, X_FP, {start, normal, P.body.shell.spacing, geometry::kNoHint})

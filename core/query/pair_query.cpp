@@ -10,7 +10,7 @@
 namespace abstand::query {
 namespace {
 
-/// Where the nearest points of a query are when the bodies have moved on with them. World frame.
+/// The last witness points, moved with the bodies. World frame.
 struct TransportedWitnesses {
   TransportedWitnesses(const PairCache& past, const Transform& X_WA, const Transform& X_WB)
       : on_a(X_WA.linear() * past.on_a + X_WA.translation()),
@@ -21,11 +21,11 @@ struct TransportedWitnesses {
   double distance;
 };
 
-/// Most pairs: the nearest points are still where they were, and the hulls prove it.
+/// The most frequent case: the moved witness points are still proven by the hulls.
 bool reuseWitnesses(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                     const TransportedWitnesses& points, PairCache& past, PairResult& result) {
   if (!past.hulls || !(points.distance > kTouching)) return false;
-  // Along a vector of any length: the separation times that.
+  // The separation along a vector of any length is scaled by that length.
   const double certified = separationAlong(points.way, a, b, false) / points.distance - kPlaneRounding;
   if (points.distance - certified > tolerance(points.distance, options) || certified <= options.margin)
     return false;
@@ -38,7 +38,7 @@ bool reuseWitnesses(const PlacedBody& a, const PlacedBody& b, const PairOptions&
   return true;
 }
 
-/// The same from either of what a pair remembers; what it then starts from is in memory.last.
+/// Tries both caches of a pair; the one to start from is then in memory.last.
 bool reuseEitherCache(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                       PairMemory& memory, PairResult& result) {
   if (!memory.last.apart) return false;

@@ -1,4 +1,4 @@
-// One query of a pair: what looks at the shells' points.
+// Pair query: steps that search the shell points.
 #include "core/query/pair_search.hpp"
 
 #include <algorithm>
@@ -9,28 +9,29 @@
 namespace abstand::query {
 namespace {
 
-// Shell points are moved between the frames in float: below 0.2 um for bodies within some metres.
+// Shell points are transformed in float: error below 0.2 um for bodies within some metres.
 constexpr double kFloatRounding = 1e-6;
-// A search goes on to this part, so that what it proved is still worth something when the bodies have moved.
+// Relative tolerance of the search: a tighter bound than needed stays useful after the bodies have moved.
 constexpr double kSearchPart = 0.0025;
-// Of the distance: so much nearer points a search beyond may have missed, as the field there is coarse.
+// Relative error of the smallest distance found by a search beyond kRelativeFrom, where the field is coarse.
 constexpr double kFoundPart = 0.005;
-// Spacings: a shell point this near to the witness, and no nearer to the other body, leads to it again.
+// In spacings: a shell point this near to the witness and not nearer to the other body converges to the same
+// minimum.
 constexpr double kSamePlace = 2.0;
-// Of the distance: a witness so near to what is proven is not worth to improve.
+// Share of the distance: a witness this close to the proven bound is not improved further.
 constexpr double kStayPart = 0.002;
-// m; bodies that move by no more from one search to the next are worth to look at a second time, for points
-// that are farther away than the nearest by this.
+// m; kSlow: largest motion between two searches for which the runner-up search pays off. kRivalry: range
+// beyond the witness distance in which it looks for the runner-up.
 constexpr double kSlow = 0.001, kRivalry = 0.004;
-// Spacings: by so much at most the walk from a point finds a deeper one.
+// In spacings: largest depth that a local search can gain from a point.
 constexpr double kDeeper = 0.1;
-// The same where the bodies hardly touch: where edges cross, both may lie between points.
+// The same for bodies that barely touch: where edges cross, both may lie between points.
 constexpr double kCrossing = 0.5;
 // Spacings; points this close to the witness converge to the same minimum.
 constexpr double kHome = 6.0;
-// Of what is allowed: a point that seems nearer by this is worth a walk.
+// Share of the tolerance: a point whose estimate is nearer by more than this gets a local search.
 constexpr double kWorthPart = 0.25;
-// Queries of near bodies whose hulls overlap, between two that look whether they still do.
+// Queries without hull test after the hulls of near bodies were found to overlap.
 constexpr std::uint32_t kIdle = 8;
 
 }  // namespace
@@ -68,7 +69,7 @@ void PairSearch::searchReversed(kernels::PairScratch& scratch) {
   other.hint_field_ = hint_points_;
   other.witness_.distance = witness_.distance;
   const double lower_bound = other.searchDeeper(scratch) - kFloatRounding - F_.body.shell.covering_radius;
-  // Each search bounds the depth of its own points.
+  // Each search bounds the depth of its own points only.
   certified_ = std::min(certified_, lower_bound);
   other_sum_ = other.sum_;
   const Witness& found = other.witness_;
@@ -108,13 +109,13 @@ void PairSearch::store(PairCache& memory, bool from_a) const {
   memory.hint_b = from_a ? witness_.hint_field : witness_.hint_points;
 }
 
-/// Where forces are wanted, those are summed at once, as both look at the same points.
+/// Also sums forces if they are needed, as both searches visit the same points.
 kernels::NearestPoint PairSearch::nearestPoint(const kernels::NearestLimits& limits,
                                                kernels::PairScratch& scratch) {
   const field::NearField* near = structure::nearField(F_.body);
   if (summing_ && near) {
     const auto margin = static_cast<float>(options_.margin);
-    // So far every point is looked at that limits.start would not leave out.
+    // Visits every point that limits.start would not exclude.
     const float start =
         std::isfinite(limits.start) ? limits.start + static_cast<float>(near->errorBound()) : margin;
     const kernels::ContactLimits contacts{margin, std::max(margin, start), options_.law == ForceLaw::kVolume};
@@ -126,8 +127,8 @@ kernels::NearestPoint PairSearch::nearestPoint(const kernels::NearestLimits& lim
   return kernels::searchKernels().nearest(P_.body.treeView(X_FP_), F_.body.fieldView(), limits, scratch);
 }
 
-/// The walk from the deepest shell point, when it seems deeper than the witness or hardly less. Returns as
-/// searchPoints does.
+/// Local search from the deepest shell point, if it seems deeper than the witness or nearly as deep. Returns
+/// the same as searchPoints().
 double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
   const kernels::NearestLimits limits{static_cast<float>(witness_.distance),
                                       static_cast<float>(kRelativeFrom), static_cast<float>(kSearchPart)};
@@ -142,8 +143,8 @@ double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
   return static_cast<double>(nearest.lower_bound);
 }
 
-/// Improves the witness by the best shell point; `apart`: from what is known. Returns the least distance
-/// (m) of any shell point that is proven.
+/// Improves the witness from the best shell point; `apart`: known to be apart. Returns the proven lower bound
+/// (m) for all shell points.
 double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   const kernels::NearestLimits limits{
       apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
@@ -153,7 +154,7 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   if (nearest.point == kernels::kNoPoint) return lower_bound;
   const Vector3d start = X_FP_ * P_.body.tree.at(nearest.point);
   const double spacing = P_.body.shell.spacing;
-  // What leads to the witness again, or cannot lead to anything nearer.
+  // The point leads to the same witness, or cannot lead to a nearer one.
   const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
   if (state_ == WitnessState::kSettled && witness_.distance > kTouching &&
       static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
@@ -167,8 +168,8 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   if (far)
     found = footWitness(*F_.body.surface, start, witness_.hint_field,
                         (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
-  // Where the point's foot is no nearer than the witness, a walk from it may be.
-  // Within a hundredth the foot is near enough.
+  // If the point's foot is not nearer than the witness, a local search from it may be; within one percent the
+  // foot is near enough.
   const bool worth =
       options_.far_share < kColdFarShare &&
       static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
@@ -178,8 +179,8 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   return lower_bound;
 }
 
-/// The nearest points that moved with the bodies are still the nearest, when all others were farther away
-/// by more than what the bodies have moved.
+/// The witness points, moved with the bodies, are still the nearest if the runner-up was farther away by more
+/// than the bodies have moved.
 bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
   return certified_ > 0.0 && witness_.distance <= memory.runner_up_distance - motion_ &&
          (X_FP_ * memory.witness_on_points - witness_.on_points).norm() < 0.5 * kHome * P_.body.shell.spacing;

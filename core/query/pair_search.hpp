@@ -1,4 +1,4 @@
-// One query of a pair, in steps. Internal to the engine.
+// The steps of one pair query. Internal to the engine.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace abstand::query {
 
 /// m; below this distance the contact normal is undefined.
 inline constexpr double kTouching = 1e-6;
-/// m; by so much a distance up to kRelativeFrom may exceed the smallest.
+/// m; tolerance of distances up to kRelativeFrom.
 inline constexpr double kAbsoluteTolerance = 1e-5;
-/// m; points that have left each other by so much between two queries are a bad start.
+/// m; witness points that have separated by more than this between two queries are a poor start.
 inline constexpr double kJump = 0.01;
 
 /// Tolerance (m) on the reported distance.
@@ -23,42 +23,42 @@ inline double tolerance(double distance, const PairOptions& options) {
                                   : kAbsoluteTolerance;
 }
 
-/// What the witness of a search is; a query passes through these states from the top.
+/// State of the witness of a search; a query passes through these states in this order.
 enum class WitnessState : std::uint8_t {
-  kNone,         ///< none is known, or the bodies touched in the last query; goes on with search()
-  kTransported,  ///< that of the last query, moved with the bodies; may be proven as it is
+  kNone,         ///< no witness, or the bodies touched in the last query; continues with search()
+  kTransported,  ///< witness of the last query, moved with the bodies; may be proven unchanged
   kMoved,        ///< improved along the surfaces by warmStart(); may be proven after each step
-  kSettled       ///< a nearest pair of its neighbourhood, by approachWitness(); search() looks for others
+  kSettled       ///< local minimum found by approachWitness(); search() looks for others
 };
 
-/// What is known of a plane between the convex hulls. kSkipped: not tested in this query.
+/// Result of the test for a separating plane of the convex hulls. kSkipped: not tested in this query.
 enum class HullTest : std::uint8_t { kSkipped, kOverlap, kSeparated };
 
-/// One query of a pair: branch and bound over the point-sphere tree of P in the field of F. Everything is in
-/// F's axes. What the last query left is tried first (warmStart), then P's points are searched in F's field,
-/// then, where the bodies may touch, F's points in P's field. Lives within one call of queryPair(); no
-/// allocation, no throw.
+/// One pair query: branch and bound over the point-sphere tree of P in the field of F, in F's axes. Order:
+/// warm start from the last query (warmStart), P's points in F's field (search), and, if the bodies may
+/// touch, F's points in P's field (searchReversed). Lives within one call of queryPair(); no allocation, no
+/// throw.
 class PairSearch {
  public:
-  /// All must outlive this object.
+  /// All arguments must outlive this object.
   PairSearch(const PlacedBody& P, const PlacedBody& F, const PairOptions& options, PartAxes& part_axes)
       : P_(P), F_(F), X_FP_(F.X_WB.inverse() * P.X_WB), options_(options), part_axes_(part_axes) {}
 
-  /// Where the nearest points were may be where they are: proven when no points can be much nearer.
+  /// Tries to prove or locally refine the last witness points; true if the distance is proven.
   bool warmStart(const PairCache& memory, bool from_a);
-  /// The nearest shell point, then the nearest points on the exact surfaces about it.
+  /// Finds the nearest shell point, then the nearest points on the exact surfaces near it.
   void search(PairCache& memory, kernels::PairScratch& scratch);
-  /// True when the bodies may touch, as far as is proven, or P may have swallowed a piece of F.
+  /// True if contact is not excluded: the bodies may touch, or P may contain a component of F.
   bool mayTouch() const;
-  /// What a search of F's points in P's field finds: a tip of F may lie between P's points, and a whole piece
-  /// of it inside of P.
+  /// Searches F's points in P's field: a vertex of F may lie between P's points, and a whole component of F
+  /// inside P.
   void searchReversed(kernels::PairScratch& scratch);
   void store(PairCache& memory, bool from_a) const;
 
-  /// The penalty force, when the searches have summed it on their way. `from_a`: P is A.
+  /// The penalty force, if the searches have summed it. `from_a`: P is A.
   std::optional<PenaltyForce> penalty(bool from_a) const;
   const Witness& witness() const { return witness_; }
-  /// The true distance is never below it.
+  /// Lower bound (m) of the true distance.
   double certified() const { return certified_; }
 
  private:
@@ -74,7 +74,8 @@ class PairSearch {
   void findRunnerUp(PairCache& memory, kernels::PairScratch& scratch) const;
 
   void certify(double lower_bound) { certified_ = std::max(certified_, lower_bound); }
-  /// No shell point is nearer than this; so no surface point by more than the covering radius.
+  /// Sets the lower bound (m) for all shell points; that for surface points is smaller by the covering
+  /// radius.
   void setShellBound(double of_points) {
     of_points_ = of_points;
     certify(of_points - P_.body.shell.covering_radius);
@@ -93,25 +94,26 @@ class PairSearch {
   PartAxes& part_axes_;
   Witness witness_;
   double certified_{-kInfinity};
-  double motion_{kInfinity};      ///< m, since the last search
-  double of_points_{-kInfinity};  ///< m, at least, of each of P's shell points
-  std::uint32_t hint_points_{geometry::kNoHint}, hint_field_{geometry::kNoHint};  ///< of the last query
-  double found_{-kInfinity};  ///< the best of all points, as far as the last search could tell
+  double motion_{kInfinity};      ///< m; motion bound since the last search
+  double of_points_{-kInfinity};  ///< m; lower bound for each of P's shell points
+  std::uint32_t hint_points_{geometry::kNoHint}, hint_field_{geometry::kNoHint};  ///< from the last query
+  double found_{-kInfinity};  ///< m; smallest distance of all points, up to the accuracy of the last search
   std::uint32_t idle_{0};     ///< as in PairCache
   WitnessState state_{WitnessState::kNone};
   HullTest hull_test_{HullTest::kSkipped};
-  bool by_parts_{false};                          ///< the hulls of their parts told last
-  bool hulls_{false};                             ///< the witness is about as near as the hulls
-  bool summing_{false};                           ///< forces are likely to be wanted
+  bool by_parts_{false};                          ///< the last proof was by the hulls of the parts
+  bool hulls_{false};                             ///< the witness distance is close to the separation of the
+                                                  ///< hulls
+  bool summing_{false};                           ///< forces will probably be needed
   std::optional<kernels::ContactSum> sum_;        ///< of P's points in F's field
-  std::optional<kernels::ContactSum> other_sum_;  ///< of F's points in P's
+  std::optional<kernels::ContactSum> other_sum_;  ///< of F's points in P's field
 };
 
-/// The part of queryPair() that tells the distance. True when the shells' points may touch and it did not
-/// come by the penalty force: then forces are still zero and `depth` is that of the witness.
+/// The distance part of queryPair(). True if the shell points may touch and the forces were not summed yet:
+/// then forces are still zero and `depth` is that of the witness.
 bool queryDistance(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                    const QueryContext& context, PairResult& result) noexcept;
-/// The rest.
+/// The remaining part of queryPair(): forces and contacts.
 void addPenalty(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
                 kernels::PairScratch& scratch, PairResult& result) noexcept;
 

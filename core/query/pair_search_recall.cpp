@@ -1,4 +1,4 @@
-// One query of a pair: what follows the nearest points of the last one, and proves that they are still.
+// Pair query: warm start; follows the last witness points and proves their distance.
 #include <algorithm>
 
 #include "core/query/pair_search.hpp"
@@ -7,13 +7,13 @@
 namespace abstand::query {
 namespace {
 
-// Of what is allowed: the surface between the points may be nearer than they are.
+// Share of the tolerance: the surface between the points may be nearer than they are.
 constexpr double kPointsPart = 0.75;
-// Of the radii: what separationAlong loses at most by not looking closely, and some staleness.
+// Share of the radii: largest loss of separationAlong without `closely`, and a reserve.
 constexpr double kHullLoss = 0.05;
-// Of the distance: by so much at most it exceeds that of the hulls where it is worth to look at them first.
+// Share of the distance: up to this excess over the separation of the hulls, the hulls are tested first.
 constexpr double kHullPart = 0.03;
-// A line found anew gains little after that.
+// More rounds with a new axis gain little.
 constexpr int kRounds = 3;
 
 }  // namespace
@@ -42,7 +42,7 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   if (jumped && trySupportPoints(n_P, n_F)) return true;
   idle_ = jumped || witness_.distance > kRelativeFrom ? 0 : memory.idle;
   if (idle_ == 0 && refineLocally()) return true;
-  // Farther away a search is the shorter way.
+  // At larger distances a search is faster.
   if (witness_.distance > kRelativeFrom) {
     if (!jumped && memory.hulls && trySupportPoints(n_P, n_F)) return true;
     if (tryPartSupportPoints()) return true;
@@ -55,18 +55,18 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   return isProven() || isUniqueMinimum(memory);
 }
 
-/// From where they were, as long as there is much to gain.
+/// Refines the last witness points as long as the gain is large.
 bool PairSearch::refineLocally() {
   for (int round = 1;; ++round) {
     const bool more = walkWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_) && round < kRounds;
-    // What parts prove is looked at once, at the end.
+    // The test by parts runs once, at the end.
     if (!(by_parts_ && more) && isProven()) return true;
     if (!more) return false;
   }
 }
 
-/// A body that turns about itself keeps its distance, but by other points: those that reach farthest along
-/// the line on which the nearest were, as it lies in the other body. n_P, n_F: unit vectors from F to P in
+/// For a body that rotates about itself: the distance stays but the witness points change. Tries the support
+/// points along the last witness line, taken in either body's frame. n_P, n_F: unit vectors from F to P in
 /// the axes of each.
 bool PairSearch::trySupportPoints(const Vector3d& n_P, const Vector3d& n_F) {
   Vector3d n = X_FP_.linear() * n_P;
@@ -98,7 +98,7 @@ bool PairSearch::tryPartSupportPoints() {
   return false;
 }
 
-/// One of these points of the surfaces or both, when they are nearer.
+/// Replaces one or both witness points by these surface points if that is nearer.
 void PairSearch::tryPoints(const structure::ExtremePoint& of_points,
                            const structure::ExtremePoint& of_field) {
   const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
@@ -118,7 +118,7 @@ void PairSearch::tryPoints(const structure::ExtremePoint& of_points,
   }
 }
 
-/// Certified, along the unit vector n from F to P in F's axes.
+/// Certified separation (m) along the unit vector n from F to P in F's axes.
 double PairSearch::separation(const Vector3d& n) {
   const double apart = separationAlong(F_.X_WB.linear() * n, P_, F_, false);
   certify(apart - kPlaneRounding);
@@ -131,7 +131,7 @@ bool PairSearch::isKnown() const {
          witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
 }
 
-/// The distance is within what is allowed of the smallest one of the surfaces, or of the shell's points.
+/// True if the distance is within tolerance of the smallest one of the surfaces, or of the shell points.
 bool PairSearch::isProven() {
   if (!(witness_.distance > kTouching)) return false;
   if (idle_ > 0) return isKnown();
@@ -149,7 +149,7 @@ bool PairSearch::provenByHulls(const Vector3d& n) {
     if (separation > kPlaneRounding) hull_test_ = HullTest::kSeparated;
     hulls_ = witness_.distance - separation <= kHullPart * witness_.distance;
     if (isKnown()) return true;
-    // What the first look may have lost.
+    // The loss of the fast test.
     if (witness_.distance - separation >
         kHullLoss * (P_.body.bounding_sphere.radius + F_.body.bounding_sphere.radius))
       break;

@@ -1,4 +1,4 @@
-// Pairs of bodies that are asked together, cycle after cycle.
+// Batch queries of a fixed set of pairs.
 #include "core/query/pair_set.hpp"
 
 #include <algorithm>
@@ -12,14 +12,15 @@
 namespace abstand::query {
 namespace {
 
-// Part of the coordinates; the balls are placed in double.
+// Share of the coordinates; the balls are transformed in double.
 constexpr double kAxisRounding = 1e-12;
-// Spacings; where bodies overlap by a tenth of a millimetre, a point is nearer to it than this.
+// In spacings: a point is nearer than this to bodies that overlap by 0.1 mm.
 constexpr double kBetweenPoints = 0.4;
-// Steps towards the nearest points of two hulls; when these do not part them, the bodies wait.
+// Frank-Wolfe steps towards the nearest points of two hulls; if these do not separate them, the pair backs
+// off.
 constexpr int kAxisSteps = 10;
 constexpr std::uint32_t kSettledQueries = 16, kMaxIdle = 64, kPartsIdle = 4, kMaxPartsIdle = 16;
-// Cosine of the angle between lines that are kept as one.
+// Cosine of the largest angle between axes that count as the same.
 constexpr double kSameLine = 0.98;
 
 }  // namespace
@@ -67,7 +68,7 @@ std::span<const PairSet::Touch> PairSet::contacts(std::span<const Transform> X_W
 const PairSet::Nearest& PairSet::nearest(std::span<const Transform> X_WB, const PairOptions& options) {
   place(X_WB);
   const std::uint32_t first = nearest_.pair;
-  // Forces are those of the nearest only.
+  // Forces are computed for the nearest pair only.
   const auto query = [&](std::size_t i, PairResult& result) {
     const Bodies& pair = pairs_[i];
     const bool touches =
@@ -150,8 +151,9 @@ bool PairSet::partsApart(std::size_t i, std::span<const Transform> X_WB, double 
   return false;
 }
 
-// Walks from one pair of outermost points to the next, always to the point of the way that is nearest
-// (Frank, Wolfe 1956, on the difference of the two hulls; Gilbert, Johnson, Keerthi 1988 keep more corners).
+// Frank-Wolfe iteration on the Minkowski difference of the two hulls (Frank, Wolfe 1956): from pair to pair
+// of support points, always to the nearest point of the segment. Gilbert, Johnson, Keerthi 1988 keep more
+// vertices.
 bool PairSet::seekLine(std::size_t i, std::span<const Transform> X_WB, double by) {
   Lines& lines = lines_[i];
   if (lines.hulls.waits()) return false;

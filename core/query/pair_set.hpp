@@ -1,4 +1,4 @@
-// Pairs of bodies that are asked together, cycle after cycle.
+// Batch queries of a fixed set of pairs.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace abstand::query {
 
-/// Batch queries: contacts only, or the minimum only: the forces of those that touch, or the one that is
-/// nearest. Pairs that are far apart end at their bounding spheres, others at the line across which they were
-/// apart before. Forces, and the distance of the nearest pair, are those of queryPair() with a memory. One
-/// thread; no allocation after construction, no throw.
+/// Computes less than queryPair() for each pair: the forces of the pairs in contact, or the nearest pair. Far
+/// pairs are culled by bounding spheres, others by their last separating axis. Forces, and the distance of
+/// the nearest pair, are those of queryPair() with a memory. One thread; no allocation after construction, no
+/// throw.
 class PairSet {
  public:
   struct Bodies {
@@ -33,29 +33,29 @@ class PairSet {
 
   std::size_t size() const { return pairs_.size(); }
 
-  /// All of a pair, for every one. `X_WB`: a pose for each structure; `results` has a place for each pair.
+  /// Full result of every pair. `X_WB`: a pose for each structure; `results`: one entry for each pair.
   void distances(std::span<const Transform> X_WB, const PairOptions& options, std::span<PairResult> results);
 
-  /// The pairs that touch, in order; where they touch between the points only, without a force. Valid until
-  /// the next call.
+  /// The pairs in contact, in order; contacts only between the shell points have no force. Valid until the
+  /// next call.
   std::span<const Touch> contacts(std::span<const Transform> X_WB, const PairOptions& options);
 
-  /// The smallest signed distance of all; of several, the pair of the last call before the first in order.
+  /// The smallest signed distance of all pairs; if equal, the pair of the last call, then the first in order.
   const Nearest& nearest(std::span<const Transform> X_WB, const PairOptions& options);
 
  private:
-  /// Unit vector from B to A along which the two were apart, in the axes of each. Zero: none is known.
+  /// Separating axis: unit vector from B to A, in the axes of each body. Zero: unknown.
   struct Line {
     Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
   };
-  /// Calls until it is worth to look for another line: the longer, the more often there was none.
+  /// Calls until the next search for a separating axis; doubles with failures.
   struct Backoff {
     std::uint32_t left{0}, next{0};
     bool waits() { return left > 0 && left-- > 0; }
     void failed(std::uint32_t least, std::uint32_t most);
   };
   struct Lines {
-    Line last, before;  ///< `before`: another one than the last, for bodies that jump to and fro
+    Line last, before;  ///< `before`: a different earlier axis, for bodies that jump to and fro
     PartAxes of_parts;
     Backoff hulls, parts;
   };
@@ -66,9 +66,9 @@ class PairSet {
 
   void place(std::span<const Transform> X_WB);
   bool ballsApart(const Bodies& pair, double by) const;
-  /// The pair's hulls are known to be farther apart than this (m).
+  /// True if a stored separating axis still proves that the hulls are farther apart than `by` (m).
   bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by);
-  /// The same of all of their parts.
+  /// The same for the hulls of all parts.
   bool partsApart(std::size_t pair, std::span<const Transform> X_WB, double by);
   bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
   void keepLine(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);

@@ -1,4 +1,4 @@
-// A certified lower bound of the distance of two bodies that are not convex, from the hulls of their parts.
+// Certified lower bound of the distance of two non-convex bodies, from the hulls of their parts.
 #include "core/query/parts_apart.hpp"
 
 #include <algorithm>
@@ -10,32 +10,32 @@
 namespace abstand::query {
 namespace {
 
-// m; spheres are placed in float, for bodies within some metres.
+// m; spheres are transformed in float, for bodies within some metres.
 constexpr double kSphereRounding = 2e-6;
 constexpr int kSteps = 3;
 constexpr std::size_t kMax = structure::SurfaceParts::kMax;
 
-// The bits of SearchKernels::meeting.
+// Decodes the bits of SearchKernels::meeting.
 std::size_t partOfPoints(int bit) { return static_cast<std::size_t>(bit) % kMax; }
 std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; }
 
 Vector3d centre(const kernels::SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
 
-/// How far a part reaches along g at most (m times the length of g).
+/// Upper bound of the support function of a part (m times the length of g).
 double partUncertainty(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
                        bool closely) {
   if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
   return closely ? body.support.closeUpper(g) : body.support.upper(g);
 }
 
-/// The same, and where.
+/// The same, and the point.
 double partFarthest(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
                     structure::ExtremePoint& extreme) {
   return body.parts.size() > 1 ? body.parts.hull(part).farthest(g, extreme)
                                : body.support.farthest(g, extreme);
 }
 
-/// Of one body along one direction, looked at when first wanted.
+/// Support values of the parts of one body along one direction, computed on demand.
 class Reaches {
  public:
   Reaches(const structure::HapticStructure& body, const Vector3d& g, bool closely)
@@ -56,9 +56,9 @@ class Reaches {
   unsigned known_{0};
 };
 
-/// Surfaces that are apart may still lie one inside the other. Not a surface of one piece that reaches out of
-/// the other's sphere: from the centre of a minimal sphere, in every direction, some point of the body on it
-/// lies no lower than the centre.
+/// Surfaces that are apart may be nested. This excludes it for a surface of one component that extends beyond
+/// the other's bounding sphere: on a minimal sphere, in every direction from the centre, some point of the
+/// body lies no lower than the centre.
 bool reachesOut(const structure::HapticStructure& body, const structure::HapticStructure& other,
                 double between_centres2) {
   const double r = body.bounding_sphere.radius, reach = other.bounding_sphere.radius + kSphereRounding;
@@ -87,13 +87,13 @@ double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const 
          partUncertainty(F_, j, n, closely_);
 }
 
-// From the difference of two points to the nearest one on the way to the outermost (Frank, Wolfe 1956), until
-// a slab across it is wide enough, or it is too short itself.
+// Frank-Wolfe iteration (1956): moves v to the nearest point of the segment to the support points, until a
+// slab across v is wide enough or v is too short.
 bool FacingParts::partsApart(const Parts& parts) noexcept {
   const auto [i, j] = parts;
   for (const Vector3d& n : lines_.n)
     if (!n.isZero() && slab(n, i, j) >= by_) return true;
-  // Nearer, where a hundredth of a millimetre counts, hulls of parts rarely tell anyway.
+  // At distances where 0.01 mm matters, hulls of parts rarely decide.
   if (closely_) return false;
   Vector3d v = X_FP_ * centre(P_.parts.spheres(), i) - centre(F_.parts.spheres(), j);
   for (int step = 0; step < kSteps; ++step) {
@@ -132,7 +132,7 @@ bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
     open |= std::uint64_t{1} << bit;
     if (slab < least) least = slab, nearest = bit;
   }
-  // The nearest along n first, as that is most likely the one that fails.
+  // The nearest pair along n first, as it is the most likely to fail.
   for (int bit = nearest; open != 0; bit = std::countr_zero(open)) {
     between = {partOfPoints(bit), partOfField(bit)};
     if (!partsApart(between)) return false;

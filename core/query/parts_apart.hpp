@@ -1,5 +1,5 @@
-// A certified lower bound of the distance of two bodies that are not convex, from the hulls of their parts.
-// Internal to the engine.
+// Certified lower bound of the distance of two non-convex bodies, from the hulls of their parts. Internal to
+// the engine.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,26 @@
 
 namespace abstand::query {
 
-/// A point of a part that reaches farthest along g.
+/// The point of a part with the largest g . p.
 structure::ExtremePoint partExtreme(const structure::HapticStructure& body, std::size_t part,
                                     const Vector3d& g) noexcept;
 
-/// The parts of two bodies that may be nearer than `by` (m); the others' spheres are apart. Looked up once
-/// for a pose, then asked along several directions. No allocation, no throw.
+/// The pairs of parts that may be nearer than `by` (m), selected by their bounding spheres. Built once for a
+/// pose, then tested along several directions. No allocation, no throw.
 class FacingParts {
  public:
   struct Parts {
     std::size_t of_points, of_field;
   };
 
-  /// P and F as in a query; all must outlive this object. `closely`: reaches of bodies that are one part are
-  /// looked up without the loss of their tables. `lines`: what is remembered of earlier poses of the two.
+  /// P and F as in a query; all must outlive this object. `closely`: uses exact support functions for bodies
+  /// of one part. `lines`: separating axes kept from earlier poses.
   FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F, const Transform& X_FP,
               double by, bool closely, PartAxes& lines) noexcept;
 
-  /// True when neither body lies inside the other, and no points of theirs are nearer than `by`: all facing
-  /// parts lie on both sides of a slab of this width, across n or another one for two of them. n: unit, from
-  /// F to P, in F's axes. Else `between` is a pair of parts for which none was found.
+  /// True if the bodies are provably at least `by` apart: neither is inside the other, and every pair of
+  /// facing parts is separated by a slab of this width, across n or another axis of their own. n: unit, from
+  /// F to P, in F's axes. If false, `between` is a pair of parts that was not separated.
   bool apart(const Vector3d& n, Parts& between) noexcept;
 
  private:
@@ -40,7 +40,7 @@ class FacingParts {
   double by_;
   bool closely_;
   PartAxes& lines_;
-  bool may_contain_;  ///< one of the bodies, or a piece of it, may lie inside the other
+  bool may_contain_;  ///< one of the bodies, or a component of it, may lie inside the other
   std::uint64_t facing_{0};
 };
 

@@ -6,7 +6,7 @@
 namespace abstand::query {
 namespace {
 
-/// Of P's points in F's field.
+/// Sum over P's points in F's field.
 PenaltyForce sumOver(const PlacedBody& P, const PlacedBody& F, bool points_of_a, const PairOptions& options,
                      kernels::PairScratch& scratch, double watch) {
   const Transform X_FP = F.X_WB.inverse() * P.X_WB;

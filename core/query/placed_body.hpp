@@ -5,7 +5,7 @@
 
 namespace abstand::query {
 
-/// What a query needs to know of each of its two bodies. Refers to both, which must outlive it.
+/// One of the two bodies of a query: structure and pose. Refers to both, which must outlive it.
 struct PlacedBody {
   const structure::HapticStructure& body;
   const Transform& X_WB;

@@ -1,4 +1,4 @@
-// Certified lower bounds of the distance of two bodies from what is cheap to know.
+// Fast certified lower bounds of the distance of two bodies.
 #include "core/query/separation.hpp"
 
 namespace abstand::query {

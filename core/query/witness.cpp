@@ -5,16 +5,16 @@
 namespace abstand::query {
 namespace {
 
-constexpr int kProjections = 8;       // alternating projections gain little after that
+constexpr int kProjections = 8;       // more alternating projections gain little
 constexpr int kDepthSteps = 6;        // halvings of the step inside
-constexpr double kMinStep = 0.2;      // of the first
-constexpr double kLevel = 0.03;       // slope of the depth along the surface that is worth a step
-constexpr double kSteep = 0.2;        // likewise, when the field saw none
-constexpr double kConverged = 1e-6;   // m: gains below this are not worth a query
-constexpr double kEnoughPart = 1e-3;  // of the distance, likewise; the stated bound covers it
-constexpr double kDepthPart = 0.002;  // of the depth, where the field leads
+constexpr double kMinStep = 0.2;      // share of the first step
+constexpr double kLevel = 0.03;       // smallest slope of the depth along the surface for a step
+constexpr double kSteep = 0.2;        // the same if the field showed none
+constexpr double kConverged = 1e-6;   // m: smaller gains are not worth a query
+constexpr double kEnoughPart = 1e-3;  // the same as a share of the distance; the reported bound covers it
+constexpr double kDepthPart = 0.002;  // share of the depth, for steps by the field
 
-/// Exact distances to the two bodies, all in the frame F, remembering where the last answer was found.
+/// Projections onto the two surfaces, in the frame F; keeps the last location as a hint.
 class Surfaces {
  public:
   Surfaces(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP, Witness& w)
@@ -30,14 +30,14 @@ class Surfaces {
     w_.hint_field = s.hint;
     return s.point;
   }
-  /// The foot of p_F, and whether p_F is inside of the field body.
+  /// Nearest point of p_F on F, and whether p_F is inside of F.
   Vector3d toField(const Vector3d& p_F, bool& inside) {
     const geometry::SurfacePoint s = field_.closest(p_F, w_.hint_field);
     w_.hint_field = s.hint;
     inside = field_.inside(p_F, s);
     return s.point;
   }
-  /// To the nearest points of the two triangles on which they lie.
+  /// Moves both points to the nearest points of their two triangles.
   void slide() {
     geometry::TriangleCorners a, b;
     if (!points_.triangle(w_.hint_points, a) || !field_.triangle(w_.hint_field, b)) return;
@@ -94,8 +94,8 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
   }
 }
 
-/// To a deeper point of P's surface near p, as deep as the samples of the near field tell. `normal`: of P's
-/// surface there, unit, in F's axes.
+/// Moves to a deeper point of P's surface near p, as deep as the samples of the near field show. `normal`: of
+/// P's surface there, unit, in F's axes.
 Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, const Vector3d& normal,
               double step) {
   float s, gradient[3];
@@ -108,7 +108,7 @@ Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, cons
   Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
   const double least = kMinStep * step;
   while (step > least) {
-    // Along the surface: what points through it leads nowhere.
+    // Tangential component: only motion along the surface counts.
     const Vector3d along = down - normal * normal.dot(down);
     const double slope = along.norm();
     if (!(slope > kLevel * down.norm())) return p;
@@ -140,7 +140,7 @@ Witness refineWitness(const structure::HapticStructure& P, const structure::Hapt
   set(w, p, q, (p - q).norm());
   if (inside) {
     w.distance = -w.distance;
-    // Where many ways out are as long, at a medial axis, the field is too coarse to tell which way is down.
+    // At a medial axis several directions out are equally short and the field is too coarse for a gradient.
     const Vector3d inward = (p - q).normalized();
     if (!near || (inward - start.normal * start.normal.dot(inward)).norm() > kSteep)
       deepen(surfaces, w, start.step);

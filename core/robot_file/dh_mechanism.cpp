@@ -15,7 +15,7 @@ bool moves(const mechanism::MechanismFrame& f) {
   return f.type != mechanism::JointType::kFixed && f.dof >= 0;
 }
 
-/// The constant part, with what a joint that nothing moves adds to it.
+/// The constant part, including the joint value of a joint that nothing moves.
 Transform constantPart(const mechanism::MechanismFrame& f) {
   Transform X = f.X_PJ;
   if (f.type == mechanism::JointType::kPrismatic && f.dof < 0) X.translate(f.offset * f.axis);
@@ -30,7 +30,7 @@ class DhBuilder {
     const std::size_t n = from_.frames.size();
     next_.assign(n + 1, -1);
     carrier_.resize(n);
-    std::vector<int> body(n);  // the movable frame that carries each, plus one; 0: the base
+    std::vector<int> body(n);  // movable frame that carries each frame, plus one; 0: the base
     for (std::size_t i = 0; i < n; ++i) {
       const auto& f = from_.frames[i];
       const int below = f.parent < 0 ? 0 : body[static_cast<std::size_t>(f.parent)];
@@ -49,11 +49,11 @@ class DhBuilder {
     to_.prepare();
     return std::move(to_);
   }
-  /// Index of the new frame for each old one.
+  /// New index of each old frame.
   const std::vector<int>& places() const { return places_; }
 
  private:
-  /// A frame of the robot on the joint frame `joint` (-1: the base) that moves it.
+  /// A frame of the robot relative to the joint frame `joint` (-1: the base) that moves it.
   struct Carrier {
     int joint{-1};
     Transform X_JL{Transform::Identity()};
@@ -71,7 +71,8 @@ class DhBuilder {
       carrier_[i] = {below.joint, X_JL};
       return;
     }
-    // The joint's frame, at first at the robot's own with z turned onto the axis; below it the next joint.
+    // The joint's frame, initially the robot's own with z rotated onto the axis; it depends on the next joint
+    // below.
     Transform X_LJ = Transform::Identity();
     if (f.axis != Vector3d::UnitZ())
       X_LJ.linear() = turnBetween(Vector3d::UnitZ(), f.axis).toRotationMatrix();
@@ -126,7 +127,7 @@ class DhBuilder {
            (X.linear() - Matrix3d::Identity()).norm() <= tolerance_.angle;
   }
 
-  /// The robot's frame i again: the joint's own, or fixed frames that lead from it.
+  /// Adds frame i of the robot: the joint's own frame, or fixed frames from it.
   void place(std::size_t i) {
     const auto& f = from_.frames[i];
     const Carrier& c = carrier_[i];
@@ -143,7 +144,7 @@ class DhBuilder {
     places_.push_back(at);
   }
 
-  /// A joint's frame that is none of the robot's is called like the joint.
+  /// A joint's frame that does not exist in the robot gets the joint's name.
   void nameJoint(mechanism::MechanismFrame& joint, const mechanism::MechanismFrame& f) {
     std::string name = f.joint.empty() ? f.name + ".joint" : f.joint;
     while (!names_.insert(name).second) name += '_';
@@ -153,7 +154,8 @@ class DhBuilder {
   const mechanism::Mechanism& from_;
   DhTolerance tolerance_;
   mechanism::Mechanism to_;
-  std::vector<int> next_;         ///< for the base and each movable frame: the first movable one on its body
+  std::vector<int> next_;         ///< for the base and each movable frame: the first movable frame on its
+                                  ///< body
   std::vector<Carrier> carrier_;  ///< of each old frame
   std::vector<int> places_;
   std::vector<bool> taken_;  ///< new frames that are old ones
@@ -190,7 +192,7 @@ PostureResidual postureResidual(const mechanism::Mechanism& a, const mechanism::
       if (at == index.end()) continue;
       const Transform &X = state_a.X_BF[i], &Y = state_b.X_BF[at->second];
       const double distance = (X.translation() - Y.translation()).norm();
-      // |R - S| in the Frobenius norm is 2 sqrt(2) sin(angle / 2).
+      // The Frobenius norm |R - S| is 2 sqrt(2) sin(angle / 2).
       const double chord = (X.linear() - Y.linear()).norm() / (2.0 * std::sqrt(2.0));
       out.angle = std::max(out.angle, 2.0 * std::asin(std::min(1.0, chord)));
       if (distance <= out.position) continue;

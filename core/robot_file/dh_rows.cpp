@@ -5,10 +5,10 @@
 namespace abstand::robot_file {
 namespace {
 
-// Below this angle (rad) the common normal of two lines 1 m apart lies too far away to be computed well.
+// rad; below this angle the common normal of two lines 1 m apart is too far away to be computed accurately.
 constexpr double kNearlyParallel = 1e-4;
 
-/// The angle about z that turns x to (x, y) or its opposite, whichever is nearer.
+/// The rotation about z that turns x to (x, y) or its opposite, whichever is nearer.
 double turnTo(double x, double y) {
   return x < 0.0 || (x == 0.0 && y < 0.0) ? std::atan2(-y, -x) : std::atan2(y, x);
 }
@@ -32,7 +32,7 @@ DhRow rowToNormal(const Vector3d& point, const Vector3d& direction, const DhTole
   if (isOneRowAway(point, direction, tolerance)) return row;
   const double sine = sineToZ(direction);
   if (sine > kNearlyParallel) {
-    // Along z x direction; the foot of the normal on z.
+    // Along z x direction: the foot of the normal on z.
     row.theta = turnTo(-direction.y(), direction.x());
     row.d =
         point.z() - direction.z() * (point.x() * direction.x() + point.y() * direction.y()) / (sine * sine);
@@ -53,7 +53,7 @@ std::vector<DhRow> dhRows(const Transform& X, const DhTolerance& tolerance) {
   if (!isOneRowAway(rest.translation(), direction(), tolerance)) {
     const double sine = sineToZ(direction());
     if (sine > tolerance.angle && sine <= kNearlyParallel) {
-      // Turn x to the axis of the tilt, then tilt: the lines are parallel from here on.
+      // Rotates x to the tilt axis, then tilts: the lines are parallel afterwards.
       const Vector3d u = direction();
       DhRow turn;
       turn.theta = turnTo(-u.y(), u.x());

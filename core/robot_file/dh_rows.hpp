@@ -1,4 +1,4 @@
-// Rows of a Denavit-Hartenberg table that lead from one frame to another.
+// Denavit-Hartenberg rows between two frames.
 #pragma once
 
 #include <vector>
@@ -14,23 +14,23 @@ struct DhRow {
 };
 Transform transformOf(const DhRow& row);
 
-/// What counts as the same: a row has four numbers where a pose has six.
+/// Tolerance of equality: a row has four numbers, a pose six.
 struct DhTolerance {
   double length{1e-10};  ///< m
-  double angle{1e-11};   ///< rad; pi/2 with twelve digits is within it
+  double angle{1e-11};   ///< rad; includes pi/2 with twelve digits
 };
 
-/// The line through `point` along the unit vector `direction`, in a frame: is it the z axis of a frame one
-/// row away? So it is when it meets the x axis at a right angle.
+/// True if the line through `point` along the unit vector `direction` is the z axis of a frame one row away,
+/// that is if it intersects the x axis at a right angle.
 bool isOneRowAway(const Vector3d& point, const Vector3d& direction, const DhTolerance& tolerance);
 
-/// The row a = alpha = 0 that turns a frame about its z axis and moves it along it so that its x axis is the
-/// common normal to the line, which is then one row away. The zero row where it is already, and where the
-/// line is so nearly parallel to z, but not parallel, that the normal is far away.
+/// The row with a = alpha = 0 that rotates about z and moves along z so that the x axis becomes the common
+/// normal with the line, which is then one row away. The zero row if it is already, or if the line is so
+/// nearly parallel to z (but not parallel) that the normal is far away.
 DhRow rowToNormal(const Vector3d& point, const Vector3d& direction, const DhTolerance& tolerance);
 
-/// One to three rows whose product is X within the tolerance: one where X has the form of a row, else first
-/// the row to the common normal of the two z axes; nearly parallel axes take one more, which makes them
+/// One to three rows whose product is X within the tolerance: one if X has the form of a row, otherwise first
+/// the row to the common normal of the two z axes; nearly parallel axes need one more, which makes them
 /// parallel.
 std::vector<DhRow> dhRows(const Transform& X, const DhTolerance& tolerance);
 

@@ -18,7 +18,7 @@ constexpr std::size_t kPoseNumbers = 12;
 
 const std::vector<std::string> kShapes{"mesh", "sphere", "cuboid", "cylinder", "capsule", "ellipsoid"};
 
-/// How many numbers or words a geometry has between its kind and its pose.
+/// Number of values or words of a geometry between its kind and its pose.
 std::size_t sizesOf(std::string_view kind) {
   if (kind == "sphere") return 1;
   if (kind == "cuboid" || kind == "ellipsoid") return 3;
@@ -85,7 +85,7 @@ void MechExtras::apply(const MechUnits& units, Robot& robot) const {
       reader_.fail(item.frame,
                    "found frame " + formatDouble(item.frame.value) + " a second time, expected it once");
   };
-  // Geometry and the rest go by id; names last, so that messages name ids.
+  // Geometry and limits refer to ids; names are applied last, so that messages use ids.
   for (const Item& item : limits_) {
     once(item, limited);
     limit(item, units, robot.mechanism);

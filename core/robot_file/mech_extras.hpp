@@ -1,4 +1,4 @@
-// The environments that extend the thesis's mechanism file: names, limits, inertia, geometry.
+// Extensions of the thesis's mechanism file: names, limits, inertia, geometry.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,19 @@
 
 namespace abstand::robot_file {
 
-/// Units of a mechanism file, in SI.
+/// Units of a mechanism file, as factors to SI.
 struct MechUnits {
   double length{1.0}, angle{1.0};
 };
 
-/// Reads the environments where they stand, and gives them to the robot once its frames are known.
+/// Reads the extension environments and applies them to the robot once its frames are known.
 class MechExtras {
  public:
   explicit MechExtras(MechReader& reader) : reader_(reader) {}
 
-  /// False when `begin` begins none of them.
+  /// False if `begin` does not start one of them.
   bool read(const MechLine& begin);
-  /// `robot` has its frames with ids. Throws ParseError for frames that are not there and for values that a
-  /// robot cannot have.
+  /// `robot` has its frames with ids. Throws ParseError for unknown frames and invalid values.
   void apply(const MechUnits& units, Robot& robot) const;
 
  private:
@@ -44,8 +43,8 @@ class MechExtras {
   std::vector<Item> names_, limits_, bodies_, geometries_;
 };
 
-/// A word of the file for any text, as URLs do it: %20 for a blank, %23 for #, %25 for %. And back; nothing
-/// for text that is none.
+/// Percent-encodes a text as a word of the file: %20 for a blank, %23 for #, %25 for %; and decodes it,
+/// nullopt for an invalid code.
 std::string mechWord(const std::string& text);
 std::optional<std::string> fromMechWord(std::string_view word);
 

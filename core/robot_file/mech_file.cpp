@@ -14,9 +14,9 @@
 namespace abstand::robot_file {
 namespace {
 
-// Larger values are mistakes, and sums and products of smaller ones stay finite.
+// Larger values are errors; sums and products of smaller ones stay finite.
 constexpr double kLargest = 1e6;
-// A rotation typed with four digits is meant as one; what is left of it is made orthonormal.
+// A rotation typed with four digits is accepted and made orthonormal.
 constexpr double kCenterTolerance = 1e-3;
 
 struct RawFrame {
@@ -36,7 +36,7 @@ struct RawLink {
   std::vector<MechNumber> center;
 };
 
-/// Reads the words into raw values, which units then turn into SI: the environments may stand in any order.
+/// Reads raw values first and converts units afterwards, as the environments may be in any order.
 class MechParser : private MechReader {
  public:
   MechParser(std::string_view text, std::string name) : MechReader(text, std::move(name)) {}
@@ -224,7 +224,7 @@ class MechParser : private MechReader {
     return si;
   }
 
-  /// Index of the frame that `id` names.
+  /// Index of the frame with this id; throws if there is none.
   std::size_t known(const MechNumber& id) const {
     const auto at = index_.find(static_cast<int>(id.value));
     if (at == index_.end())

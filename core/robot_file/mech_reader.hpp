@@ -1,4 +1,4 @@
-// Walks over the environments of a mechanism file; internal to its readers.
+// Iterates over the environments of a mechanism file; internal to its readers.
 #pragma once
 
 #include <initializer_list>
@@ -10,13 +10,13 @@
 
 namespace abstand::robot_file {
 
-/// A number as it stands in the file, in the file's units.
+/// A number in the file's units.
 struct MechNumber {
   double value{0.0};
   int line{0}, column{0};
 };
 
-/// The text must outlive it. What is wrong is a ParseError with its place.
+/// The text must outlive this object. Errors are ParseErrors with a position.
 class MechReader {
  public:
   MechReader(std::string_view text, std::string name)
@@ -25,8 +25,7 @@ class MechReader {
   const std::string& fileName() const { return name_; }
   /// Null at the end of the file.
   const MechLine* nextLine() { return next_ < lines_.size() ? &lines_[next_++] : nullptr; }
-  /// The next line of the environment `begin`, or null at its end tag. `known` are the commands that may
-  /// stand in it.
+  /// The next line of the environment `begin`, or null at its end tag. `known`: commands allowed in it.
   const MechLine* command(const MechLine& begin, const std::vector<std::string>& known);
 
   [[noreturn]] void fail(int line, int column, const std::string& message,
@@ -34,14 +33,14 @@ class MechReader {
   [[noreturn]] void fail(const MechNumber& at, const std::string& message) const {
     fail(at.line, at.column, message);
   }
-  /// Word number i is not among `known`.
+  /// Throws: word i is not among `known`.
   [[noreturn]] void unknown(const MechLine& line, std::size_t i, const std::string& expected,
                             const std::vector<std::string>& known) const;
-  /// Exactly `count` values behind the command of the line; `what` names them.
+  /// Throws unless the command of the line has exactly `count` values; `what` names them.
   void expectValues(const MechLine& line, std::size_t count, const std::string& what) const;
   void expectAlone(const MechLine& line) const;
   MechNumber number(const MechLine& line, std::size_t i, const std::string& what) const;
-  /// A whole number from `least` on.
+  /// An integer >= `least`.
   MechNumber integer(const MechLine& line, std::size_t i, int least, const std::string& what) const;
 
  private:

@@ -56,7 +56,7 @@ std::string mapping(const mechanism::Mechanism& m) {
 
 std::string chains(const mechanism::Mechanism& m) {
   std::string s;
-  int last = -1;  // the frame that the next row would follow
+  int last = -1;  // frame that the next row would follow
   bool open = false;
   for (std::size_t i = 0; i < m.frames.size(); ++i) {
     const auto& f = m.frames[i];

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A workspace has its packages at most that far below src, and this many folders are looked at.
+// Limits of the search: depth of packages below src in a workspace, and number of folders visited.
 constexpr int kDeepestPackage = 4;
 constexpr int kMaxFolders = 20000;
 constexpr std::size_t kLongestPath = 4096;
@@ -37,7 +37,7 @@ std::vector<fs::path> foldersOf(const char* variable) {
   return folders;
 }
 
-/// Folders called `package` with a package.xml, below `root`.
+/// Collects folders named `package` that contain a package.xml, below `root`.
 void collectBelow(const fs::path& root, const std::string& package, std::vector<fs::path>& found) {
   std::error_code ec;
   int looked_at = 0;

@@ -1,4 +1,4 @@
-// Where the meshes of a robot file are.
+// Locates the meshes of a robot file.
 #pragma once
 
 #include <filesystem>
@@ -12,30 +12,31 @@
 
 namespace abstand::robot_file {
 
-/// Folders in which ROS packages are looked for, in this order. A value.
+/// Folders searched for ROS packages, in this order.
 struct PackagePaths {
   std::vector<std::filesystem::path> folders;  ///< `--package-path`
-  bool environment{true};                      ///< the variables of ROS, after the folders
+  bool environment{true};                      ///< also search the ROS environment variables, after the
+                                               ///< folders
 };
 
-/// Finds the files that a robot file names: `package://NAME/REST` and `model://NAME/REST`, `file:///PATH`, an
-/// absolute path, or one relative to the robot file's folder.
+/// Finds the files that a robot file refers to: `package://NAME/REST` and `model://NAME/REST`,
+/// `file:///PATH`, an absolute path, or one relative to the robot file's folder.
 ///
-/// A package is looked for in every folder P of --package-path, then of ROS_PACKAGE_PATH, as P/NAME, as P
-/// itself when it has that name, and in the folders below P (four levels) that hold a package.xml; then as
-/// share/NAME in the folders of AMENT_PREFIX_PATH and CMAKE_PREFIX_PATH. Where that finds nothing, the
-/// file is looked for from the robot file's folder upwards: first NAME/REST, then REST, then REST with ever
-/// fewer leading folders, but never by the file's name alone; a relative path likewise.
+/// A package is searched in every folder P of --package-path, then of ROS_PACKAGE_PATH: as P/NAME, as P
+/// itself if it has that name, and in the folders below P (four levels) that contain a package.xml; then as
+/// share/NAME in the folders of AMENT_PREFIX_PATH and CMAKE_PREFIX_PATH. If nothing is found, the file is
+/// searched from the robot file's folder upwards: first NAME/REST, then REST, then REST without its leading
+/// folders one by one, but never the file's name alone; a relative path likewise.
 ///
 /// One thread.
 class MeshFinder {
  public:
-  /// `robot_file` need not be there.
+  /// `robot_file` need not exist.
   MeshFinder(const std::filesystem::path& robot_file, PackagePaths paths);
 
   /// The file, or nullopt.
   std::optional<std::filesystem::path> find(const std::string& reference);
-  /// "package://a: found in FOLDER" for every package that was found by walking up; each once.
+  /// "package://a: found in FOLDER" for every package found by the upward search; each once.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:

@@ -1,4 +1,4 @@
-// Robot files out: the thesis's format and URDF.
+// Writes robots in the thesis's format and as URDF.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace abstand::robot_file {
 
-/// As a `.mech` file that reads back as the same robot: numbers within 1e-15 m or rad, shortest first. Every
-/// frame must have DH values (toDh). Degrees and metres.
+/// A `.mech` text that reads back as the same robot: numbers within 1e-15 m or rad, with the fewest digits.
+/// Every frame must have DH values (toDh). Degrees and metres.
 std::string mechText(const Robot& robot);
 
 struct UrdfWritten {
   std::string text;
-  /// The URDF's joint values are those of the robot times this, one factor a dof: URDF has no scale but for
-  /// joints that mimic others.
+  /// Joint values in the URDF are those of the robot times this factor, one for each dof: URDF has scales
+  /// only for mimic joints.
   std::vector<double> scale;
 };
 
-/// As a URDF. Frames become links, called like them; a joint without a name is called NAME_joint. The root
-/// link is the one frame that is fixed to the base at its pose, else a link called base. Offsets of joints go
-/// into their poses. Ellipsoids and capsules, which URDF does not have, throw UsageError.
+/// URDF text. Frames become links of the same name; a joint without a name becomes NAME_joint. The root link
+/// is the only frame fixed to the base at its pose, or else an added link named base. Joint offsets become
+/// part of the joint poses. Throws UsageError for ellipsoids and capsules, which URDF does not have.
 UrdfWritten urdfText(const Robot& robot);
 
 }  // namespace abstand::robot_file

@@ -48,14 +48,14 @@ bool isSampled(std::string_view reason) {
   return reason == "Adjacent" || reason == "Never" || reason == "Always" || reason == "Default";
 }
 
-/// Where an element begins and ends in the document.
+/// Range of an element in the document.
 struct Span {
   std::size_t begin, end;
 };
 
-/// The element with its line, where it stands alone on it.
+/// Range of the element, with its line if it is alone on it.
 Span spanOf(const std::string& text, std::string_view name) {
-  // `name` points into the document, behind its '<'.
+  // `name` points into the document, just after its '<'.
   std::size_t begin = static_cast<std::size_t>(name.data() - text.data()) - 1;
   std::size_t end = begin;
   for (char quote = 0; end < text.size() && (quote != 0 || text[end] != '>'); ++end) {
@@ -104,7 +104,7 @@ std::string mergedSrdfText(const std::string& old, const std::string& file, cons
   std::string added;
   for (const auto& p : srdf.disabled)
     if (!kept.contains(std::minmax(p.link1, p.link2))) added += lineOf(p);
-  // A root without content, `<robot name="x"/>`, has no end tag to stand before.
+  // An empty root, `<robot name="x"/>`, has no end tag.
   const std::size_t end_tag = old.rfind("</robot");
   if (end_tag == std::string::npos) return srdfText(srdf);
   std::string text;

@@ -1,4 +1,4 @@
-// SRDF, the file beside a URDF that says which links need not be checked against each other.
+// SRDF: link pairs whose collision check is disabled, for a URDF.
 #pragma once
 
 #include <filesystem>
@@ -16,22 +16,22 @@ struct DisabledPair {
 };
 
 struct Srdf {
-  std::string robot;  ///< its name
+  std::string robot;  ///< name of the robot
   std::vector<DisabledPair> disabled;
 };
 
-/// Reads the disabled pairs; groups, states and whatever else MoveIt keeps there are passed over. Throws
-/// ParseError with line and column.
+/// Reads the disabled pairs; other MoveIt content (groups, states, ...) is ignored. Throws ParseError with
+/// line and column.
 Srdf parseSrdf(const std::string& text, const std::string& file);
 Srdf loadSrdf(const std::filesystem::path& file);
 
-/// Only the name and the disabled pairs.
+/// SRDF text with the name and the disabled pairs only.
 std::string srdfText(const Srdf& srdf);
 
-/// The text of an SRDF with the disabled pairs of `srdf` in place of those that a sampling of the joint space
-/// wrote before (reasons Adjacent, Never, Always, Default). Everything else stays byte for byte: groups,
-/// states, end effectors, comments, and pairs disabled for another reason, which `srdf` does not repeat.
-/// Throws ParseError for what is no SRDF and for one of a robot of another name.
+/// Replaces, in the SRDF text `old`, the disabled pairs with the reasons Adjacent, Never, Always and Default,
+/// which a sampling of the joint space had written, by those of `srdf`. Everything else is kept byte for
+/// byte: groups, states, end effectors, comments, and pairs disabled for another reason, which are not
+/// repeated. Throws ParseError if `old` is not an SRDF or belongs to a robot of another name.
 std::string mergedSrdfText(const std::string& old, const std::string& file, const Srdf& srdf);
 
 }  // namespace abstand::robot_file

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLargestMimic = 1e6;
 
-/// Puts the links into a tree of frames.
+/// Builds a tree of frames from links and joints.
 class UrdfBuilder {
  public:
   UrdfBuilder(const UrdfText& text, const UrdfModel& model, const std::string& file)
@@ -44,7 +44,7 @@ class UrdfBuilder {
   Robot build() {
     mechanism::MechanismFrame root;
     place(root_, root, -1);
-    // Parents first: the last of `waiting` goes on, its children in file order.
+    // Depth-first, parents first, children in file order.
     std::vector<std::pair<std::size_t, int>> waiting;
     const auto await = [&](std::size_t link, int frame) {
       const auto& joints = joints_from_[link];
@@ -88,7 +88,7 @@ class UrdfBuilder {
     return static_cast<int>(mechanism_.frames.size()) - 1;
   }
 
-  /// The frame of a link; `f` has its joint.
+  /// Adds the frame of a link; `f` has its joint.
   void place(std::size_t link, mechanism::MechanismFrame f, int parent) {
     f.name = text_.links[link].name;
     f.inertia = model_.links[link].inertia;
@@ -104,7 +104,7 @@ class UrdfBuilder {
     keep(GeometryUse::kVisual, model_.links[link].visuals, text_.links[link].visuals);
   }
 
-  /// JOINT.VALUE, unless a frame has that name already.
+  /// JOINT.VALUE, modified if a frame already has that name.
   std::string newName(const std::string& name) {
     std::string unique = name;
     while (!names_.insert(unique).second) unique += '_';
@@ -117,7 +117,7 @@ class UrdfBuilder {
     Vector3d axis;
   };
 
-  /// A joint of several values: a massless frame for each but the last, which is the link's.
+  /// A joint with several values: a massless frame for each value but the last, which has the link's frame.
   void joinBy(std::span<const Value> values, std::size_t j, std::size_t link, int parent) {
     const UrdfJoint& joint = model_.joints[j];
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -166,7 +166,7 @@ class UrdfBuilder {
     place(link, std::move(f), parent);
   }
 
-  /// The dof that moves joint j: its own, or, over any number of joints that mimic each other, another's.
+  /// Sets the dof that moves joint j: its own, or that of the joint at the end of its chain of mimic joints.
   void lead(std::size_t j, mechanism::MechanismFrame& f) const {
     const UrdfPlace& at = text_.joints[j].place;
     f.mimic = !text_.joints[j].mimic.empty();
@@ -188,7 +188,7 @@ class UrdfBuilder {
   mechanism::Mechanism mechanism_;
   std::vector<LinkGeometry> geometry_;
   std::vector<UnreadGeometry> unread_;
-  std::vector<int> dof_of_;  ///< a joint's first dof, -1 when it mimics another
+  std::vector<int> dof_of_;  ///< first dof of each joint, -1 for a mimic joint
   std::vector<std::vector<std::size_t>> joints_from_;
   std::unordered_map<std::string, std::size_t> link_at_, joint_at_;
   std::unordered_set<std::string> names_;

@@ -11,7 +11,7 @@
 namespace abstand::robot_file {
 namespace {
 
-/// Catches what urdfdom would print. console_bridge has one handler for the whole program.
+/// Captures urdfdom's log. console_bridge has one handler for the whole process.
 class SilentLog final : public console_bridge::OutputHandler {
  public:
   SilentLog() : level_(console_bridge::getLogLevel()), before_(console_bridge::getOutputHandler()) {

@@ -1,4 +1,4 @@
-// A URDF as plain values: the fence around urdfdom.
+// A URDF as plain values; isolates urdfdom.
 #pragma once
 
 #include <optional>
@@ -27,23 +27,24 @@ enum class UrdfJointType { kRevolute, kContinuous, kPrismatic, kFixed, kFloating
 
 struct UrdfJoint {
   UrdfJointType type{UrdfJointType::kFixed};
-  Transform X_PJ{Transform::Identity()};  ///< joint, and child link at zero, in the parent link's frame
+  Transform X_PJ{Transform::Identity()};  ///< the joint, and its child link at value 0, in the parent link's
+                                          ///< frame
   Vector3d axis{Vector3d::UnitX()};       ///< unit vector
   mechanism::JointLimits limits;
-  double multiplier{1.0}, offset{0.0};  ///< of a joint that mimics another
+  double multiplier{1.0}, offset{0.0};  ///< of a mimic joint
 };
 
-/// Links and joints stand in the order of the text.
+/// Links and joints are in file order.
 struct UrdfModel {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
 };
 
-/// A limit of this size means none: URDF has no other word for it.
+/// A limit of this size or more means none: URDF has no other notation for it.
 inline constexpr double kUrdfNoLimit = 1e6;
 
-/// Reads the document with urdfdom, whose log goes nowhere but into the error. Throws ParseError at `file`.
-/// Safe from several threads.
+/// Parses the document with urdfdom; its log is only used for the error. Throws ParseError at `file`.
+/// Thread-safe.
 UrdfModel readUrdf(const UrdfText& text, const std::string& file);
 
 }  // namespace abstand::robot_file

@@ -17,7 +17,7 @@ namespace {
 
 using text::inDoubleQuotes;
 
-constexpr double kAxisTolerance = 1e-3;  // an axis that is longer or shorter was meant to be a unit vector
+constexpr double kAxisTolerance = 1e-3;  // an axis whose length differs from 1 by more than this is an error
 
 const std::array<std::string, 6> kTypes{"revolute", "continuous", "prismatic", "fixed", "floating", "planar"};
 
@@ -27,7 +27,7 @@ std::string attribute(const char* key, const std::string& value) {
 std::string attribute(const char* key, double value) { return attribute(key, formatDouble(value)); }
 std::string attribute(const char* key, const Vector3d& value) { return attribute(key, xmlNumbers(value)); }
 
-/// Reads elements and writes those that are known.
+/// Reads all elements and writes the supported ones.
 class UrdfChecker {
  public:
   explicit UrdfChecker(const std::string& file) : file_(file), values_(file) {}
@@ -50,7 +50,7 @@ class UrdfChecker {
   }
 
  private:
-  /// A file that only declares the namespace is one that xacro has expanded already.
+  /// A file that only declares the xacro namespace is already expanded.
   void refuseXacro(const XmlElement& e) const {
     const auto refuse = [&](const std::string& found) {
       values_.fail(e, "found " + found + ", which is xacro, expected a URDF",
@@ -129,7 +129,7 @@ class UrdfChecker {
       moments += attribute(kKeys[i], value);
     }
     if (m <= 0.0) warn(*mass, "found the mass " + formatDouble(m) + " kg, expected a positive one");
-    // The moments of a real body: positive, and none above the sum of the others.
+    // Moments of a real body: positive, and none above the sum of the others.
     const Vector3d moment = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
     const double slack = 1e-6 * std::max(moment.cwiseAbs().maxCoeff(), 1e-12);
     if (m > 0.0 && (moment.minCoeff() < -slack || moment.maxCoeff() > 0.5 * moment.sum() + slack))
@@ -142,14 +142,14 @@ class UrdfChecker {
         "<mass" + attribute("value", std::max(m, 0.0)) + "/><inertia" + moments + "/></inertial>";
   }
 
-  /// A sphere of radius 0, which robots in use have where a link has no body: nothing to collide with.
+  /// True for a sphere of radius 0, used in real files for links without a body: no collision geometry.
   bool isPoint(const XmlElement& e) const {
     const auto* geometry = e.child("geometry");
     if (!geometry || geometry->children.empty() || geometry->children.front().name != "sphere") return false;
     return values_.number(geometry->children.front(), "radius") == 0.0;
   }
 
-  /// What is wrong with the geometry of a visual or collision; empty: nothing. Numbers that are none throw.
+  /// Problem of the geometry of a visual or collision; empty if there is none. Invalid numbers throw.
   std::string geometryProblem(const XmlElement& e) const {
     const std::string what = "<" + std::string(e.name) + ">";
     const auto* geometry = e.child("geometry");
@@ -179,7 +179,7 @@ class UrdfChecker {
                : "found the size " + xmlNumbers(size) + " in " + what + ", expected positive edges";
   }
 
-  /// What is wrong with it, where it is left out; empty: nothing.
+  /// Problem of a visual that is left out; empty if there is none.
   std::string visual(const XmlElement& e) {
     std::string problem = geometryProblem(e);
     if (problem.empty())

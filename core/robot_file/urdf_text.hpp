@@ -1,4 +1,4 @@
-// A stranger's URDF before urdfdom reads it: checked, with the places of its links and joints.
+// Validates an untrusted URDF before urdfdom parses it, with the positions of its links and joints.
 #pragma once
 
 #include <string>
@@ -14,32 +14,33 @@ struct UrdfPlace {
 struct UrdfLinkText {
   std::string name;
   UrdfPlace place;
-  std::vector<UrdfPlace> visuals, collisions;  ///< of those in the document, in order
-  std::string unread;  ///< what is wrong with the last visual that was left out; empty: none was
+  std::vector<UrdfPlace> visuals, collisions;  ///< positions of those in the document, in order
+  std::string unread;  ///< problem of the last visual that was left out; empty if none was
 };
 
 struct UrdfJointText {
   std::string name, type, parent, child;
-  std::string mimic;  ///< the joint that leads it; empty: none
+  std::string mimic;  ///< the joint that it follows; empty if it is not a mimic joint
   UrdfPlace place;
 };
 
-/// What a URDF says, safe to hand to urdfdom.
+/// Validated content of a URDF, safe to pass to urdfdom.
 struct UrdfText {
   std::string name;                   ///< of the robot
-  std::string document;               ///< URDF again, of the elements and attributes that are read here only
+  std::string document;               ///< URDF text of the supported elements and attributes only
   std::vector<UrdfLinkText> links;    ///< in file order
   std::vector<UrdfJointText> joints;  ///< in file order
   std::vector<std::string> warnings;  ///< `FILE:LINE:COLUMN: TEXT`
 };
 
-/// More links than any robot has; urdfdom takes down a chain of links by recursion.
+/// Limit of links: urdfdom is recursive along a chain of links.
 inline constexpr std::size_t kMaxUrdfLinks = 2000;
 
 /// Checks what urdfdom would report without a line, or not at all: XML, names, numbers (finite, at most 1e6
-/// in size), types, limits, sizes, and that links and joints form one tree and mimic joints no ring. Elements
-/// that this program does not read (transmission, gazebo, material, ...) are left out. Odd visuals, masses
-/// and limits are warnings. Throws ParseError with line and column; a xacro file is named as one.
+/// in absolute value), types, limits, sizes, that links and joints form a tree, and that mimic joints have no
+/// cycle. Unsupported elements (transmission, gazebo, material, ...) are dropped. Implausible visuals, masses
+/// and limits are warnings. Throws ParseError with line and column; unexpanded xacro files get their own
+/// message.
 UrdfText checkUrdf(const std::string& text, const std::string& file);
 
 }  // namespace abstand::robot_file

@@ -11,7 +11,7 @@ namespace {
 
 using text::inDoubleQuotes;
 
-/// Follows every item to the next by `next` (-1: the end); the index of one on a ring, or -1.
+/// Index of an item on a cycle of the links `next` (-1: end), or -1.
 int onRing(const std::vector<int>& next) {
   std::vector<int> seen_from(next.size(), -1);
   for (std::size_t start = 0; start < next.size(); ++start)

@@ -51,7 +51,7 @@ class UrdfWriter {
     leader_.assign(static_cast<std::size_t>(m_.dof), nullptr);
     for (const auto& f : m_.frames)
       if (f.dof >= 0 && !f.mimic && !leader_[static_cast<std::size_t>(f.dof)]) lead(f);
-    // A dof that only followers move is led by the first of them.
+    // A dof moved by mimic joints only is led by the first of them.
     for (const auto& f : m_.frames)
       if (f.dof >= 0 && !leader_[static_cast<std::size_t>(f.dof)]) lead(f);
   }
@@ -70,7 +70,7 @@ class UrdfWriter {
       link(-1);
     }
     for (std::size_t i = 0; i < m_.frames.size(); ++i) link(static_cast<int>(i));
-    // Degrees of freedom count in file order.
+    // Degrees of freedom are numbered in file order.
     for (const auto* f : leader_) joint(*f);
     for (std::size_t i = has_root ? 1 : 0; i < m_.frames.size(); ++i)
       if (!leads(m_.frames[i])) joint(m_.frames[i]);
@@ -124,7 +124,7 @@ class UrdfWriter {
     const bool slides = f.type == mechanism::JointType::kPrismatic;
     Transform X = f.X_PJ;
     double offset = f.offset;
-    if (leads(f) || f.dof < 0) {  // what leads has no offset in a URDF
+    if (leads(f) || f.dof < 0) {  // a leading joint has no offset in a URDF
       if (slides)
         X.translate(offset * f.axis);
       else if (moves)
@@ -171,7 +171,7 @@ class UrdfWriter {
   std::string text_, base_{"base"};
   std::unordered_set<std::string> links_;
   std::vector<double> scale_;
-  std::vector<const mechanism::MechanismFrame*> leader_;  ///< of each dof
+  std::vector<const mechanism::MechanismFrame*> leader_;  ///< for each dof
 };
 
 }  // namespace

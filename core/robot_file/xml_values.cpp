@@ -33,7 +33,7 @@ std::optional<std::string> XmlValues::text(const XmlElement& e, std::string_view
     if (k != key) continue;
     std::string plain;
     for (std::string_view rest = value; !rest.empty();) {
-      if (rest[0] == '\t' || rest[0] == '\n' || rest[0] == '\r') {  // blanks, as XML says
+      if (rest[0] == '\t' || rest[0] == '\n' || rest[0] == '\r') {  // white space as defined by XML
         plain += ' ';
         rest.remove_prefix(1);
         continue;

@@ -1,4 +1,4 @@
-// Typed values out of XML attributes; every error names its place.
+// Typed values of XML attributes; every error has its position.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace abstand::robot_file {
 
 using text::XmlElement;
 
-/// Values of the elements of one file. `file` must outlive it.
+/// Values of elements of one file. `file` must outlive this object.
 class XmlValues {
  public:
   explicit XmlValues(const std::string& file) : file_(file) {}
@@ -25,18 +25,18 @@ class XmlValues {
   /// `FILE:LINE:COLUMN: TEXT`.
   std::string warning(const XmlElement& e, const std::string& text) const;
 
-  /// The attribute with &lt; &gt; &amp; &quot; &apos; resolved; nullopt when it is not there. Throws
-  /// ParseError for other entities, for control characters and for what is not UTF-8.
+  /// The attribute with &lt; &gt; &amp; &quot; &apos; decoded; nullopt if absent. Throws ParseError for other
+  /// entities, control characters and invalid UTF-8.
   std::optional<std::string> text(const XmlElement& e, std::string_view key) const;
-  /// Throws ParseError when the attribute is missing or empty.
+  /// Throws ParseError if the attribute is missing or empty.
   std::string needText(const XmlElement& e, std::string_view key) const;
-  /// A finite number, at most kLargest in size; nullopt when it is not there.
+  /// A finite number, at most kLargest in absolute value; nullopt if absent.
   std::optional<double> number(const XmlElement& e, std::string_view key) const;
   double needNumber(const XmlElement& e, std::string_view key) const;
-  /// Three of them.
+  /// Three numbers; nullopt if absent.
   std::optional<Vector3d> vector(const XmlElement& e, std::string_view key) const;
 
-  /// Larger values are mistakes, and sums and products of smaller ones stay finite.
+  /// Larger values are errors; sums and products of smaller ones stay finite.
   static constexpr double kLargest = 1e6;
 
  private:
@@ -45,9 +45,9 @@ class XmlValues {
   const std::string& file_;
 };
 
-/// Text for an attribute in double quotes.
+/// Escapes text for an attribute in double quotes.
 std::string xmlEscaped(const std::string& text);
-/// "x y z" with enough digits to read back the same.
+/// "x y z" with enough digits to read back exactly.
 std::string xmlNumbers(std::span<const double> values);
 std::string xmlNumbers(const Vector3d& v);
 

@@ -7,7 +7,7 @@
 namespace abstand::safety {
 namespace {
 
-// Computed speeds are rounded up by this part.
+// Computed speeds are rounded up by this factor.
 constexpr double kUp = 1.0 + 1e-12;
 
 }  // namespace

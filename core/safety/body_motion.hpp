@@ -1,4 +1,4 @@
-// Motions of one body over [0, T], with what is certain about their speed.
+// Motions of one body over [0, T] with certified bounds on its speed.
 #pragma once
 
 #include "core/geometry/enclosing_sphere.hpp"
@@ -6,30 +6,30 @@
 
 namespace abstand::safety {
 
-/// What a body does from now on. Not shared between threads: pose() may use scratch.
+/// Predicted motion of a body from now on. Not shared between threads: pose() may use scratch.
 class BodyMotion {
  public:
   virtual ~BodyMotion() = default;
-  /// In the world, t s from now.
+  /// Pose in the world at t s from now.
   virtual Transform pose(double t) noexcept = 0;
-  /// m: no point of the body is farther at t from where pose(t) puts it. Never falls with t.
+  /// m: largest deviation at t of any point of the body from its position by pose(t). Never decreases with t.
   virtual double slack(double t) const noexcept = 0;
-  /// m/s: within [t0, t1] no point moves faster with pose(t), the growth of slack() added.
+  /// m/s: upper bound within [t0, t1] on the speed of any point in pose(t), plus the growth rate of slack().
   virtual double speed(double t0, double t1) const noexcept = 0;
 };
 
-/// From one pose to another: the centre of the bounding sphere on a line at constant speed, the body turning
-/// about one axis at a constant rate.
+/// Motion between two poses: the centre of the bounding sphere moves on a line at constant speed, the body
+/// rotates about a fixed axis at a constant rate.
 class PoseSegment final : public BodyMotion {
  public:
-  /// @param sphere_B  holds the body
-  /// @param duration  s; 0: stands at X_0
+  /// @param sphere_B  contains the body
+  /// @param duration  s; 0: at rest at X_0
   PoseSegment(const geometry::EnclosingSphere& sphere_B, const Transform& X_0, const Transform& X_1,
               double duration) noexcept;
   Transform pose(double t) noexcept override;
   double slack(double) const noexcept override { return 0.0; }
   double speed(double, double) const noexcept override { return speed_; }
-  /// m/s, in the world, at t = 0, of the body's point that is at p_W then.
+  /// Velocity (m/s, world) at t = 0 of the point of the body that is at p_W then.
   Vector3d velocityAt(const Vector3d& p_W) const noexcept;
 
  private:
@@ -38,11 +38,11 @@ class PoseSegment final : public BodyMotion {
   double rate_, duration_, speed_;
 };
 
-/// A body of which only bounds are known: each of its points moves admissibly (reach_set.hpp). It stands or
-/// drifts at the measured velocity, whichever leaves less slack at the end of the time.
+/// A body with known bounds only: each of its points moves admissibly (reach_set.hpp). The nominal pose is at
+/// rest or moves at the measured velocity, whichever gives less slack at the end of the time.
 class UnknownMotion final : public BodyMotion {
  public:
-  /// @param velocity  of the centre, measured; how fast other points go differently by turning belongs into
+  /// @param velocity  measured, of the centre; the velocity of other points due to rotation is part of
   ///                  bounds.velocity_error (radius times the rate)
   UnknownMotion(const Transform& X_0, const Vector3d& velocity, const MotionBounds& bounds,
                 double duration) noexcept;

@@ -57,7 +57,7 @@ void BrakingPath::at(double t, std::span<double> q_at) const noexcept {
 }
 
 double BrakingPath::fastest(int joint, double t0) const noexcept {
-  return std::abs(qd(joint, t0));  // it only slows down
+  return std::abs(qd(joint, t0));  // the speed never increases
 }
 
 double BrakingPath::way(int joint) const noexcept {

@@ -13,7 +13,7 @@ double certifiedClearance(const KnownDistance& known) {
 
 ClearanceVerdict verdict(const KnownDistance& known, double required) {
   const double widened = required + known.uncertainty;
-  // Written so that what is not a number is broken.
+  // The negated form treats NaN as broken.
   if (!(known.distance >= widened) || !(known.uncertainty < kInfinity)) return ClearanceVerdict::kBroken;
   return known.distance - known.bound >= widened ? ClearanceVerdict::kKept : ClearanceVerdict::kNotProven;
 }

@@ -1,28 +1,28 @@
-// Whether a pair keeps a required clearance: one rule for window, gate and reports.
+// Whether a pair keeps a required clearance: one rule for window, `check` and reports.
 #pragma once
 
 #include <cstdint>
 
 namespace abstand::safety {
 
-/// What is known of the distance of a pair, in m.
+/// Known distance of a pair, in m.
 struct KnownDistance {
-  double distance;     ///< measured; negative: penetration; NaN: not known
+  double distance;     ///< measured; negative: penetration; NaN: unknown
   double bound;        ///< the true distance of the two shapes is at least `distance` - `bound`
-  double uncertainty;  ///< pose uncertainty of both bodies, at least 0; infinite: one was not seen at all
+  double uncertainty;  ///< pose uncertainty of both bodies, >= 0; infinite: a body was not seen at all
 };
 
-/// m: distance - bound - uncertainty, below which the bodies certainly are not nearer; -infinity where
-/// something is not known.
+/// Certified clearance distance - bound - uncertainty (m), a lower bound of the true distance; -infinity if
+/// unknown.
 double certifiedClearance(const KnownDistance& known);
 
 enum class ClearanceVerdict : std::uint8_t {
   kKept,       ///< certified
-  kNotProven,  ///< the measured distance keeps it, but may be wrong by more than what is left
-  kBroken,     ///< the measured distance breaks it, or is not known
+  kNotProven,  ///< the measured distance keeps it, but the uncertainty does not allow to certify it
+  kBroken,     ///< the measured distance violates it, or is unknown
 };
 
-/// Whether distance and bound keep `required` (m) widened by the pose uncertainty.
+/// Whether distance and bound keep `required` (m) plus the pose uncertainty.
 ClearanceVerdict verdict(const KnownDistance& known, double required);
 
 }  // namespace abstand::safety

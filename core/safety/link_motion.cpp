@@ -23,7 +23,7 @@ LinkMotion::LinkMotion(const mechanism::Mechanism& mechanism, const BrakingPath&
       reach_((X_FL * sphere_L.centre).norm() + sphere_L.radius),
       q_(static_cast<std::size_t>(mechanism.dof), 0.0) {
   ABSTAND_CHECK(path.dof() == mechanism.dof && frame < static_cast<int>(mechanism.frames.size()));
-  mechanism::forward(mechanism_, q_, state_);  // gives the state its size
+  mechanism::forward(mechanism_, q_, state_);  // allocates the state
 }
 
 Transform LinkMotion::pose(double t) noexcept {
@@ -42,7 +42,7 @@ double LinkMotion::speed(double t0, double t1) const noexcept {
     speed += f.type == mechanism::JointType::kPrismatic ? rate : rate * lever;
     lever += f.X_PJ.translation().norm();
     if (f.type == mechanism::JointType::kPrismatic) {
-      // It goes one way only, so the larger extension is that of an end.
+      // A joint moves in one direction only, so the larger extension is at an end.
       const auto extension = [&](double t) {
         return std::abs(f.offset + (f.dof < 0 ? 0.0 : f.scale * path_.q(f.dof, t)));
       };

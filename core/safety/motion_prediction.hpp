@@ -1,4 +1,4 @@
-// Where a body is likely to be in a moment: by the weighted average of its last velocities.
+// Short-term motion prediction by a weighted average of the last velocities.
 #pragma once
 
 #include "core/config/number_rule.hpp"
@@ -8,9 +8,9 @@ namespace abstand::safety {
 
 struct PredictionOptions {
   static constexpr const char* kName = "prediction";
-  /// How much a step between two poses counts beside the one after it: 1 all alike, 0 the last one alone.
+  /// Weight of a step relative to the next one: 1: all equal, 0: only the last step.
   double fade{0.7};
-  /// s. A gap between poses longer than this, as when tracking was lost, starts the history anew.
+  /// s. A longer gap between poses, as after a loss of tracking, restarts the history.
   double longest_gap{0.2};
 
   template <class Self, class Visit>
@@ -21,28 +21,30 @@ struct PredictionOptions {
   void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
-/// Each body part is predicted by itself, so limbs may go different ways; averaging keeps the noise of single
-/// poses out [Balan and Bone 2006, Real-time 3D collision avoidance method for safe human and robot
-/// coexistence; thesis 2.1, its [2]]. The weights are ours and fall geometrically with age:
-/// v = sum of fade^k way_k / sum of fade^k dt_k over the last kSteps steps, k = 0 the newest. It is a guess,
-/// nothing is certified: that is what reach_set.hpp is for. One thread, no allocation.
+/// Constant-velocity prediction of a body. Each body part is predicted by itself, so limbs may move
+/// differently; averaging suppresses the noise of single poses [Balan and Bone 2006, Real-time 3D collision
+/// avoidance method for safe human and robot coexistence; thesis 2.1, its [2]]. Weights decrease
+/// geometrically with age (own choice): v = sum of fade^k d_k / sum of fade^k dt_k over the last kSteps
+/// displacements d_k, k = 0 the newest. An estimate without certificate; for certified bounds see
+/// reach_set.hpp. One thread, no allocation.
 class MotionPrediction {
  public:
   static constexpr int kSteps = 8;
 
-  /// Throws UsageError for options that are not allowed. `centre_B` is the point of the body whose way is
-  /// averaged, and about which it turns.
+  /// Throws UsageError for invalid options. `centre_B`: point of the body whose displacement is averaged, and
+  /// centre of its rotation.
   explicit MotionPrediction(const PredictionOptions& options = {}, const Vector3d& centre_B = {0, 0, 0});
 
   void clear() noexcept;
-  /// A measured pose at time t (s). What is not finite, or not after the last pose, is left out: false.
+  /// Adds a measured pose at time t (s). False, and ignored, if it is not finite or not later than the last
+  /// pose.
   bool add(double t, const Transform& X_WB) noexcept;
 
   bool started() const { return started_; }
   double t() const { return t_; }  ///< s, of the last pose
-  /// Linear of the centre; zero with fewer than two poses. World axes.
+  /// Linear velocity of the centre and angular velocity, world axes; zero with fewer than two poses.
   Twist velocity() const noexcept { return history_.fadedMean(options_.fade); }
-  /// The pose `ahead` s after the last one, at constant velocity; the last pose itself for ahead <= 0.
+  /// Predicted pose `ahead` s after the last one, at constant velocity; the last pose for ahead <= 0.
   Transform at(double ahead) const noexcept;
 
  private:

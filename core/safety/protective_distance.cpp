@@ -6,7 +6,7 @@
 namespace abstand::safety {
 namespace {
 
-// Halvings of the wanted speed: to one part in 10^9.
+// Bisections of the wanted speed: accuracy of one part in 10^9.
 constexpr int kHalvings = 30;
 
 double stoppingTime(const SeparationOptions& o, double robot_speed) {
@@ -16,7 +16,7 @@ double stoppingTime(const SeparationOptions& o, double robot_speed) {
 }  // namespace
 
 double assumedPersonSpeed(const SeparationOptions& o, double distance) noexcept {
-  // An unknown distance is a near one.
+  // An unknown distance counts as near.
   return distance >= o.near ? o.person_speed : std::max(o.person_speed, o.person_speed_near);
 }
 

@@ -1,4 +1,4 @@
-// Speed and separation monitoring: how far a person has to be for a speed of the robot.
+// Speed and separation monitoring: protective distance for a speed of the robot.
 #pragma once
 
 #include "core/safety/reach_set.hpp"
@@ -9,18 +9,18 @@ namespace abstand::safety {
 struct SeparationOptions {
   static constexpr const char* kName = "separation";
   double reaction_time{0.1};  ///< s, T_r: sensor, network and controller together
-  double stopping_time{0.3};  ///< s, T_s, from the robot's maker; holds while `deceleration` is 0
-  /// m/s^2 along the direction of approach; not 0: T_s = v_r / deceleration, so slower is sooner at rest.
+  double stopping_time{0.3};  ///< s, T_s, from the robot's manufacturer; used if `deceleration` is 0
+  /// m/s^2 along the direction of approach; if not 0, T_s = v_r / deceleration.
   double deceleration{0.0};
-  double intrusion{0.0};     ///< m, C: how far a person gets in before the sensor sees it
-  double person_error{0.0};  ///< m, Z_d: of the person's measured position
-  double robot_error{0.0};   ///< m, Z_r
-  /// m/s, v_h of a person whose speed is not measured: 1.6 walking, and 2.0, a hand's, nearer than `near`
-  /// [ISO 13855]. Also the most that is believed of a measured speed to grow to.
+  double intrusion{0.0};     ///< m, C: how far a person intrudes before the sensor detects it
+  double person_error{0.0};  ///< m, Z_d: error of the person's measured position
+  double robot_error{0.0};   ///< m, Z_r: error of the robot's position
+  /// m/s, v_h of a person whose speed is not measured: 1.6 for walking, and 2.0, that of a hand, if nearer
+  /// than `near` [ISO 13855]. Also the limit that a measured speed is assumed to grow to.
   double person_speed{1.6}, person_speed_near{2.0};
   double near{0.5};  ///< m
-  /// m/s^2. A person whose approach is measured as v goes v T + a T^2 / 2 at most within T, and never more
-  /// than without a measurement. 0: measured speeds are not used.
+  /// m/s^2. A person with the measured approach speed v moves at most v T + a T^2 / 2 within T, and never
+  /// more than without a measurement. 0: measured speeds are not used.
   double person_acceleration{0.0};
 
   template <class Self, class Visit>
@@ -39,26 +39,26 @@ struct SeparationOptions {
   void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };
 
-/// The terms of S_p = S_h + S_r + S_s + C + Z_d + Z_r, so that a user sees which one bought a stop. m.
+/// Terms of S_p = S_h + S_r + S_s + C + Z_d + Z_r (m), separate to show which one causes a stop.
 struct ProtectiveDistance {
-  double person{0.0};    ///< S_h = v_h (T_r + T_s), or less by what is measured
+  double person{0.0};    ///< S_h = v_h (T_r + T_s), or less by a measured speed
   double reaction{0.0};  ///< S_r = v_r T_r
   double stopping{0.0};  ///< S_s = v_r T_s / 2 at constant deceleration
   double constant{0.0};  ///< C + Z_d + Z_r
   double sum() const { return person + reaction + stopping + constant; }
 };
 
-/// m/s: 2.0 nearer than `near`, else 1.6, with the defaults.
+/// m/s: with the defaults 2.0 if nearer than `near`, otherwise 1.6.
 double assumedPersonSpeed(const SeparationOptions& options, double distance) noexcept;
 
-/// @param robot_speed   v_r, m/s, of the robot towards the person; what is negative counts as 0
-/// @param person_speed  m/s, measured approach of the person (negative: it goes away), or NaN: not measured
-/// @param distance      m, by which `near` is decided
+/// @param robot_speed   v_r, m/s, of the robot towards the person; negative values count as 0
+/// @param person_speed  m/s, measured approach speed of the person (negative: moving away), or NaN: unknown
+/// @param distance      m, compared with `near`
 ProtectiveDistance protectiveDistance(const SeparationOptions& options, double robot_speed,
                                       double person_speed, double distance) noexcept;
 
-/// The highest v_r in [0, `wanted`] m/s whose protective distance is not above `distance`; 0 where none is.
-/// With constant T_s: (d - S_h - C - Z_d - Z_r) / (T_r + T_s / 2).
+/// The highest v_r in [0, `wanted`] (m/s) whose protective distance is at most `distance`; 0 if there is
+/// none. With constant T_s: (d - S_h - C - Z_d - Z_r) / (T_r + T_s / 2).
 double permittedSpeed(const SeparationOptions& options, double wanted, double person_speed,
                       double distance) noexcept;
 

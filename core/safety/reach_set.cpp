@@ -6,7 +6,8 @@
 namespace abstand::safety {
 namespace {
 
-// Some hundred roundings of a double: radii are widened by this part of what they come from.
+// Some hundred rounding errors of a double: radii are enlarged by this share of the values they are computed
+// from.
 constexpr double kRounding = 1e-14;
 
 geometry::EnclosingSphere widened(const Vector3d& centre, double radius) {
@@ -19,7 +20,7 @@ geometry::EnclosingSphere aroundBoth(const geometry::EnclosingSphere& a, const g
   return widened(a.centre + (radius - a.radius) * direction, radius);
 }
 
-/// A ball about the part that two balls share.
+/// A ball around the intersection of two balls.
 geometry::EnclosingSphere aroundShared(const geometry::EnclosingSphere& a,
                                        const geometry::EnclosingSphere& b) {
   const geometry::EnclosingSphere& smaller = a.radius <= b.radius ? a : b;
@@ -27,11 +28,11 @@ geometry::EnclosingSphere aroundShared(const geometry::EnclosingSphere& a,
   const double gap = between.norm();
   if (!(a.radius < kInfinity && b.radius < kInfinity) || gap == 0.0) return smaller;
   if (gap > a.radius + b.radius) return aroundBoth(a, b, between / gap, gap);
-  // Where the spheres cut, in the plane x from a's centre.
+  // The spheres intersect in the plane at distance x from a's centre.
   const double x = (gap * gap + (a.radius - b.radius) * (a.radius + b.radius)) / (2.0 * gap);
   if (x <= 0.0 || x >= gap) return smaller;
   const double radius = std::sqrt(std::max(0.0, (a.radius - x) * (a.radius + x)));
-  // The cut is known to some rounding of the radii only.
+  // The intersection circle is only known up to rounding of the radii.
   const double slack = std::sqrt(kRounding) * smaller.radius;
   if (radius + slack >= smaller.radius) return smaller;
   return widened(a.centre + x / gap * between, radius + slack);

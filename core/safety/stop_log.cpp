@@ -34,7 +34,7 @@ const char* unitOf(const StopCause& cause) {
 std::string shortNumber(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
-  // The decimal point is a point in every locale.
+  // The decimal separator is a point in every locale.
   for (char* c = text; *c; ++c)
     if (*c == ',') *c = '.';
   return text;
@@ -44,7 +44,7 @@ std::string named(const char* what, int index, const std::function<std::string(i
   return std::string(", ") + what + " " + (name ? name(index) : std::to_string(index));
 }
 
-/// Who a cause is about: a pair or a joint; empty: nobody.
+/// The pair or joint that a cause refers to; empty if none.
 std::string about(const StopCause& cause, const StopNames& names) {
   std::string s;
   if (cause.pair >= 0) s += named("pair", cause.pair, names.pair);
@@ -52,8 +52,8 @@ std::string about(const StopCause& cause, const StopNames& names) {
   return s;
 }
 
-/// What happened when a state was left for a lower one, or when a stopped robot came to stand. The values of
-/// the cause are those of the moment in which it came up, and not of this one.
+/// Text of a change to a lower state or to standstill. The cause's values are those of the time when it
+/// arose.
 std::string relief(const StopEntry& e) {
   if (e.to == StopState::kWaitingForReset) return "the robot stands and waits for a reset";
   if (e.from == StopState::kWaitingForReset) return "reset by a person, the robot goes on";

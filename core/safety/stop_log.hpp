@@ -1,4 +1,4 @@
-// What a stop machine did, and why: the last entries, kept without allocation.
+// Log of a stop machine: its last state changes with their causes, without allocation.
 #pragma once
 
 #include <array>
@@ -19,19 +19,19 @@ std::string_view stateName(StopState state);
 struct StopEntry {
   double t{0.0};  ///< s
   StopState from{StopState::kRunning}, to{StopState::kRunning};
-  StopCause cause;     ///< of the highest response; while the state gets lower: of what is left behind
-  double lasted{0.0};  ///< s, how long `from` lasted
+  StopCause cause;     ///< cause of the highest response; when the state gets lower: the cause that ended
+  double lasted{0.0};  ///< s, duration of `from`
 };
 
-/// Ring of the last kKept entries. One thread.
+/// Ring buffer of the last kKept entries. One thread.
 class StopLog {
  public:
   static constexpr std::size_t kKept = 256;
 
   void add(const StopEntry& entry) noexcept { ring_[count_++ % kKept] = entry; }
-  std::size_t count() const { return count_; }  ///< ever
+  std::size_t count() const { return count_; }  ///< total number, including overwritten entries
   std::size_t kept() const { return count_ < kKept ? count_ : kKept; }
-  /// Of the kept ones, the oldest first.
+  /// Entry i of the kept ones, oldest first.
   const StopEntry& entry(std::size_t i) const { return ring_[(count_ - kept() + i) % kKept]; }
 
  private:
@@ -39,7 +39,7 @@ class StopLog {
   std::size_t count_{0};
 };
 
-/// Names for what entries refer to; empty functions leave numbers.
+/// Names for the indices in entries; empty functions give numbers.
 struct StopNames {
   std::function<std::string(int pair)> pair;
   std::function<std::string(int joint)> joint;

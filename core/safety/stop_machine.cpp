@@ -55,7 +55,7 @@ StopState StopMachine::update(double t, std::span<const StopCause> causes, doubl
   if (response >= StopResponse::kEmergency) emergency_asked_ = t;
 
   const StopState next = nextState(state_, kEventOf[static_cast<std::size_t>(response)]);
-  // The cause of what is to come, and of what holds as long as it lasts.
+  // The cause of a transition, or of a state as long as it lasts.
   if (next != state_ && first) cause_ = *first;
   go(next, t);
 
@@ -66,7 +66,7 @@ StopState StopMachine::update(double t, std::span<const StopCause> causes, doubl
     if (!asks_stop && t - asked_ >= options_.resume_after) go(nextState(state_, StopEvent::kResume), t);
   } else if (settled && (state_ == S::kProtectiveStop ||
                          (state_ == S::kEmergencyStop && t - emergency_asked_ >= options_.settle))) {
-    // An emergency lasts as long as its cause, even at rest.
+    // An emergency stop lasts as long as its cause, even at standstill.
     go(nextState(state_, StopEvent::kStandstill), t);
   }
   refusal_ = ResetRefusal::kNone;

@@ -1,4 +1,4 @@
-// Why a robot slows down or stops, and what it does then.
+// Reasons and responses of stops.
 #pragma once
 
 #include <array>
@@ -12,39 +12,39 @@ namespace abstand::safety {
 
 enum class StopReason : std::uint8_t {
   kDistance,    ///< a distance is below its limit (m)
-  kSeparation,  ///< the speed is more than the separation permits; value and limit in m/s
-  kEnergy,      ///< a link's kinetic energy is more than the potential in front of it can take (J)
+  kSeparation,  ///< the speed exceeds what the separation permits; value and limit in m/s
+  kEnergy,      ///< a link's kinetic energy exceeds what the repulsive potential can absorb (J)
   kStaleInput,  ///< joint values are older than allowed (s)
-  kLostPerson,  ///< a person's pose is older than allowed (s), or no longer trusted
-  kLostLink,    ///< the connection to the robot is gone
+  kLostPerson,  ///< a person's pose is older than allowed (s), or unreliable
+  kLostLink,    ///< the connection to the robot is lost
   kTorque,      ///< a torque was limited (N m or N)
   kJointSpeed,  ///< a joint is faster than allowed (rad/s or m/s)
-  kSpeedBound,  ///< an object broke the bound on its speed that certificates rest on (m/s)
+  kSpeedBound,  ///< an object exceeded the speed bound that certificates rely on (m/s)
   kUser,
-  kBraking  ///< on the way to a standstill a person could come nearer than allowed (m)
+  kBraking  ///< while braking, a person could come nearer than allowed (m)
 };
 inline constexpr std::size_t kStopReasons = 11;
 
-/// In rising order. kSlow: the speed is scaled down. kProtective: the robot brakes under control and stays in
-/// control, may go on when the reason is gone. kEmergency: brakes engage; only a person may let it go on.
+/// In ascending order. kSlow: reduced speed. kProtective: controlled braking; may resume when the reason is
+/// gone. kEmergency: brakes engage; only a person can release it.
 enum class StopResponse : std::uint8_t { kNone, kSlow, kProtective, kEmergency };
 inline constexpr std::size_t kStopResponses = 4;
 
-/// As in files and log lines: "distance", "lost person"; with `_` for blanks in files.
+/// Name in files and log lines: "distance", "lost person"; in files with `_` for blanks.
 std::string_view reasonName(StopReason reason);
 std::string_view reasonKey(StopReason reason);
 std::string_view responseName(StopResponse response);
 std::optional<StopResponse> parseResponse(std::string_view text);
 
-/// Who or what a cause is about; -1: nothing in particular.
+/// A present cause, and the pair or joint it refers to (-1: none).
 struct StopCause {
   StopReason reason{StopReason::kUser};
-  double value{kNaN}, limit{kNaN};  ///< what was found and what was allowed, in the reason's unit
+  double value{kNaN}, limit{kNaN};  ///< measured and allowed value, in the reason's unit
   int pair{-1};                     ///< index of a pair,
   int joint{-1};                    ///< or of a joint
 };
 
-/// What is done for which reason.
+/// Response to each reason.
 struct StopPolicy {
   std::array<StopResponse, kStopReasons> response{
       StopResponse::kProtective, StopResponse::kSlow,       StopResponse::kEmergency,

@@ -1,5 +1,4 @@
-// The smallest distance over a stretch of time, from samples and a bound on the speed: nothing is missed
-// between two samples.
+// Certified minimum of a distance over a time interval, from samples and a bound on its rate of change.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +10,10 @@ namespace abstand::safety {
 
 struct SweptOptions {
   static constexpr const char* kName = "swept";
-  double tolerance{1e-3};    ///< m; done when the samples in between cannot lift `lower` by more
-  double enough{kInfinity};  ///< m; done when the lower bound has reached this ...
+  double tolerance{1e-3};    ///< m; stops when further samples cannot raise `lower` by more
+  double enough{kInfinity};  ///< m; stops when the lower bound has reached this ...
   double hit{-kInfinity};    ///< m; ... or a sample has fallen below this
-  int max_samples{64};       ///< 2 to kMaxSweptSamples; the answer stays certified when they are used up
+  int max_samples{64};       ///< 2 to kMaxSweptSamples; the result stays certified when they are used up
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
@@ -32,40 +31,40 @@ struct DistanceSample {
   double lower{kNaN}, upper{kNaN};
 };
 
-/// The smallest distance over [0, T] is never below `lower` and not above `upper`. They are as close as the
-/// tolerance and the samples' own bounds are.
+/// lower <= minimum of the distance over [0, T] <= upper. Their gap is limited by the tolerance and by the
+/// bounds of the samples.
 struct SweptResult {
   double lower{-kInfinity}, upper{kInfinity};  ///< m
   double t{0.0};                               ///< s, of the sample with the smallest `upper`
   int samples{0};
-  bool done{false};  ///< by tolerance, `enough` or `hit`; else the samples were used up
+  bool done{false};  ///< ended by tolerance, `enough` or `hit`; false: the samples were used up
 };
 
-/// The least distance over [a, b] when it is at least `lower_a` at a and `lower_b` at b, and changes by at
-/// most `rate` m/s: (lower_a + lower_b - rate (b - a)) / 2, or an end's own where that is smaller. Also the
-/// bound for a motion of which only start, end and speed bounds are known.
+/// Lower bound of the distance over [a, b], if it is at least `lower_a` at a and `lower_b` at b and changes
+/// by at most `rate` m/s: (lower_a + lower_b - rate (b - a)) / 2, or the bound of an end if that is smaller.
+/// Also valid for a motion of which only start, end and speed bounds are known.
 inline double leastBetween(double lower_a, double lower_b, double rate, double duration) noexcept {
-  // 0 * infinity: without time nothing moves.
+  // Avoids 0 * infinity: in no time nothing moves.
   const double way = duration > 0.0 ? rate * duration * (1.0 + 1e-12) : 0.0;
-  // Each end bounds the other too.
+  // Each end also bounds the other.
   const double a = std::max(lower_a, lower_b - way), b = std::max(lower_b, lower_a - way);
   return 0.5 * (a + b - way);
 }
 
-/// What is known at both ends of a stretch of time, so that nothing is asked there.
+/// Known samples at both ends of the interval, which are then not computed.
 struct SweptEnds {
   DistanceSample first, last;
 };
 
 /// Branch and bound over intervals [Piyavskii 1972, Shubert 1972; conservative advancement, Mirtich 1996, in
-/// both directions of time]. In place of swept volumes [thesis's [33]] it asks for the distance at chosen
-/// times: it starts with both ends and halves, at the least favourable time, the interval whose lower bound
-/// is the lowest.
+/// both directions of time]. Instead of swept volumes [thesis's [33]] it evaluates the distance at selected
+/// times: it starts with both ends and splits the interval with the lowest lower bound at its most critical
+/// time.
 /// @param duration  T >= 0, s
 /// @param sample    DistanceSample(double t)
-/// @param rate      double(double t0, double t1): m/s, no faster does the distance change within [t0, t1]
+/// @param rate      double(double t0, double t1): m/s, bound on the change of the distance within [t0, t1]
 /// @param ends      null: both ends are sampled
-/// No allocation. Cost: one sample() each, and a look at all intervals.
+/// No allocation. Cost of each step: one sample() and a scan of all intervals.
 template <class Sample, class Rate>
 SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const SweptOptions& options,
                           const SweptEnds* ends = nullptr) {
@@ -75,7 +74,7 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   std::array<Interval, static_cast<std::size_t>(kMaxSweptSamples)> intervals;
   std::size_t count = 0;
   SweptResult result;
-  double least = kInfinity;  // of the samples' lower bounds
+  double least = kInfinity;  // minimum of the samples' lower bounds
   const auto take = [&](double t, const DistanceSample* known = nullptr) {
     const DistanceSample s = known ? *known : sample(t);
     result.samples += known == nullptr;
@@ -106,11 +105,11 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
     result.done = least - result.lower <= options.tolerance || result.lower >= options.enough ||
                   result.upper < options.hit;
     if (result.done || result.samples >= most) return result;
-    // Where both ends' cones meet, but not at an end.
+    // Where the bounds from both ends intersect, if not at an end.
     const double length = w.b - w.a, lean = w.rate > 0.0 ? (w.lower_a - w.lower_b) / (2.0 * w.rate) : 0.0;
     double t = w.a + std::clamp(0.5 * length + lean, 0.1 * length, 0.9 * length);
     if (!(t > w.a && t < w.b)) t = w.a + 0.5 * length;
-    if (!(t > w.a && t < w.b)) return result;  // no double lies between
+    if (!(t > w.a && t < w.b)) return result;  // no double in between
     const double lower = take(t);
     intervals[count++] = interval(t, w.b, lower, w.lower_b);
     w = interval(w.a, t, w.lower_a, lower);

@@ -1,4 +1,4 @@
-// The smallest distance of two moving bodies over a stretch of time, certified like that of one posture.
+// Certified minimum distance of two moving bodies over a time interval.
 #pragma once
 
 #include "core/query/pair_query.hpp"
@@ -7,20 +7,20 @@
 
 namespace abstand::safety {
 
-/// Work space of one swept query; one per pair or thread. What is remembered speeds up the next query of the
-/// same two structures.
+/// Work space of one swept query; one for each pair or thread. Its pair memory speeds up the next query of
+/// the same two structures.
 struct SweptScratch {
   query::PairMemory memory;
   kernels::PairScratch scratch;
   query::PairResult result;
 };
 
-/// Where a swept query works, in place of a scratch of its own.
+/// External work space of a swept query.
 struct SweptContext {
   query::PairMemory& memory;
   kernels::PairScratch& scratch;
   query::PairResult& result;
-  const SweptEnds* ends{nullptr};  ///< null: both ends are asked, too
+  const SweptEnds* ends{nullptr};  ///< null: both ends are queried, too
 };
 
 /// A body and its motion over [0, duration].
@@ -29,9 +29,9 @@ struct MovingBody {
   BodyMotion& motion;
 };
 
-/// Asks queryPair() at chosen times of [0, duration]. `lower` is never above the smallest distance that any
-/// motion within the bounds of `a` and `b` can bring; `upper` is the smallest that was seen with the poses of
-/// both (slack taken off). Distances are between bare surfaces, without margins. No allocation, no throw.
+/// Calls queryPair() at selected times of [0, duration]. `lower` is a lower bound of the distance for any
+/// motion within the bounds of `a` and `b`; `upper` is the smallest sampled distance for the poses of both,
+/// minus slack. Distances are between bare surfaces, without margins. No allocation, no throw.
 SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration, const SweptOptions& options,
                       const SweptContext& context) noexcept;
 inline SweptResult sweptPair(const MovingBody& a, const MovingBody& b, double duration,

@@ -51,7 +51,7 @@ double CycleStatistics::quantile(double share) const {
   double below = 0.0;
   std::size_t bin = 0;
   while (below + static_cast<double>(bins_[bin]) < rank) below += static_cast<double>(bins_[bin++]);
-  // The middle of the bin, so that neither end is off by more than half its width.
+  // Middle of the bin: the error is at most half its width.
   const double middle = kShortest * std::pow(kGrowth, static_cast<double>(bin) + 0.5);
   return std::clamp(middle, min_, max_);
 }

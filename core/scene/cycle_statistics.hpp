@@ -1,4 +1,4 @@
-// How long the cycles took.
+// Statistics of cycle times.
 #pragma once
 
 #include <cstdint>
@@ -6,20 +6,19 @@
 
 namespace abstand::scene {
 
-/// Counts cycle times in logarithmic bins, each 1 % wider than the one before, from 10 ns to 100 s; longer
-/// and shorter times fall into the outer bins. add() allocates nothing. One thread.
+/// Histogram of cycle times in logarithmic bins, each 1 % wider than the one before, from 10 ns to 100 s;
+/// other times fall into the outer bins. add() allocates nothing. One thread.
 class CycleStatistics {
  public:
-  /// `period` (s): cycles longer than this are overruns; infinity counts none. Throws UsageError unless above
-  /// 0.
+  /// `period` (s): longer cycles are overruns; infinity counts none. Throws UsageError unless above 0.
   explicit CycleStatistics(double period);
 
-  /// `seconds` of one cycle; what is not a number or negative counts as 0.
+  /// Adds the time of one cycle (s); NaN and negative values count as 0.
   void add(double seconds);
   void clear();
 
-  /// The time (s) that the share `share` of all cycles did not exceed (nearest rank), within 0.5 % and never
-  /// outside what was measured. `share` in [0, 1]. 0 without cycles.
+  /// Quantile of the cycle times (s): not exceeded by the share `share` of all cycles (nearest rank), within
+  /// 0.5 % and never outside of the measured range. `share` in [0, 1]. 0 without cycles.
   double quantile(double share) const;
   double median() const { return quantile(0.5); }
   double p99() const { return quantile(0.99); }

@@ -1,4 +1,4 @@
-// The smallest of many numbers that change a few at a time.
+// Minimum of many numbers with few changes at a time.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 
 namespace abstand::scene {
 
-/// A tournament: each inner node holds the smaller of its two children. A change climbs only as far as it
-/// matters. NaN counts as infinity. One thread.
+/// Tournament tree: each inner node holds the smaller of its two children; a change propagates only as far as
+/// needed. NaN counts as infinity. One thread.
 class MinimumTree {
  public:
-  /// Forgets all values; allocates.
+  /// Resets all values; allocates.
   void resize(std::size_t count) {
     count_ = count;
     leaves_ = std::bit_ceil(std::max<std::size_t>(count, 1));
@@ -33,7 +33,7 @@ class MinimumTree {
     }
   }
 
-  /// Index of the smallest value, the first of equal ones; none when all are infinite.
+  /// Index of the smallest value, the first of equal ones; nullopt if all are infinite.
   std::optional<std::size_t> smallest() const {
     if (count_ == 0 || !(node_[1] < kInfinity)) return std::nullopt;
     std::size_t n = 1;

@@ -5,7 +5,8 @@
 namespace abstand::scene {
 namespace {
 
-// Some hundred roundings of a double: computed lengths are widened by this part of what they come from.
+// Some hundred rounding errors of a double: computed lengths are enlarged by this share of the values they
+// are computed from.
 constexpr double kRounding = 1e-14;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How the objects of a scene move.
+// Motion state of the objects of a scene.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace abstand::scene {
 
-/// Velocities, motion bounds and breaches of speed bounds of all objects, from one pose to the next. One
+/// Velocities, motion bounds and violations of speed bounds of all objects, updated with every pose. One
 /// thread; update() allocates nothing.
 class ObjectMotions {
  public:
@@ -20,11 +20,11 @@ class ObjectMotions {
 
   void addObject(const geometry::EnclosingSphere& sphere_B);
 
-  /// Before `object` takes the pose X_WB at `t`: sets its velocities, interruptions and speed_state. True
-  /// when the pose differs from the one that it has.
+  /// Call before `object` gets the pose X_WB at `t`: sets its velocities, interruptions and speed_state. True
+  /// if the pose differs from the current one.
   bool update(ObjectId id, Object& object, const Transform& X_WB, double t);
 
-  /// Of each object.
+  /// Motion bound of each object.
   const std::vector<MotionBound>& bounds() const { return bounds_; }
   const SpeedWatch& speedWatch() const { return speed_watch_; }
 

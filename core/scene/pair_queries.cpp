@@ -12,12 +12,12 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Queries of a thread between two looks at the clock.
+// Queries of a thread between two checks of the clock.
 constexpr std::size_t kBatch = 8;
 
 }  // namespace
 
-/// On cache lines of its own.
+/// Cache-line aligned.
 struct alignas(64) PairQueries::Scratch {
   kernels::PairScratch of_query;
 };
@@ -50,7 +50,7 @@ void PairQueries::makeRoom(const PairTable& pairs) {
 
 void PairQueries::startCold() noexcept { std::fill(memories_.begin(), memories_.end(), query::PairMemory{}); }
 
-/// task(pair, scratch) for each, on all threads.
+/// Calls task(pair, scratch) for each pair, on all threads.
 template <class Task>
 void PairQueries::forEach(const std::vector<PairId>& list, PairTable& pairs, Task task) {
   struct Context {
@@ -92,7 +92,7 @@ void PairQueries::visit(Pair& pair, const Tables& tables, kernels::PairScratch& 
   const MotionBound& b = tables.bounds[pair.b.index()];
   pair.outcome = culling_.any() ? pair.rest.outcome(a, b, culling_) : PairOutcome::kChecked;
   if (pair.outcome == PairOutcome::kChecked) {
-    // Under a budget what is proven has to do until its turn comes.
+    // With a time budget, the proven bound is used until the pair is queried.
     if (!culling_.limited() || !pair.rest.proven()) return check(pair, tables, scratch);
     pair.outcome = PairOutcome::kPutOff;
   }
@@ -100,8 +100,8 @@ void PairQueries::visit(Pair& pair, const Tables& tables, kernels::PairScratch& 
                           pair.rest.lowerNow(a, b), pair.result);
 }
 
-/// Queries what was deferred, the most urgent first, until the clock shows `deadline`; one batch at least, so
-/// that everything gets its turn.
+/// Queries deferred pairs, the most urgent first, until the deadline; at least one batch, so that no pair
+/// starves.
 void PairQueries::queryUntil(double deadline, const std::vector<PairId>& list, const Tables& tables) {
   queue_.clear();
   for (const PairId id : list) {

@@ -18,13 +18,13 @@ namespace abstand::scene {
 
 class PairWorkers;
 
-/// Brings results up to the present poses, and leaves out the queries that culling allows to. Which thread
-/// queries which pair is left to chance and changes no bit. One owner thread; run() allocates nothing.
+/// Updates results to the current poses, skipping queries by culling. The assignment of pairs to threads is
+/// not deterministic and does not affect the results. One owner thread; run() allocates nothing.
 class PairQueries {
  public:
-  /// Seconds from any beginning.
+  /// Seconds since any fixed time.
   using Clock = double (*)();
-  /// The scene's tables: all of its pairs and objects, and how far each object has moved.
+  /// The scene's tables: all pairs, objects and motion bounds.
   struct Tables {
     PairTable& pairs;
     std::span<const Object> objects;
@@ -36,21 +36,21 @@ class PairQueries {
   PairQueries(PairQueries&&) noexcept;
   PairQueries& operator=(PairQueries&&) noexcept;
 
-  /// As Scene::setThreads, but at least 1.
+  /// As Scene::setThreads, but `threads` is at least 1.
   void setThreads(int threads);
   int threads() const { return threads_; }
-  /// Of valid options, for a scene with these pairs; forgets what warm starts remember.
+  /// Sets valid options for a scene with these pairs; clears the memories of warm starts.
   void setCulling(const QueryCulling& culling, const PairTable& pairs);
   const QueryCulling& culling() const { return culling_; }
   void setClock(Clock clock) { clock_ = clock; }
-  /// After a pair was added.
+  /// Call after adding a pair.
   void makeRoom(const PairTable& pairs);
-  /// Forgets what warm starts remember. No allocation.
+  /// Clears the memories of warm starts. No allocation.
   void startCold() noexcept;
 
-  /// When the time budget of a step that begins now is used up, by the clock; infinity without a budget.
+  /// Deadline (clock time, s) of a step that starts now; infinity without a time budget.
   double deadline() const { return culling_.limited() ? clock_() + culling_.budget : kInfinity; }
-  /// Every pair of `list` gets its outcome and, unless it is paused, a result for the present poses.
+  /// Every pair of `list` gets an outcome and, unless it is paused, a result for the current poses.
   void run(const std::vector<PairId>& list, const Tables& tables, double deadline);
 
  private:
@@ -63,10 +63,10 @@ class PairQueries {
 
   QueryCulling culling_;
   Clock clock_;
-  std::vector<query::PairMemory> memories_;  ///< of the pairs, where culling_.remember
+  std::vector<query::PairMemory> memories_;  ///< pair memories, if culling_.remember
   QueryQueue queue_;                         ///< pairs deferred in this step
   std::vector<PairId> batch_;
-  std::vector<Scratch> scratch_;  ///< of each thread
+  std::vector<Scratch> scratch_;  ///< one for each thread
   std::unique_ptr<PairWorkers> workers_;
   int threads_{1};
 };

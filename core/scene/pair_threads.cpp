@@ -1,4 +1,4 @@
-// Live mode: a thread a group, triple buffers both ways, sleep on a counter.
+// Live mode: one thread for each group, triple buffers in both directions, waiting on an atomic counter.
 #include "core/scene/pair_threads.hpp"
 
 #include <algorithm>
@@ -12,27 +12,27 @@
 namespace abstand::scene {
 namespace {
 
-/// What the owner hands in.
+/// Input of a group, published by the owner.
 struct PoseSet {
-  std::vector<Transform> X_WB;              ///< one an object
-  std::vector<LiveObject> objects;          ///< the same
-  std::vector<query::PairOptions> options;  ///< one a pair
+  std::vector<Transform> X_WB;              ///< one for each object
+  std::vector<LiveObject> objects;          ///< one for each object
+  std::vector<query::PairOptions> options;  ///< one for each pair
   double t{-kInfinity};
   long number{0};  ///< counts publications; t may jump back
 };
 
-/// Which pairs a group has. `index` has room for all pairs of the scene, so that it never grows.
+/// Pairs of a group. `index` has capacity for all pairs of the scene, so that it never reallocates.
 struct PairList {
   std::vector<std::uint32_t> index;
   std::size_t count{0};
 };
 
-/// What a group hands out: results[k] belongs to pair index[k].
+/// Output of a group: results[k] belongs to pair index[k].
 struct ResultSet {
   PairList pairs;
   std::vector<query::PairResult> results;
   double t{-kInfinity};
-  long number{0};  ///< of the poses
+  long number{0};  ///< number of the pose set
   long cycle{0};
 };
 
@@ -40,7 +40,7 @@ struct PairBodies {
   std::uint32_t a, b;
 };
 
-/// What all groups read and nobody changes.
+/// Constant data shared by all groups.
 struct World {
   std::vector<std::shared_ptr<const structure::HapticStructure>> structures;
   std::vector<PairBodies> pairs;
@@ -53,14 +53,15 @@ struct World {
                      {memory, scratch}, result);
   }
 
-  /// The same, or what is left of the last query when that will do. True when it was queried.
+  /// Updates the result of a pair: from the last query if culling allows it, otherwise by a new query. True
+  /// if it was queried.
   bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, query::PairMemory& memory,
                kernels::PairScratch& scratch, query::PairResult& result) const {
     const auto [a, b] = pairs[pair];
     const query::PairOptions& options = poses.options[pair];
     const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
     if (last.mayRest(now_a, now_b, options.margin)) {
-      result = {};  // a pair that rests has no contacts
+      result = {};  // a culled pair has no contacts
       last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, result);
       return false;
     }
@@ -134,7 +135,7 @@ class Group {
   }
   long cycles() const { return cycles_.load(std::memory_order_acquire) - first_cycle_; }
 
-  long collected{0};  ///< the owner's: cycle of the results that it has seen
+  long collected{0};  ///< owner's: cycle of the last collected results
 
  private:
   static ResultSet emptyResults(const World& world) {
@@ -151,7 +152,7 @@ class Group {
 
   void run() {
     for (bool begun = false;;) {
-      // Whatever the owner does after this line changes the signal, so that waiting on it misses nothing.
+      // Read first: any later action of the owner changes the signal, so no wake-up is lost.
       const std::uint32_t signal = signal_.load(std::memory_order_acquire);
       const Order order = order_.load(std::memory_order_acquire);
       if (order == Order::kStop) return;
@@ -185,7 +186,7 @@ class Group {
     checked_.fetch_add(static_cast<long>(pairs.count) - rested, std::memory_order_relaxed);
     const long cycle = cycles_.load(std::memory_order_relaxed) + 1;
     out.cycle = cycle;
-    // Before the results, so that whoever has seen them finds their cycle counted.
+    // Stored before the results, so that a thread that reads them finds their cycle counted.
     cycles_.store(cycle, std::memory_order_release);
     results_.publish();
   }
@@ -194,14 +195,14 @@ class Group {
   TripleBuffer<PoseSet> poses_;      ///< owner to group
   TripleBuffer<PairList> wanted_;    ///< owner to group
   TripleBuffer<ResultSet> results_;  ///< group to owner
-  std::vector<LiveCulling> rests_;   ///< the group's, one a pair of the scene; empty when none may rest
+  std::vector<LiveCulling> rests_;   ///< group's, one for each pair of the scene; empty if culling is off
   std::vector<query::PairMemory> memories_;  ///< likewise
-  PairList pairs_;                           ///< the owner's copy of what it wants
+  PairList pairs_;                           ///< owner's copy of the wanted list
   kernels::PairScratch scratch_;
-  long first_cycle_{0};  ///< the owner's
+  long first_cycle_{0};  ///< owner's
   alignas(64) std::atomic<std::uint32_t> signal_{0};
   std::atomic<Order> order_{Order::kRun};
-  alignas(64) std::atomic<long> cycles_{0};  ///< over all threads that this group has had
+  alignas(64) std::atomic<long> cycles_{0};  ///< over all threads of this group
   std::atomic<long> checked_{0}, rested_{0};
   std::jthread thread_;
 };
@@ -212,12 +213,12 @@ struct PairThreads::Impl {
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 
   World world;
-  PoseSet poses;  ///< published last
+  PoseSet poses;  ///< last published
   std::vector<std::unique_ptr<Group>> groups;
   std::vector<std::size_t> group_of;       ///< of each pair
   std::vector<query::PairResult> results;  ///< newest of each pair
   std::vector<double> result_time;
-  std::vector<long> result_number;  ///< of the poses; -1: no result yet
+  std::vector<long> result_number;  ///< number of the pose set; -1: no result yet
   std::vector<std::string> pair_names;
   kernels::PairScratch scratch;
 
@@ -248,7 +249,7 @@ struct PairThreads::Impl {
                      ": in a thread group already, expected to be in one only");
   }
 
-  /// Takes a pair into a list, with a first result.
+  /// Adds a pair to a list, with a first result.
   void admit(PairId pair, GroupIndex group, PairList& list) {
     const std::uint32_t i = pair.index();
     group_of[i] = group;
@@ -348,8 +349,7 @@ long PairThreads::collect(std::vector<query::PairResult>& results) {
     group.collected = set.cycle;
     for (std::size_t k = 0; k < set.pairs.count; ++k) {
       const std::uint32_t i = set.pairs.index[k];
-      // A pair that left the group meanwhile keeps what it had, and one that has just been added may be
-      // ahead.
+      // A pair that has left the group keeps its result; one that was just added may be newer.
       if (m.group_of[i] != g || set.number < m.result_number[i]) continue;
       m.results[i] = set.results[k];
       m.result_time[i] = set.t;

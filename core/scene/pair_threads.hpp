@@ -1,4 +1,4 @@
-// Live mode: groups of pairs on their own threads, as in the thesis.
+// Live mode: groups of pairs on threads of their own, as in the thesis.
 #pragma once
 
 #include <memory>
@@ -8,51 +8,51 @@
 
 namespace abstand::scene {
 
-/// Each group of pairs runs on a thread of its own, at its own pace: it takes the newest poses, queries its
-/// pairs one after the other, and publishes the results [thesis 4.2.7, 4.2.8]. A group without new poses, or
-/// paused, sleeps and takes no processor time.
+/// Each group of pairs runs on its own thread at its own rate: it reads the newest poses, queries its pairs
+/// in sequence, and publishes the results [thesis 4.2.7, 4.2.8]. A paused group, or one without new poses,
+/// sleeps.
 ///
-/// One owner thread calls all functions; poses are handed in and results taken out through triple buffers, so
-/// that neither side waits for the other (but stop(), which waits for the group's cycle under way). A pair is
-/// in one group at most. With QueryCulling::rest, pairs of bodies with a bound on their speed rest
-/// (live_culling.hpp). Groups can be started, paused and stopped, and pairs added and removed, while the
-/// others run.
+/// One owner thread calls all functions. Poses and results are exchanged through triple buffers, so neither
+/// side waits for the other (except stop(), which waits for the current cycle). A pair is in at most one
+/// group. With QueryCulling::rest, queries of pairs whose bodies have speed bounds are skipped
+/// (live_culling.hpp). Groups can be started, paused and stopped, and pairs added and removed, while others
+/// run.
 class PairThreads {
  public:
-  /// Objects and pairs are those of the scene at this moment, at their present poses; how long pairs rest,
-  /// too. Structures are shared, the scene itself may go.
+  /// Copies objects, pairs, current poses and culling options of the scene. Structures are shared; the scene
+  /// need not outlive this object.
   explicit PairThreads(const Scene& scene);
   /// Stops all groups.
   ~PairThreads();
 
   using GroupIndex = std::size_t;
-  /// The group does not run yet. Each pair gets a first result at once, at the poses published last. Throws
-  /// UsageError for a pair that is in a group already.
+  /// Adds a group that does not run yet. Each pair gets a first result immediately, at the last published
+  /// poses. Throws UsageError for a pair that is already in a group.
   GroupIndex addGroup(std::vector<PairId> pairs);
-  /// Begins a thread, or goes on after a pause. Nothing for a group that runs.
+  /// Starts the thread, or continues after a pause. No effect for a running group.
   void start(GroupIndex group);
-  void pause(GroupIndex group);  ///< after the cycle under way, if there is one
+  void pause(GroupIndex group);  ///< after the current cycle, if any
   void stop(GroupIndex group);   ///< ends the thread; start() begins a new one
-  /// As in addGroup; the thread takes it up in its next cycle.
+  /// Throws as addGroup(); takes effect in the thread's next cycle.
   void addPair(GroupIndex group, PairId pair);
-  /// Its result stays as it was, and its resultTime() too. Throws UsageError when it is not in this group.
+  /// Its result and resultTime() stay as they were. Throws UsageError if it is not in this group.
   void removePair(GroupIndex group, PairId pair);
 
-  /// Hands the present poses, margins and time of the scene to all groups. Allocates nothing.
+  /// Passes current poses, margins and time of the scene to all groups. Allocates nothing.
   void publishPoses(const Scene& scene);
-  /// Copies the newest result of every pair that is or was in a group into `results` (size: pairs of the
+  /// Copies the newest result of every pair that is or was in a group to `results` (size: pairs of the
   /// scene); returns the number of group cycles finished since the last call. Allocates nothing.
   long collect(std::vector<query::PairResult>& results);
-  /// Time of the poses that a pair's last collected result belongs to (s, the latest of the objects' times);
-  /// minus infinity for a pair that was never in a group.
+  /// Time (s) of the poses of a pair's last collected result, the latest of the objects' times; minus
+  /// infinity for a pair that was never in a group.
   double resultTime(PairId pair) const;
-  /// The same of all pairs of the scene, as Scene::take() wants them.
+  /// The same for all pairs of the scene, for Scene::take().
   std::span<const double> resultTimes() const;
-  /// Whether the last collected result of every pair that is in a group belongs to the poses published last.
+  /// True if the last collected result of every pair in a group belongs to the last published poses.
   bool upToDate() const;
-  /// Pairs that were queried and that rested, over all cycles of all groups.
+  /// Numbers of queried and culled pairs, over all cycles of all groups.
   StepCounts counts() const;
-  /// Cycles that a group has run since its thread began.
+  /// Cycles of a group since its thread was started.
   long cycles(GroupIndex group) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which pairs the next step of a scene looks at.
+// Selects the pairs that the next step of a scene updates.
 #pragma once
 
 #include <cstddef>
@@ -9,30 +9,30 @@
 
 namespace abstand::scene {
 
-/// Collects objects that move and pairs that are to be looked at whatever has moved, until a step makes them
-/// its work. One thread; allocates when objects and pairs are added only.
+/// Collects moved objects and explicitly enqueued pairs; the next step updates them. One thread; allocates
+/// only when objects and pairs are added.
 class PairUpdates {
  public:
-  /// `capacity`: objects or pairs that the scene's own table has room for.
+  /// `capacity`: number of objects or pairs that the scene's own table has room for.
   void addObject(std::size_t capacity);
   void addPair(std::size_t capacity);
 
   void addMoved(ObjectId object);
-  /// Each pair once; paused ones not at all.
+  /// Enqueues a pair once; ignored if it is paused.
   void enqueue(PairId id, Pair& pair);
-  /// The work of step number `step`: what was enqueued and the pairs of everything that has moved, each once.
+  /// Work list of step number `step`: enqueued pairs and all pairs of moved objects, each once.
   void begin(long step, PairTable& pairs, const std::vector<std::vector<PairId>>& pairs_of);
 
-  /// The work of the last step, in no order.
+  /// Work list of the last step, in no particular order.
   const std::vector<PairId>& renewed() const { return renewed_; }
-  /// The last step that renewed a pair which is named with this object.
+  /// The last step that updated a pair indexed by this object.
   long lastUpdateStep(ObjectId id) const { return last_update_step_[id.index()]; }
 
  private:
   std::vector<ObjectId> moved_;  ///< since the last step
   std::vector<bool> has_moved_;
   std::vector<PairId> pending_, renewed_;
-  std::vector<long> last_update_step_;  ///< of each object
+  std::vector<long> last_update_step_;  ///< for each object
 };
 
 }  // namespace abstand::scene

@@ -56,7 +56,7 @@ void PairWorkers::help(std::size_t thread) noexcept {
 }
 
 void PairWorkers::takeAll(std::size_t thread) noexcept {
-  // Large shares first, single pairs at the end, so that all threads finish together.
+  // Large shares first, single pairs at the end, so that all threads finish at the same time.
   const std::uint64_t shares = 2 * (helpers_.size() + 1);
   std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
   while ((ticket & kLeft) != 0) {

@@ -1,4 +1,4 @@
-// Threads that share out the pairs of one cycle.
+// Thread pool for the pairs of one cycle.
 #pragma once
 
 #include <atomic>
@@ -8,24 +8,23 @@
 
 namespace abstand::scene {
 
-/// Runs a task for each index of a range on the calling thread and on threads that sleep in between. Which
-/// thread takes which index is left to chance, so a task may only write what belongs to its index. One owner
-/// thread.
+/// Runs a task for each index of a range on the calling thread and on helper threads that sleep in between.
+/// The assignment of indices to threads is not deterministic, so a task may only write data of its index. One
+/// owner thread.
 class PairWorkers {
  public:
-  /// `task(context, index, thread)`; must not throw. `thread`: 0 is the caller, 1 to `helpers` the others,
-  /// for work space that each thread has once.
+  /// `task(context, index, thread)`; must not throw. `thread`: 0 is the caller, 1 to `helpers` the helpers;
+  /// selects the thread's work space.
   using Task = void (*)(void* context, std::size_t index, std::size_t thread);
 
-  /// Throws std::system_error when the machine gives no more threads.
+  /// Throws std::system_error if the system cannot create the threads.
   explicit PairWorkers(int helpers);
   ~PairWorkers();
   PairWorkers(const PairWorkers&) = delete;
   PairWorkers& operator=(const PairWorkers&) = delete;
 
   /// Returns when the task has run for every index of [0, count), count < 2^32. The caller works too and
-  /// waits only for helpers that have taken something, not for those that have yet to wake up. No allocation,
-  /// no lock.
+  /// waits only for helpers that have taken indices, not for those still waking up. No allocation, no lock.
   void run(std::size_t count, Task task, void* context) noexcept;
 
  private:
@@ -35,8 +34,8 @@ class PairWorkers {
 
   Task task_{nullptr};
   void* context_{nullptr};
-  /// Indices not yet taken (low half) and the cycle (high half), so that a helper that wakes up late cannot
-  /// take from a later cycle by what it saw of an earlier one.
+  /// Number of indices left (low half) and cycle number (high half), so that a helper that wakes up late
+  /// cannot take indices of a later cycle.
   alignas(64) std::atomic<std::uint64_t> ticket_{0};
   alignas(64) std::atomic<std::uint32_t> unfinished_{0};
   alignas(64) std::atomic<std::uint32_t> cycle_{0};

@@ -1,4 +1,4 @@
-// What a scene may leave out in a step, and what that costs in certainty.
+// Options of query culling, and their effect on certainty.
 #pragma once
 
 #include "core/query/pair_query.hpp"
@@ -7,34 +7,33 @@ namespace abstand::scene {
 
 inline constexpr double kMaxFarTolerance = 0.1;
 
-/// All off by default: every pair of something that moved is queried. Whatever is left out, the true distance
-/// of a pair is never below distance - bound; it is the bound that grows.
+/// Default: all off, every pair with a moved body is queried. With culling the true distance is still never
+/// below distance - bound; only the bound grows.
 struct QueryCulling {
-  /// 0 to 1. A pair rests until its bodies have used up this share of its clearance by moving: of the
-  /// certified distance beyond margins and field errors, at the last query. At 0.01 the bound grows by two
-  /// hundredths of the clearance at most; 1 is the longest rest in which no margin can be broken. 0: none
-  /// rests.
+  /// 0 to 1. A pair is not queried until the motion of its bodies has used up this share of its clearance,
+  /// that is of the certified distance beyond margins and field errors at the last query. At 0.01 the bound
+  /// grows by at most two hundredths of the clearance; 1 is the largest share at which no margin can be
+  /// violated. 0: off.
   double rest{0.0};
   /// m. A pair whose bounding spheres are farther apart than this is not queried.
   double horizon{kInfinity};
-  /// s, of a step from its beginning. When it is used up, the pairs that ought still to be queried keep what
-  /// was proven of them, with a bound that grows as their bodies move, and are taken up in the steps that
-  /// follow (query_queue.hpp). What is proven then depends on the machine's speed. Pairs of which nothing is
-  /// proven yet are queried in any case.
+  /// s, time budget of a step. When it is used up, remaining pairs keep their last proof, with a bound that
+  /// grows with the motion of their bodies, and are queried in later steps (query_queue.hpp). Bounds then
+  /// depend on the speed of the machine. Pairs without a proof are always queried.
   double budget{kInfinity};
 
-  /// Warm start: pairs start from what they remember of the step before (PairMemory). Several times as fast,
-  /// and farther away than 0.1 m up to far_tolerance above the smallest distance of the points (which `bound`
-  /// covers); and a step's numbers depend, within these limits, on the steps since the last one that was cold
+  /// Warm start: queries use the pair's memory of the step before (PairMemory). Several times faster. Beyond
+  /// 0.1 m a distance may exceed the smallest one of the shell points by the share far_tolerance (included in
+  /// `bound`), and within these limits results depend on the steps since the last cold start
   /// (Scene::startCold). They never depend on the number of threads.
   bool remember{false};
   double far_tolerance{0.002};
-  /// The same as a share of the answer, as PairOptions wants it.
+  /// far_tolerance as a share of the reported distance, for PairOptions.
   double farShare() const { return remember ? far_tolerance / (1.0 + far_tolerance) : query::kColdFarShare; }
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }
   bool limited() const { return budget < kInfinity; }
-  /// Throws UsageError with the name, the value and the rule.
+  /// Throws UsageError with name, value and rule.
   void validate() const;
 };
 

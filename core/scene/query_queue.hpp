@@ -1,4 +1,4 @@
-// Which pairs come first when there is no time for all.
+// Priority queue of deferred queries.
 #pragma once
 
 #include <algorithm>
@@ -9,24 +9,24 @@
 
 namespace abstand::scene {
 
-/// A pair that ought to be queried.
+/// A pair whose query is due.
 struct DuePair {
   PairId id;
-  bool may_touch;    ///< contacts cannot be ruled out
-  int waited;        ///< steps since it ought to have been queried
+  bool may_touch;    ///< contact is not excluded
+  int waited;        ///< steps since the query became due
   double clearance;  ///< m, certified beyond margins
 };
 
-/// Pairs that may touch come first, then those that have waited longest, then the nearest: everything gets
-/// its turn, what is near more often. Equal ones by their order in the scene. One thread; add() and next()
-/// allocate nothing within the reserved size.
+/// Order: pairs that may touch, then those that have waited longest, then the nearest, so that no pair
+/// starves and near pairs are queried more often. Ties in scene order. One thread; add() and next() allocate
+/// nothing within the reserved size.
 class QueryQueue {
  public:
   void reserve(std::size_t pairs) { heap_.reserve(pairs); }
   void clear() { heap_.clear(); }
   bool empty() const { return heap_.empty(); }
 
-  /// All adding before the first next().
+  /// All add() calls precede the first next().
   void add(const DuePair& pair) { heap_.push_back(pair); }
   void sortOut() { std::make_heap(heap_.begin(), heap_.end(), later); }
   PairId next() {

@@ -86,7 +86,7 @@ void Scene::setPaused(PairId id, bool paused, double t) {
   if (pair.paused == paused) return;
   double& time = result_time_[id.index()];
   if (paused) {
-    enqueue(id);  // the next step takes it out of the totals
+    enqueue(id);  // the next step removes it from the totals
     if (std::isnan(time)) time = std::isnan(pair.result.distance) ? -kInfinity : t;
     ++paused_count_;
     pair.paused = dated_ = true;
@@ -158,7 +158,7 @@ void Scene::enqueueAll() {
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) enqueue(PairId(i));
 }
 
-/// The next step() queries it, whatever was proven.
+/// Forces a query in the next step, whatever is proven.
 void Scene::renew(PairId id) {
   pairs_[id.index()].rest.forget();
   enqueue(id);
@@ -167,7 +167,7 @@ void Scene::renew(PairId id) {
 void Scene::step() {
   const double deadline = queries_.deadline();
   ++steps_;
-  // What take() left may be older than the present poses although nothing has moved since.
+  // Results from take() may be older than the current poses although nothing has moved since.
   if (taken_) enqueueAll();
   taken_ = false;
   updates_.begin(steps_, pairs_, pairs_of_);
@@ -177,7 +177,7 @@ void Scene::step() {
   sumWrenches();
 }
 
-/// What this step has renewed belongs to the present poses.
+/// Results updated in this step belong to the current poses.
 void Scene::dateResults() {
   if (!dated_) return;
   for (const PairId id : renewed())
@@ -221,7 +221,7 @@ void Scene::count(Pair& pair) {
   pair.waited = 0;
 }
 
-/// What the renewed pairs change in what is known of all pairs.
+/// Updates contacts and minimum from the updated pairs.
 void Scene::updateContactList() {
   if (distances_.size() != pairs_.size()) {
     distances_.resize(pairs_.size());

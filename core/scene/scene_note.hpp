@@ -1,4 +1,4 @@
-// What a user should know of a scene before believing what it shows.
+// Remarks about a scene for its user.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace abstand::scene {
 
-/// When a reservation fails `check`.
+/// Whether a reservation makes `check` fail.
 enum class Severity : std::uint8_t {
-  kNote,    ///< never: a person who reads the verdict should know it
-  kStrict,  ///< with --strict: the distances may be wrong, or are those of a guess
-  kAlways   ///< something was not known at all, and unknown is never safe
+  kNote,    ///< never: information for the reader of the verdict
+  kStrict,  ///< with --strict: the distances may be wrong, or are based on a guess
+  kAlways   ///< always: something is unknown, and unknown is never safe
 };
 
 /// A reservation about a scene that is open, or another remark about it.

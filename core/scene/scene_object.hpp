@@ -11,37 +11,38 @@
 
 namespace abstand::scene {
 
-/// What is needed to put a body into the scene.
+/// Parameters of a new body.
 struct ObjectSpec {
   std::string name;   ///< unique in the scene
-  std::string group;  ///< a mechanism's, a human's name, or "objects"
+  std::string group;  ///< name of a mechanism or human, or "objects"
   std::shared_ptr<const structure::HapticStructure> structure;
   double margin{0.0};  ///< m, safety margin
 };
 
-/// How trustworthy an object's pose is; everything but kFresh is shown and never counts as safe.
+/// Reliability of an object's pose; all states except kFresh are shown and never count as safe.
 enum class PoseState : std::uint8_t { kFresh, kInferred, kStale, kRejected };
 
-/// One body in the scene, with its recent motion and what acts on it. World frame.
+/// One body of the scene with its recent motion and total contact wrench. World frame.
 struct Object {
   ObjectSpec spec;
   Transform X_WB{Transform::Identity()};
   PoseState pose_state{PoseState::kFresh};
-  /// m: every point of the body is within so much of where X_WB puts it; it widens the margins by which the
-  /// body's distances are judged. Infinite: it may be anywhere.
+  /// m: every point of the body is within this of its position by X_WB; added to the margins when distances
+  /// are judged. Infinite: the position is unknown.
   double pose_uncertainty{0.0};
-  long rejected_poses{0};       ///< poses that were not finite or no rotation; the last good one stayed
+  long rejected_poses{0};       ///< poses that were not finite or not a rotation; the last valid one was kept
   double t{0.0};                ///< s, of X_WB
-  Twist velocity;               ///< instant: from the last two poses; linear of the centre of mass
+  Twist velocity;               ///< from the last two poses; linear velocity of the centre of mass
   Twist mean_velocity;          ///< over the last Scene::kMeanSamples poses
-  double max_speed{kInfinity};  ///< m/s, of its farthest point; what rests on it is watched by setPose
-  /// Grows when what was concluded from times and speeds no longer holds: at a breach of max_speed, when
-  /// max_speed changes, and when the object is moved back in time or without time.
+  double max_speed{kInfinity};  ///< m/s, declared bound on the speed of its farthest point; checked by
+                                ///< setPose
+  /// Incremented when conclusions from times and speeds become invalid: max_speed exceeded or changed, or the
+  /// object moved at the same or an earlier time.
   long interruptions{0};
   SpeedWatch::State speed_state;
   Wrench contact;  ///< sum over its pairs, about its centre of mass
   int contacts{0};
-  bool colliding{false};  ///< some pair of it has a contact (margins included)
+  bool colliding{false};  ///< a pair of it has a contact (margins included)
   Vector3d p_WCom() const { return X_WB * spec.structure->com; }
 };
 

@@ -1,4 +1,4 @@
-// A pair of bodies in the scene, and how the pairs of a step came to their results.
+// A pair of bodies in the scene, and statistics of the outcomes of a step.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@ namespace abstand::scene {
 struct alignas(64) Pair {
   ObjectId a, b;
   PairOutcome outcome{PairOutcome::kChecked};
-  bool queued{false};    ///< the next step() looks at it
-  bool touching{false};  ///< is among Scene::touching()
+  bool queued{false};    ///< the next step updates it
+  bool touching{false};  ///< is in Scene::touching()
   bool paused{false};    ///< see Scene::setPaused
-  int waited{0};         ///< steps that it has been deferred
+  int waited{0};         ///< steps since it was deferred
   TemporalCulling rest;
   query::PairResult result;
-  query::PairOptions options;  ///< margin = margin_a + margin_b, kept up to date by setMargin
+  query::PairOptions options;  ///< margin = margin_a + margin_b, updated by setMargin
 };
 
 using PairTable = std::vector<Pair, HugePageAllocator<Pair>>;
 
-/// The pairs of a list lie far apart in memory: asks for the one some places after place `i`.
+/// The pairs of a list are far apart in memory: prefetches one some positions after `i`.
 inline void prefetchAhead(const PairTable& pairs, const std::vector<PairId>& list, std::size_t i) {
   constexpr std::size_t kAhead = 8;
   if (i + kAhead >= list.size()) return;
@@ -34,10 +34,10 @@ inline void prefetchAhead(const PairTable& pairs, const std::vector<PairId>& lis
   for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(line + 64 * k, 1);
 }
 
-/// How the pairs of a step came to their results; those that nothing moved do not count.
+/// Outcomes of the pairs in a step; pairs without motion are not counted.
 struct StepCounts {
   long checked{0}, rested{0}, beyond{0}, deferred{0};
-  int longest_wait{0};  ///< steps, of the pairs deferred
+  int longest_wait{0};  ///< in steps, of the deferred pairs
 };
 
 }  // namespace abstand::scene

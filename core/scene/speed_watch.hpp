@@ -9,30 +9,30 @@
 
 namespace abstand::scene {
 
-/// A stretch of poses in which an object broke the bound on its speed.
+/// A stretch of poses in which an object exceeded its speed bound.
 struct SpeedBreach {
   ObjectId object;
-  double t;      ///< s, of the first pose that broke it
-  double speed;  ///< m/s, the highest of the stretch, of the farthest point
+  double t;      ///< s, of the first pose that exceeded it
+  double speed;  ///< m/s, highest in the stretch, of the farthest point
   double bound;  ///< m/s
 };
 
-/// Lists the first stretches and counts all. Allocates when it is made only. One thread.
+/// Stores the first stretches and counts all. Allocates only at construction. One thread.
 class SpeedWatch {
  public:
   static constexpr std::size_t kMaxListed = 100;
-  /// Speeds up to this factor above the bound are within it, for rounding; who relies on a bound adds it.
+  /// Rounding tolerance: speeds up to this factor of the bound are within it. Users of a bound apply it.
   static constexpr double kTolerance = 1.0 + 1e-9;
 
   SpeedWatch() { listed_.reserve(kMaxListed); }
 
-  /// What is known of one object.
+  /// State of one object.
   struct State {
-    bool broken{false};  ///< at its last pose
+    bool broken{false};  ///< exceeded at its last pose
     std::size_t entry{kMaxListed};
   };
 
-  /// True when the bound is broken. A step of `way` m (a bound, of the farthest point) in `dt` > 0 s.
+  /// Adds a step of `way` m (upper bound, of the farthest point) in `dt` > 0 s; true if it exceeds `bound`.
   bool add(ObjectId object, double t, double way, double dt, double bound, State& state) {
     const bool broken = way > bound * dt * kTolerance;
     if (broken && !state.broken) {
@@ -47,7 +47,7 @@ class SpeedWatch {
   }
 
   const std::vector<SpeedBreach>& listed() const { return listed_; }
-  long count() const { return count_; }  ///< stretches
+  long count() const { return count_; }  ///< number of stretches
 
  private:
   std::vector<SpeedBreach> listed_;

@@ -5,7 +5,7 @@
 namespace abstand::scene {
 namespace {
 
-// Above the rounding of differences and sums of two lengths.
+// Exceeds the rounding of differences and sums of two lengths.
 constexpr double kRoundUp = 1.0 + 1e-12;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far the surface is from its shell points at most: branch and bound over triangles.
+// Covering radius of a pointshell: branch and bound over triangles.
 #include "core/shell/farthest_point_sampler.hpp"
 
 #include <algorithm>
@@ -6,17 +6,17 @@
 namespace abstand::shell {
 namespace {
 
-/// More than what rounding to float takes away.
+/// More than the error of rounding to float.
 constexpr double kRoundUp = 1.0 + 1e-7;
-/// Pieces with a bound within this part of the largest are asked first.
+/// Sub-triangles with a bound above this share of the largest are tested first.
 constexpr float kLarge = 0.95f;
-/// Pieces before and after one whose points are looked at; neighbours in a mesh often are neighbours in
-/// space.
+/// Sub-triangles before and after one whose shell points are tried; neighbours in a mesh often are neighbours
+/// in space.
 constexpr std::uint32_t kNeighbours = 16;
 
 struct Candidate {
   double bound;
-  std::uint32_t piece;  ///< of the pool; from its size on, of the parts
+  std::uint32_t piece;  ///< index of a sub-triangle; from pool.size() on, index + pool.size() of a part
   bool operator<(const Candidate& other) const { return bound < other.bound; }
 };
 
@@ -33,20 +33,21 @@ double cornerBound(const SubTriangle& piece, const Vector3f& q) { return std::sq
 double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest) {
   const NearestOfPoints finder(points);
-  // A bound for each piece, squared; the largest show how far the surface is at least.
+  // Squared upper bound for each sub-triangle; those with the largest give a lower bound of the covering
+  // radius.
   std::vector<float> bounds2(pool.size());
   float largest = 0.0f;
   pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     bounds2[i] = static_cast<float>(squaredBound(piece.whole(), points[nearest[i]]) * kRoundUp);
     largest = std::max(largest, bounds2[i]);
   });
-  double reached = 0.0;  // some point of the surface is at least this far from its nearest shell point
+  double reached = 0.0;  // lower bound: some surface point is at least this far from its nearest shell point
   std::uint32_t q = 0;
   pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
     if (bounds2[i] > kLarge * kLarge * largest)
       reached = std::max(reached, finder.distance(piece.centroid(), q));
   });
-  // Only pieces that may decide are looked at; the rest is covered within `floor` as it is.
+  // Only sub-triangles that may decide are refined; the others are covered within `floor`.
   double floor = 0.0;
   std::vector<Candidate> heap;
   std::vector<SubTriangle> parts = pool.degenerate();
@@ -56,7 +57,7 @@ double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& poi
     if (double(bounds2[i]) <= floor * floor) return;
     double bound = std::sqrt(double(bounds2[i]));
     if (bound > reached) {
-      // A neighbour's point may be nearer.
+      // A shell point of a neighbour may be nearer.
       const SubTriangle whole = piece.whole();
       const std::uint32_t first = i > kNeighbours ? i - kNeighbours : 0;
       for (std::uint32_t n = first; n < std::min(i + kNeighbours, pool.size()) && bound > reached; ++n)

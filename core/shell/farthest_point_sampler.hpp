@@ -1,4 +1,4 @@
-// How far the surface is from its shell points at most.
+// Covering radius of a pointshell.
 #pragma once
 
 #include "core/shell/pointshell_tree.hpp"
@@ -6,11 +6,11 @@
 
 namespace abstand::shell {
 
-/// Certified upper bound (m) on the distance from any point of the mesh to the nearest of `points`, at most
-/// kCoverSlack above the truth. `nearest[i]`: a point near the i-th piece of the pool (any point will do, a
-/// near one makes it quick). For one point q and one triangle the largest distance is at a corner, so the
-/// triangle is covered within max_corners |corner - q|; where that is not tight the triangle is halved
-/// (branch and bound).
+/// Certified upper bound (m) on the distance from any point of the mesh to the nearest of `points`, too large
+/// by at most the share kCoverSlack. Branch and bound: for one shell point q the largest distance from a
+/// triangle is at a corner, so max_corners |corner - q| is an upper bound for the triangle; where it is not
+/// tight the triangle is halved. `nearest[i]`: index of a shell point near sub-triangle i (any point is
+/// valid, a near one is fast).
 double coveringRadius(const SubTriangles& pool, const std::vector<Vector3f>& points,
                       const std::vector<std::uint32_t>& nearest);
 

@@ -9,12 +9,12 @@
 namespace abstand::shell {
 namespace {
 
-/// An overlap whose force is a smaller part than this of the sum without signs is no overlap: the two sides
-/// of a sheet.
+/// If the force is below this share of the sum of its magnitudes, the two sides of a sheet cancel and there
+/// is no overlap.
 constexpr double kSheet = 1e-3;
 
-/// Integral of the depth over the part of a triangle where it is positive, over the triangle's area and times
-/// 6. `depth`: at the corners; at least one is positive.
+/// Integral of the positive depth over a triangle, divided by the triangle's area, times 6. `depth`: at the
+/// corners, at least one of them positive.
 double clippedDepth(const double (&depth)[3]) {
   if (depth[0] >= 0.0 && depth[1] >= 0.0 && depth[2] >= 0.0) return depth[0] + depth[1] + depth[2];
   // Corners of the clipped polygon in barycentric coordinates of the second and third corner.
@@ -43,7 +43,7 @@ double clippedDepth(const double (&depth)[3]) {
 
 void EllipsoidOverlap::forces(const Vector3d& u, std::span<const double> levels,
                               std::span<Vector3d> out) const {
-  // Stretched to the unit ball, the half-space cuts off a cap of the height t.
+  // Scaled to the unit ball, the half-space cuts off a cap of height t.
   const double half_height = semi_axes_.cwiseProduct(u).norm();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double t = std::clamp((levels[i] + half_height) / half_height, 0.0, 2.0);
@@ -76,8 +76,8 @@ double MeshOverlap::lowest(const Vector3d& u) const {
 
 void MeshOverlap::forces(const Vector3d& u, std::span<const double> levels, std::span<Vector3d> out) const {
   ABSTAND_CHECK(!levels.empty() && out.size() == levels.size());
-  // A triangle reaches into the half-space when one of its corners does. Vertices are found in float; a
-  // rounding error missed at the level itself has no weight.
+  // A triangle reaches into the half-space if one of its corners does. Vertices are found in float; a vertex
+  // missed by rounding at the level contributes nothing.
   std::vector<std::uint32_t> reached, triangles;
   vertices_below_.find(u.cast<float>(), static_cast<float>(levels.back()), mesh_.vertices.size(), reached);
   for (const std::uint32_t v : reached)

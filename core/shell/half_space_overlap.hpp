@@ -1,4 +1,4 @@
-// What the penalty force of a half-space pressed into a body should be.
+// Exact penalty force of a body pressed into a half-space: reference for the quadrature correction.
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace abstand::shell {
 
-/// The half-space is u . x < level; the depth of a point in it is d(x) = level - u . x. The force for
-/// stiffness 1 is -(integral of max(0, d) n dA) over the surface with its outward normals n, which for a
-/// closed body is the overlapping volume times u. Shared by threads.
+/// Half-space u . x < level; the depth of a point in it is level - u . x. The force for stiffness 1 is
+/// -(integral of max(0, depth) n dA) over the surface with outward normals n; for a closed body it is the
+/// overlapping volume times u. Thread-safe.
 class HalfSpaceOverlap {
  public:
   virtual ~HalfSpaceOverlap() = default;
-  /// m: least u . x over the body, to float's rounding.
+  /// Smallest u . x over the body (m), up to rounding in float.
   virtual double lowest(const Vector3d& u) const = 0;
-  /// Forces (m^3) for rising levels; 0 for an overlap that is none: the two sides of a sheet.
+  /// Forces (m^3) for ascending levels; 0 where the two sides of a sheet cancel.
   virtual void forces(const Vector3d& u, std::span<const double> levels, std::span<Vector3d> out) const = 0;
 };
 
-/// The cap of an ellipsoid, in closed form: a ball's, stretched.
+/// Ellipsoid: closed form, a spherical cap scaled by the semi-axes.
 class EllipsoidOverlap final : public HalfSpaceOverlap {
  public:
   explicit EllipsoidOverlap(const Vector3d& semi_axes) : semi_axes_(semi_axes) {}
@@ -34,7 +34,7 @@ class EllipsoidOverlap final : public HalfSpaceOverlap {
   Vector3d semi_axes_;
 };
 
-/// Triangle by triangle; the mesh may be open.
+/// Mesh: sum over its triangles; the mesh may be open.
 class MeshOverlap final : public HalfSpaceOverlap {
  public:
   explicit MeshOverlap(geometry::TriangleMesh mesh);
@@ -44,11 +44,11 @@ class MeshOverlap final : public HalfSpaceOverlap {
  private:
   geometry::TriangleMesh mesh_;
   PointsBelow vertices_below_;
-  /// The triangles at each vertex: those of v are list_[first_[v]] ... list_[first_[v + 1] - 1].
+  /// Triangles at each vertex: those of v are list_[first_[v]] ... list_[first_[v + 1] - 1].
   std::vector<std::uint32_t> first_, list_;
 };
 
-/// In closed form for a ball and an ellipsoid, else over triangles within `sagitta` (m) of the surface.
+/// Closed form for a sphere and an ellipsoid, otherwise over triangles within `sagitta` (m) of the surface.
 std::unique_ptr<HalfSpaceOverlap> halfSpaceOverlap(const geometry::Surface& surface, double sagitta);
 
 }  // namespace abstand::shell

@@ -47,14 +47,14 @@ class Builder {
   }
 
  private:
-  /// As few children as the tree's height allows, so that the nodes above the leaves are full.
+  /// The fewest children that the tree's height allows, so that the nodes above the leaves are full.
   static std::size_t childCount(std::size_t leaves) {
     std::size_t capacity = 1;
     while (capacity * kFan < leaves) capacity *= kFan;
     return (leaves + capacity - 1) / capacity;
   }
 
-  /// Appends `parts` compact parts of the range, with nearly the same number of leaves each.
+  /// Appends `parts` compact parts of the range with nearly equal numbers of leaves.
   void split(const Range& range, std::size_t parts, std::vector<Range>& out) {
     if (parts == 1) {
       out.push_back(range);
@@ -82,7 +82,7 @@ class Builder {
     const Vector3f centre = geometry::minimalSphere(scratch_).centre.cast<float>();
     double radius2 = 0.0;
     for (const Vector3d& p : scratch_) radius2 = std::max(radius2, (p - centre.cast<double>()).squaredNorm());
-    // Two steps up: one for the double's own rounding, one for the conversion.
+    // Two ulps up: one for rounding in double, one for the conversion to float.
     float radius = static_cast<float>(std::sqrt(radius2));
     for (int i = 0; i < 2; ++i) radius = std::nextafter(radius, std::numeric_limits<float>::infinity());
     return {centre.x(), centre.y(), centre.z(), radius, 0, 0, 0, 0};
@@ -100,7 +100,7 @@ class Builder {
       for (std::size_t i = ranges[n].begin; i < ranges[n].end; ++i) store(order_[i], shell_.area[order_[i]]);
       while (tree_.x.size() % PointSphereTree::kLane != 0) store(order_[ranges[n].end - 1], 0.0f);
     }
-    // Children come after their parents, so their first points are known.
+    // Children follow their parents, so in reverse order their first points are known.
     for (std::size_t n = ranges.size(); n-- > 0;) {
       PointSphereTree::Node& node = tree_.nodes[n];
       if (node.children > 0) node.first_point = tree_.nodes[node.first_child].first_point;

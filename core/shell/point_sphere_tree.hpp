@@ -1,4 +1,4 @@
-// Point-sphere tree: clusters of shell points in minimal enclosing spheres.
+// Point-sphere tree: hierarchy of minimal enclosing spheres over the points of a pointshell.
 #pragma once
 
 #include "core/geometry/enclosing_sphere.hpp"
@@ -6,9 +6,9 @@
 
 namespace abstand::shell {
 
-/// Tree over a pointshell, at most kFanout children a node and at most kLeafPoints points a leaf. The points
-/// are stored again in leaf order (structure of arrays, each leaf padded to a multiple of kLane with copies
-/// of its last point whose area is 0), so that a leaf is one stretch of memory. Constant after construction.
+/// At most kFanout children for each node and kLeafPoints points for each leaf. The points are copied in leaf
+/// order (structure of arrays; each leaf is padded to a multiple of kLane with copies of its last point of
+/// area 0), so that a leaf is contiguous in memory. Constant after construction.
 struct PointSphereTree {
   static constexpr int kFanout = 8;
   static constexpr int kLeafPoints = 8;
@@ -20,13 +20,13 @@ struct PointSphereTree {
     std::uint32_t first_child;  ///< children are consecutive nodes
     std::uint32_t first_point;  ///< into the leaf-ordered arrays (padded)
     std::uint16_t children;     ///< 0 for a leaf
-    std::uint16_t points;       ///< of a leaf: how many real points, padding not counted; of an inner node 0
+    std::uint16_t points;       ///< real points of a leaf, without padding; 0 for an inner node
   };
-  /// The spheres of a node's children side by side, for a search that looks at all of them at once. Unused
-  /// places have the radius -infinity, so nothing is ever near them.
+  /// Spheres of a node's children as a structure of arrays, for SIMD. Unused entries have the radius
+  /// -infinity, so they are never near.
   struct Family {
     float cx[kFanout], cy[kFanout], cz[kFanout], radius[kFanout];
-    std::uint32_t child[kFanout];  ///< a family's index; or kLeafChild + first point / kLane
+    std::uint32_t child[kFanout];  ///< index of the child's family; or kLeafChild + first point / kLane
   };
   static constexpr std::uint32_t kLeafChild = 0x80000000u;
 
@@ -34,10 +34,10 @@ struct PointSphereTree {
   std::vector<float> x, y, z, nx, ny, nz, area;  ///< leaf order, padded
   std::vector<std::uint32_t> shell_index;        ///< leaf order -> index in the Pointshell
   std::vector<Family>
-      families;  ///< of the inner nodes in their order; families[0]: the root's, or the root alone
+      families;  ///< of the inner nodes in order; families[0] has the root's children, or the root alone
   int levels{0};
 
-  /// A point in leaf order, and its normal.
+  /// Position of a point in leaf order.
   Vector3d at(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
   Vector3d normalAt(std::uint32_t i) const { return {nx[i], ny[i], nz[i]}; }
 
@@ -47,7 +47,7 @@ struct PointSphereTree {
   }
 };
 
-/// Splits top-down at medians of the widest axis; leaves are full but for the last of a subtree. An empty
+/// Top-down median splits along the widest axis; all leaves are full except the last of a subtree. An empty
 /// shell gives a tree without nodes.
 PointSphereTree makeTree(const Pointshell& shell);
 

@@ -1,4 +1,4 @@
-// Points spread evenly over a surface: farthest-point sampling, centring, areas and normals, fine adjustment.
+// Pointshell: farthest-point sampling, Lloyd step, areas and normals, quadrature correction.
 #include "core/shell/pointshell.hpp"
 
 #include <algorithm>
@@ -14,31 +14,31 @@
 namespace abstand::shell {
 namespace {
 
-// Lengths are multiples of the spacing.
+// Lengths in multiples of the spacing.
 constexpr double kShellSagitta = 0.01;
-/// Of the mesh whose overlaps a shape's points are adjusted to.
+/// Sagitta of the mesh that a shape's quadrature correction uses.
 constexpr double kFineSagitta = 0.001;
-/// Farthest-point sampling stops when every piece of the surface is within kStop of a point; once the points
-/// are centred, holes wider than kFill are filled. Both together give a mean area per point on smooth
-/// surfaces of about 2 / sqrt(3) spacing^2, that of a hexagonal packing whose rows lie one spacing apart.
+/// Farthest-point sampling stops when every sub-triangle is within kStop of a point; after the Lloyd step,
+/// holes wider than kFill are filled. Together this gives a mean area per point on smooth surfaces of about 2
+/// / sqrt(3) spacing^2, that of a hexagonal packing with rows one spacing apart.
 constexpr double kStop = 0.83;
 constexpr double kFill = 0.775;
-/// A difference of 1 between two unit normals counts as this distance.
+/// Distance that a difference of 1 between two unit normals counts as.
 constexpr double kNormalLength = 1.0;
 constexpr double kPiecesPerPoint = 10.0;
 constexpr double kPointArea = 2.0 / std::numbers::sqrt3;
 constexpr double kMaxEdge = 0.6;
-/// Cells of the grid in which samples are kept.
+/// Cell size of the sampler's grid.
 constexpr double kCell = 1.0;
-/// A shell gets at most this many times as many points because of its tips and edges.
+/// Limit of the factor by which tips and edges increase the number of points.
 constexpr double kMaxExtra = 1.6;
 
-/// The surface that one point stands for.
+/// Patch of surface that one point represents.
 struct Cell {
   double area{0.0};
   Vector3d moment{Vector3d::Zero()};  ///< integral of the position
   Vector3d normal{Vector3d::Zero()};  ///< integral of the outward normal
-  Vector3d rim{Vector3d::Zero()};  ///< integral of the conormal over its sharp edges (outwards, in the face)
+  Vector3d rim{Vector3d::Zero()};  ///< integral of the conormal over its sharp edges (outward, in the face)
   double second_moment{0.0};       ///< integral of |x|^2
   double spread{0.0};              ///< integral of u = 1 / density
   Vector3d spread_moment{Vector3d::Zero()};  ///< integral of u x
@@ -67,15 +67,15 @@ std::vector<Cell> gatherCells(const SubTriangles& pool, const std::vector<float>
   return cells;
 }
 
-/// Where a cell's point should lie so that sums over the shell are unbiased. A linear function is integrated
-/// exactly by its value at the centroid; but where the depth is clamped to zero, sum_i a_i max(0, f_i) falls
-/// short by sigma^2 / 2 |grad f| on average per unit length of the contour f = 0 (sigma^2: variance of a cell
+/// Target positions of the points, so that sums over the shell are unbiased. A linear function is integrated
+/// exactly by its value at the centroid; but where the depth is clamped to zero, sum_i a_i max(0, f_i) is too
+/// small by sigma^2 / 2 |grad f| on average per unit length of the contour f = 0 (sigma^2: variance of a cell
 /// along one axis). Over the touching part of a face that is, by the divergence theorem,
 ///   1/2 (integral of sigma^2 grad f over the sharp edges, outwards - integral of grad sigma^2 . grad f over
 ///   the face),
-/// so shifts by sigma^2 / 2 (conormal length of the sharp edges) / area - grad sigma^2 / 2 make up for it,
-/// whatever f. sigma^2 goes with u = 1 / density, and grad sigma^2 = sigma^2 grad u / u = covariance(x, u) /
-/// u within the cell.
+/// so shifts by sigma^2 / 2 (conormal length of the sharp edges) / area - grad sigma^2 / 2 compensate it for
+/// any f. sigma^2 is proportional to u = 1 / density, and grad sigma^2 = sigma^2 grad u / u = covariance(x,
+/// u) / u within the cell.
 std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
   double scaled_variance = 0.0, area = 0.0;
   for (const Cell& cell : cells) {
@@ -93,7 +93,7 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
     const double variance = scaled_variance * cell.spread / cell.area;
     const Vector3d variance_gradient = cell.spread_moment / cell.spread - centroid;
     const Vector3d shift = 0.5 * (variance / cell.area * cell.rim - variance_gradient);
-    // In a narrow face the points of all cells lie at edges, and a full shift would leave the face.
+    // In a narrow face all cells touch sharp edges, and a full shift would leave the face.
     const double reach =
         0.5 * std::sqrt(std::max(0.0, cell.second_moment / cell.area - centroid.squaredNorm()));
     out[i] = centroid + (shift.norm() > reach ? reach / shift.norm() : 1.0) * shift;
@@ -101,13 +101,14 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
   return out;
 }
 
-/// Nearest point to each target on the surface of its own cell; a target that is NaN is none.
+/// Projects each target onto the surface of its own cell; NaN targets are skipped.
 std::vector<Vector3d> onSurface(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
                                 const std::vector<Vector3d>& target) {
   std::vector<Vector3d> out(target.size());
   struct Best {
     double distance2{kInfinity};
-    double far2{kInfinity};  ///< from which on a piece's centroid tells that all of the piece is farther
+    double far2{kInfinity};  ///< squared distance of a centroid beyond which the whole sub-triangle is
+                             ///< farther than the best one
   };
   std::vector<Best> bests(target.size());
   pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
@@ -124,8 +125,7 @@ std::vector<Vector3d> onSurface(const SubTriangles& pool, const std::vector<std:
   return out;
 }
 
-/// How far the points that are `asked` for are from the sharp edges of their own cells; infinite where there
-/// are none.
+/// Distance of the points in `asked` from the sharp edges of their own cells; infinite if there are none.
 std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
                                  const std::vector<Vector3d>& points, const std::vector<bool>& asked) {
   std::vector<double> out(points.size(), kInfinity);
@@ -143,7 +143,7 @@ std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std
   return out;
 }
 
-/// Outward unit normal of a shape at p; `near` tells on which side of an edge p is.
+/// Outward unit normal of a shape at p; `near` selects the face if p is on an edge.
 Vector3d shapeNormal(const geometry::Shape& shape, const Vector3d& p, const Vector3d& near) {
   struct Visitor {
     const Vector3d &p, &near;
@@ -167,7 +167,7 @@ Vector3d shapeNormal(const geometry::Shape& shape, const Vector3d& p, const Vect
   return std::visit(Visitor{p, near}, shape);
 }
 
-/// Moves a point to the nearest one of a shape's surface, with the normal there.
+/// Projects a point onto a shape's surface and sets the normal there.
 void settle(const geometry::Surface& surface, BalancePoint& point) {
   point.position = surface.closest(point.position).point;
   point.normal = -shapeNormal(*surface.shape(), point.position, -point.normal);
@@ -179,7 +179,7 @@ void keepTotalArea(std::vector<BalancePoint>& points) {
   for (BalancePoint& p : points) p.area *= before / now;
 }
 
-/// Points per area at each piece, as a multiple of the usual density, within kMaxExtra.
+/// Points per area at each sub-triangle, as a multiple of the usual density, limited by kMaxExtra.
 std::vector<float> pointDensity(const SubTriangles& pool) {
   std::vector<float> density(pool.size(), 1.0f);
   if (pool.plain()) return density;
@@ -202,11 +202,11 @@ std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double lengt
   return out;
 }
 
-/// A surface shared out among points.
+/// Partition of a surface among points.
 struct Shares {
-  std::vector<std::uint32_t> nearest;  ///< of each piece: its cell
+  std::vector<std::uint32_t> nearest;  ///< cell of each sub-triangle
   std::vector<Cell> cells;
-  std::vector<std::uint32_t> order;  ///< of the cells, as the shell's
+  std::vector<std::uint32_t> order;  ///< order of the cells in the shell
 };
 
 Shares share(const SubTriangles& pool, double spacing) {
@@ -249,7 +249,7 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
     if (cells[k].area <= 0.0) continue;
     kept[k] = static_cast<std::uint32_t>(balanced.size());
     cell_of.push_back(k);
-    // Bumps within a cell press against each other; what is left of them is the area times the mean normal.
+    // Bumps within a cell cancel; what remains is the area times the mean normal.
     const double area = shape != nullptr ? area_scale * cells[k].area : cells[k].normal.norm();
     balanced.push_back({points[k], -cells[k].normal.normalized(), area, points[k], area,
                         QuadratureCorrection::kReach * spacing});
@@ -265,7 +265,7 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
     for (std::size_t i = 0; i < balanced.size(); ++i)
       balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
     balance.adjust(balanced, QuadratureCorrection::Freedom::kPlaceAndArea);
-    // Back onto the surface.
+    // Projected back onto the surface.
     std::vector<Vector3d> moved(points.size(), Vector3d::Constant(kNaN));
     for (std::size_t i = 0; i < balanced.size(); ++i) {
       if (pressed[cell_of[i]]) moved[cell_of[i]] = balanced[i].position;
@@ -294,7 +294,7 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
     shell.area.push_back(static_cast<float>(p.area));
   }
   for (std::uint32_t& k : nearest) k = kept[k];
-  // No point of a shape's surface is farther than the sagitta from its mesh.
+  // A shape's surface is within the sagitta of its mesh.
   shell.covering_radius =
       coveringRadius(pool, positions, nearest) + (shape != nullptr ? kShellSagitta * spacing : 0.0);
   return shell;

@@ -1,4 +1,4 @@
-// Points spread evenly over a surface.
+// Pointshell: points distributed evenly over a surface.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace abstand::shell {
 
-/// Structure of arrays in the body's frame (m). Point i has position, inward unit normal and the area (m^2)
-/// that it stands for. The areas of a shape sum to its area within 1e-6. A point of a mesh stands for the
-/// magnitude of the summed area vectors of its piece of surface, so that they sum to a little less than the
-/// mesh's area where it is bumpy (the bunny: 1 %). Faces that meet at a sharp edge are sampled apart, so that
-/// a normal belongs to one face; elsewhere the normal is the exact one of a shape, or the mean over a mesh's
-/// surface that the point stands for. Points and areas are such that sum_i a_i depth_i n_i over a half-space
-/// is the overlapping volume times its normal: without bias in any orientation, and at edges and corners
-/// within about 2 % from a depth of one spacing on (QuadratureCorrection). The order is such that the first m
-/// points, for any m, are a uniform coarser shell (farthest-point order; the last few fill holes). Constant
-/// after construction.
+/// Structure of arrays in the body's frame (m). Point i has a position, an inward unit normal and the area
+/// (m^2) that it represents. The areas of a shape sum to its area within 1e-6. A point of a mesh has the
+/// magnitude of the summed area vectors of its patch of surface, so that on bumpy meshes the sum is slightly
+/// below the mesh's area (bunny: 1 %). Faces that meet at a sharp edge are sampled separately, so that a
+/// normal belongs to one face; elsewhere the normal is the exact one of a shape, or the mean over the patch
+/// of a mesh. Points and areas are adjusted (QuadratureCorrection) so that sum_i a_i depth_i n_i over a
+/// half-space is the overlapping volume times its normal: unbiased in any orientation, and at edges and
+/// corners within about 2 % for depths of at least one spacing. Points are in farthest-point order: for any
+/// m, the first m points are a uniform coarser shell (the last few points fill holes). Constant after
+/// construction.
 struct Pointshell {
   std::vector<float> x, y, z;
   std::vector<float> nx, ny, nz;
   std::vector<float> area;
-  double spacing{0.0};  ///< as asked for
+  double spacing{0.0};  ///< requested
   /// Certified: no point of the surface is farther than this from the nearest shell point.
   double covering_radius{0.0};
 
@@ -35,13 +35,13 @@ struct Pointshell {
   }
 };
 
-/// Samples uniformly with the pitch `spacing` (m), the same on every run: farthest-point sampling (Gonzalez
-/// 1985; Eldar et al. 1997) of a fine subdivision, then one step of centring (Lloyd). The mean area per point
-/// is about 2 / sqrt(3) spacing^2 on gently curved surfaces: 1,126 points for the thesis's sphere. Corners,
-/// tips and strongly curved places get up to six times as many points per area and sharp edges twice as many,
-/// so that a body may have up to about three quarters more. Runs on `threads` threads (0: all); the result
-/// does not depend on the number. Throws UsageError for a spacing that is not positive or far too small for
-/// the surface, and for a surface without area.
+/// Samples uniformly with the pitch `spacing` (m), deterministically: farthest-point sampling (Gonzalez 1985;
+/// Eldar et al. 1997) of a fine subdivision, then one step of Lloyd relaxation. The mean area of a point on
+/// gently curved surfaces is about 2 / sqrt(3) spacing^2: 1,126 points for the thesis's sphere. Corners, tips
+/// and strongly curved places get up to six times as many points per area and sharp edges twice as many, but
+/// a body at most about three quarters more. Uses `threads` threads (0: all); the result does not depend on
+/// their number. Throws UsageError for a spacing that is not positive or far too small for the surface, and
+/// for a surface without area.
 Pointshell makePointshell(const geometry::Surface& surface, double spacing, int threads = 1);
 
 }  // namespace abstand::shell

@@ -1,4 +1,4 @@
-// Samples of a surface and their cover by centres: a sparse grid, and rounds of falling reach.
+// Farthest-point sampling of weighted surface samples: a sparse grid, and rounds with decreasing thresholds.
 #include "core/shell/pointshell_samples.hpp"
 
 #include <algorithm>
@@ -9,16 +9,18 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr float kFarSample = std::numeric_limits<float>::max();
-/// From one round to the next the reach falls by this factor.
+/// Factor of the threshold from one round to the next.
 constexpr float kRound = 0.97f;
-/// Below so many cells the first centre is any; above, the first ones come from a sample of each cell.
+/// With fewer cells the first centre is arbitrary; with more, the first centres come from one sample for each
+/// cell.
 constexpr std::size_t kFewCells = 64;
-/// Cells of the grid of those along one edge of ours.
+/// Edge of the coarse grid's cells, in cells of this grid.
 constexpr float kCoarser = 4.0f;
-/// How far its centres cover ours, in its own cells: their reach and more, as samples lie off the first one.
+/// Covering radius of the coarse centres, in coarse cells: their threshold and a reserve, as samples lie away
+/// from the first one of their cell.
 constexpr float kCoarseReach = 1.5f;
 constexpr int kBrickBits = 2, kBrick = 1 << kBrickBits;
-/// Cells along an axis; what lies beyond goes to the last one.
+/// Largest number of cells along an axis; samples beyond go to the last one.
 constexpr float kMaxCells = 1 << 20;
 
 std::size_t hash(const Vector3i& at) {
@@ -33,7 +35,7 @@ int bitOf(const Vector3i& cell) {
          (cell.x() & (kBrick - 1));
 }
 
-/// The bits of the brick `at` whose cells lie from `low` to `high`.
+/// Bit mask of the cells of block `at` that lie between `low` and `high`.
 std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i& high) {
   std::uint64_t along[3];
   for (int k = 0; k < 3; ++k) {
@@ -43,7 +45,7 @@ std::uint64_t bitsWithin(const Vector3i& at, const Vector3i& low, const Vector3i
   }
   const std::uint64_t y = (along[1] & 1) | (along[1] & 2) << 3 | (along[1] & 4) << 6 | (along[1] & 8) << 9;
   const std::uint64_t z = (along[2] & 1) | (along[2] & 2) << 15 | (along[2] & 4) << 30 | (along[2] & 8) << 45;
-  // Each bit of x spread over the y, and that over the z.
+  // Copies the bits of x for every y, and the result for every z.
   return along[0] * y * z;
 }
 
@@ -106,8 +108,8 @@ void FarthestPointSampler::arrange(const std::vector<Sample>& samples) {
   lower_ = samples.front().position;
   for (const Sample& sample : samples) lower_ = lower_.cwiseMin(sample.position);
 
-  // Bricks in the order in which samples come to them: neighbours in a mesh often are neighbours in space.
-  cell_of_.resize(n);  // first the brick, times its cells, and the bit
+  // Blocks in the order of their first samples: neighbours in a mesh often are neighbours in space.
+  cell_of_.resize(n);  // first block index times cells of a block, plus the bit
   constexpr std::uint32_t kCells = kBrick * kBrick * kBrick;
   brick_table_.assign(64, kNone);
   std::uint32_t brick = kNone;
@@ -133,7 +135,7 @@ void FarthestPointSampler::arrange(const std::vector<Sample>& samples) {
     cells += place;
   }
 
-  // Count, then place, each cell padded to whole groups.
+  // Counting sort; each cell is padded to whole groups.
   std::vector<std::uint32_t> next(cells, 0);
   for (std::uint32_t& c : cell_of_) {
     const SparseBlock& b = bricks_[c / kCells];
@@ -258,7 +260,7 @@ void FarthestPointSampler::spread(double reach) {
   FarthestPointSampler coarse;
   coarse.start(few, double(far));
   coarse.spread(double(far));
-  // Its samples are our cells' first ones. Some may be near centres that were offered.
+  // Each coarse sample is the first sample of a cell. It may already be near an offered centre.
   for (const Taken& taken : coarse.centres_) {
     const std::uint32_t at = cells_[coarse.order_[taken.at]].begin * kLanes;
     if (groups_[at / kLanes].distance2[at % kLanes] > reach2)

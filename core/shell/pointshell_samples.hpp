@@ -1,4 +1,4 @@
-// Samples of a surface and their cover by centres, for farthest-point sampling.
+// Farthest-point sampling of weighted surface samples.
 #pragma once
 
 #include <cstdint>
@@ -13,66 +13,65 @@ namespace abstand::shell {
 /// A sample of a surface.
 struct Sample {
   Vector3f position;
-  /// Unit normal times the length that a difference of 1 between normals counts for (m).
+  /// Unit normal times the length (m) that a difference of 1 between unit normals is weighted with.
   Vector3f normal;
-  /// At least 1: factor of the squared distances to it; where it is larger, centres come closer.
+  /// At least 1: factor of squared distances to this sample; larger values attract denser centres.
   float weight;
 };
 
-/// Samples of a surface that get covered by centres, one after the other. Distances are in the six dimensions
-/// of position and scaled normal, so that faces that meet at an angle and the two sides of a plate do not
-/// cover each other, and strongly curved places get more centres. Samples lie in the cells of a grid, of
-/// which only those that hold some are kept; a new centre looks at the cells about it.
+/// Covers samples of a surface with centres, one after the other. Distances are measured in six dimensions,
+/// position and scaled normal, so that neither faces that meet at an angle nor the two sides of a plate cover
+/// each other, and strongly curved places get more centres. Samples are stored in the non-empty cells of a
+/// sparse grid; a new centre updates only the cells around it.
 class FarthestPointSampler {
  public:
-  /// Starts with other samples, at least one, and no centres. `cell`: edge of the grid's cells, about the
-  /// last reach (m). The centres that it finds are numbered from `first_centre` on.
+  /// Starts with new samples, at least one, and no centres. `cell`: edge of the grid's cells, about the last
+  /// `reach` (m). Centres found are numbered from `first_centre` on.
   void start(const std::vector<Sample>& samples, double cell, std::uint32_t first_centre = 0);
-  /// Starts again with the same samples: for each, in the order given to start(), the nearest centre so far,
-  /// of those that lie at `points` with `normals`.
+  /// Restarts with the same samples. nearest[i]: index of the nearest existing centre of sample i, in the
+  /// order given to start(); the centres have positions `points` and scaled normals `normals`.
   void restart(std::span<const std::uint32_t> nearest, const std::vector<Vector3f>& points,
                const std::vector<Vector3f>& normals, std::uint32_t first_centre);
 
-  /// Offers a centre to the samples within `reach` of it.
+  /// Adds an existing centre: updates the samples within `reach` of it.
   void offer(std::uint32_t centre, const Vector3f& point, const Vector3f& normal, double reach);
-  /// Farthest-point sampling (Gonzalez 1985) until every sample is within `reach` of a centre, which is at
-  /// most four cells; each centre is farther than `reach` from those before it and those offered, and its
-  /// distance to them is the largest of all samples but for some percent. Far apart ones are taken from few
-  /// samples for all.
+  /// Farthest-point sampling (Gonzalez 1985) until every sample is within `reach` of a centre. `reach` is at
+  /// most four cells. Each new centre is farther than `reach` from all earlier and offered ones, and within a
+  /// few percent the farthest sample. Distant centres are first selected from one sample for each cell.
   void spread(double reach);
-  /// Adds centres as spread() does.
+  /// Adds centres until every sample is within `reach` of one.
   void fill(double reach);
   struct Found {
     Sample sample;
-    float distance2;  ///< squared, to the centres before it
+    float distance2;  ///< squared distance to the earlier centres
   };
-  /// The samples that became centres since start() or restart(), by their numbers.
+  /// Samples that became centres since start() or restart(), by index.
   std::vector<Found> found() const;
-  /// For every sample, in the order given to start(), the nearest centre. Exact for those within the last
-  /// reach.
+  /// Nearest centre of each sample, in the order given to start(). Exact for samples within the last `reach`.
   void nearest(std::span<std::uint32_t> out) const;
 
  private:
   static constexpr int kLanes = 4;
   struct Centre {
-    float id;  ///< its number as bits
-    Four p;    ///< the last is 0
+    float id;  ///< sample index as bits
+    Four p;    ///< fourth component 0
     Vector3f n;
   };
-  /// Samples side by side. Padding repeats a sample and counts as covered.
+  /// Samples as a structure of arrays. Padding repeats a sample and counts as covered.
   struct Group {
     Four x, y, z, nx, ny, nz, weight;
-    Four distance2;  ///< to the nearest centre
-    Four nearest;    ///< its number as bits, so that lanes can be chosen
+    Four distance2;  ///< squared distance to the nearest centre
+    Four nearest;    ///< index of the nearest centre as bits, for lane selection
   };
-  /// The samples of one cell: some groups.
+  /// Range of groups with the samples of one cell.
   struct Cell {
-    Four lower, upper;  ///< box of their positions; the last is 0
+    Four lower, upper;  ///< box of the positions; fourth component 0
     float farthest;     ///< largest squared distance to the nearest centre
     float min_weight;
     std::uint32_t begin, end;
   };
-  /// 4 x 4 x 4 cells, bit (z 4 + y) 4 + x of `kept`: this one is there, as cell first + place of its bit.
+  /// 4 x 4 x 4 cells. Bit (z 4 + y) 4 + x of `kept`: the cell has samples; its index is first + the number of
+  /// lower bits set.
   struct SparseBlock {
     Vector3i at;
     std::uint32_t first;
@@ -83,7 +82,7 @@ class FarthestPointSampler {
   Vector3i cellOf(const Vector3f& p) const;
   const SparseBlock* brickAt(const Vector3i& at) const;
   std::uint32_t addBrick(const Vector3i& at);
-  /// Sorts the samples by cells.
+  /// Sorts the samples into cells.
   void arrange(const std::vector<Sample>& samples);
   void put(std::uint32_t at, const Sample& sample, float distance2);
   Sample sample(std::uint32_t at) const;
@@ -92,22 +91,22 @@ class FarthestPointSampler {
   void visit(Cell& cell, const Centre& centre);
   std::uint32_t farthestOf(const Cell& cell) const;
   float farthest2() const;
-  /// Makes centres of the samples farther than `from`, then of those farther than a little less, and so on.
+  /// Selects samples farther than `from` as centres, then lowers the threshold step by step to `reach`.
   void descend(float from, float reach);
 
   float cell_{0.0f}, per_cell_{0.0f};
   Vector3f lower_;
-  std::vector<Group> groups_;         ///< by cells
-  std::vector<std::uint32_t> order_;  ///< place in the groups -> index of the sample, or none
+  std::vector<Group> groups_;         ///< sorted by cells
+  std::vector<std::uint32_t> order_;  ///< index in the groups -> index of the sample, or none
   std::vector<Cell> cells_;
   std::vector<SparseBlock> bricks_;
   std::vector<std::uint32_t> brick_table_;  ///< open addressing; a power of two
-  std::vector<std::uint32_t> cell_of_;      ///< of the samples, while they are sorted
+  std::vector<std::uint32_t> cell_of_;      ///< cell of each sample during sorting
   struct Taken {
-    std::uint32_t at;  ///< place in the groups
+    std::uint32_t at;  ///< index in the groups
     float distance2;   ///< as in Found
   };
-  std::vector<Taken> centres_;  ///< those that spread() and fill() took
+  std::vector<Taken> centres_;  ///< centres selected by spread() and fill()
   std::uint32_t first_centre_{0};
 };
 

@@ -7,7 +7,7 @@
 namespace abstand::shell {
 namespace {
 
-/// Faces that meet at a larger angle than this are sampled apart from each other.
+/// Faces that meet at a larger angle are sampled separately.
 constexpr double kSharpAngle = unit::deg(35.0);
 
 struct Edge {

@@ -1,4 +1,4 @@
-// Corners and tips of a surface by angle defects, and the pitch of the points near these and edges.
+// Corners and tips by angle defects; pitch of the points near tips and sharp edges.
 #include "core/shell/pointshell_tips.hpp"
 
 #include <algorithm>
@@ -7,26 +7,26 @@
 namespace abstand::shell {
 namespace {
 
-constexpr double kTipAngle = 1.0;   ///< rad, in a cube of 3 x 3 x 3 cells
-constexpr double kCellAngle = 0.2;  ///< rad, in its middle cell
+constexpr double kTipAngle = 1.0;   ///< rad, in 3 x 3 x 3 cells
+constexpr double kCellAngle = 0.2;  ///< rad, in the middle cell
 
-/// Spacings from a tip, from where on the pitch is 1.
+/// Distance from a tip, in spacings, beyond which the pitch is 1.
 constexpr double kTipReach = 6.0;
-/// Pitch at a sharp convex edge, as a multiple of the usual one; it holds up to kEdgeStart spacings from the
-/// edge, and from kEdgeEnd on it is 1.
+/// Pitch at a sharp convex edge, as a multiple of the usual one. It is constant up to kEdgeStart spacings
+/// from the edge and rises to 1 at kEdgeEnd.
 constexpr double kEdgePitch = 0.65;
 constexpr double kEdgeStart = 1.0, kEdgeEnd = 2.5;
-/// Spacings between the points by which the nearest sharp edge is found.
+/// Spacing of the points that sample sharp edges, in shell spacings.
 constexpr double kAlongSharpEdge = 0.5;
 
 struct TipCell {
   std::array<std::int64_t, 3> key;
   double defect;
   double weight;      ///< of the convex vertices
-  Vector3d position;  ///< their weighted sum
+  Vector3d position;  ///< weighted sum of their positions
 };
 
-/// 2 pi minus the angles about each vertex; 0 at open edges, where it means nothing.
+/// 2 pi minus the sum of angles at each vertex; 0 on open edges, where it is undefined.
 std::vector<double> angleDefects(const geometry::TriangleMesh& mesh) {
   std::vector<double> angle(mesh.vertices.size(), 0.0);
   std::vector<Vector3d> turn(mesh.vertices.size(), Vector3d::Zero());
@@ -36,7 +36,7 @@ std::vector<double> angleDefects(const geometry::TriangleMesh& mesh) {
       const Vector3d to_next = mesh.corner(t, (i + 1) % 3) - mesh.vertices[v];
       const Vector3d to_last = mesh.corner(t, (i + 2) % 3) - mesh.vertices[v];
       angle[v] += std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
-      // About an inner vertex every edge comes once as the next and once as the last.
+      // Around an inner vertex every edge is counted once as next and once as last.
       turn[v] += to_next - to_last;
     }
   }
@@ -120,7 +120,7 @@ PitchField::Near PitchField::near(const Vector3d& p, double around) const {
   const double tip_limit = kTipReach * spacing_ + around;
   std::uint32_t at = 0;
   if (nearest_tip_.distance(p, at, tip_limit) < tip_limit) found.tip = at;
-  // The points along a sharp edge are nearer than half a step to any of its points.
+  // Any point of a sharp edge is within half a step of a point sampled along it.
   const double edge_limit = (kEdgeEnd + 0.5 * kAlongSharpEdge) * spacing_ + around;
   if (nearest_on_sharp_edge_.distance(p, at, edge_limit) < edge_limit) found.sharp_edge = sharp_edge_of_[at];
   return found;

@@ -1,4 +1,4 @@
-// Blocks of neighbouring points: Morton order, nearest points, points below planes.
+// Morton order, nearest points, points in half-spaces.
 #include "core/shell/pointshell_tree.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
 
-/// Spreads the low 21 bits so that two zero bits follow each.
+/// Inserts two zero bits after each of the low 21 bits.
 std::uint64_t spread(std::uint64_t v) {
   v &= 0x1fffff;
   v = (v | v << 32) & 0x1f00000000ffffULL;
@@ -80,7 +80,7 @@ void NearestOfPoints::visit(std::size_t node, const Eigen::Array4f& p, float& be
   if (node >= tree_.leaves) {
     const std::size_t first = (node - tree_.leaves) * BlockTree::kBlock;
     const auto at = [first](const std::vector<float>& v) { return Eigen::Map<const Lane>(v.data() + first); };
-    // The padding is infinitely far.
+    // Padding points are infinitely far away.
     const Lane d2 =
         (at(tree_.x) - p[0]).square() + (at(tree_.y) - p[1]).square() + (at(tree_.z) - p[2]).square();
     if (!(d2.minCoeff() < best)) return;
@@ -114,7 +114,7 @@ float PointsBelow::lowest(const Vector3f& u) const {
       }
       continue;
     }
-    // The lower child is looked at first.
+    // The child with the smaller bound is visited first.
     const bool right = !tree_.empty(2 * node + 1) &&
                        tree_.boxes[2 * node + 1].lowest(direction) < tree_.boxes[2 * node].lowest(direction);
     stack[top++] = 2 * node + (right ? 0 : 1);

@@ -1,4 +1,4 @@
-// Fine adjustment of a pointshell: presses into walls and row-action least squares.
+// Quadrature correction of a pointshell by the Kaczmarz method.
 #include "core/shell/quadrature_correction.hpp"
 
 #include <algorithm>
@@ -16,32 +16,34 @@ namespace abstand::shell {
 namespace {
 
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kDirections = 1000;  ///< all around: one every 6 degrees
-/// Spacings, in steps of equal ratio between them; shifted from direction to direction.
+constexpr int kDirections = 1000;  ///< uniform over the sphere: one about every 6 degrees
+/// In spacings; depths are a geometric sequence, shifted from direction to direction.
 constexpr double kShallowest = 0.75, kDeepest = 2.2;
 constexpr int kDepths = 5;
-/// The steps of the directions about a sharp edge: between its two normals, and along it. Two directions
-/// closer than kSameDirection count as one.
+/// Steps of the directions about a sharp edge: between its two normals, and along the edge. Directions closer
+/// than kSameDirection count as one.
 constexpr double kBetween[] = {0.05, 0.25, 0.5, 0.75, 0.95};
 constexpr double kAlong[] = {0.0, 0.03, -0.03, 0.055, -0.055, 0.09, -0.09};
 constexpr double kSameDirection = 0.05;
-/// A wall may lie along sharp edges of equal directions that are so long together (spacings); a shorter one
-/// is no more than any other place of the surface.
+/// Shortest total length (spacings) of sharp edges of one direction that get half-space directions of their
+/// own: a plane may touch along such edges.
 constexpr double kLongSharpEdge = 3.0;
-/// Half-spaces with more points than this are right enough as they are; every kCoarse-th direction is kept
-/// all the same, up to kMaxCoarse points, so that nothing drifts.
+/// Half-spaces with more points than this are accurate enough; to prevent drift, every kCoarse-th direction
+/// is kept anyway, up to kMaxCoarse points.
 constexpr std::size_t kMaxPoints = 400, kMaxCoarse = 1500, kCoarse = 16;
-/// Points in all half-spaces; beyond, some are left out, so that a large body takes no longer.
+/// Limit of points in all half-spaces together; beyond, some half-spaces are skipped, which limits the time
+/// for a large body.
 constexpr std::size_t kMaxVisits = 600'000;
 constexpr int kSweeps = 5, kAreaSweeps = 3;
-/// Relative error of a force that is left as it is.
+/// Relative force error that is not corrected.
 constexpr float kEnough = 0.001f;
 constexpr double kFirstStep = 1.0, kLastStep = 0.1;
-/// Moving by this part of the spacing counts as much as changing the area by its whole.
+/// Weight of moves against area changes: moving by this share of the spacing counts as changing the area by
+/// 100 %.
 constexpr float kMove = 0.7f;
-/// Points as much outside as this part of the spacing may still come in while they are moved.
+/// Points outside by up to this share of the spacing are included, as they may enter while being moved.
 constexpr double kMargin = 0.1;
-/// Part of the trace that is added to the 3 x 3 systems, as a face alone gives only one direction of force.
+/// Share of the trace added to the diagonal of the 3 x 3 systems: a single face gives a rank-1 system.
 constexpr double kDamping = 1e-3;
 
 std::vector<Vector3d> pressDirections(const std::vector<SharpEdge>& sharp_edges, double spacing) {
@@ -76,7 +78,7 @@ std::vector<Vector3d> pressDirections(const std::vector<SharpEdge>& sharp_edges,
   return out;
 }
 
-/// A step coprime to n, so that i * step mod n visits all, neighbours far apart in time.
+/// A step coprime to n, so that i * step mod n visits every index, neighbours at distant times.
 std::size_t stride(std::size_t n) {
   std::size_t step = std::max<std::size_t>(1, static_cast<std::size_t>(kGolden * static_cast<double>(n)));
   while (std::gcd(step, n) != 1) ++step;
@@ -85,30 +87,29 @@ std::size_t stride(std::size_t n) {
 
 constexpr std::size_t kBalanceLanes = 4;
 
-/// A point while its place and area are mended: in float, about the middle of the points, with the spacing as
-/// unit.
+/// Working copy of a point in float, relative to the mean position, in units of the spacing.
 struct Active {
-  Four now;    ///< place and area
-  Four still;  ///< normal, and the area at first
-  Four home;   ///< the place at first, and the reach
+  Four now;    ///< position and area
+  Four still;  ///< normal and initial area
+  Four home;   ///< initial position and largest distance from it
 };
 
 Four four(const Vector3d& v, double w) { return Four{float(v.x()), float(v.y()), float(v.z()), float(w)}; }
 
-/// What four points have in common, side by side.
+/// Four points as a structure of arrays.
 struct Columns {
   Four x, y, z, w;
   Columns(Four a, Four b, Four c, Four d) : x(a), y(b), z(c), w(d) { transpose(x, y, z, w); }
 };
 
-/// What a press gives, and what unit changes of each point do to it, squared: along its normal, as everything
-/// it does.
+/// Force of a half-space, and the Gram matrix of its derivatives by the points' changes; both act along the
+/// point normals.
 struct Pressed {
   Vector3f force;
   Matrix3d gram;
 };
 
-/// Sets the `depths` too.
+/// Also sets `depths`.
 Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t> inside, const Vector3f& u,
                 float level, float move2, std::vector<float>& depths) {
   Four fx{}, fy{}, fz{}, g00{}, g01{}, g02{}, g11{}, g12{}, g22{};
@@ -133,7 +134,7 @@ Pressed measure(const std::vector<Active>& active, std::span<const std::uint32_t
   return pressed;
 }
 
-/// Changes areas, and places where move2 is not 0, as far as the pull does.
+/// Applies the Kaczmarz step `pull`: changes areas, and positions if move2 is not 0.
 void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depths, const Vector3f& u,
           const Vector3f& pull, float move2, std::vector<Active>& active) {
   for (std::size_t k = 0; k < inside.size(); k += kBalanceLanes) {
@@ -165,7 +166,7 @@ void mend(std::span<const std::uint32_t> inside, const std::vector<float>& depth
   }
 }
 
-/// What one direction's half-spaces should give, and their points.
+/// Half-spaces of one direction: exact forces and points.
 struct Presses {
   double level[kDepths];
   Vector3d force[kDepths];
@@ -213,7 +214,7 @@ QuadratureCorrection::QuadratureCorrection(const HalfSpaceOverlap& body,
   order_ = points_below.order();
   std::vector<std::uint32_t> place(points.size());
   for (std::uint32_t k = 0; k < order_.size(); ++k) place[order_[k]] = k;
-  // Neighbouring directions far apart in time, so that one place is not mended twice in a row.
+  // Neighbouring directions are processed at distant times, so that no place is corrected twice in a row.
   const std::size_t n = directions.size() * kDepths, step = stride(n);
   for (std::size_t i = 0, r = 0; i < n && points_.size() <= kMaxVisits; ++i, r = (r + step) % n) {
     const Presses& presses = found[r / kDepths];

@@ -1,4 +1,4 @@
-// The pieces of a surface covered by centres, one stretch after the other.
+// Farthest-point sampling of the sub-triangles, chunk by chunk.
 #include "core/shell/shell_sampler.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace abstand::shell {
 namespace {
 
-/// Pieces of a stretch at most: some 5 MB of samples.
+/// Largest number of sub-triangles in a chunk: some 5 MB of samples.
 constexpr std::uint32_t kStretch = 1u << 16;
-/// Of the reach: how far outside a stretch centres are seen while more are taken.
+/// Width of the border, in multiples of `reach`, within which centres outside of a chunk are considered.
 constexpr double kBorder = 2.0;
 
 }  // namespace
@@ -99,7 +99,7 @@ void ShellSampler::catchUp(double reach) {
   }
 }
 
-// On this thread, but watched as all loops of a build are, so that it can be interrupted.
+// Serial, but through parallelFor, so that LoopWatch can interrupt it.
 template <class Fn>
 void ShellSampler::inTurn(Fn fn) {
   parallelFor(1, stretches_.size(), [&](std::size_t i) { fn(stretches_[i]); });

@@ -1,4 +1,4 @@
-// Where a shell's points go, and which part of the surface each one stands for.
+// Positions of shell points, and the patch of surface that each one represents.
 #pragma once
 
 #include <span>
@@ -9,30 +9,31 @@
 
 namespace abstand::shell {
 
-/// The pieces of a surface, covered by centres: one stretch of them after the other, so that what a cover of
-/// samples needs is small, whatever the size of the surface. A stretch knows the centres of those before it
-/// near its border.
+/// Covers the sub-triangles of a surface with centres, in chunks of consecutive sub-triangles, which limits
+/// memory for surfaces of any size. A chunk takes the centres of earlier chunks near its border into account.
 class ShellSampler {
  public:
-  /// Points per area at each piece, as a multiple of the usual one, at least 1. `normal_length` (m): a
-  /// difference of 1 between two unit normals counts as this distance. `cell`: as for FarthestPointSampler.
-  /// Pool and density must outlive this object.
+  /// `density`: points per area at each sub-triangle as a multiple of the usual one, at least 1.
+  /// `normal_length` (m): weight of a difference of 1 between two unit normals. `cell`: see
+  /// FarthestPointSampler. Pool and density must outlive this object.
   ShellSampler(const SubTriangles& pool, const std::vector<float>& density, double normal_length,
                double cell);
 
-  /// Takes centres from the middles of the pieces until each is within `reach` (m) of one, by
+  /// Selects centres from the centroids of the sub-triangles until each is within `reach` (m) of one, by
   /// FarthestPointSampler::spread().
   void spread(double reach);
-  /// Moves the centres, drops those that were nearest to no piece, and adds more as above.
+  /// Replaces positions and normals of the centres, drops centres that are nearest to no sub-triangle, and
+  /// adds centres until each sub-triangle is within `reach` (m) of one.
   void fill(std::vector<Vector3f> points, std::vector<Vector3f> normals, double reach);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(points_.size()); }
-  /// The centres' numbers, such that the first m, for any m, cover the surface about evenly: as they were
-  /// found in one stretch, else those first that were far from others; what fills holes at the end.
+  /// Order of the centres in which the first m, for any m, cover the surface about evenly: the order of
+  /// selection if there is one chunk, otherwise sorted by distance to the earlier centres; those that fill
+  /// holes come last.
   std::vector<std::uint32_t> order() const;
-  /// Of each piece the number of its nearest centre.
+  /// Nearest centre of each sub-triangle.
   const std::vector<std::uint32_t>& nearest() const { return nearest_; }
-  /// The same, at the end.
+  /// Moves nearest() out; call last.
   std::vector<std::uint32_t> takeNearest() { return std::move(nearest_); }
 
  private:
@@ -46,10 +47,10 @@ class ShellSampler {
   };
   struct Stretch {
     std::uint32_t first, end;
-    std::uint32_t known;  ///< batches that its pieces know
-    Box box;              ///< of the pieces' middles
+    std::uint32_t known;  ///< number of batches already offered to its samples
+    Box box;              ///< of the centroids
   };
-  /// Centres that were found together, by number.
+  /// Range of centres found in one pass.
   struct Batch {
     std::uint32_t first, end;
     Box box;
@@ -57,14 +58,14 @@ class ShellSampler {
   static Box emptyBox();
   template <class Fn>
   void inTurn(Fn fn);
-  /// The cover gets the samples of this stretch.
+  /// Loads the samples of a chunk into the sampler.
   void take(Stretch& stretch);
   bool isNear(std::uint32_t centre, const Stretch& stretch, double reach) const;
-  /// To the one that is taken: the centres of a batch.
+  /// Offers the centres of a batch to the loaded chunk.
   void offer(const Stretch& stretch, const Batch& batch, double reach);
-  /// What the cover has found for the stretch.
+  /// Stores the results of the sampler for the chunk.
   void keep(Stretch& stretch, bool filling);
-  /// Lets all pieces know the centres that were found after their stretch was left.
+  /// Offers every chunk the centres found after it was processed.
   void catchUp(double reach);
   std::span<std::uint32_t> nearestOf(const Stretch& s) { return {&nearest_[s.first], s.end - s.first}; }
 
@@ -74,8 +75,9 @@ class ShellSampler {
   std::vector<Stretch> stretches_;
   std::vector<Batch> batches_;
   std::vector<Vector3f> points_, normals_;  ///< of the centres
-  std::vector<float> found_at2_;  ///< squared distance to the others at that time; or filling a hole
-  std::vector<bool> used_;        ///< by centre
+  std::vector<float> found_at2_;  ///< squared distance to the other centres when found; or the mark of a hole
+                                  ///< filler
+  std::vector<bool> used_;        ///< for each centre
   std::vector<std::uint32_t> nearest_;
   const Stretch* taken_{nullptr};
   std::vector<Sample> samples_;

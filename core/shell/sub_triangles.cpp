@@ -1,4 +1,4 @@
-// A surface cut into small triangles by halving them at their longest edges.
+// Subdivision of a surface by longest-edge bisection.
 #include "core/shell/sub_triangles.hpp"
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 namespace abstand::shell {
 namespace {
 
-/// In multiples of the longest edge allowed: parts larger than this are not yet asked what is near them.
-/// Twice, as most of a surface is far from all.
+/// In multiples of the largest allowed edge: parts larger than this are not yet tested for nearby tips and
+/// sharp edges. Two stages, as most of a surface is far from all of them.
 constexpr double kAskFirst = 8.0, kAskAgain = 2.0;
 
-/// With more pieces than these, at a rough guess, triangles are cut as they lie in space.
+/// With more sub-triangles (estimated), triangles are processed in spatial order.
 constexpr double kManyPieces = 2e5;
 
-/// Squared length over area from which on a piece is a sliver, whose square of the longest edge may only be
-/// this part of others': its middle says less of where its ends are.
+/// Squared length over area above which a sub-triangle is a sliver. Its squared longest edge is limited to
+/// the share kSliverEdge of the usual limit, as its centroid represents its ends less well.
 constexpr double kSliver = 12.0, kSliverEdge = 0.4;
 
-/// The first of the longest.
+/// Index of the longest edge; the first of equal ones.
 int longest(const double (&length2)[3]) {
   int e = 0;
   for (int i = 1; i < 3; ++i) {
@@ -29,12 +29,13 @@ int longest(const double (&length2)[3]) {
   return e;
 }
 
-/// The squared lengths of the edges, from each corner to the next.
+/// Squared lengths of the edges, from each corner to the next.
 void measure(const Vector3d (&corner)[3], double (&length2)[3]) {
   for (int i = 0; i < 3; ++i) length2[i] = (corner[(i + 1) % 3] - corner[i]).squaredNorm();
 }
 
-/// Of the halves at edge e. Edges of the first: e (half), cut, g. Edges of the second: e (half), f, cut.
+/// `sharp` bits of the two halves after a bisection of edge e. Edges of the first: e (half), cut, g. Of the
+/// second: e (half), f, cut.
 struct HalfSharp {
   std::uint16_t first, second;
   HalfSharp(unsigned sharp, int e) {
@@ -79,13 +80,13 @@ Vector3d closestPoint(const SubTriangle& t, const Vector3d& p) {
   return a + vb * scale * ab + vc * scale * ac;
 }
 
-/// A piece that may still have to be halved.
+/// A part that may have to be bisected further.
 struct SubTriangles::Part {
   Piece piece;
   double length2[3];  ///< squared lengths of its edges
   double area;
   std::uint32_t frame;
-  int asked;  ///< how often; not once more
+  int asked;  ///< stages of tests done; 2: all
   PitchField::Near near;
 };
 
@@ -97,7 +98,7 @@ SubTriangles::SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, 
     const SubTriangle whole{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t, 0u};
     double length2[3];
     measure(whole.corner, length2);
-    // Halving overshoots by a factor of two at most.
+    // Bisection overshoots by a factor of at most two.
     pieces += 1.0 + 2.0 * (whole.area() / max_area + std::sqrt(length2[longest(length2)]) / max_edge);
   }
   if (!(pieces <= kMaxPieces)) {
@@ -105,7 +106,7 @@ SubTriangles::SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, 
                      " million surface pieces, at most " + std::to_string(kMaxPieces / 1e6) +
                      " million are allowed");
   }
-  // Room that is not used takes no memory. A fine pitch takes more.
+  // Reserved but unused memory is not committed. A fine pitch needs more.
   const auto room = static_cast<std::size_t>(field.plain() ? pieces : 2.0 * pieces);
   pieces_.reserve(room);
   if (!field.plain()) pitch_.reserve(room);
@@ -178,7 +179,7 @@ void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field
     }
     const int f = (e + 1) % 3, g = (e + 2) % 3;
     if ((piece.b[e] + piece.b[f]) % 2 != 0 || (piece.c[e] + piece.c[f]) % 2 != 0) {
-      // Too fine for this frame: on in its own.
+      // Too fine for this frame: continues in a frame of its own.
       const Vector3d a = view.corner(0);
       frames_.push_back({a, view.corner(1) - a, view.corner(2) - a});
       part.piece = {{0, kOne, 0}, {0, 0, kOne}, piece.level, piece.sharp};

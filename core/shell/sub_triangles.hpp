@@ -1,4 +1,4 @@
-// A surface cut into small triangles, from which shell points and their areas are taken.
+// Sub-triangles of a surface, from which shell points and their areas are computed.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,7 @@
 
 namespace abstand::shell {
 
-/// A piece of one triangle of a mesh. Bit i of `sharp`: the edge from corner i to corner i + 1 lies on a
-/// sharp edge.
+/// Part of one mesh triangle. Bit i of `sharp`: the edge from corner i to corner i + 1 lies on a sharp edge.
 struct SubTriangle {
   Vector3d corner[3];
   std::uint32_t triangle;
@@ -19,64 +18,66 @@ struct SubTriangle {
 
   Vector3d centroid() const { return (corner[0] + corner[1] + corner[2]) / 3.0; }
   double area() const { return 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm(); }
-  /// Halves it at its longest edge.
+  /// Bisects the longest edge.
   void split(SubTriangle& first, SubTriangle& second) const;
 };
 
 /// Nearest point of the triangle (Ericson 2005, Real-Time Collision Detection, 5.1.5).
 Vector3d closestPoint(const SubTriangle& triangle, const Vector3d& p);
 
-/// The pieces of a mesh, none longer than `max_edge` nor larger than `max_area`; near tips and sharp convex
-/// edges smaller by the square of the pitch. The mesh must outlive this object.
+/// Sub-triangles of a mesh, with edges up to `max_edge` (m) and areas up to `max_area` (m^2), times the
+/// square of the pitch near tips and sharp convex edges. The mesh must outlive this object.
 class SubTriangles {
  public:
-  /// Throws UsageError when there would be more than kMaxPieces.
+  /// Throws UsageError if there would be more than kMaxPieces.
   SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, double max_area, const PitchField& field);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(pieces_.size()); }
   class View;
-  /// Calls visit(index, const View&) for the pieces from `first` to before `end`. All have a positive area.
-  /// Those of one triangle follow each other, and where there are many, triangles do as they lie in space, so
-  /// that a stretch of pieces is a compact part of the surface.
+  /// Calls visit(index, const View&) for the sub-triangles `first` to `end` - 1. All have a positive area.
+  /// Those of one triangle are consecutive; if there are many, triangles are in spatial order, so that a
+  /// range of sub-triangles is a compact part of the surface.
   template <class Visit>
   void walk(std::uint32_t first, std::uint32_t end, Visit visit) const;
-  /// All pieces.
+  /// Visits all sub-triangles.
   template <class Visit>
   void walk(Visit visit) const {
     walk(0, size(), visit);
   }
 
   SubTriangle piece(std::uint32_t index) const;
-  /// How close the points should lie at a piece, as a multiple of the spacing.
+  /// Pitch of the shell points at a sub-triangle, as a multiple of the spacing.
   float pitch(std::uint32_t index) const { return pitch_.empty() ? 1.0f : pitch_[index]; }
-  /// Whether the pitch is 1 everywhere.
+  /// True if the pitch is 1 everywhere.
   bool plain() const { return pitch_.empty(); }
   /// Outward unit normal of a triangle of the mesh; zero for a triangle without area.
   const Vector3d& normal(std::uint32_t triangle) const { return normals_[triangle]; }
-  /// No point of a piece is farther from its centroid (m): two thirds of the longest edge.
+  /// Upper bound (m) on the distance of a point of a sub-triangle from its centroid: two thirds of the
+  /// longest edge.
   double reach() const { return 2.0 / 3.0 * max_edge_; }
-  /// Triangles without area: part of the surface, but no piece comes from them.
+  /// Mesh triangles without area: part of the surface, but without sub-triangles.
   std::vector<SubTriangle> degenerate() const;
 
   static constexpr double kMaxPieces = 5.0e7;
 
  private:
-  /// Corner i is b[i] / kWhole of the way along a frame's side from its first corner to the second, and
-  /// c[i] / kWhole along that to the third: exact.
+  /// Corner i is at the fraction b[i] / kWhole along the frame's side from its first corner to the second,
+  /// and c[i] / kWhole along that to the third; both exact.
   struct Piece {
     std::uint16_t b[3], c[3];
-    std::uint16_t level : 13;  ///< how often its triangle was halved: far below 1000
+    std::uint16_t level : 13;  ///< number of bisections: far below 1000
     std::uint16_t sharp : 3;
   };
   static constexpr std::uint32_t kWhole = 1u << 15;
-  /// What pieces are measured in: a triangle, or a part of one whose pieces are too small for its numbers.
+  /// Reference triangle of sub-triangles: a mesh triangle, or a part of one if its sub-triangles are too
+  /// small for 16-bit coordinates.
   struct Frame {
     Vector3d a, ab, ac;
   };
-  /// Pieces of one frame that follow each other: from `first` to the next run's.
+  /// Consecutive sub-triangles of one frame: from `first` to the next run's.
   struct Run {
     std::uint32_t first, triangle;
-    std::uint32_t frame;  ///< of frames_, or kTriangle: the triangle itself
+    std::uint32_t frame;  ///< index in frames_, or kTriangle: the mesh triangle itself
   };
   static constexpr std::uint32_t kTriangle = 0xffffffffu;
   struct Part;
@@ -89,10 +90,10 @@ class SubTriangles {
   std::vector<Piece> pieces_;
   std::vector<Run> runs_;
   std::vector<Frame> frames_;
-  std::vector<float> pitch_;  ///< none where all are 1
+  std::vector<float> pitch_;  ///< empty if all are 1
 };
 
-/// One piece during a walk, made only as far as asked for.
+/// One sub-triangle during a walk; values are computed on demand.
 class SubTriangles::View {
  public:
   std::uint32_t triangle() const { return triangle_; }
@@ -106,8 +107,8 @@ class SubTriangles::View {
   double area() const {
     return std::bit_cast<double>((std::uint64_t{1023} - piece_->level) << 52) * whole_area_;
   }
-  /// Mean of |x - centroid|^2 over the piece (m^2): a twelfth of the sum over the corners, and that is a
-  /// third of the sum over the edges.
+  /// Mean of |x - centroid|^2 over the sub-triangle (m^2): 1/12 of the sum over the corners, which is 1/3 of
+  /// the sum over the edges.
   double spread() const {
     std::int64_t b2 = 0, bc = 0, c2 = 0;
     for (int i = 0; i < 3; ++i) {

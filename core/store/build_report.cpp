@@ -1,4 +1,4 @@
-// What to know of a structure before trusting its numbers.
+// Quality report of a haptic structure.
 #include "core/store/build_report.hpp"
 
 #include "core/base/parallel.hpp"
@@ -10,11 +10,11 @@ namespace abstand::store {
 namespace {
 
 constexpr double kThinVoxels = 2.0;
-constexpr double kReportSagitta = 0.1;      // of a voxel, for the triangles of a shape
-constexpr std::size_t kPointsABlock = 256;  // for one call of the parallel loops
+constexpr double kReportSagitta = 0.1;      // share of a voxel, for the triangles of a shape
+constexpr std::size_t kPointsABlock = 256;  // for each call of the parallel loops
 
-/// Way from p along the unit vector n to the first triangle that is left there, or infinity from `reach` on.
-/// Triangles that are entered do not count: the wall begins at p itself.
+/// Distance from p along the unit vector n to the first triangle crossed from inside to outside, or infinity
+/// beyond `reach`. Triangles crossed inwards are ignored: the wall begins at p.
 double wayOut(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree, const Vector3d& p,
               const Vector3d& n, double reach) {
   geometry::Bounds box;
@@ -23,20 +23,20 @@ double wayOut(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& 
   double least = kInfinity;
   tree.forOverlapping(box, [&](std::uint32_t slot) {
     const double across = tree.normal(slot).dot(n);
-    // Nearly along the ray: a side of the wall that is looked through.
+    // Nearly parallel to the ray: a side face of the wall.
     constexpr double kAlong = 1e-6;
     if (across <= kAlong) return;
     const std::uint32_t t = tree.triangle(slot);
     const Vector3d a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
     const double way = a.dot(tree.normal(slot)) / across;
     if (way < 0.0 || way >= least || way >= reach) return;
-    // The ray leaves through the triangle when it passes all edges on the same side (signed volumes).
+    // The ray crosses the triangle if it passes all edges on the same side (signed volumes).
     if (n.dot(a.cross(b)) >= 0.0 && n.dot(b.cross(c)) >= 0.0 && n.dot(c.cross(a)) >= 0.0) least = way;
   });
   return least;
 }
 
-/// The least of `value` over the shell points and where; on equal values the first.
+/// Smallest `value` over the shell points and its point; the first of equal ones.
 struct Extreme {
   double value;
   std::size_t point;
@@ -49,7 +49,7 @@ Extreme leastOf(const std::vector<double>& values) {
   return e;
 }
 
-/// fn(point) of every shell point, in parallel.
+/// Calls fn(point) for every shell point, in parallel.
 template <class Fn>
 std::vector<double> ofPoints(const shell::Pointshell& shell, Fn&& fn) {
   std::vector<double> values(shell.size());

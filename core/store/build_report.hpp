@@ -1,4 +1,4 @@
-// What to know of a structure before trusting its numbers.
+// Quality report of a haptic structure.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,30 @@ namespace abstand::store {
 
 /// Body frame, SI.
 struct BuildReport {
-  /// Edges through which inside leaks out; none for a shape. As in MeshReport.
+  /// Defective edges as in MeshReport; 0 for a shape.
   std::size_t open_edges{0}, non_manifold_edges{0}, flipped_edges{0};
-  /// The mesh is no boundary of a solid (open, or it cuts itself), so winding numbers decided what is inside.
+  /// The mesh is not the boundary of a solid (open, or it intersects itself), so winding numbers decided what
+  /// is inside.
   bool inside_doubtful{false};
 
-  /// Walls through which a point may slip from one side to the other: fields of this voxel size hardly see
-  /// them. Seen along the inward normals of the shell points, so walls narrower than the points' spacing may
-  /// be missed.
+  /// Walls thinner than two voxels, which fields of this voxel size hardly represent: a point may pass
+  /// through. Measured along the inward normals of the shell points, so walls narrower than the point spacing
+  /// may be missed.
   struct ThinWalls {
-    double below{0.0};      ///< m: two voxels
+    double below{0.0};      ///< m: threshold, two voxels
     double share{0.0};      ///< of the body's area, 0 to 1
-    double thinnest{kNaN};  ///< m; NaN where no wall is below
+    double thinnest{kNaN};  ///< m; NaN if no wall is below the threshold
     Vector3d where{Vector3d::Constant(kNaN)};
   };
   ThinWalls thin_walls;
 
-  /// What a convex hull in place of the body would have got wrong.
+  /// Error of a convex hull used instead of the body.
   struct Hull {
-    double volume_ratio{kNaN};  ///< hull over body, 1 for a convex body; NaN for a mesh that holds no volume
-    /// The largest depth of the surface inside its hull (m): there a hull reports a contact so deep where the
-    /// body is only touched. At the shell points, so it may be larger by the covering radius.
+    double volume_ratio{kNaN};  ///< hull over body, 1 for a convex body; NaN for a mesh that encloses no
+                                ///< volume
+    /// Largest depth of the surface inside its hull (m): the false contact depth that a hull reports where
+    /// the body is only touched. Measured at the shell points, so the true value may be larger by the
+    /// covering radius.
     double worst{0.0};
     Vector3d where{Vector3d::Constant(kNaN)};
   };

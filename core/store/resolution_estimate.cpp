@@ -1,4 +1,4 @@
-// What a resolution would cost, before it is built.
+// Predicts cost and accuracy of a resolution before it is built.
 #include "core/store/resolution_estimate.hpp"
 
 #include <algorithm>
@@ -16,47 +16,46 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The coarse build: so many voxels along the longest extent, and about so many shell points. Enough for edges
-// to show; done in a fraction of a second.
+// The coarse build: number of voxels along the longest extent, and about the number of shell points. Enough
+// to resolve edges; takes a fraction of a second.
 constexpr double kProbeVoxels = 32.0;
 constexpr double kProbePoints = 1200.0;
-constexpr double kAreaPerPoint = 2.0 / std::numbers::sqrt3;  // spacings^2 a point, on flat surfaces
-// Blocks whose centres are asked; of more, an even sample.
+constexpr double kAreaPerPoint = 2.0 / std::numbers::sqrt3;  // spacings^2 for each point, on flat surfaces
+// Number of blocks sampled; of more blocks, an even selection.
 constexpr std::size_t kAskedBlocks = 4096;
-// A field's float coordinates, as a part of how far they reach; it does not shrink with the voxel.
+// Rounding of a field's float coordinates relative to its extent; independent of the voxel size.
 constexpr double kFieldRounding = 1e-5;
-constexpr double kMaxFieldBytes = 2e9;  // NearField refuses more
-// Growth of the time for voxels with their number along an edge: between surface and volume. Of the time for
-// a near field with its blocks: each of a mesh's holds fewer features. Of that for a far field with its
-// vertices. Found with links of a robot, parts of a person, the bunny and a table from 32 to 256 voxels along
-// them.
+constexpr double kMaxFieldBytes = 2e9;  // limit of NearField
+// Empirical exponents of build time: voxelization with the voxels along an edge (between surface and volume);
+// a mesh's near field with its blocks (each has fewer features); the far field with its vertices. Fitted to
+// robot links, body parts, the bunny and a table at 32 to 256 voxels along them.
 constexpr double kVoxelTimeGrowth = 2.2, kMeshFieldGrowth = 0.6, kFarTimeGrowth = 1.2;
-// Points of the ball that tells how long this machine takes for one: as long as for a point of any body, but
-// for the adjustment to walls, which takes about as long for many points as for few.
+// Points of the sphere that calibrates the time for a point on this machine. It is the same for any body
+// except for the quadrature correction, whose time hardly depends on the number of points.
 constexpr double kBallPoints = 2000.0;
-// Growth of queries with the number of points, found with links of a robot, shapes and tables from 5 to 3 mm:
-// the points that may be nearest lie along a curve, those in contact on a part of the surface that the field
+// Empirical exponents of query time with the number of points, fitted to robot links, shapes and tables at 5
+// to 3 mm: the candidates of a distance query lie along a curve, those of a contact on a patch that the field
 // partly decides at once.
 constexpr double kDistanceGrowth = 0.5, kContactGrowth = 0.75;
-constexpr double kApart = 0.1, kPressed = 0.02;  // of the body's size
-constexpr double kTimed = 2e-3;                  // s, for each kind of query
+constexpr double kApart = 0.1, kPressed = 0.02;  // shares of the body's size
+constexpr double kTimed = 2e-3;                  // s, time spent on each kind of query
 constexpr std::size_t kMinTimed = 11;
 
 double milliseconds(Clock::duration d) { return std::chrono::duration<double, std::milli>(d).count(); }
 
 struct Blocks {
-  double kept{0.0};  ///< expected; with samples
-  double deep{0.0};  ///< expected; inside, without
+  double kept{0.0};  ///< expected number with samples
+  double deep{0.0};  ///< expected number inside without samples
   double all{0.0};
 };
 
-/// How far from the surface blocks are kept (m).
+/// Widths of the bands of stored blocks (m).
 struct Bands {
   double outer, inner;
 };
 
-// A cube of half edge r comes within the band of a flat surface with normal n when its centre is no farther
-// than band + r |n|_1.
+// A cube of half edge r intersects the band of a flat surface with normal n if its centre is no farther than
+// band + r |n|_1.
 Blocks countBlocks(const geometry::Surface& surface, const field::VoxelGrid& grid, const Bands& bands,
                    bool dense) {
   constexpr int kCells = field::NearField::kCells;
@@ -69,7 +68,7 @@ Blocks countBlocks(const geometry::Surface& surface, const field::VoxelGrid& gri
   const std::size_t asked = std::min(all, kAskedBlocks);
   std::size_t near = 0, deep = 0;
   for (std::size_t i = 0; i < asked; ++i) {
-    // A golden ratio's steps spread evenly, whatever the sizes.
+    // Golden-ratio sequence: even selection for any sizes.
     const double place =
         all == asked ? double(i) : std::fmod(double(i) * std::numbers::phi, 1.0) * double(all);
     const auto b = std::min(static_cast<std::size_t>(place), all - 1);
@@ -87,7 +86,7 @@ Blocks countBlocks(const geometry::Surface& surface, const field::VoxelGrid& gri
   return {double(near) * of_asked, double(deep) * of_asked, double(all)};
 }
 
-// As NearField does.
+// Same rules as in NearField.
 Blocks countNearBlocks(const geometry::Surface& surface, const field::VoxelGrid& grid, double band,
                        bool dense) {
   Blocks blocks = countBlocks(surface, grid, {band, field::NearField::kInnerBand * grid.voxel_size}, dense);
@@ -106,21 +105,21 @@ double layeredBytes(const geometry::Surface& surface, const field::VoxelGrid& gr
          (exact ? 0.0 : sizeof(std::int16_t) * blocks.all);
 }
 
-// us, the median over three directions of one query of two copies that are `gap` apart (m; negative: pressed
-// into each other).
+// Median time (us) of one query of two copies at distance `gap` (m; negative: overlapping), over three
+// directions.
 double timeQueries(const structure::HapticStructure& s, double gap) {
   const geometry::Bounds box = s.surface->bounds();
   kernels::PairScratch scratch;
   query::PairResult result;
   std::array<double, 3> us;
   for (int axis = 0; axis < 3; ++axis) {
-    // Apart for sure; then along the line between the nearest points.
+    // Start certainly apart; then move along the witness line.
     Transform X = Transform::Identity();
     X.translation() = (1.0 + kApart) * box.extent()[axis] * Vector3d::Unit(axis);
     query::queryPair({s, Transform::Identity()}, {s, X}, {}, scratch, result);
     const Vector3d way = (result.witness_a - result.witness_b).normalized();
     X.translation() += (result.distance - gap) * way;
-    // One by one: who else uses the machine spoils a few of them, and not the median.
+    // Timed one by one: other load on the machine disturbs a few of them, but not the median.
     std::vector<double> one;
     for (double all = 0.0; all < kTimed || one.size() < kMinTimed; all += one.back()) {
       const auto begin = Clock::now();
@@ -135,13 +134,13 @@ double timeQueries(const structure::HapticStructure& s, double gap) {
   return us[1];
 }
 
-// Vertices of one grid of the far field.
+// Number of vertices of one grid of the far field.
 double farVertices(const geometry::Bounds& body, double voxel) {
   const double spacing = field::farSpacing(body, voxel);
   return (body.extent().array() / spacing + 2.0 * field::FarField::kMargin + 1.0).prod();
 }
 
-// ms for a point of a shell.
+// Build time (ms) of one shell point.
 double timePoint() {
   const auto begin = Clock::now();
   const geometry::Sphere ball{0.1};
@@ -156,18 +155,18 @@ double timePoint() {
 struct ResolutionProbe::Coarse {
   std::shared_ptr<const structure::HapticStructure> built;
   double area{0.0};
-  double edges{0.0}, tips{0.0};  ///< b (m) and c of the number of points
+  double edges{0.0}, tips{0.0};  ///< b (m) and c of the formula for the number of points
   Blocks blocks;
   double band{0.0};  ///< voxels
   double field_bytes{0.0}, far_bytes{0.0}, shell_bytes{0.0};
   double voxels_ms{0.0}, field_ms{0.0}, far_ms{0.0}, shell_ms{0.0};
-  double point_ms{0.0};  ///< of shell_ms, for one point
+  double point_ms{0.0};  ///< share of shell_ms for one point
   double distance_us{0.0}, contact_us{0.0};
 
   double points(double spacing) const {
     return area / (kAreaPerPoint * spacing * spacing) + edges / spacing + tips;
   }
-  /// A part that stays, and one that grows with the points.
+  /// A constant part and one proportional to the points.
   double shellMs(double n) const { return shell_ms + point_ms * (n - double(built->shell.size())); }
 };
 

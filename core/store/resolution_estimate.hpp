@@ -1,4 +1,4 @@
-// What a resolution would cost, before it is built.
+// Predicts cost and accuracy of a resolution before it is built.
 #pragma once
 
 #include <memory>
@@ -8,40 +8,44 @@
 
 namespace abstand::store {
 
-/// What building with these options would give. Predictions; how good they are is said at ResolutionProbe.
+/// Prediction for a build with given options; its accuracy is stated at ResolutionProbe.
 struct ResolutionEstimate {
   structure::HapticOptions options;
-  std::string refused;      ///< why it cannot be built; empty when it can, and only then the rest counts
-  double error_bound{0.0};  ///< m, HapticStructure::errorBound() at most
+  std::string refused;      ///< why it cannot be built; empty if it can, and only then the other members are
+                            ///< valid
+  double error_bound{0.0};  ///< m, upper bound of HapticStructure::errorBound()
   double memory_bytes{0.0};
   double points{0.0};
-  double build_ms{0.0};     ///< on this machine as busy as it is now, with all its cores
-  double distance_us{0.0};  ///< one query: two of the body, apart by a tenth of its size
-  double contact_us{0.0};   ///< one query: two of the body, pressed into each other by a fiftieth
+  double build_ms{0.0};     ///< on this machine under its current load, with all cores
+  double distance_us{0.0};  ///< one query of two copies, apart by a tenth of the size
+  double contact_us{0.0};   ///< one query of two copies, overlapping by a fiftieth of the size
 };
 
-/// Builds one body coarsely, measures that, and scales it to any finer resolution:
+/// Builds one body coarsely, measures the build, and extrapolates to any finer resolution:
 ///   points    area / (2 / sqrt(3) spacing^2), the pointshell's packing, plus b / spacing for edges and c for
 ///             tips and curvature, b and c from two coarse shells. Tests: within 25 %.
-///   memory    near field: blocks counted by asking for the distance at (a sample of) their centres, times
-///             the bytes of a block; far field: by the vertices of its grids; shell and tree: bytes a point;
-///             layered: two bytes a voxel of the grid. Tests: within 25 %.
-///   error     the field's part grows with the voxel, the shell's is kCovering spacings at most.
-///   time      of the phases of the coarse build: voxels, blocks, vertices and points, each by its own count,
-///             with powers that were found; points by the time that a ball's take. Good to a factor of two
-///             on a quiet machine; nothing depends on it.
-///   queries   of the coarse body, timed; a distance grows with the root of the number of points, what a
-///             contact takes more with its power 0.75. Good to a factor of three.
-/// A resolution that is coarser than the probe is built instead. Not shared between threads.
+///   memory    near field: number of blocks, from the distance at (a sample of) their centres, times the
+/// bytes
+///             of a block; far field: vertices of its grids; shell and tree: bytes per point; layered: two
+///             bytes per voxel of the grid. Tests: within 25 %.
+///   error     the field's part is proportional to the voxel size, the shell's is at most kCovering spacings.
+///   time      of the phases of the coarse build, scaled by numbers of voxels, blocks, vertices and points
+/// with
+///             empirical powers; points by the time of a sphere's points. Within a factor of two on an idle
+///             machine; informative only.
+///   queries   timed with the coarse body; a distance query grows with the square root of the number of
+/// points,
+///             the extra time of a contact query with its power 0.75. Within a factor of three.
+/// A resolution coarser than the probe is built instead. Not thread-safe.
 class ResolutionProbe {
  public:
-  /// Covering radius of a shell in spacings, at most: filling leaves 0.775, the pieces that the surface is
-  /// cut into reach 0.3 beyond their middle. Found in tests: 0.95.
+  /// Upper bound of a shell's covering radius in spacings: hole filling leaves 0.775, and sub-triangles
+  /// extend 0.3 beyond their centroid. Measured in tests: 0.95.
   static constexpr double kCovering = 1.1;
 
   explicit ResolutionProbe(std::shared_ptr<const geometry::Surface> surface) : surface_(std::move(surface)) {}
 
-  /// Throws UsageError for options out of their range, and BuildCancelled.
+  /// Throws UsageError for options out of range, and BuildCancelled.
   ResolutionEstimate estimate(const structure::HapticOptions& options,
                               const structure::BuildMonitor& monitor = {});
 
@@ -50,7 +54,7 @@ class ResolutionProbe {
   const Coarse& coarse(const structure::HapticOptions& options, const structure::BuildMonitor& monitor);
 
   std::shared_ptr<const geometry::Surface> surface_;
-  std::shared_ptr<const Coarse> coarse_;  ///< the last one
+  std::shared_ptr<const Coarse> coarse_;  ///< most recent coarse build
 };
 
 }  // namespace abstand::store

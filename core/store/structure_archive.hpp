@@ -1,4 +1,4 @@
-// Fields of an object to bytes and back.
+// Binary serialisation of objects.
 #pragma once
 
 #include <bit>
@@ -20,18 +20,18 @@ static_assert(std::endian::native == std::endian::little && std::numeric_limits<
               "archives hold numbers as a little-endian machine with IEEE 754 does");
 static_assert(sizeof(std::size_t) == sizeof(std::uint64_t), "sizes are fields of 64 bits");
 
-/// What was read is no archive of what was asked for, in a few words ("is shorter than it says").
+/// The data read is not a valid archive; the message is a predicate ("is shorter than it says").
 class ArchiveError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What reader and writer have in common. A class takes part by one member that names its fields in order,
+/// Common part of reader and writer. A class is archived by one member that lists its fields in order,
 ///   template <class Archive> void archive(Archive& ar) { ar(first_, second_); }
-/// Fields are numbers, enumerations, fixed Eigen matrices, arrays, strings, optionals, vectors, and classes
-/// that take part. A vector is one stretch of memory where its elements are trivially copyable and name no
-/// fields, or say `using ArchivedAsBytes = void;` (for those with Eigen members); such elements hold no
-/// pointers.
+/// Fields are numbers, enumerations, fixed-size Eigen matrices, arrays, strings, optionals, vectors, and
+/// classes with such a member. A vector is stored as one block of bytes if its elements are trivially
+/// copyable without an archive member, or declare `using ArchivedAsBytes = void;` (for those with Eigen
+/// members); such elements contain no pointers.
 template <class Side>
 class Archive {
  public:
@@ -108,7 +108,8 @@ class Archive {
       const std::size_t count = side().count(values.size(), 1);
       if constexpr (Side::kReads) values.clear();
       for (std::size_t i = 0; i < count; ++i) {
-        // One at a time, so that a wrong count ends with the file before it takes memory.
+        // One element at a time, so that a wrong count fails at the end of the file before it allocates
+        // memory.
         if constexpr (Side::kReads) values.emplace_back();
         field(values[i]);
       }
@@ -116,14 +117,14 @@ class Archive {
   }
 };
 
-/// Writes to a stream, or with null only counts. The stream's own state tells whether all went well.
+/// Writes to a stream, or with null only counts bytes. The stream's state shows errors.
 class ArchiveWriter : public Archive<ArchiveWriter> {
  public:
   static constexpr bool kReads = false;
   explicit ArchiveWriter(std::ostream* out) : out_(out) {}
 
   std::uint64_t size() const { return size_; }
-  /// Of all bytes until now.
+  /// Of all bytes written so far.
   ContentKey checksum() const { return hash_.value(); }
 
   void bytes(const void* from, std::size_t count);
@@ -135,15 +136,15 @@ class ArchiveWriter : public Archive<ArchiveWriter> {
   ContentHash hash_;
 };
 
-/// Reads from a stream at most `size` bytes; throws ArchiveError rather than to read on, or to allocate more
-/// than is left.
+/// Reads at most `size` bytes from a stream; throws ArchiveError instead of reading further or allocating
+/// more than the remaining bytes.
 class ArchiveReader : public Archive<ArchiveReader> {
  public:
   static constexpr bool kReads = true;
   ArchiveReader(std::istream& in, std::uint64_t size) : in_(in), left_(size) {}
 
   std::uint64_t left() const { return left_; }
-  /// Of all bytes until now.
+  /// Of all bytes read so far.
   ContentKey checksum() const { return hash_.value(); }
 
   void bytes(void* to, std::size_t count);

@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<char, 8> kMagic{'A', 'B', 'S', 'T', 'H', 'A', 'P', '\n'};
-// Of the file's own layout. What lies in the payload follows the builders' fingerprint.
+// Version of the file's own layout. The payload's layout is covered by the builders' fingerprint.
 constexpr std::uint32_t kFormat = 1;
-// What is left of a process that was killed while it wrote, and surely no longer being written.
+// Age of temporary files of killed processes, after which they are certainly not being written any more.
 constexpr auto kLeftOver = std::chrono::hours(24);
 
-/// Before the payload; after it comes the checksum of both.
+/// Precedes the payload; the checksum of both follows it.
 struct Header {
   char magic[8]{};
   std::uint32_t format{0};
@@ -45,10 +45,10 @@ Header headerOf(const ContentKey& key, std::uint64_t payload) {
 }
 
 constexpr std::string_view kStructureEnding = ".haptic", kSurfaceEnding = ".surface";
-// Below, making a surface is as fast as reading it.
+// For smaller meshes, building a surface is as fast as reading it.
 constexpr std::size_t kLargeMesh = 1000;
 
-/// Writing takes fields that it does not change.
+/// The writer's archive() takes non-const fields but does not change them.
 template <class T>
 void put(ArchiveWriter& writer, const T& value) {
   writer(const_cast<T&>(value));
@@ -116,7 +116,7 @@ fs::path userCacheFolder() {
   };
   if (const auto own = variable("ABSTAND_CACHE"); !own.empty())
     return own == "off" ? fs::path() : fs::path(own);
-  // A relative path is to be ignored (XDG base directory specification).
+  // Relative paths are ignored (XDG base directory specification).
   if (const fs::path base = variable("XDG_CACHE_HOME"); base.is_absolute()) return base / "abstand";
   if (const fs::path home = variable("HOME"); home.is_absolute()) return home / ".cache" / "abstand";
   return {};
@@ -136,7 +136,7 @@ bool StructureCache::read(const fs::path& path, const ContentKey& key, T& value)
   const std::uintmax_t size = fs::file_size(path, ec);
   if (ec) return false;
   std::ifstream in(path, std::ios::binary);
-  if (!in) return false;  // taken away meanwhile
+  if (!in) return false;  // removed in the meantime
   try {
     take(in, size, key, value);
   } catch (const ArchiveError& e) {
@@ -198,7 +198,7 @@ void StructureCache::makeRoom() {
   std::uintmax_t bytes = 0;
   std::error_code ec;
   const auto now = fs::file_time_type::clock::now();
-  // Others may take files away meanwhile.
+  // Other processes may remove files in the meantime.
   for (fs::directory_iterator it(folder_, ec), end; !ec && it != end; it.increment(ec)) {
     std::error_code gone;
     const KeptFile file{it->path(), it->last_write_time(gone), it->file_size(gone)};

@@ -43,7 +43,7 @@ struct SectionHead {
   }
 };
 
-/// BODY: `kind` 0 is a mesh, others count the shapes as geometry::Shape does, from 1.
+/// BODY: `kind` 0 is a mesh; 1 + index in geometry::Shape otherwise.
 struct BodySection {
   std::string name;
   std::uint8_t kind{0};
@@ -70,7 +70,7 @@ struct OptionsSection {
   }
 };
 
-/// Layers of a voxelmap as runs, x fastest, then y, then z.
+/// Layers of a voxelmap, run-length encoded, x fastest, then y, then z.
 struct VoxelSection {
   Vector3d first_centre{Vector3d::Zero()};
   double voxel{0.0};
@@ -83,7 +83,7 @@ struct VoxelSection {
   }
 };
 
-/// What the engine has in memory.
+/// Memory image of the engine.
 struct EngineSection {
   std::uint64_t fingerprint{kEngineFingerprint};
   bool mesh{false};
@@ -158,7 +158,7 @@ void writeSection(ArchiveWriter& writer, const Tag& tag, Section& section) {
   writer(head, section);
 }
 
-/// Reads a section and sees that it is as long as it says.
+/// Reads a section and checks its length.
 template <class Section>
 void readSection(ArchiveReader& reader, const SectionHead& head, Section& section) {
   const std::uint64_t before = reader.left();
@@ -176,14 +176,14 @@ void passOver(ArchiveReader& reader, std::uint64_t bytes) {
   }
 }
 
-/// What was read, and not yet believed.
+/// Data read, not yet validated.
 struct Content {
   std::optional<BodySection> body;
   std::optional<OptionsSection> options;
   EngineSection engine;
 };
 
-/// `with_engine`: what the engine had in memory, too, where it is the same engine.
+/// `with_engine`: also the memory image, if the engine version is the same.
 Content readContent(std::istream& in, std::uint64_t size, bool with_engine) {
   ArchiveReader reader(in, size);
   Content content;
@@ -230,7 +230,7 @@ Content readContent(std::istream& in, std::uint64_t size, bool with_engine) {
   return content;
 }
 
-/// Says in one line what is wrong with a file.
+/// Converts errors into a one-line message about the file.
 template <class Read>
 auto readStream(std::istream& in, std::uint64_t size, const std::string& name, bool with_engine,
                 const Read& read) {
@@ -281,7 +281,7 @@ void saveStructure(const structure::HapticStructure& structure, const std::files
     VoxelSection voxels = voxelsOf(*structure.voxelmap);
     writeSection(writer, kVoxelsTag, voxels);
   }
-  // Writing takes fields that it does not change.
+  // The writer's archive() takes non-const fields but does not change them.
   EngineSection engine;
   engine.structure = std::shared_ptr<structure::HapticStructure>(
       std::shared_ptr<void>(), const_cast<structure::HapticStructure*>(&structure));

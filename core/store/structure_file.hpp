@@ -1,4 +1,4 @@
-// One structure in a file of its own, to be given to others. Layout: docs/structure-files.md.
+// A structure in a file of its own, for exchange. Layout: docs/structure-files.md.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,28 @@
 
 namespace abstand::store {
 
-/// What a file says of a body in its documented sections.
+/// Content of the documented sections of a file.
 struct StoredBody {
   std::string name;
   std::shared_ptr<const geometry::Surface> surface;
   structure::HapticOptions options;
 };
 
-/// Written whole or not at all. Throws UsageError and WriteError. Any thread.
+/// Written completely or not at all. Throws UsageError and WriteError. Any thread.
 void saveStructure(const structure::HapticStructure& structure, const std::filesystem::path& file);
 
-/// The body alone; a structure is built from it, or found in a cache. Everything is checked, so the file may
-/// be anybody's. Throws ParseError. Any thread.
+/// Reads the body only; a structure is built from it, or found in a cache. Everything is validated, so the
+/// file may be untrusted. Throws ParseError. Any thread.
 StoredBody readStoredBody(const std::filesystem::path& file);
-/// The same for the content of a file; `name` goes into errors.
+/// The same for the content of a file; `name` is used in errors.
 StoredBody parseStoredBody(std::string_view content, const std::string& name);
 
-/// With what the engine had in memory, as it stands: for files of the user's own, as nothing protects from
-/// one that somebody forged. Null where another version of the engine wrote it. Throws ParseError. Any
-/// thread.
+/// Reads the engine's memory image without validation: only for the user's own files, as a forged one is not
+/// detected. Null if another version of the engine wrote it. Throws ParseError. Any thread.
 std::shared_ptr<const structure::HapticStructure> readStoredStructure(const std::filesystem::path& file);
 
-/// The structure of a file: as the engine had it in memory, where the file is `trusted` and of this version
-/// of the engine, else built from the body, or found in `cache`. Throws ParseError.
+/// Loads the structure of a file: from the memory image if the file is `trusted` and of this engine version,
+/// otherwise built from the body or found in `cache`. Throws ParseError.
 std::shared_ptr<const structure::HapticStructure> loadStructure(const std::filesystem::path& file,
                                                                 bool trusted, StructureCache& cache,
                                                                 int threads);

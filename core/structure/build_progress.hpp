@@ -1,4 +1,4 @@
-// How far a build is, and how to end it.
+// Progress and cancellation of a build.
 #pragma once
 
 #include <functional>
@@ -7,16 +7,16 @@
 
 namespace abstand::structure {
 
-/// Ears and brake of a build. Both functions may be empty; they are called on the building threads.
+/// Callbacks of a build. Both may be empty; they are called on the building threads.
 struct BuildMonitor {
-  /// Share of the work that is done (0 to 1, never falling) and a word for what is being done. One call at a
-  /// time.
+  /// Share of the work done (0 to 1, never decreasing) and the name of the current phase. Calls do not
+  /// overlap.
   std::function<void(double fraction, std::string_view phase)> progress;
-  /// Asked between the blocks of the work, from several threads at once; true ends the build.
+  /// Polled between blocks of work, from several threads at once; true cancels the build.
   std::function<bool()> cancelled;
 };
 
-/// The monitor ended the build; nothing of it is left.
+/// Thrown when the monitor has cancelled a build; all partial results are discarded.
 class BuildCancelled : public std::runtime_error {
  public:
   BuildCancelled() : std::runtime_error("building was interrupted") {}

@@ -1,4 +1,4 @@
-// What a user chooses about a haptic structure.
+// User options of a haptic structure.
 #include "core/structure/haptic_options.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace abstand::structure {
 namespace {
 
-// m: a grain of dust, and a hall.
+// m: from a grain of dust to a hall.
 constexpr double kMinPitch = 1e-5;
 constexpr double kMaxPitch = 10.0;
 constexpr int kMaxOuterLayers = 10'000;

@@ -1,4 +1,4 @@
-// What a user chooses about a haptic structure.
+// User options of a haptic structure.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 namespace abstand::structure {
 
 /// layered: integer layers, the thesis's voxelmap. flt ("float" in files): float distances over the whole
-/// map. mixed: float distances in a sparse band about the surface and a coarse field beyond.
+/// map. mixed: float distances in a sparse band near the surface and a coarse field beyond.
 enum class FieldKind { kLayered, kFloat, kMixed };
 
 std::string_view fieldName(FieldKind kind);
 std::optional<FieldKind> parseFieldKind(std::string_view text);
 
 struct HapticOptions {
-  double voxel_size{0.005};     ///< m; half of the smallest feature that matters
+  double voxel_size{0.005};     ///< m; half of the smallest relevant feature
   double point_spacing{0.005};  ///< m; pitch of the pointshell
   int outer_layers{20};         ///< layers of voxels outside the surface
   FieldKind field{FieldKind::kMixed};

@@ -15,12 +15,13 @@
 namespace abstand::structure {
 namespace {
 
-// Voxels. Enough for depth-sized margins and for normals near the surface; the far field takes over beyond,
-// where its own error is a small part of the distance.
+// In voxels. Enough for margins of the size of contact depths and for normals near the surface; beyond, the
+// far field's error is a small share of the distance.
 constexpr double kBand = 4.0;
-// m; how far the far field's grids reach: a person's reach and more. Beyond, distances to their box do.
+// m; extent of the far field's grids beyond the body: more than a person's reach. Beyond, the distance to a
+// ball is used.
 constexpr double kFarReach = 2.0;
-// Of a voxel: how closely a shape's triangles follow it, where triangles are needed.
+// Share of a voxel: sagitta of a shape's triangles, where triangles are needed.
 constexpr double kSagitta = 0.1;
 
 struct ShapeRadius {
@@ -50,7 +51,7 @@ std::size_t bytesOf(const shell::PointSphereTree& tree) {
          7 * sizeof(float) * tree.x.capacity() + tree.shell_index.capacity() * sizeof(std::uint32_t);
 }
 
-/// Gives back what vectors hold beyond their size, through the lists of fields that archives use.
+/// Releases unused capacity of vectors, by the field lists that archives use.
 struct Shrink {
   template <class... Fields>
   void operator()(Fields&... fields) {
@@ -66,8 +67,8 @@ struct Shrink {
   }
 };
 
-/// What the phases of a build tell the monitor: how much is done of those that run beside each other, and the
-/// name of the first of them that is not over.
+/// Collects the progress of concurrent phases and reports to the monitor: total share done, and the name of
+/// the first phase that is not finished.
 class BuildWatch {
  public:
   explicit BuildWatch(const BuildMonitor& monitor) : monitor_(monitor) {}
@@ -75,22 +76,22 @@ class BuildWatch {
   void stopIfCancelled() {
     if (!monitor_.cancelled) return;
     const std::scoped_lock lock(mutex_);
-    // What was cancelled once stays so: nobody asks again.
+    // Cancellation is final: the monitor is not polled again.
     if (cancelled_ || (cancelled_ = monitor_.cancelled())) throw BuildCancelled();
   }
-  /// From now on this is what the monitor hears of.
+  /// Starts a phase; reported to the monitor by this name.
   void begin(std::string_view name) {
     const std::scoped_lock lock(mutex_);
     name_ = name;
     report();
   }
-  /// `more`: how much more of the whole is done.
+  /// `more`: additional share of the whole that is done.
   void advance(double more) {
     const std::scoped_lock lock(mutex_);
     done_ += more;
     report();
   }
-  /// All is done, whatever the shares add up to.
+  /// Reports completion, whatever the shares add up to.
   void end() {
     const std::scoped_lock lock(mutex_);
     done_ = 1.0;
@@ -109,8 +110,8 @@ class BuildWatch {
   bool cancelled_{false};
 };
 
-/// Hears of every loop of one phase while it lives. The shares of the phases are those of a robot's link of
-/// 5,000 triangles at 5 mm, roughly; they only make the bar steady.
+/// Watches every loop of one phase during its lifetime. The shares of the phases are roughly those of a robot
+/// link of 5,000 triangles at 5 mm; they only make the progress steady.
 class BuildPhase final : public LoopWatch {
  public:
   BuildPhase(BuildWatch& watch, double share) : watch_(watch), share_(share), before_(loop_watch) {
@@ -118,7 +119,7 @@ class BuildPhase final : public LoopWatch {
     if (watch_.listens()) loop_watch = this;
   }
   ~BuildPhase() override { loop_watch = before_; }
-  /// All of the phase is done.
+  /// Marks the phase as finished.
   void end() { advance(1.0); }
 
   void next(std::size_t index, std::size_t count) override {
@@ -128,10 +129,10 @@ class BuildPhase final : public LoopWatch {
 
  private:
   void advance(double to) {
-    // Who comes while another reports has no more to say, unless it is the end.
+    // Skips a report while another thread reports, except for the last one.
     std::unique_lock lock(mutex_, std::defer_lock);
     if (to < 1.0 ? !lock.try_lock() : (lock.lock(), false)) return;
-    // A phase may have several loops, each from its own beginning.
+    // A phase may have several loops, each starting at 0.
     if (to <= done_) return;
     watch_.advance(share_ * (to - done_));
     done_ = to;
@@ -147,7 +148,7 @@ class BuildPhase final : public LoopWatch {
 }  // namespace
 
 double HapticStructure::errorBound() const {
-  // The count of layers is certain to a voxel's diagonal, and its sign on the surface layer to half of one.
+  // The number of layers is certain to a voxel diagonal, and the sign on the surface layer to half of one.
   const double layer_error = 1.5 * std::sqrt(3.0) * grid.voxel_size;
   return (near_field ? near_field->errorBound() : layer_error) + shell.covering_radius;
 }
@@ -243,7 +244,7 @@ std::shared_ptr<const HapticStructure> buildHapticStructure(std::string name,
     s.parts = s.surface->shape() ? SurfaceParts(s.bounding_sphere) : SurfaceParts(mesh, *s.surface);
     points.end();
   };
-  // Much of the shell is made by one thread alone; the fields keep the others busy.
+  // Much of the shell is built by a single thread; the fields keep the others busy.
   parallelFor(threads, 2, [&](std::size_t part) { part == 0 ? makeFields() : makePoints(); });
   Shrink shrink;
   shrink(s.shell, s.tree, s.support, s.parts);

@@ -1,4 +1,4 @@
-// The corners of a convex hull, side by side.
+// Vertices of a convex hull as a structure of arrays, with its support function.
 #include "core/structure/hull_points.hpp"
 
 #include <algorithm>
@@ -9,10 +9,11 @@
 namespace abstand::structure {
 namespace {
 
-// Of the largest coordinate; far below kHullRounding.
+// Share of the largest coordinate; far below kHullRounding.
 constexpr double kOutside = 1e-12;
 constexpr std::size_t kHullLanes = 8;
-// Relative to the radius: points and directions in float, three products and two sums, and storing.
+// Relative to the radius: rounding of points and directions to float, three products, two sums, and the
+// store.
 constexpr float kHullRounding = 8.0f * 0x1p-24f;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The corners of a convex hull, side by side.
+// Vertices of a convex hull as a structure of arrays, with its support function.
 #pragma once
 
 #include <vector>
@@ -7,30 +7,30 @@
 
 namespace abstand::structure {
 
-/// The points at the corners of the hull; all of them where there is no telling, as of points in a plane.
+/// The vertices of the hull; all points if there is no hull, as for coplanar points.
 std::vector<Vector3d> hullCorners(const std::vector<Vector3d>& points);
 
 struct ExtremePoint {
-  Vector3d point;                         ///< of the surface
-  std::uint32_t hint{geometry::kNoHint};  ///< where on it that is
+  Vector3d point;                         ///< on the surface
+  std::uint32_t hint{geometry::kNoHint};  ///< its location on the surface
 };
 
-/// How far the hull of some points reaches in a direction, and where. Body frame, m. Constant after
-/// construction; any number of threads; no allocation, no throw.
+/// Support function of the convex hull of points. Body frame, m. Constant after construction; any number of
+/// threads; no allocation, no throw.
 class HullPoints {
  public:
   HullPoints() = default;
-  /// At least one corner, points of a surface. `centre`: about their middle, where rounding is smallest.
+  /// At least one corner; corners lie on `surface`. `centre`: near their middle, which keeps rounding small.
   HullPoints(const std::vector<Vector3d>& corners, const Vector3d& centre, const geometry::Surface& surface);
 
   const Vector3d& centre() const { return centre_; }
-  /// Not below the largest g . p, and above it by rounding in float only; g of any length but 0.
+  /// Upper bound of max g . p, exceeding it only by rounding in float; g of any length except 0.
   double reach(const Vector3d& g) const;
-  /// The same about the centre.
+  /// The same relative to the centre.
   float reachAboutCentre(const Vector3f& g) const;
-  /// The point that reaches farthest, to rounding in float.
+  /// The point with the largest g . p, up to rounding in float.
   ExtremePoint extreme(const Vector3d& g) const;
-  /// Both at once; the reach may be above the least by twice the rounding.
+  /// Both at once; the result may exceed the maximum by twice the rounding.
   double farthest(const Vector3d& g, ExtremePoint& extreme) const;
   std::size_t memoryBytes() const { return (3 * sizeof(float) + sizeof(std::uint32_t)) * x_.capacity(); }
   template <class Archive>
@@ -41,7 +41,7 @@ class HullPoints {
  private:
   Vector3d centre_{Vector3d::Zero()};
   float radius_{0.0f};
-  std::vector<float> x_, y_, z_;  ///< about the centre, padded to whole lanes with copies
+  std::vector<float> x_, y_, z_;  ///< relative to the centre, padded to whole lanes with copies
   std::vector<std::uint32_t> hints_;
 };
 

@@ -1,4 +1,4 @@
-// How far a body reaches in a direction: the support function of its convex hull.
+// Support function of a body's convex hull.
 #include "core/structure/support_map.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace abstand::structure {
 namespace {
 
-/// h(g) of each shape, exact to rounding of double.
+/// h(g) of each shape, exact up to rounding in double.
 struct ShapeSupport {
   const Vector3d& g;
   double operator()(const geometry::Sphere& s) const { return s.radius * g.norm(); }
@@ -23,7 +23,7 @@ struct ShapeSupport {
   }
 };
 
-/// A point where g . p is largest.
+/// A point with the largest g . p.
 struct ShapeExtreme {
   const Vector3d& g;
   Vector3d operator()(const geometry::Sphere& s) const { return s.radius * g.normalized(); }
@@ -38,7 +38,7 @@ struct ShapeExtreme {
   Vector3d operator()(const geometry::Cylinder& s) const {
     const double across = std::hypot(g.x(), g.y());
     const double r = across > 0.0 ? s.radius / across : 0.0;
-    // Straight up, any point of the rim.
+    // For g along the axis, any point of the rim.
     return {across > 0.0 ? r * g.x() : s.radius, r * g.y(), std::copysign(0.5 * s.length, g.z())};
   }
   Vector3d operator()(const geometry::Capsule& s) const {
@@ -46,7 +46,7 @@ struct ShapeExtreme {
   }
 };
 
-/// The direction through the corner (u, v) of a face of the cube [-1, 1]^3.
+/// Direction through the corner (u, v) of a face of the cube [-1, 1]^3.
 Vector3f corner(int face, float u, float v) {
   const int axis = face / 2;
   Vector3f g;
@@ -97,7 +97,7 @@ double SupportMap::farthest(const Vector3d& g, ExtremePoint& extreme) const {
 
 double SupportMap::upper(const Vector3d& g) const {
   if (shape_) return std::visit(ShapeSupport{g}, *shape_);
-  // The face of the cube without a branch: which one it is cannot be foreseen.
+  // Selects the face of the cube without an unpredictable branch.
   const double x = std::abs(g.x()), y = std::abs(g.y()), z = std::abs(g.z());
   const int axis = z > std::max(x, y) ? 2 : static_cast<int>(y > x);
   const double length = std::max({x, y, z});

@@ -1,4 +1,4 @@
-// A body's surface in pieces that are about convex.
+// Approximate convex decomposition of a body's surface.
 #include "core/structure/surface_parts.hpp"
 
 #include <algorithm>
@@ -6,19 +6,18 @@
 namespace abstand::structure {
 namespace {
 
-// Of the body's size: a part from which its hull is nowhere farther is convex.
+// Share of the body's size: a part whose largest gap to its hull is below this is convex.
 constexpr double kConvex = 2e-3;
-// Of the widest gap: gaps of parts that mirror each other differ by which of their triangles are looked at.
+// Share of the widest gap: gaps of mirrored parts differ by which of their triangles are sampled.
 constexpr double kAboutEqual = 0.99;
-// Triangles that are looked at to tell how far a hull is from its part: enough to see where it is worth to
-// cut.
+// Triangles sampled to estimate the gap between a part and its hull: enough to choose the part to bisect.
 constexpr std::size_t kLooks = 512;
-// Of the size; spheres are kept in float.
+// Share of the size; spheres are stored in float.
 constexpr double kHullSphereRounding = 1e-6;
 
 struct Part {
   std::vector<std::uint32_t> triangles;
-  std::vector<Vector3d> corners;  ///< of the hull
+  std::vector<Vector3d> corners;  ///< vertices of the hull
   double gap{0.0};                ///< m, between the hull and the planes of the triangles
 };
 
@@ -44,7 +43,7 @@ Part makePart(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> tri
   return part;
 }
 
-/// The part with the widest gap; of about equals, as a body with symmetries has, the largest.
+/// The part with the widest gap; of about equal ones, as in symmetric bodies, the largest.
 Part& worstOf(std::vector<Part>& parts) {
   double widest = 0.0;
   for (const Part& part : parts) widest = std::max(widest, part.gap);
@@ -54,7 +53,7 @@ Part& worstOf(std::vector<Part>& parts) {
   });
 }
 
-/// At the median of the triangles' middles, across the axis along which they reach farthest.
+/// Splits at the median of the triangles' centres, along the axis of their largest extent.
 std::pair<Part, Part> halves(const geometry::TriangleMesh& mesh, Part& part) {
   const auto middle = [&](std::uint32_t t) {
     return Vector3d(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));

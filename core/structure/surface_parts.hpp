@@ -1,4 +1,4 @@
-// A body's surface in pieces that are about convex.
+// Approximate convex decomposition of a body's surface.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,22 @@
 
 namespace abstand::structure {
 
-/// Groups of triangles, each with its hull and a sphere about it. Where a body is bent or has a flange, its
-/// hull is far from its surface; the hulls of its parts are near, and two bodies are at least as far apart as
-/// the nearest two of their parts. Nothing needs to be closed for that. Body frame, m. Constant after
-/// construction; any number of threads.
+/// Groups of triangles, each with its convex hull and a bounding sphere. For bodies that are bent or have a
+/// flange, the hulls of the parts are much closer to the surface than the hull of the body. The distance of
+/// two bodies is at least that of their nearest two parts, also if the surface is not closed. Body frame, m.
+/// Constant after construction; any number of threads.
 class SurfaceParts {
  public:
   static constexpr std::size_t kMax = kernels::SphereGroup::kMax;
 
   SurfaceParts() = default;
-  /// The part that is least convex is halved, until all are or there are kMax.
+  /// Bisects the least convex part until all are convex or there are kMax.
   SurfaceParts(const geometry::TriangleMesh& mesh, const geometry::Surface& surface);
-  /// A convex body is one part, whose hull is the body's own.
+  /// A convex body: one part, whose hull is that of the body.
   explicit SurfaceParts(const geometry::EnclosingSphere& sphere);
 
   std::size_t size() const { return std::max<std::size_t>(1, hulls_.size()); }
-  /// Of one among several.
+  /// Hull of one of several parts.
   const HullPoints& hull(std::size_t part) const { return hulls_[part]; }
   const kernels::SphereGroup& spheres() const { return spheres_; }
   std::size_t memoryBytes() const;
@@ -37,7 +37,7 @@ class SurfaceParts {
  private:
   void setSphere(std::size_t part, const geometry::EnclosingSphere& sphere);
 
-  std::vector<HullPoints> hulls_;  ///< none where the whole is one part
+  std::vector<HullPoints> hulls_;  ///< empty if there is one part
   kernels::SphereGroup spheres_{};
 };
 

@@ -1,4 +1,4 @@
-// Bodies of a pair study in one posture; internal to it.
+// Poses and distances of a pair study's bodies in one posture; internal to it.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace abstand::study {
 
-/// Constant: shared by the threads of a study.
+/// Constant; shared by the threads of a study.
 class StudyModel {
  public:
   StudyModel(const std::vector<StudyMechanism>& mechanisms, const std::vector<StudyBody>& bodies);
@@ -19,9 +19,9 @@ class StudyModel {
   const StudyBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
   const StudyMechanism& mechanism(int i) const { return mechanisms_[static_cast<std::size_t>(i)]; }
   std::size_t mechanisms() const { return mechanisms_.size(); }
-  /// Where the values of a mechanism begin in q.
+  /// Index in q of a mechanism's first value.
   std::size_t first(int mechanism) const { return first_[static_cast<std::size_t>(mechanism)]; }
-  /// The dofs, in the study's q, that move the two against each other.
+  /// The dofs, as indices of the study's q, that move the two bodies relative to each other.
   std::vector<int> dofsBetween(int a, int b) const;
 
  private:
@@ -33,16 +33,17 @@ class StudyModel {
   std::vector<std::size_t> first_;
 };
 
-/// One posture; one a thread.
+/// One posture with its poses; one for each thread.
 class StudyPosture {
  public:
   explicit StudyPosture(const StudyModel& model);
 
   void set(std::span<const double> q);
-  /// What the bounding spheres leave between the two at least, m.
+  /// Lower bound (m) of the distance, from the bounding spheres.
   double gap(int a, int b) const;
   const query::PairResult& query(int a, int b);
-  /// Adds the derivative of the distance of the last query(a, b) by q. False when the two points coincide.
+  /// Adds the derivative with respect to q of the distance of the last query(a, b). False if the witness
+  /// points coincide.
   bool addGradient(int a, int b, std::span<double> gradient) const;
 
  private:

@@ -13,36 +13,36 @@
 namespace abstand::study {
 namespace {
 
-constexpr std::size_t kBlock = 32;  // samples that one thread takes at once
+constexpr std::size_t kBlock = 32;  // samples in one unit of work of a thread
 constexpr std::size_t kFirstRound =
-    256;  // samples; every round is this many times larger than the one before:
+    256;  // samples; each round is this many times larger than the one before:
 constexpr std::size_t kRoundGrowth = 4;
 constexpr long kMaxSamples = 100000000;
 
-// The search. Steps are in rad or m of the largest joint.
+// Steps of the search, in rad or m of the joint that moves most.
 constexpr double kFirstStep = 0.2, kMinStep = 1e-4;
 constexpr double kFirstProbe = 0.1, kMinProbe = 1e-3;
 constexpr int kMaxQueries = 400;
-constexpr double kGain = 1e-9;  // m, what counts as nearer
+constexpr double kGain = 1e-9;  // m; smaller decreases do not count
 
-/// A posture and how near the pair was in it.
+/// A posture and the pair's distance in it.
 struct Near {
   double distance{kInfinity}, bound{0.0};
   std::vector<double> q;
 };
 
-/// What a block of samples says of one pair.
+/// Result of a block of samples for one pair.
 struct BlockPair {
   long hits{0}, overlaps{0};
   Near nearest;
 };
 
-/// One pair while it is studied.
+/// State of one pair in the study.
 struct Work {
   StudiedPair pair;
   long overlaps{0};
-  bool searched{false};       ///< from all of `nearest`, or until the first hit
-  std::vector<Near> nearest;  ///< the best of each block, the nearest first; at most `searches`
+  bool searched{false};       ///< searched from all of `nearest`, or until the first collision
+  std::vector<Near> nearest;  ///< the best posture of each block, nearest first; at most `searches`
 };
 
 bool isOver(const Work& w) { return w.pair.hits > 0 && w.overlaps < w.pair.samples; }
@@ -91,12 +91,12 @@ class PairStudy {
 
   bool stopped() const { return options_.interrupted && options_.interrupted(); }
 
-  /// Samples number `first` to first + count - 1, of all pairs that are not over. Blocks know what the rounds
-  /// before found and what they find themselves, so the result does not depend on who takes which.
+  /// Takes samples `first` to first + count - 1 of all undecided pairs. A block uses only results of earlier
+  /// rounds and its own, so the result does not depend on the assignment to threads.
   void sample(std::size_t first, std::size_t count) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < work_.size(); ++i)
-      // Bodies that nothing moves against each other need one posture.
+      // Bodies that do not move relative to each other need one posture.
       if (!isOver(work_[i]) && !(work_[i].pair.dofs.empty() && work_[i].pair.samples > 0)) open.push_back(i);
     if (open.empty()) return;
     const std::size_t blocks = (count + kBlock - 1) / kBlock;
@@ -116,7 +116,7 @@ class PairStudy {
       Work& w = work_[open[i]];
       for (std::size_t b = 0; b < blocks; ++b) {
         auto& block = found[b];
-        if (block.empty()) continue;  // interrupted before it
+        if (block.empty()) continue;  // interrupted before this block
         w.pair.samples += static_cast<long>(std::min(kBlock, count - b * kBlock));
         w.pair.hits += block[i].hits;
         w.overlaps += block[i].overlaps;
@@ -137,7 +137,7 @@ class PairStudy {
       for (std::size_t i = 0; i < open.size(); ++i) {
         const StudiedPair& pair = work_[open[i]].pair;
         BlockPair& best = found[i];
-        // Farther than the nearest so far, and no hit: nothing to learn.
+        // Farther than the nearest so far and no collision: skips the query.
         const double gap = posture.gap(pair.a, pair.b);
         if (gap > options_.clearance && gap > std::min(best.nearest.distance, worstKept(work_[open[i]])))
           continue;
@@ -150,7 +150,7 @@ class PairStudy {
     return found;
   }
 
-  /// What is not nearer would not be kept.
+  /// Distances not below this are not kept.
   double worstKept(const Work& w) const {
     const bool full = w.nearest.size() >= static_cast<std::size_t>(std::max(options_.searches, 1));
     return full ? w.nearest.back().distance : kInfinity;
@@ -170,7 +170,7 @@ class PairStudy {
     if (w.nearest.size() > most) w.nearest.pop_back();
   }
 
-  /// Counter-examples for the pairs that no sample hit.
+  /// Searches counter-examples for the pairs without a collision.
   void search() {
     if (options_.searches == 0 || stopped()) return;
     std::vector<std::size_t> open;
@@ -201,7 +201,7 @@ class PairStudy {
 
   bool isHit(const Near& n) const { return n.distance - n.bound <= options_.clearance; }
 
-  /// Takes the posture `q` when the pair is nearer in it.
+  /// Replaces `best` by the posture `q` if the pair is nearer in it.
   bool take(const StudiedPair& pair, std::vector<double> q, StudyPosture& posture, Near& best) const {
     posture.set(q);
     const query::PairResult& r = posture.query(pair.a, pair.b);
@@ -241,7 +241,7 @@ class PairStudy {
     return best;
   }
 
-  /// Returns the number of queries.
+  /// Gradient descent. Returns the number of queries.
   int followGradient(const StudiedPair& pair, StudyPosture& posture, Near& best) const {
     std::vector<double> gradient(model_.dof());
     double step = kFirstStep;
@@ -252,7 +252,7 @@ class PairStudy {
       posture.query(pair.a, pair.b);
       ++queries;
       if (!posture.addGradient(pair.a, pair.b, gradient)) return queries;
-      // What an end stop holds does not count for the direction.
+      // Joints held by a limit do not contribute to the direction.
       double steepest = 0.0;
       for (const int dof : pair.dofs) {
         double& g = gradient[static_cast<std::size_t>(dof)];
@@ -271,7 +271,7 @@ class PairStudy {
         ++queries;
         nearer = take(pair, std::move(q), posture, best);
       }
-      if (nearer) step *= 4.0;  // the loop has halved it once more
+      if (nearer) step *= 4.0;  // undoes the last halving of the loop
     }
     return queries;
   }

@@ -1,4 +1,4 @@
-// Which pairs of bodies can collide at all, over all joint values of their mechanisms.
+// Finds the pairs of bodies that can collide, over all joint values of their mechanisms.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace abstand::study {
 
-/// A mechanism that takes part. The study's q holds the values of all of them, one after the other.
+/// A mechanism of the study. The study's q is the concatenation of the values of all of them.
 struct StudyMechanism {
   const mechanism::Mechanism* mechanism;
   Transform X_WB{Transform::Identity()};
@@ -23,48 +23,48 @@ struct StudyMechanism {
 
 struct StudyBody {
   std::shared_ptr<const structure::HapticStructure> structure;
-  int mechanism{-1};                      ///< index, or -1: it stands still
+  int mechanism{-1};                      ///< index, or -1: fixed in the world
   int frame{-1};                          ///< index into the mechanism's frames, -1: its base
-  Transform X_FL{Transform::Identity()};  ///< body in its frame; in the world when it stands still
+  Transform X_FL{Transform::Identity()};  ///< body in its frame; in the world if it is fixed
 };
 
 struct StudyOptions {
   long samples{10000};
   std::uint64_t seed{1};
-  int searches{8};                                         ///< for counter-examples, a pair
-  double clearance{0.0};                                   ///< m; nearer than this counts as a collision
+  int searches{8};                                         ///< searches for counter-examples, for each pair
+  double clearance{0.0};                                   ///< m; smaller distances count as a collision
   int threads{0};                                          ///< 0: all cores
-  std::function<void(std::size_t, std::size_t)> progress;  ///< done, all; may be empty
+  std::function<void(std::size_t, std::size_t)> progress;  ///< work done, and total; may be empty
   std::function<bool()> interrupted;                       ///< may be empty
   /// Throws UsageError.
   void validate() const;
 };
 
-/// What was found of one pair.
+/// Result for one pair.
 struct StudiedPair {
   int a{0}, b{0};  ///< indices of the bodies, a < b
   PairVerdict verdict{PairVerdict::kNever};
-  double distance{kInfinity};   ///< m, signed, the smallest found
-  double bound{0.0};            ///< m; at that posture the true distance is not below distance - bound
-  std::vector<double> posture;  ///< q there
-  std::vector<int> dofs;        ///< those that move the two against each other
+  double distance{kInfinity};   ///< m, signed, smallest one found
+  double bound{0.0};            ///< m; in that posture the true distance is not below distance - bound
+  std::vector<double> posture;  ///< q of that posture
+  std::vector<int> dofs;        ///< dofs that move the two relative to each other
   long samples{0};              ///< random postures tried
-  long hits{0};                 ///< of them, with distance - bound not above the clearance
+  long hits{0};                 ///< samples with distance - bound not above the clearance
   bool by_search{false};        ///< the collision was found by a search, after the samples found none
 };
 
-/// Samples the joint space uniformly and says of each pair: never (no posture came within the clearance),
-/// always (the bodies overlapped in every posture), or sometimes. A pair is sampled until the first posture
-/// that hits and one that does not are found. Before a pair is called never, counter-examples are searched
-/// from its closest postures: down the gradient of the distance, which is n . (v_b - v_a) with the normal n
-/// and the velocities of the nearest points, J^T n; where that ends, along single joints in ever smaller
-/// steps.
+/// Samples the joint space uniformly and classifies each pair: never (no posture came within the clearance),
+/// always (the bodies overlapped in every posture), or sometimes. A pair is sampled until one posture with
+/// and one without a collision are found. Before a pair is classified as never, counter-examples are searched
+/// from its closest postures: gradient descent of the distance with the gradient n . (v_b - v_a), n the
+/// normal and v the velocities of the witness points, J^T n; then coordinate search along single joints with
+/// decreasing steps.
 ///
-/// Sampling proves nothing: what is rare in the joint space can be missed. The smallest distance that was
-/// found is kept as evidence.
+/// Sampling proves nothing: rare collisions in the joint space can be missed. The smallest distance found is
+/// kept as evidence.
 ///
-/// The result depends on the seed, not on the number of threads. Throws UsageError for bad options. When
-/// interrupted it gives what was sampled so far; pairs of which more had to be sampled or searched are
+/// The result depends on the seed, not on the number of threads. Throws UsageError for invalid options. If
+/// interrupted, returns the results so far; pairs that would have needed more samples or searches are
 /// undecided.
 std::vector<StudiedPair> studyPairs(const std::vector<StudyMechanism>& mechanisms,
                                     const std::vector<StudyBody>& bodies,

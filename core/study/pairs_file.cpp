@@ -11,11 +11,11 @@ namespace abstand::study {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 256u << 20;
-/// As PairVerdict; a file has all but the last.
+/// In the order of PairVerdict; a file never has the last one.
 constexpr std::array<const char*, 6> kNames{"adjacent", "never", "always", "user", "sometimes", "undecided"};
 constexpr std::span kVerdicts(kNames.data(), kNames.size() - 1);
 
-/// The text up to the next comma, which goes too.
+/// The text up to the next comma; both are removed.
 std::string_view nextField(std::string_view& rest) {
   const auto end = std::min(rest.find(','), rest.size());
   const auto field = rest.substr(0, end);

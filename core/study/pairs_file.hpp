@@ -1,4 +1,4 @@
-// The text file of `abstand pairs`: which pairs can collide at all, for people to review and to compare.
+// Text file of `abstand pairs`: which pairs can collide; for review and comparison.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace abstand::study {
 
-/// kSometimes pairs are checked; the others are not.
+/// Pairs with kSometimes are checked; all others are not.
 enum class PairVerdict {
-  kAdjacent,   ///< they share a joint, or are one rigid body
-  kNever,      ///< nothing found in any posture
+  kAdjacent,   ///< they share a joint, or are part of one rigid body
+  kNever,      ///< no collision found in any posture
   kAlways,     ///< overlapping in every posture
-  kUser,       ///< somebody said so
+  kUser,       ///< set by the user
   kSometimes,  ///< may collide
-  kUndecided,  ///< the study was interrupted before it knew; never in a file
+  kUndecided,  ///< the study was interrupted before a decision; never in a file
 };
 std::string verdictName(PairVerdict verdict);
 
@@ -24,12 +24,12 @@ std::string verdictName(PairVerdict verdict);
 struct PairRow {
   PairVerdict verdict{PairVerdict::kSometimes};
   std::string a, b;      ///< names of bodies
-  std::string evidence;  ///< for people: how it was found
+  std::string evidence;  ///< how it was found; informative
   SourcePos pos;
 };
 
-/// Comment lines begin with #; then CSV: the header `verdict,a,b,...`, and a row a pair with at least these
-/// three; the rest of a row is its evidence. Throws ParseError with line and column.
+/// Parses comment lines, which begin with #, and CSV: the header `verdict,a,b,...`, and one row for each pair
+/// with at least these three; the rest of a row is its evidence. Throws ParseError with line and column.
 std::vector<PairRow> parsePairs(const std::string& text, const std::string& file);
 std::vector<PairRow> loadPairs(const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// Small pieces of text for messages and comparisons, the same in every locale.
+// Text helpers for messages and comparisons, independent of the locale.
 #pragma once
 
 #include <string>
@@ -6,20 +6,20 @@
 
 namespace abstand::text {
 
-/// Letters a to z made small; everything else as it is.
+/// Converts A to Z to lower case; everything else is unchanged.
 std::string lowerCase(std::string_view text);
 
-/// Without those characters of `blank` that stand at its ends.
+/// The text without characters of `blank` at either end.
 std::string_view trimmed(std::string_view text, std::string_view blank = " \t");
-/// Without `leading` characters at its beginning and `trailing` ones at its end.
+/// The text without characters of `leading` at its start and of `trailing` at its end.
 std::string_view trimmed(std::string_view text, std::string_view leading, std::string_view trailing);
 
-/// A found piece of text for an error message: in single quotes, at most 40 characters, nothing unprintable.
+/// Quotes text of an input for an error message: single quotes, at most 40 characters, nothing unprintable.
 std::string inQuotes(std::string_view found);
-/// The same in double quotes, as messages about mesh and robot files have it; `nothing` for an empty text.
+/// The same in double quotes, as in messages about mesh and robot files; `nothing` for an empty text.
 std::string inDoubleQuotes(std::string_view found);
 
-/// A number with that many digits after the point, for reading by people.
+/// The number with `digits` digits after the point.
 std::string rounded(double value, int digits);
 
 }  // namespace abstand::text

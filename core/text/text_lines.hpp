@@ -16,7 +16,7 @@ namespace abstand::text {
 inline constexpr std::string_view kBlank = " \t\r\n\v\f";
 inline constexpr bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// The next word of `rest`, cut off from it; empty at the end.
+/// Removes the next word from `rest` and returns it; empty at the end.
 inline std::string_view nextWord(std::string_view& rest) {
   std::size_t begin = 0;
   while (begin < rest.size() && isBlank(rest[begin])) ++begin;
@@ -27,7 +27,7 @@ inline std::string_view nextWord(std::string_view& rest) {
   return word;
 }
 
-/// The word as a number. Throws ParseError when it is none or not finite.
+/// The word as a number. Throws ParseError if it is not a finite number.
 inline double number(std::string_view word, const SourcePos& pos) {
   const auto value = parseDouble(word);
   if (!value) throw ParseError(pos, "found " + inDoubleQuotes(word) + ", expected a finite number");
@@ -41,12 +41,14 @@ inline Vector3d nextPoint(std::string_view& rest, const SourcePos& pos) {
   return p;
 }
 
-/// The lines of a text, with \n, \r\n or \r at their ends, counted from 1.
+/// Splits a text into lines that end in
+/// , \r
+///  or \r; line numbers count from 1.
 class Lines {
  public:
   Lines(std::string_view text, std::string file) : rest_(text), pos_{std::move(file), 0, 0} {}
 
-  /// nullopt at the end.
+  /// The next line; nullopt at the end.
   std::optional<std::string_view> next() {
     if (rest_.empty()) return std::nullopt;
     ++pos_.line;
@@ -59,7 +61,7 @@ class Lines {
     return line;
   }
 
-  /// The next line with a word in it, its #-comment cut off; nullopt at the end.
+  /// The next line that has a word, without its #-comment; nullopt at the end.
   std::optional<std::string_view> nextData() {
     while (auto line = next()) {
       const auto data = line->substr(0, line->find('#'));

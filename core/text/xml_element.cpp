@@ -1,4 +1,4 @@
-// A small reader of well-formed XML.
+// Small parser of well-formed XML.
 #include "core/text/xml_element.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class Parser {
     at_ = found + end.size();
   }
 
-  /// Moves to the next '<' of a tag over text, which goes to `text`, comments and processing instructions.
+  /// Advances to the next '<' of a tag past text (appended to `text`), comments and processing instructions.
   void skipToElement(std::string* text) {
     for (;;) {
       const auto tag = document_.find('<', at_);
@@ -74,7 +74,7 @@ class Parser {
     ++at_;
   }
 
-  /// From its '<' past its end tag.
+  /// Parses an element from its '<' to the end of its end tag.
   XmlElement element(int depth) {
     if (depth > kDeepest) fail("found elements nested more than " + std::to_string(kDeepest) + " deep");
     XmlElement e;

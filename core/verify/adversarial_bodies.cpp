@@ -1,4 +1,4 @@
-// Small meshes that are hard on an engine which samples.
+// Small meshes that are difficult for a sampling engine.
 #include "core/verify/adversarial_bodies.hpp"
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 namespace abstand::verify {
 namespace {
 
-// Few layers suffice: beyond them the far field answers, and that shall be tested too.
+// A few layers suffice: beyond them the far field is used, which is to be tested too.
 constexpr int kFewOuterLayers = 6;
 
 Vector3d normalOf(const geometry::TriangleMesh& mesh, std::size_t t) {
   return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized();
 }
 
-/// Mean normal of the triangles that hold all of the given vertices; of triangle t, when they cancel.
+/// Mean normal of the triangles that contain all of the given vertices; that of triangle t if they cancel.
 Vector3d meanNormal(const geometry::TriangleMesh& mesh, std::size_t t,
                     std::initializer_list<std::uint32_t> vertices) {
   Vector3d sum = Vector3d::Zero();
@@ -29,7 +29,7 @@ Vector3d meanNormal(const geometry::TriangleMesh& mesh, std::size_t t,
   return sum.norm() > 1e-6 ? Vector3d(sum.normalized()) : normalOf(mesh, t);
 }
 
-/// `along` made a unit vector across `out`.
+/// The unit vector perpendicular to `out` in the direction of `along`.
 Vector3d across(const Vector3d& out, const Vector3d& along) {
   return (along - out * out.dot(along)).normalized();
 }

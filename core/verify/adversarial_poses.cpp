@@ -1,4 +1,4 @@
-// Poses of two bodies that are hard on an engine which samples.
+// Poses of two bodies that are difficult for a sampling engine.
 #include "core/verify/adversarial_poses.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace abstand::verify {
 namespace {
 
-// m from the world's origin: a room, and as far as maps in one frame go.
+// m from the world's origin: a room, and the extent of large maps.
 constexpr double kRoom = 2.0;
 constexpr double kMap = 1000.0;
 
@@ -19,12 +19,12 @@ double gap(Random& random, double voxel) {
   return voxel * kVoxels[random.below(kVoxels.size())];
 }
 
-/// The pose of B in A that brings the feature of B over that of A, out against out, `gap` apart.
+/// The pose of B in A that puts B's feature onto A's, with opposite `out` directions and a distance of `gap`.
 Transform meet(const Feature& a, const Feature& b, double spin, double gap) {
   Matrix3d A, B;
   A << a.along, a.out.cross(a.along), a.out;
   B << b.along, b.out.cross(b.along), b.out;
-  // B's out becomes -z of A's feature, B's along its x.
+  // Maps B's `out` to -z of A's feature, B's `along` to its x.
   const Matrix3d flip = Vector3d(1, -1, -1).asDiagonal();
   Transform X = Transform::Identity();
   X.linear() = A * Eigen::AngleAxisd(spin, Vector3d::UnitZ()).toRotationMatrix() * flip * B.transpose();
@@ -47,7 +47,7 @@ Feature someCorner(const AdversarialBody& body, Random& random) {
   return body.corner(t, static_cast<int>(random.below(3)));
 }
 
-/// Any angle, or one that makes edges parallel.
+/// A random angle, or one that makes edges parallel.
 double someSpin(Random& random) {
   return random.chance(0.5) ? 0.5 * kPi * static_cast<double>(random.below(4))
                             : random.between(0.0, 2.0 * kPi);

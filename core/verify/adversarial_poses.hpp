@@ -1,4 +1,4 @@
-// Poses of two bodies that are hard on an engine which samples.
+// Poses of two bodies that are difficult for a sampling engine.
 #pragma once
 
 #include "core/math/random.hpp"
@@ -7,28 +7,28 @@
 namespace abstand::verify {
 
 enum class PoseFamily {
-  kRandom,     ///< anywhere about each other
+  kRandom,     ///< random relative pose
   kEdges,      ///< edge on edge
   kTips,       ///< a corner over a face, between its samples
   kEdgeFace,   ///< an edge along a face
   kFaces,      ///< coplanar faces
-  kIdentical,  ///< the same pose, to rounding
+  kIdentical,  ///< the same pose, up to rounding
   kNested,     ///< one centre near the other's
-  kGrid,       ///< turned by right angles, moved by half voxels
+  kGrid,       ///< rotated by right angles, moved by half voxels
   kFar,        ///< metres to a kilometre apart
 };
 inline constexpr int kPoseFamilies = 9;
 const char* familyName(PoseFamily family);
 
-/// Two bodies and where they are; the gap of the families that touch is 0, a nanometre, or some part of a
-/// voxel, of either sign.
+/// Two bodies and their poses. The gap of families in contact is 0, a nanometre, or a share of a voxel, of
+/// either sign.
 struct AdversarialPose {
   std::size_t a, b;
   PoseFamily family;
   Transform X_WA, X_WB;
 };
 
-/// Number `index` of the endless list that `seed` names.
+/// Pose `index` of the infinite sequence of `seed`.
 AdversarialPose adversarialPose(const std::vector<AdversarialBody>& bodies, std::uint64_t seed,
                                 std::uint64_t index);
 

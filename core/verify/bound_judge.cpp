@@ -1,4 +1,4 @@
-// One answer of the engine against the true distance.
+// Compares one result of the engine with the true distance.
 #include "core/verify/bound_judge.hpp"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace abstand::verify {
 namespace {
 
-// Of all lengths of a pose: rounding of the brute force itself, in double.
+// Share of all lengths of a pose: rounding error of the brute force in double.
 constexpr double kOraclePart = 1e-12;
-// Of a voxel: how closely depths are enclosed.
+// Share of a voxel: width of the enclosure of depths.
 constexpr double kDepthTolerance = 0.05;
 
 }  // namespace
@@ -28,7 +28,7 @@ BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const Ad
 
 BoundAnswer BoundJudge::operator()(const query::PairResult& r) const {
   BoundAnswer answer;
-  // Written so that NaN is a breach.
+  // The negated form treats NaN as a breach.
   answer.breach = !(r.distance - r.bound <= exact_.most + rounding_);
   answer.used = r.bound > 0.0 ? (r.distance - exact_.most) / r.bound : (answer.breach ? kInfinity : 0.0);
   answer.below = std::max(0.0, exact_.least - r.distance - rounding_) / size_;

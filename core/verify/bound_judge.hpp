@@ -1,4 +1,4 @@
-// One answer of the engine against the true distance.
+// Compares one result of the engine with the true distance.
 #pragma once
 
 #include "core/query/pair_query.hpp"
@@ -9,11 +9,11 @@ namespace abstand::verify {
 struct BoundAnswer {
   double used{kNaN};   ///< (distance - true) / bound
   double below{kNaN};  ///< (true - distance) / size of the pair
-  double error{kNaN};  ///< |distance - true| in voxels; NaN where the truth is not enclosed
-  bool breach{false};  ///< the true distance is below distance - bound, or they are not numbers
+  double error{kNaN};  ///< |distance - true| in voxels; NaN if the true distance is not enclosed
+  bool breach{false};  ///< the true distance is below distance - bound, or a value is NaN
 };
 
-/// Knows the true distance of two bodies as they lie.
+/// Computes the true distance of two bodies in their poses.
 class BoundJudge {
  public:
   BoundJudge(const AdversarialBody& a, const Transform& X_WA, const AdversarialBody& b,
@@ -23,9 +23,9 @@ class BoundJudge {
   BoundAnswer operator()(const query::PairResult& result) const;
 
  private:
-  double voxel_;     ///< the larger of the two; m
+  double voxel_;     ///< m, the larger of the two voxels
   double size_;      ///< m
-  double rounding_;  ///< m, of the brute force
+  double rounding_;  ///< m, rounding error of the brute force
   ExactDistance exact_;
 };
 

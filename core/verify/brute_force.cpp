@@ -1,4 +1,4 @@
-// Exact distances by looking at every pair of triangles. Shares no code with the engine that it judges.
+// Exact distances over all pairs of triangles. Shares no code with the engine under test.
 #include "core/verify/brute_force.hpp"
 
 #include <algorithm>
@@ -8,22 +8,22 @@
 namespace abstand::verify {
 namespace {
 
-// Of the squared lengths: below this two segments count as parallel, and their ends decide. What that may
-// cost is 1e-12 of a length.
+// Share of the squared lengths: below this two segments count as parallel, and their end points decide. The
+// error is at most 1e-12 of a length.
 constexpr double kParallel = 1e-24;
-// Spheres are made larger by this part, so that rounding never skips a triangle.
+// Spheres are enlarged by this factor, so that rounding never skips a triangle.
 constexpr double kLarger = 1.0 + 1e-12;
-// Of the largest coordinate: some roundings of corners that were moved, and of their differences.
+// Share of the largest coordinate: rounding of transformed corners and of their differences.
 constexpr double kCoordinatePart = 4e-15;
 
-/// Six times the volume of the tetrahedron: its sign says on which side of the triangle a, b, c the point d
-/// lies.
+/// Six times the signed volume of the tetrahedron: its sign tells on which side of the triangle a, b, c the
+/// point d lies.
 double side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// The same, but 0 where rounding could decide it: of an edge in the triangle's plane, and of a triangle
-/// without an area. There the distances of corners and edges say all that is to be said.
+/// The same, but 0 if rounding could decide the sign: an edge in the triangle's plane, or a degenerate
+/// triangle. Then the distances of corners and edges suffice.
 double certainSide(const Triangle& t, const Vector3d& p) {
   const double u = (t[1] - t[0]).norm(), v = (t[2] - t[0]).norm(), w = (p - t[0]).norm();
   const double largest = std::max({t[0].cwiseAbs().maxCoeff(), t[1].cwiseAbs().maxCoeff(),
@@ -49,7 +49,7 @@ double distancePointSegment(const Vector3d& p, const Vector3d& a, const Vector3d
 }
 
 double distanceSegments(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-  // The nearest points are an end of one of the segments, or lie inside both, on their common normal.
+  // The nearest points are an end of one segment, or interior to both on their common normal.
   double least = std::min({distancePointSegment(a, c, d), distancePointSegment(b, c, d),
                            distancePointSegment(c, a, b), distancePointSegment(d, a, b)});
   const Vector3d u = b - a, v = d - c, w = c - a, n = u.cross(v);
@@ -88,7 +88,7 @@ double distanceTriangles(const Triangle& s, const Triangle& t) {
 TriangleSoup::TriangleSoup(const geometry::TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
-  // Pieces: the lowest vertex that a vertex is joined to, repeated until nothing changes.
+  // Components: smallest vertex index among connected vertices, iterated until nothing changes.
   std::vector<std::uint32_t> piece(mesh.vertices.size());
   std::iota(piece.begin(), piece.end(), 0u);
   for (bool changed = true; changed;) {

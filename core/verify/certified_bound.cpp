@@ -1,4 +1,4 @@
-// Distances of pairs against exact distances of meshes, over poses that are hard on the engine.
+// Check of certified distances against exact ones, in adversarial poses.
 #include "core/verify/certified_bound.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ namespace abstand::verify {
 namespace {
 
 constexpr std::size_t kChunk = 50;
-// Shell points are kept and moved in float, 6e-8 of their coordinates a step, and a witness starts at one.
+// Shell points are stored and transformed in float, with an error of 6e-8 of their coordinates each, and a
+// witness starts at one.
 constexpr double kFloatPart = 1e-6;
 
 struct Outcome {
@@ -37,7 +38,7 @@ Outcome askAll(const std::vector<AdversarialBody>& bodies, const AdversarialPose
   return o;
 }
 
-/// Parts of the poses at or above each error.
+/// Share of the poses with at least each error.
 Series distribution(std::string name, std::vector<double> values) {
   Series s;
   s.name = std::move(name);
@@ -103,7 +104,7 @@ CheckResult boundOf(const std::vector<Outcome>& outcomes, std::size_t field, std
   result.quantity = "(distance - true distance) / bound";
   result.reason = "The contract: the true distance is never below distance - bound.";
   judge(result, collect(outcomes, field, &BoundAnswer::used), 1.0);
-  // Rounding of the brute force is allowed for here, and NaN is a breach.
+  // The tolerance includes the rounding of the brute force; NaN is a breach.
   result.breaches = 0;
   for (const Outcome& o : outcomes) result.breaches += o.answers[field].breach;
   result.table = familyTable(outcomes, field);

@@ -1,4 +1,4 @@
-// What a check of the engine is asked, and what it answers.
+// Options and results of a check of the engine.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace abstand::verify {
 
-/// Shared by all checks. The same options give the same results on any number of threads.
+/// Options of all checks. The same options give the same results on any number of threads.
 struct VerifyOptions {
   std::size_t poses{100'000};  ///< random and adversarial poses of each field kind, against exact distances
   std::uint64_t seed{1};
-  bool quick{false};  ///< coarser paths and fewer resolutions; limits stay
-  int threads{0};     ///< 0: as many as the machine has
-  /// Called now and then by the thread that called the check: done and all, in any unit.
+  bool quick{false};  ///< coarser paths and fewer resolutions; limits are unchanged
+  int threads{0};     ///< 0: hardware concurrency
+  /// Called occasionally by the calling thread: work done and total, in any unit.
   std::function<void(std::size_t, std::size_t)> progress;
-  /// When it says true, the check ends early and its result counts as not passed.
+  /// Polled; if true, the check ends early and counts as failed.
   std::function<bool()> interrupted;
 
   bool stop() const { return interrupted && interrupted(); }
@@ -29,7 +29,7 @@ struct Series {
   std::vector<double> x, y;
 };
 
-/// Lines through the points of each series. On a logarithmic axis values that are not positive are left out.
+/// Line plot of series of points. On a logarithmic axis values that are not positive are omitted.
 struct Plot {
   std::string title, x_label, y_label;
   bool log_x{false}, log_y{false};
@@ -41,16 +41,16 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// One check: `worst`, `p50`, `p99` are of the number that `quantity` names, one a pose; it passes when no
-/// pose is beyond `limit`.
+/// Result of one check: `worst`, `p50`, `p99` are of the value described by `quantity`, one for each pose;
+/// passed if no pose exceeds `limit`.
 struct CheckResult {
   std::string name;      ///< short, with dots: "bound.mixed"
-  std::string what;      ///< what was tested, a sentence
-  std::string quantity;  ///< what the numbers are, with unit
-  std::string reason;    ///< why this limit
+  std::string what;      ///< description of the test, one sentence
+  std::string quantity;  ///< description of the values, with unit
+  std::string reason;    ///< reason of the limit
   std::size_t poses{0};
   double worst{kNaN}, p50{kNaN}, p99{kNaN}, limit{kNaN};
-  std::size_t breaches{0};  ///< poses beyond the limit
+  std::size_t breaches{0};  ///< poses that exceed the limit
   bool passed{false};
   Table table;  ///< may be empty
   std::vector<Plot> plots;

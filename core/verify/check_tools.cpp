@@ -1,4 +1,4 @@
-// What several checks need.
+// Helpers of several checks.
 #include "core/verify/check_tools.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::string shortNumber(double value) {
 void judge(CheckResult& result, const std::vector<double>& values, double limit) {
   result.limit = limit;
   result.poses = values.size();
-  // Written so that NaN is a breach.
+  // The negated form treats NaN as a breach.
   result.breaches =
       static_cast<std::size_t>(std::ranges::count_if(values, [limit](double v) { return !(v <= limit); }));
   std::vector<double> sound = values;

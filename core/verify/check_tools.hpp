@@ -1,4 +1,4 @@
-// What several checks need.
+// Helpers of several checks.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace abstand::verify {
 
-/// Half the default voxel's outer layers: nothing that a check asks depends on them.
+/// Half of the default; no check depends on the outer layers.
 inline constexpr int kOuterLayers = 10;
 
 std::shared_ptr<const structure::HapticStructure> structureOf(const geometry::Shape& shape,
@@ -26,8 +26,8 @@ query::PairResult query(const structure::HapticStructure& a, const Transform& X_
 /// "%.3g".
 std::string shortNumber(double value);
 
-/// Fills poses, worst, p50, p99 and breaches from one number a pose; passed when none is beyond the limit.
-/// NaN is beyond any limit.
+/// Sets poses, worst, p50, p99 and breaches from one value for each pose; passed if none exceeds the limit.
+/// NaN exceeds any limit.
 void judge(CheckResult& result, const std::vector<double>& values, double limit);
 
 }  // namespace abstand::verify

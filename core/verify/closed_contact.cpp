@@ -1,4 +1,4 @@
-// Closed forms of the volume law's force.
+// Closed forms of contact forces under the volume law.
 #include "core/verify/closed_contact.hpp"
 
 #include <array>
@@ -17,7 +17,7 @@ double ballInBallForce(double r, double R, double c) {
 double capVolume(double r, double depth) { return kPi * depth * depth * (3.0 * r - depth) / 3.0; }
 
 Submerged submerged(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
-  // Each triangle, cut at z = 0, spans pyramids with a point of the plane; the cut itself spans none.
+  // Each triangle, clipped at z = 0, spans pyramids with a point of that plane; the cut face has no volume.
   Submerged sum;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vector3d, 4> cut;
@@ -38,8 +38,7 @@ Submerged submerged(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
 }
 
 double pinInHoleForce(double r, double R, double offset, double length) {
-  // rho = R at cos(phi) = (R^2 - r^2 - offset^2) / (2 r offset). Simpson's rule over the half that is
-  // pressed.
+  // rho = R at cos(phi) = (R^2 - r^2 - offset^2) / (2 r offset). Simpson's rule over the pressed half.
   const double most = std::acos(std::min(1.0, (R * R - r * r - offset * offset) / (2.0 * r * offset)));
   constexpr int kIntervals = 2000;  // error below 1e-12 of the force: the integrand is smooth
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Distances of pairs of shapes against closed forms.
+// Check of distances of pairs of shapes against closed forms.
 #include "core/verify/closed_forms.hpp"
 
 #include <array>
@@ -14,13 +14,13 @@ namespace abstand::verify {
 namespace {
 
 constexpr double kVoxel = 0.005;  // m
-constexpr double kReach = 0.4;    // m, of random positions
-constexpr double kNear = 4.0;     // voxels: up to there distances are sharp
-constexpr double kDeepest = 2.0;  // voxels, of pressed poses
-// Of options.poses: the brute force has the most.
+constexpr double kReach = 0.4;    // m, range of random positions
+constexpr double kNear = 4.0;     // voxels: up to this distance the tolerance is tight
+constexpr double kDeepest = 2.0;  // voxels, of overlapping poses
+// Share 1 / kPart of options.poses: the brute force gets the most.
 constexpr std::size_t kPart = 10;
 
-// Bodies. The wall is so wide that whatever is pressed into its upper face (z = 0) feels a half-space.
+// Bodies. The wall is so wide that its upper face (z = 0) acts as a half-space.
 constexpr double kBallRadius = 0.05, kSmallBall = 0.03, kRod = 0.03, kRodLength = 0.15, kDrum = 0.04,
                  kDrumLength = 0.1;
 const Vector3d kBox{0.1, 0.12, 0.14}, kEgg{0.04, 0.05, 0.09}, kSlabSize{1.6, 1.6, 0.2};
@@ -35,7 +35,7 @@ const std::array<geometry::Shape, kBodies> kShapes{geometry::Sphere{kBallRadius}
                                                    geometry::Ellipsoid{kEgg},
                                                    geometry::Cuboid{kSlabSize}};
 
-/// How far a body reaches below its centre, turned by R.
+/// Extent of a body below its centre, rotated by R.
 double reachDown(Body body, const Matrix3d& R) {
   const Vector3d down = -R.transpose() * Vector3d::UnitZ();
   switch (body) {
@@ -54,7 +54,7 @@ double reachDown(Body body, const Matrix3d& R) {
   }
 }
 
-/// Distance from a point to a body about the origin; positive, for points outside.
+/// Distance (positive) from a point outside to a body at the origin.
 double outsideDistance(Body body, const Vector3d& p) {
   const double from_axis = std::hypot(p.x(), p.y());
   switch (body) {
@@ -71,7 +71,7 @@ double outsideDistance(Body body, const Vector3d& p) {
   }
 }
 
-/// A gives the points: it is the smaller of the two, or as large as B.
+/// A gives the points: it is the smaller of the two, or equal.
 struct Case {
   const char* name;
   Body a, b;
@@ -96,7 +96,7 @@ struct Pose {
   double distance;
 };
 
-/// The segment that a capsule is about, in the world.
+/// End points of a capsule's segment, in the world.
 std::array<Vector3d, 2> axisOf(const Transform& X) {
   return {X * Vector3d(0, 0, -0.5 * kRodLength), X * Vector3d(0, 0, 0.5 * kRodLength)};
 }
@@ -109,7 +109,7 @@ Pose randomCase(std::uint64_t seed, std::uint64_t index) {
   pose.X_WA = pose.X_WB = Transform::Identity();
   pose.X_WA.linear() = random.rotation();
   if (c.b == kWallBody) {
-    // Over the middle of the wall's face: a little in it, near it, or up to a reach above.
+    // Above the middle of the wall's face: slightly inside, near, or at a larger distance.
     const std::size_t kind = random.below(3);
     pose.distance = kind == 0   ? random.between(-kDeepest * kVoxel, 0.0)
                     : kind == 1 ? random.between(0.0, kNear * kVoxel)
@@ -118,7 +118,7 @@ Pose randomCase(std::uint64_t seed, std::uint64_t index) {
     pose.X_WA.translation().z() = reachDown(c.a, pose.X_WA.linear()) + pose.distance;
     pose.X_WB = kWallPose;
   } else {
-    // Apart: the surfaces at most touch.
+    // Separated: the surfaces at most touch.
     pose.X_WB.linear() = random.rotation();
     do {
       pose.X_WA.translation() = random.inCube(kReach);
@@ -130,7 +130,7 @@ Pose randomCase(std::uint64_t seed, std::uint64_t index) {
       }
     } while (pose.distance < 0.0);
   }
-  // Both together anywhere in a room.
+  // Moves both together to a random place in a room.
   Transform X = Transform::Identity();
   X.linear() = random.rotation();
   X.translation() = random.inCube(2.0);

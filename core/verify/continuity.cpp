@@ -1,4 +1,4 @@
-// How smoothly forces follow small steps.
+// Check of the continuity of forces under small steps.
 #include "core/verify/continuity.hpp"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace abstand::verify {
 namespace {
 
-constexpr double kPressVoxel = 0.005;  // m, and point spacing
+constexpr double kPressVoxel = 0.005;  // m, also the point spacing
 constexpr double kPartOfVoxel = 0.1;
 constexpr double kPressStiffness = 1e6;  // N/m^3
 const double kSteepest = std::sqrt(3.0);
 
-/// A moves in a straight line against B, which rests at the origin.
+/// A moves on a straight line; B is at the origin.
 struct Path {
   std::string name, what;
   std::shared_ptr<const geometry::Surface> a, b;
@@ -69,7 +69,7 @@ Jumps follow(const Path& path, structure::FieldKind field, const VerifyOptions& 
     Transform X_WA = path.start;
     X_WA.translation() += path.way.normalized() * (step * static_cast<double>(i));
     forces[i] = query(*a, X_WA, *b, Transform::Identity(), {.stiffness = kPressStiffness}).force_a;
-    // The area of all points that are, or come in one step, below the surface, as far as the field errs.
+    // Area of all points that are below the surface, or get there in one step, within the field's error.
     const Transform X_FP = from_a ? X_WA : Transform(X_WA.inverse());
     for (std::size_t k = 0; k < P.shell.size(); ++k)
       if (F.surface->signedDistance(X_FP * P.shell.point(k)) < 0.5 * kSteepest * kPressVoxel + step)

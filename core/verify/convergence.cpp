@@ -1,4 +1,4 @@
-// How fast forces become right with finer voxels and points.
+// Check of the convergence order of forces with resolution.
 #include "core/verify/convergence.hpp"
 
 #include <array>
@@ -16,24 +16,26 @@ namespace {
 constexpr std::array kSteps{0.01, 0.00707, 0.005, 0.00354, 0.0025};  // m
 constexpr double kStiffness = 1e6;                                   // N/m^3
 constexpr double kRadius = 0.05, kOtherRadius = 0.08;                // m, radii
-// m; the depth varies, so that neither grid nor points are always cut the same way
+// m; the depth varies, so that the positions relative to grid and points do
 constexpr double kMinDepth = 0.012, kMaxDepth = 0.02;
 const Vector3d kWallSize{0.18, 0.18, 0.08};
-// Layers: walls of several thicknesses, so that their faces lie anywhere in their voxels, alike at every
-// step.
+// For layers: walls of several thicknesses, so that their faces have all positions in their voxels, equally
+// at every step.
 constexpr int kWalls = 8;
-// What a measured order may miss: poses are random, and the coarsest steps are not small against the depth.
+// Tolerance of a measured order: poses are random, and the coarsest steps are not small relative to the
+// depth.
 constexpr double kOrderNoise = 0.1;
 constexpr std::size_t kPoses = 200, kQuickPoses = 40;
 
 enum class Against { kBall, kWall };
 
-/// Every other voxel is whole; the grid lies about the wall's middle, so that its faces move by half.
+/// Thickness of a wall. Every second one is a whole number of voxels; the grid is centred on the wall, so
+/// that its faces move by half.
 double thicknessOf(int wall, double h) {
   return 2.0 * h * (std::round(kWallSize.z() / (2.0 * h)) + (wall + 0.5) / kWalls);
 }
 
-/// The true force on the ball, and where it is, at random.
+/// True force on the ball, and its random pose.
 struct Press {
   int wall{0};
   Transform X_WA{Transform::Identity()};
@@ -51,7 +53,7 @@ Press randomPress(Against against, int walls, double h, std::uint64_t seed, std:
     press.X_WA.translation() = apart * out;
     press.force = kStiffness * ballInBallForce(kRadius, kOtherRadius, apart) * out;
   } else {
-    // In the middle of the face, so that its rim is out of reach.
+    // In the middle of the face, away from its edges.
     press.wall = static_cast<int>(index) % walls;
     press.X_WA.translation() = random.inCube(0.01);
     press.X_WA.translation().z() = 0.5 * thicknessOf(press.wall, h) + kRadius - depth;
@@ -110,8 +112,8 @@ std::vector<CheckResult> checkConvergence(const VerifyOptions& options) {
       result.what = "Force of a " + scene + ", " + std::string(structure::fieldName(field)) +
                     " fields, against the closed form, over five resolutions with random poses each.";
       result.quantity = "minus the order of convergence";
-      // Layers are steps to any of 26 neighbours, so on slanting surfaces they count up to sqrt(3) times too
-      // few voxels however fine these are: against the ball the error stays, and is only drawn.
+      // Layers are steps to any of 26 neighbours, so on inclined surfaces they count up to sqrt(3) times too
+      // few voxels at any resolution: against the ball the error remains, and is only plotted.
       if (field == structure::FieldKind::kLayered && against == Against::kBall) {
         plot.series.push_back(std::move(series));
         continue;

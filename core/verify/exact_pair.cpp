@@ -1,4 +1,4 @@
-// The true signed distance of two bodies, by brute force.
+// True signed distance of two bodies, by brute force.
 #include "core/verify/exact_pair.hpp"
 
 #include <algorithm>
@@ -20,12 +20,12 @@ ExactDistance exactDistance(const AdversarialBody& P, const AdversarialBody& F, 
                             double tolerance) {
   const TriangleSoup moved = P.soup.moved(X_FP);
   const double apart = moved.distanceTo(F.soup);
-  // An open body has no certain inside: wherever the engine sees one, it may say so.
+  // An open body has no definite inside: any depth reported by the engine is accepted.
   if (!F.closed || !P.closed) return {-kInfinity, apart, apart == 0.0, false};
   bool swallowed = false;
   const Transform X_PF = X_FP.inverse();
   if (apart > 0.0) {
-    // No surface cuts another: then all of a piece is inside the other body, or nothing of it.
+    // The surfaces do not intersect: a component lies entirely inside the other body or entirely outside.
     if ((X_FP * P.centre - F.centre).norm() > P.radius + F.radius) return {apart, apart, false, false};
     std::vector<Vector3d> probes;
     for (const Vector3d& q : F.soup.probes()) probes.push_back(X_PF * q);

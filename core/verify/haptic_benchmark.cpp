@@ -1,4 +1,4 @@
-// Quality of forces and torques against what they should be: the haptic benchmark of 2010, rebuilt.
+// Check of the accuracy of forces and torques: reconstruction of the haptic benchmark of 2010.
 #include "core/verify/haptic_benchmark.hpp"
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace abstand::verify {
 namespace {
 
-constexpr double kBenchmarkVoxel = 0.002;    // m, and point spacing
+constexpr double kBenchmarkVoxel = 0.002;    // m, also the point spacing
 constexpr double kBenchmarkStiffness = 1e6;  // N/m^3
 
 struct Method {
@@ -26,13 +26,13 @@ constexpr std::array kMethods{
     Method{"float", structure::FieldKind::kFloat, query::ForceLaw::kVolume},
     Method{"mixed", structure::FieldKind::kMixed, query::ForceLaw::kVolume}};
 
-/// Roots of the mean squares over a path.
+/// RMS values over a path.
 struct Quality {
   double angle_deg, size_percent, noise_percent, torque_percent;
 };
 
 // Layers err by up to half a voxel of depth, and depths are one to six voxels here. Float distances on flat
-// and gently curved faces are right; what remains is what points one voxel apart cost at rims and tips.
+// and gently curved faces are accurate; the rest is the error of points one voxel apart at rims and tips.
 constexpr Quality kLayeredLimits{10.0, 15.0, 8.0, 5.0};
 constexpr Quality kFloatLimits{0.5, 2.0, 0.2, 0.5};
 
@@ -59,7 +59,7 @@ Signal measure(const HapticScene& scene, const Method& method, int threads) {
   return signal;
 }
 
-/// The factor that brings the measured forces nearest to the true ones, all poses together.
+/// The factor that fits the measured forces to the true ones over all poses (least squares).
 double gainOf(const HapticScene& scene, const Signal& signal) {
   double along = 0.0, size = 0.0;
   for (std::size_t i = 0; i < scene.path.size(); ++i) {

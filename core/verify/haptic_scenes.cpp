@@ -1,4 +1,4 @@
-// Scenes of which force and torque are known at every pose.
+// Scenes with known force and torque in every pose.
 #include "core/verify/haptic_scenes.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kStep = 0.0002;  // m
 constexpr int kRound = 360;       // poses of a full turn
 
-/// Torque on B when A's torque about its own centre is known.
+/// Computes the torque on B from A's torque about its own centre.
 void setTorqueOnB(HapticScene& scene) {
   const Vector3d com_a = scene.a->massProperties().com, com_b = scene.b->massProperties().com;
   for (ScenePose& pose : scene.path)
@@ -84,7 +84,7 @@ HapticScene coneOnBlock() {
 
 HapticScene pinInHole() {
   constexpr double kPin = 0.02, kHole = 0.021, kOffset = 0.003, kLength = 0.03, kHigh = 0.008;
-  constexpr int kSides = 256;  // 1.6 um from the circle
+  constexpr int kSides = 256;  // within 1.6 um of the circle
   HapticScene scene{
       "pin in hole",
       "a pin of 20 mm in a hole of 21 mm, 3 mm off its axis, led round: radial force, on the pin no "
@@ -110,7 +110,7 @@ HapticScene blockInSlot() {
   const Vector3d size(0.06, 0.04, 0.03);
   constexpr double kClear = 0.002, kDepth = 0.003, kOver = 0.005, kSlotDepth = 0.04;
   const double half = 0.5 * size.y() + kClear;
-  // The slot along z of the prism, turned to x: its outline in y and z, floor at z = 0.
+  // The prism's slot is along z, rotated to x: its outline in y and z, floor at z = 0.
   const std::vector<std::pair<double, double>> outline{
       {-0.05, -0.03}, {0.05, -0.03}, {0.05, kSlotDepth},  {half, kSlotDepth},
       {half, 0.0},    {-half, 0.0},  {-half, kSlotDepth}, {-0.05, kSlotDepth}};

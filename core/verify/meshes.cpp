@@ -1,4 +1,4 @@
-// Meshes of bodies for checks.
+// Meshes of bodies used by checks.
 #include "core/verify/meshes.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ double turn(const Point& a, const Point& b, const Point& c) {
   return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-/// Cuts ears off until a triangle is left.
+/// Triangulates by ear clipping.
 std::vector<std::array<std::uint32_t, 3>> ears(const std::vector<Point>& polygon) {
   std::vector<std::uint32_t> left(polygon.size());
   for (std::uint32_t i = 0; i < left.size(); ++i) left[i] = i;
@@ -83,7 +83,7 @@ geometry::TriangleMesh starMesh(double inner, double outer) {
                                       {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
   geometry::TriangleMesh mesh;
   for (const Vector3d& c : corners) mesh.vertices.push_back(inner * c.normalized());
-  // Faces: three corners that are each other's nearest neighbours, 2 apart before scaling.
+  // Faces: three corners that are mutual nearest neighbours, 2 apart before scaling.
   const auto near = [&](std::uint32_t i, std::uint32_t j) { return (corners[i] - corners[j]).norm() < 2.1; };
   for (std::uint32_t i = 0; i < 12; ++i) {
     for (std::uint32_t j = i + 1; j < 12; ++j) {

@@ -1,4 +1,4 @@
-// Meshes of bodies for checks.
+// Meshes of bodies used by checks.
 #pragma once
 
 #include <utility>
@@ -8,16 +8,16 @@
 namespace abstand::verify {
 
 geometry::TriangleMesh boxMesh(const Vector3d& size, const Vector3d& centre = Vector3d::Zero());
-/// A simple polygon in x and y, counter-clockwise, from z = -height/2 to height/2. Its caps are cut into
-/// triangles by ears.
+/// Prism over a simple polygon in x and y, counter-clockwise, from z = -height/2 to height/2. Caps are
+/// triangulated by ear clipping.
 geometry::TriangleMesh prismMesh(const std::vector<std::pair<double, double>>& polygon, double height);
-/// A square base of edge `base` in z = 0, its tip at z = height.
+/// Pyramid with a square base of edge `base` in z = 0 and its tip at z = height.
 geometry::TriangleMesh spikeMesh(double base, double height);
-/// An icosahedron with corners at `inner` whose faces are raised to tips at `outer` from the centre.
+/// An icosahedron with corners at distance `inner` and a tip at distance `outer` over each face.
 geometry::TriangleMesh starMesh(double inner, double outer);
-/// A ring about z: `around` times `across` quads.
+/// Torus about z: `around` times `across` quads.
 geometry::TriangleMesh torusMesh(double ring, double tube, int around, int across);
-/// A polygon in r and z, counter-clockwise, turned about z.
+/// Solid of revolution about z of a polygon in r and z, counter-clockwise.
 geometry::TriangleMesh latheMesh(const std::vector<std::pair<double, double>>& profile, int around);
 /// Four triangles, folded along y; open.
 geometry::TriangleMesh foldedSheet(double size);

@@ -1,4 +1,4 @@
-// Distances of bodies that move, by an engine that remembers, against exact distances of meshes.
+// Check of certified distances of moving bodies with warm starts, against exact distances.
 #include "core/verify/moving_bound.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace abstand::verify {
 namespace {
 
-constexpr std::size_t kMotionSteps = 40;   // of one path
-constexpr std::size_t kPosesAStep = 5;     // of the poses at rest, for one step here
-constexpr std::uint64_t kOtherPoses = 77;  // not those of the bodies at rest
-// m a step, of the point that moves most, about.
+constexpr std::size_t kMotionSteps = 40;   // on one path
+constexpr std::size_t kPosesAStep = 5;     // poses at rest for each step here
+constexpr std::uint64_t kOtherPoses = 77;  // seed offset: poses differ from those at rest
+// m for each step, approximate displacement of the point that moves most.
 constexpr std::array kStepSizes{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
 struct BodyPath {
@@ -29,10 +29,10 @@ struct BodyPath {
   std::array<bool, kMotionSteps> overlapping{};
 };
 
-/// Bodies go on in about the same direction, as limbs and links do, and turn about a point of their own.
+/// Bodies move in a nearly constant direction, as limbs and links do, and rotate about a point of their own.
 BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, std::size_t index) {
   AdversarialPose pose = adversarialPose(bodies, seed + kOtherPoses, index);
-  // Kilometres apart nothing is remembered that a step would change.
+  // At kilometres the memory holds nothing that a step would change.
   for (std::uint64_t other = 1; pose.family == PoseFamily::kFar; ++other)
     pose = adversarialPose(bodies, seed + kOtherPoses + other, index);
   const AdversarialBody &a = bodies[pose.a], &b = bodies[pose.b];
@@ -121,7 +121,7 @@ std::vector<CheckResult> checkMovingBound(const VerifyOptions& options) {
       breaches += answer.breach;
     }
   judge(result, used, 1.0);
-  // Rounding of the brute force is allowed for here, and NaN is a breach.
+  // The tolerance includes the rounding of the brute force; NaN is a breach.
   result.breaches = breaches;
   result.passed = paths.size() == all && breaches == 0;
   result.table = tableOf(paths);

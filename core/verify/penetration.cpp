@@ -1,4 +1,4 @@
-// How deep one mesh reaches into another, enclosed between two numbers.
+// Enclosure of the penetration depth of one mesh in another.
 #include "core/verify/penetration.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace abstand::verify {
 namespace {
 
-/// A part of a triangle, and how deep any of its points may lie at most.
+/// A part of a triangle, and the upper bound of the depth of its points.
 struct Part {
   Triangle corners;
   double most;
@@ -26,7 +26,7 @@ Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tol
     const Vector3d centre = (t[0] + t[1] + t[2]) / 3.0;
     const double radius = std::max({(t[0] - centre).norm(), (t[1] - centre).norm(), (t[2] - centre).norm()});
     const double distance = F.distanceTo(centre);
-    // Its side matters only where it could be deeper than the deepest so far.
+    // The side only matters if it could be deeper than the deepest so far.
     if (distance + radius <= found.least) return;
     const double depth = F.inside(centre) ? distance : -distance;
     found.least = std::max(found.least, depth);
@@ -36,7 +36,7 @@ Penetration penetration(const TriangleSoup& P, const TriangleSoup& F, double tol
   while (!open.empty() && open.top().most > found.least + tolerance && samples < max_samples) {
     const Triangle t = open.top().corners;
     open.pop();
-    // Halve the longest side.
+    // Bisects the longest side.
     int longest = 0;
     for (int i = 1; i < 3; ++i)
       if ((t[(i + 1) % 3] - t[i]).norm() > (t[(longest + 1) % 3] - t[longest]).norm()) longest = i;

@@ -1,4 +1,4 @@
-// The same bits for any number of threads.
+// Check of bit-identical results for any number of threads.
 #include "core/verify/same_bits.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Figures of many numbers.
+// Statistics of values.
 #include "core/verify/statistics.hpp"
 
 #include <cmath>

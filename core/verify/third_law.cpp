@@ -1,4 +1,4 @@
-// What one body does to another, the other does to it.
+// Check of Newton's third law.
 #include "core/verify/third_law.hpp"
 
 #include "core/base/parallel.hpp"
@@ -9,9 +9,9 @@ namespace abstand::verify {
 namespace {
 
 constexpr double kLimit = 1e-12;     // of the moments: rounding in double
-constexpr double kPoseReach = 10.0;  // m, of the points about which moments are taken
+constexpr double kPoseReach = 10.0;  // m, range of the points about which moments are taken
 constexpr double kMaxMargin = 0.05;  // m
-// Of options.poses: the brute force has the most.
+// Share 1 / kHullPart of options.poses: the brute force gets the most.
 constexpr std::size_t kHullPart = 5;
 
 /// Both results are NaN for a pose without contact.

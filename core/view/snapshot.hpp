@@ -1,4 +1,4 @@
-// What the window sees of a running session: values only, copied once a cycle.
+// Snapshot of a running session for the window: plain values, copied once in each cycle.
 #pragma once
 
 #include <array>
@@ -29,75 +29,75 @@ struct PairSnapshot {
 };
 
 inline constexpr std::size_t kTorqueParts = 4;
-/// What acts on a joint, N m or N, positive in the direction in which its value grows.
+/// Efforts on a joint, N m or N, positive in the direction of increasing joint value.
 struct TorqueParts {
-  double contact{0.0};   ///< J^T of the contact wrenches on the links, margins included
-  double reaction{0.0};  ///< what the reaction adds to the motors
-  double gravity{kNaN};  ///< of the links' weight; NaN: the mechanism's file names no masses
-  double motion{kNaN};   ///< of their inertia against the present motion; NaN: likewise
-  /// In the order above.
+  double contact{0.0};   ///< J^T of the contact wrenches on the links, including margins
+  double reaction{0.0};  ///< added to the motors by the reaction
+  double gravity{kNaN};  ///< of the links' weight; NaN: the mechanism's file has no masses
+  double motion{kNaN};   ///< of their inertia in the current motion; NaN: likewise
+  /// Part number `part` in the order above.
   double operator[](std::size_t part) const {
     return part == 0 ? contact : part == 1 ? reaction : part == 2 ? gravity : motion;
   }
 };
 
-/// What a person asked a group of pairs to do; pairs of one that does not run are stale.
+/// State of a group of pairs set by the user; results of pairs in a group that is not running are stale.
 enum class PairGroupState : std::uint8_t { kRunning, kPaused, kStopped };
 
 struct PairGroupSnapshot {
   PairGroupState state{PairGroupState::kRunning};
-  std::size_t pairs{0};  ///< in it
+  std::size_t pairs{0};  ///< number of pairs
 };
 
-/// A robot that reacts, as of the last cycle.
+/// State of a reacting robot in the last cycle.
 struct RobotSnapshot {
   safety::StopState state{safety::StopState::kRunning};
-  safety::StopCause cause;  ///< of the present state; while it runs: of the last one before
+  safety::StopCause cause;  ///< of the present state; in kRunning: of the state before
   double since{0.0};        ///< s, when the state began
   double speed_scale{1.0};  ///< 0 to 1, share of the planned speed
   long refused_resets{0};   ///< since SceneSnapshot::loop_start
-  safety::ResetRefusal refusal{safety::ResetRefusal::kNone};  ///< of the last one
-  safety::StopLog log;  ///< of what came before, since SceneSnapshot::loop_start
-  /// The worst of each joint against each kind of limit, since SceneSnapshot::loop_start: the first ones, and
-  /// how many there are.
+  safety::ResetRefusal refusal{safety::ResetRefusal::kNone};  ///< of the last refused reset
+  safety::StopLog log;  ///< changes before the present state, since SceneSnapshot::loop_start
+  /// Worst violation of each joint and kind of limit since SceneSnapshot::loop_start: the first ones, and
+  /// their total number.
   std::array<mechanism::LimitBreach, 16> breaches;
   std::size_t breach_count{0};
 };
 
-/// Sizes are fixed when the session opens, so that copying allocates nothing. Indices are those of the scene.
+/// Sizes are fixed when the session opens, so copying does not allocate. Indices are those of the scene.
 struct SceneSnapshot {
   long step{0};
   long captured{-1};  ///< Scene::steps() at the last capture() into this one
   double t{0.0};      ///< s, simulation time
   std::vector<ObjectSnapshot> objects;
   std::vector<PairSnapshot> pairs;
-  std::vector<double> joint_positions;  ///< all mechanisms, one after the other (rad, m)
-  std::vector<double> joint_efforts;    ///< N m, N: caused by the contact forces
+  std::vector<double> joint_positions;  ///< all mechanisms, concatenated (rad, m)
+  std::vector<double> joint_efforts;    ///< N m, N: due to the contact forces
   std::vector<TorqueParts> joint_torques;
   std::vector<PairGroupSnapshot> groups;  ///< in the order of SceneOutline::pair_groups
   std::vector<int> pair_group;            ///< group of each pair, -1: none
-  bool torques_on{true};                  ///< the reactions' torques reach the motors
-  double cycle_us{0.0};                   ///< last cycle
+  bool torques_on{true};                  ///< the reactions' torques are sent to the motors
+  double cycle_us{0.0};                   ///< us, last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
-  double step_s{1e-3};            ///< s of wall time that a cycle may take: what the loop has chosen
+  double step_s{1e-3};            ///< s of wall time available for a cycle, chosen by the loop
   long played_cycles{0};          ///< since playing began or its speed changed
-  long overruns{0};               ///< of these, those that took longer than step_s
-  scene::StepCounts work;         ///< how the pairs of the last step came to their results
-  double real_time_factor{kNaN};  ///< scene time played by wall time; NaN while it is not known
-  /// Those of SceneOutline::reacting, in its order; empty while nothing reacts.
+  long overruns{0};               ///< of these, those longer than step_s
+  scene::StepCounts work;         ///< outcomes of the pairs in the last step
+  double real_time_factor{kNaN};  ///< scene time over wall time; NaN if unknown
+  /// In the order of SceneOutline::reacting; empty if nothing reacts.
   std::vector<RobotSnapshot> robots;
-  double loop_start{kNaN};  ///< s, when they were put on their plans, with nothing behind them; NaN: never
-  long loops{0};            ///< grows whenever that happens
+  double loop_start{kNaN};  ///< s, when they were last reset to their plans; NaN: never
+  long loops{0};            ///< incremented by each such reset
   bool playing{false};
   int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
 
-/// Fills objects, pairs, work and nearest_pair (the first of equal ones; pairs that were never queried do not
-/// count), as of the last step(), and leaves the rest alone. A snapshot stays with one scene: only what was
-/// renewed since the last capture is copied. Allocates nothing when the sizes are right already.
+/// Fills objects, pairs, work and nearest_pair (the first of equal ones; pairs never queried do not count),
+/// as of the last step(); other members are unchanged. A snapshot belongs to one scene: only changes since
+/// the last capture are copied. Does not allocate if the sizes are right.
 void capture(const scene::Scene& scene, SceneSnapshot& snapshot);
 
-/// What does not change while a scene is open: names, groups, pairs, for the tree and the tables.
+/// Constant data of an open scene: names, groups and pairs, for the tree and the tables.
 struct SceneOutline {
   struct ObjectInfo {
     std::string name, group;
@@ -113,9 +113,9 @@ struct SceneOutline {
   std::vector<JointInfo> joints;
   std::vector<std::string> pair_groups;
   std::vector<std::string> reacting;           ///< mechanisms with a `reaction`
-  bool falls{false};                           ///< some things have a mass
-  std::string cannot_react;                    ///< why the closed loop cannot play; empty: it can
-  std::vector<geometry::TriangleMesh> meshes;  ///< one an object, body frame, for drawing
+  bool falls{false};                           ///< some objects have a mass
+  std::string cannot_react;                    ///< why the closed loop cannot run; empty: it can
+  std::vector<geometry::TriangleMesh> meshes;  ///< one for each object, body frame, for drawing
   double start{0.0}, end{0.0};                 ///< s
   double frame_period{0.01};                   ///< s, one step of the timeline
   std::string title;

@@ -1,4 +1,4 @@
-// Public skeletons to canonical ones and back.
+// Converts between public and canonical skeletons.
 #pragma once
 
 #include "abstand/skeleton.hpp"

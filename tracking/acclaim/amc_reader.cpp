@@ -88,7 +88,7 @@ bool AmcReader::next(std::vector<double>& values) {
     try {
       bones += readBone(values) ? 1 : 0;
     } catch (const ParseError&) {
-      // A last line that is cut spoils no more than its frame.
+      // An incomplete last line invalidates only its own frame.
       has_words_ = false;
       if (frames_ == 0 || nextWords()) throw;
       break;

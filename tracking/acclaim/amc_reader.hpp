@@ -12,19 +12,18 @@
 
 namespace abstand::tracking {
 
-/// True where the text begins like an AMC: `#!OML:ASF`, or a line `:FULLY-SPECIFIED` before the first frame.
+/// True if the text begins like an AMC: `#!OML:ASF`, or a line `:FULLY-SPECIFIED` before the first frame.
 bool looksLikeAmc(std::string_view text);
 
-/// The values of every channel of a skeleton, frame by frame: a line with the number of the frame, then a
-/// line a bone. A last frame that is cut is left out with a warning; any other that lacks a bone is a
-/// ParseError.
+/// Values of all channels of a skeleton, frame by frame: a line with the frame number, then one line for each
+/// bone. An incomplete last frame is dropped with a warning; any other frame without a bone is a ParseError.
 class AmcReader {
  public:
-  /// `text` and `skeleton` must outlive this.
+  /// `text` and `skeleton` must outlive this object.
   AmcReader(std::string_view text, std::string file, const AsfSkeleton& skeleton);
 
-  /// Angles in rad, lengths in units of the file; the channels of all bones in the order of the skeleton.
-  /// False after the last whole frame.
+  /// Reads a frame: angles in rad, lengths in units of the file; the channels of all bones in the order of
+  /// the skeleton. False after the last complete frame.
   bool next(std::vector<double>& values);
   const std::vector<FileWarning>& warnings() const { return warnings_; }
 
@@ -36,9 +35,9 @@ class AmcReader {
   Lines lines_;
   const AsfSkeleton& skeleton_;
   std::unordered_map<std::string, std::size_t> index_;
-  std::vector<std::size_t> first_;  ///< of every bone's channels in a frame
+  std::vector<std::size_t> first_;  ///< index of each bone's first channel in a frame
   std::size_t channels_{0}, moving_{0}, frames_{0};
-  std::vector<std::size_t> frame_of_bone_;  ///< the last frame that had a line of the bone, from 1
+  std::vector<std::size_t> frame_of_bone_;  ///< last frame with a line of the bone, from 1
   std::vector<std::string_view> words_;
   bool has_words_{false}, in_degrees_{true}, at_end_{false};
   std::vector<FileWarning> warnings_;

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxBones = 10000;
 
 using Words = std::vector<std::string_view>;
 
-/// Reads the sections one after the other; what they hold is put together at the end.
+/// Parses the sections one by one and assembles the skeleton at the end.
 class AsfParser {
  public:
   AsfParser(std::string_view text, const std::string& file) : file_(file), lines_(text) {}
@@ -167,7 +167,7 @@ class AsfParser {
     }
   }
 
-  /// Parents first. What hangs on nothing, or in a ring, is never reached from the root.
+  /// Sorts parents first. Bones that are disconnected or in a cycle are not reached from the root.
   AsfSkeleton inOrder() {
     bones_[0].C = fixedAxesRotation(root_angles_, bones_[0].order);
     children_.resize(bones_.size());

@@ -1,4 +1,4 @@
-// The words of a line.
+// Splits lines into words.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace abstand::tracking {
 
-/// Splits at blanks and parentheses; what follows a '#' is a remark.
+/// Splits at blanks and parentheses; text after a '#' is a comment.
 inline std::vector<std::string_view> wordsOf(std::string_view line) {
   const auto is_gap = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '(' || c == ')'; };
   line = line.substr(0, line.find('#'));

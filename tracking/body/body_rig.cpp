@@ -1,4 +1,4 @@
-// Cutting the model into segments, and forward kinematics.
+// Divides the model into segments; forward kinematics.
 #include "tracking/body/body_rig.hpp"
 
 namespace abstand::tracking {
@@ -11,13 +11,13 @@ constexpr std::array<std::string_view, kRigSegments> kNames{
     "forearm_left", "forearm_right", "hand_left",  "hand_right",     "thigh_left",
     "thigh_right",  "calf_left",     "calf_right", "foot_left",      "foot_right"};
 
-// Where the trunk bends, as a share of the way from the middle of the hips to the neck: the joint between the
-// fourth and the fifth lumbar vertebra lies at 0.37 h above the hips' 0.53 h ... 0.63 h to 0.82 h.
+// Bend of the trunk, as a share of the distance from the hip centre to the neck: the joint between the fourth
+// and the fifth lumbar vertebra is at about 0.63 h, the hips are at 0.53 h, the neck at 0.82 h.
 constexpr double kBendShare = 0.3;
-// The trunk as a camera sees it: its cross-section is an ellipse rather than a box. The box of the model
-// covers chest, waist and hips at their largest; the mean over the height is narrower.
+// Factors of the visible trunk: its cross-section is an ellipse, not a box, and the model's box contains
+// chest, waist and hips at their largest.
 constexpr double kTrunkBreadth = 0.94, kTrunkDepth = 0.86;
-// The two pieces of the trunk overlap, so that no gap opens at the back when it bends.
+// Overlap of the two trunk segments, so that no gap opens at the back when bending.
 constexpr double kDrum = 1.15;
 
 constexpr double kBack = unit::deg(40), kBackTwist = unit::deg(45);
@@ -36,7 +36,7 @@ humanmodel::Joint jointOf(const humanmodel::HumanModel& model, humanmodel::BodyP
   return model.part(part).proximal;
 }
 
-/// World place of a part's centre in the rest pose.
+/// World position of a part's centre in the rest pose.
 Vector3d centre(const humanmodel::HumanModel& model, humanmodel::BodyPart part) {
   const humanmodel::HumanPart& p = model.part(part);
   return model.rest[p.proximal] - p.p_proximal;

@@ -1,4 +1,4 @@
-// The person as a chain of rigid segments: what is fitted to joints, markers and depth.
+// Kinematic rig of a person: rigid segments that are fitted to joints, markers and depth.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace abstand::tracking {
 
-/// A parent stands before its children. The torso of the model is two segments here, as people bend.
+/// Parents precede their children. The torso of the model is two segments here, as people bend.
 enum class RigSegment : std::uint8_t {
   kPelvis,
   kChest,
@@ -37,62 +37,62 @@ constexpr int sideOf(RigSegment s) { return index(s) < 3 ? 0 : (index(s) % 2 == 
 
 std::string_view segmentName(RigSegment s);
 
-/// How a segment turns on its parent. free: the pelvis, six degrees of freedom. ball: three. hinges: one or
-/// two axes, one after the other.
+/// Joint of a segment to its parent. free: the pelvis, six dof. ball: three. hinges: one or two axes in
+/// sequence.
 enum class RigJoint : std::uint8_t { kFree, kBall, kHinges };
 
-/// A segment's frame S: origin at the joint that ties it to its parent (pelvis: the middle of the hips), axes
-/// those of the world when standing: x forward, y left, z up. Lengths in m, angles in rad.
+/// A segment's frame S: origin at the joint to its parent (pelvis: hip centre), axes those of the world when
+/// standing: x forward, y left, z up. Lengths in m, angles in rad.
 struct RigPart {
-  RigSegment parent{RigSegment::kPelvis};  ///< of the pelvis: itself
+  RigSegment parent{RigSegment::kPelvis};  ///< for the pelvis: itself
   RigJoint joint{RigJoint::kBall};
-  int column{0};                          ///< first of its degrees of freedom
-  int freedoms{3};                        ///< how many
+  int column{0};                          ///< index of its first dof
+  int freedoms{3};                        ///< number of dof
   Vector3d p_parent{Vector3d::Zero()};    ///< the joint in the parent's frame
-  std::array<Vector3d, 2> axis{};         ///< of hinges, unit vectors of the parent's frame when at 0
-  std::array<double, 2> least{}, most{};  ///< of hinges
-  Vector3d along{-Vector3d::UnitZ()};     ///< of a ball: the axis of the segment, in S ...
-  Vector3d middle{-Vector3d::UnitZ()};    ///< ... the middle of where it may point, in the parent's frame
-  double cone{kPi};                       ///< ... the most that it may be away from there
-  double twist{kPi};                      ///< ... and the most that it may turn about itself
-  geometry::Shape shape{geometry::Sphere{0.01}};  ///< what a camera sees of it
+  std::array<Vector3d, 2> axis{};         ///< of hinges, unit vectors in the parent's frame at angle 0
+  std::array<double, 2> least{}, most{};  ///< limits of hinges
+  Vector3d along{-Vector3d::UnitZ()};     ///< of a ball: axis of the segment, in S ...
+  Vector3d middle{-Vector3d::UnitZ()};    ///< ... centre of its allowed directions, in the parent's frame
+  double cone{kPi};                       ///< ... largest swing angle from the centre
+  double twist{kPi};                      ///< ... largest twist about itself
+  geometry::Shape shape{geometry::Sphere{0.01}};  ///< visible shape
   Vector3d p_shape{Vector3d::Zero()};             ///< its centre, in S; its axes are those of S
 };
 
 inline constexpr int kRigDof = 6 + 3 + 3 + 2 * (3 + 1 + 2) + 2 * (3 + 1 + 2);
 
-/// A model cut into segments. Constant after construction.
+/// A model divided into segments. Constant after construction.
 struct BodyRig {
   std::array<RigPart, kRigSegments> parts;
-  /// Each canonical joint: the segment that carries it and its place there (m). Shoulders, neck and thorax
-  /// are the chest's, hips, pelvis and spine the pelvis's, an elbow the upper arm's, and so on.
+  /// For each canonical joint: the segment that carries it and its position there (m). Shoulders, neck and
+  /// thorax belong to the chest; hips, pelvis and spine to the pelvis; an elbow to the upper arm, and so on.
   std::array<RigSegment, humanmodel::kJointCount> carrier;
   std::array<Vector3d, humanmodel::kJointCount> p_joint;
-  double height{0.0};  ///< m
+  double height{0.0};  ///< m, stature
 
   const RigPart& operator[](RigSegment s) const { return parts[index(s)]; }
 };
 
-/// The limits of the joints are the widest that healthy adults reach (Boone, Azen 1979; Kapandji), with 10
-/// degrees to spare, as no one's neutral pose is exactly the model's.
+/// Joint limits are the widest of healthy adults (Boone, Azen 1979; Kapandji), plus 10 degrees, as a
+/// person's neutral pose differs from the model's.
 BodyRig makeRig(const humanmodel::HumanModel& model);
 
-/// Where all segments are.
+/// Pose of the rig: joint coordinates.
 struct RigPose {
   Transform X_WP{Transform::Identity()};       ///< of the pelvis
-  std::array<Quaterniond, kRigSegments> R_PS;  ///< of balls: from the segment's axes into the parent's
+  std::array<Quaterniond, kRigSegments> R_PS;  ///< of balls: from the segment's axes to the parent's
   std::array<std::array<double, 2>, kRigSegments> angle{};  ///< of hinges, rad
 
   RigPose() { R_PS.fill(Quaterniond::Identity()); }
 };
 
-/// All segments in the world.
+/// Poses of all segments in the world.
 using RigPlacement = std::array<Transform, kRigSegments>;
 
 /// Forward kinematics. No allocation, no throw.
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS);
 
-/// Where the canonical joints are, all of them with state `state`; `t` stays.
+/// Positions of the canonical joints, all with state `state`; `t` is unchanged.
 void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::JointState state,
               humanmodel::SkeletonFrame& frame);
 

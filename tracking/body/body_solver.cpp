@@ -1,4 +1,4 @@
-// Summing rows, assembling the normal equations, stepping.
+// Sums rows, assembles the normal equations, steps.
 #include "tracking/body/body_solver.hpp"
 
 #include <Eigen/Cholesky>
@@ -102,7 +102,7 @@ void BodySolver::addLimits(double w) {
       }
       continue;
     }
-    // Both as rows along one axis of the parent's frame: d(excess)/d(turn) is 1 about it.
+    // Both as rows along one axis of the parent's frame: d(excess)/d(angle) is 1 about it.
     const auto drive = [&](const Vector3d& axis, double excess) {
       Matrix3d outer = axis * axis.transpose();
       H_.block<3, 3>(part.column, part.column) += w * outer;
@@ -113,8 +113,8 @@ void BodySolver::addLimits(double w) {
     const double away = std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0));
     const Vector3d across = part.middle.cross(points);
     if (away > part.cone && across.norm() > 1e-9) drive(across.normalized(), away - part.cone);
-    // Neutral is the shortest turn to the middle; from there the swing, and what is left is the twist. Only
-    // straight opposite to the middle, out of reach, the swing is not unique.
+    // Neutral is the shortest rotation to the centre; relative to it the rotation is split into swing and
+    // twist. Only exactly opposite to the centre, out of reach, the swing is not unique.
     const Quaterniond neutral = turnBetween(part.along, part.middle);
     const Quaterniond swing = turnBetween(part.middle, points);
     const double twist =
@@ -130,7 +130,7 @@ void BodySolver::assemble() {
     b_[parent] += b_[i];
   }
   for (int c = 0; c < kRigDof; ++c) {
-    // Column c moves its segment and all that hang on it; the freedoms of an ancestor move them too.
+    // Column c moves its segment and all descendants; dof of ancestors move them too.
     std::size_t i = segment_of_[static_cast<std::size_t>(c)];
     const Vector6 F = A_[i] * S_.col(c);
     g_(c) += b_[i].dot(S_.col(c));

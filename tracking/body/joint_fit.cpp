@@ -1,4 +1,4 @@
-// Rows of joints, until they fit.
+// Gauss-Newton fit to joints.
 #include "tracking/body/joint_fit.hpp"
 
 #include <cmath>
@@ -7,11 +7,11 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kInferredWeight = 0.25;
-constexpr double kLimitWeight = 1.0;  // 1/rad^2; a radian beyond costs as much as a metre off
-// Freedoms that no joint shows, as the twist of a straight arm, stay where they are.
+constexpr double kLimitWeight = 1.0;  // 1/rad^2; a radian beyond costs as much as a metre of distance
+// Unobservable dof, as the twist of a straight arm, keep their values.
 constexpr double kDamping = 1e-5;
-constexpr double kMaxTurn = 0.6;  // rad, m, a step
-constexpr double kAtRest = 1e-7;  // rad, m
+constexpr double kMaxTurn = 0.6;  // rad, m, for each step
+constexpr double kAtRest = 1e-7;  // rad, m, convergence
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr int kMaxChannels = 6;
-/// A frame time outside of these is no sampling of a moving person, but a slip.
+/// s; frame times outside of these limits are errors in the file.
 constexpr double kShortestFrameTime = 1e-6;
 constexpr double kLongestFrameTime = 3600.0;
 
@@ -62,7 +62,7 @@ void readChannels(TextCursor& in, BvhJoint& joint, std::size_t& channel_count) {
   channel_count += joint.channels.size();
 }
 
-/// Reads one tree without recursion: what a stranger nests must not fill our stack.
+/// Parses one tree without recursion: untrusted nesting must not overflow the stack.
 class TreeReader {
  public:
   TreeReader(TextCursor& in, BvhHierarchy& out) : in_(in), out_(out) {}
@@ -130,7 +130,7 @@ class TreeReader {
 }  // namespace
 
 BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warnings) {
-  in.take("\xEF\xBB\xBF");  // the byte order mark that some editors write
+  in.take("\xEF\xBB\xBF");  // byte order mark of some editors
   const auto first = in.word();
   if (text::lowerCase(first) != "hierarchy")
     throw ParseError(in.pos(), found(first) + ", expected HIERARCHY");

@@ -1,4 +1,4 @@
-// Where the joints of a BVH skeleton are.
+// Forward kinematics of a BVH skeleton.
 #pragma once
 
 #include <span>
@@ -8,18 +8,18 @@
 
 namespace abstand::tracking {
 
-/// Forward kinematics of a BVH tree. BVH's convention is columns: a point of the joint's axes goes to its
-/// parent's by p_parent = t + R(first channel) R(second channel) R(third channel) p_joint, where t is the
-/// OFFSET with every component replaced by the position channel that the joint has for it (Meredith and
-/// Maddock, "Motion Capture File Formats Explained", 2001, section 4). One thread at a time.
+/// BVH uses column vectors: a point in the joint's axes is mapped to its parent's by p_parent = t + R(first
+/// channel) R(second channel) R(third channel) p_joint, where t is the OFFSET with every component replaced
+/// by the joint's position channel for it, if any (Meredith and Maddock, "Motion Capture File Formats
+/// Explained", 2001, section 4). One thread at a time.
 class BvhPose {
  public:
-  /// `hierarchy` must outlive this.
+  /// `hierarchy` must outlive this object.
   explicit BvhPose(const BvhHierarchy& hierarchy);
 
-  /// From the channel values of a frame. No allocation.
+  /// Computes positions from the channel values of a frame. No allocation.
   void set(std::span<const double> values);
-  /// As the OFFSETs alone say, all rotations zero.
+  /// Rest pose: OFFSETs only, all rotations zero.
   void setRest();
 
   /// Joint positions in the order of the hierarchy, axes and units of the file.

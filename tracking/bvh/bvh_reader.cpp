@@ -44,7 +44,7 @@ std::size_t BvhReader::wordsIn(std::size_t from, std::size_t to) const {
   return words;
 }
 
-/// Looks at the first two lines that hold anything.
+/// Inspects the first two non-empty lines.
 void BvhReader::chooseLayout() {
   std::size_t from = at_;
   for (int lines = 0; lines < 2 && from < text_.size();) {
@@ -56,7 +56,7 @@ void BvhReader::chooseLayout() {
   }
 }
 
-/// False where the text ends, or ends inside the number.
+/// False if the text ends, possibly within the number.
 bool BvhReader::readNumber(double& value) {
   const char* const end = text_.data() + text_.size();
   const char* first = text_.data() + at_;
@@ -81,7 +81,7 @@ bool BvhReader::readNumber(double& value) {
                    word.find(',') != std::string_view::npos ? "the decimal point of BVH is a point" : "");
 }
 
-/// The end of the data, with `partial` values of a frame that is not whole. Always false.
+/// End of the data, with `partial` values of an incomplete frame. Always false.
 bool BvhReader::finish(std::size_t partial) {
   done_ = true;
   const auto claimed = std::to_string(head_.frames);
@@ -106,7 +106,8 @@ bool BvhReader::finish(std::size_t partial) {
 std::optional<std::span<const double>> BvhReader::next() {
   if (done_ || !readFrame()) return std::nullopt;
   if (!beyondClaim()) return std::span<const double>(values_);
-  // The header's count rules, as in other programs; the rest is read all the same, to be counted and checked.
+  // The header's count applies, as in other programs; further frames are still read, to be counted and
+  // checked.
   while (readFrame()) {
   }
   return std::nullopt;
@@ -126,7 +127,7 @@ bool BvhReader::readFrame() {
     } else if (at_ >= text_.size()) {
       break;
     } else if (frame_a_line_ && n > 0) {
-      // A short line: harmless where nothing follows, else the frame is broken.
+      // A short line: harmless at the end, otherwise the frame is invalid.
       const SourcePos end_of_line = here();
       while (at_ < text_.size() && isSpace(text_[at_])) text_[at_] == '\n' ? nextLine() : void(++at_);
       if (at_ < text_.size())
@@ -140,8 +141,7 @@ bool BvhReader::readFrame() {
   const bool whole = n == values_.size();
   if (whole && frame_a_line_ && lineHasMore())
     throw ParseError(here(), "found more numbers on the line, expected " + std::to_string(values_.size()));
-  // A text that stops right after a digit, before the claimed number of frames, may have lost the rest of the
-  // number.
+  // A text that ends right after a digit, before the stated number of frames, may have a truncated number.
   if (whole && frames_ > 0 && at_ >= text_.size() && !isSpace(text_.back()) &&
       static_cast<unsigned long long>(head_.frames) > frames_ + 1)
     cut_ = true;

@@ -1,4 +1,4 @@
-// A BVH file as points.
+// A BVH file as named points.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace abstand::tracking {
 
-/// True where the text begins like a BVH file.
+/// True if the text begins like a BVH file.
 bool looksLikeBvh(std::string_view text);
 
-/// The joints and end sites, placed by their rotations; frames lie at t = i * frame time.
+/// Positions of joints and end sites; frame times are t = i * frame time.
 class BvhPoints : public PointReader {
  public:
   BvhPoints(std::string text, std::string file);
@@ -32,7 +32,7 @@ class BvhPoints : public PointReader {
   std::vector<std::string> names_;
 };
 
-/// Reads a whole BVH text. `file` names it in messages. Throws ParseError for the text and the joint maps,
+/// Reads a whole BVH text. `file` is its name in messages. Throws ParseError for the text and the joint maps,
 /// UsageError for the options.
 Recording readBvhRecording(std::string text, const std::string& file, const RecordingOptions& options);
 

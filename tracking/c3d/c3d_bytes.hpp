@@ -1,4 +1,4 @@
-// Numbers in the bytes of a C3D file, in the three byte orders that it may have.
+// Numbers in the bytes of a C3D file, in its three byte orders.
 #pragma once
 
 #include <bit>
@@ -10,11 +10,11 @@
 
 namespace abstand::tracking {
 
-/// The computers that C3D files come from, by the number in the file. DEC has integers as Intel has them, and
-/// floats of its own.
+/// Processor types of C3D files, with the numbers in the file. DEC has Intel integers and its own float
+/// format.
 enum class C3dProcessor : std::uint8_t { kIntel = 84, kDec = 85, kMips = 86 };
 
-/// A view of a file, read by offset. Reading beyond its end is a ParseError that names the offset.
+/// View of a file, read by offset. Reading beyond its end is a ParseError with the offset.
 class C3dBytes {
  public:
   C3dBytes(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {}
@@ -35,7 +35,7 @@ class C3dBytes {
     return static_cast<std::uint16_t>(processor == C3dProcessor::kMips ? a << 8 | c : c << 8 | a);
   }
   std::int16_t i16(std::size_t at) const { return static_cast<std::int16_t>(u16(at)); }
-  /// IEEE 754, or DEC's F: the two words exchanged, the exponent larger by 2. May be no number.
+  /// IEEE 754, or DEC F_floating: words swapped, exponent bias larger by 2. May be NaN.
   float f32(std::size_t at) const {
     const std::uint32_t first = u16(at), second = u16(at + 2);
     if (processor == C3dProcessor::kIntel) return std::bit_cast<float>(second << 16 | first);

@@ -19,7 +19,7 @@ std::string upperCase(std::string_view s) {
   return out;
 }
 
-/// The values of a parameter whose type stands at `at`. Throws ParseError where they do not fit the file.
+/// Values of a parameter whose type is at `at`. Throws ParseError if they exceed the file.
 C3dParameter readValues(const C3dBytes& bytes, std::size_t at) {
   const int type = bytes.i8(at);
   const std::size_t dimensions = bytes.u8(at + 1);
@@ -52,7 +52,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
                                 std::vector<FileWarning>& warnings) {
   C3dParameters out;
   std::map<int, std::string> groups;
-  std::vector<std::tuple<int, std::string, std::size_t>> found;  // group, name, place of the type
+  std::vector<std::tuple<int, std::string, std::size_t>> found;  // group, name, offset of the type
   const auto stop = [&](std::size_t at, const std::string& why) {
     warnings.push_back(
         {0, "at byte " + std::to_string(at) + ": " + why + ": parameters behind it are left out"});

@@ -10,18 +10,18 @@
 
 namespace abstand::tracking {
 
-/// One parameter: numbers, or texts.
+/// One parameter: numbers or texts.
 struct C3dParameter {
   std::vector<double> numbers;
-  std::vector<std::string> texts;  ///< without the blanks at their ends
+  std::vector<std::string> texts;  ///< without trailing and leading blanks
 };
 
-/// By "GROUP:NAME" in capitals.
+/// Key: "GROUP:NAME" in capitals.
 using C3dParameters = std::map<std::string, C3dParameter>;
 
-/// Reads the section that begins at byte `start`; the processor of `bytes` must be set. Every record is taken
-/// by the offset that the one before gives, which must lead on: what follows a record that does not, or one
-/// that is longer than the file, is left out with a warning.
+/// Reads the section that begins at byte `start`; the processor of `bytes` must be set. Records are linked by
+/// offsets, which must increase: after a record that violates this or exceeds the file, the rest is ignored
+/// with a warning.
 C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start, std::vector<FileWarning>& warnings);
 
 }  // namespace abstand::tracking

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kBlock = 512;
 constexpr std::uint8_t kKey = 0x50;
 constexpr double kHighestRate = 1e6;  // Hz
-/// Labels stand in POINT:LABELS, LABELS2, ... of 255 each.
+/// Labels are in POINT:LABELS, LABELS2, ... with 255 each.
 constexpr int kMaxLabelLists = 256;
 
 std::optional<UnitChoice> unitOf(const std::string& name) {
@@ -92,8 +92,8 @@ void C3dReader::readHead() {
                          claimed - held});
 }
 
-/// The header has 16 bits for it. Where they overflow, TRIAL:ACTUAL_*_FIELD (two words each) or POINT:FRAMES
-/// or LONG_FRAMES say more.
+/// The header has 16 bits for it. On overflow, TRIAL:ACTUAL_*_FIELD (two words each), POINT:FRAMES or
+/// LONG_FRAMES state the number.
 std::size_t C3dReader::claimedFrames() const {
   const int first = bytes_.u16(6), last = bytes_.u16(8);
   if (last < first)
@@ -133,7 +133,7 @@ C3dReader::Point C3dReader::point(std::size_t frame, std::size_t i) const {
     (k < 3 ? out.p[static_cast<int>(k)] : fourth) = v;
   }
   if (!is_float_) out.p *= scale_;
-  // The low byte is the residual in units of the scale, the high one the cameras; negative: not measured.
+  // The low byte is the residual in units of the scale, the high one the camera mask; negative: not measured.
   const bool is_word = std::isfinite(fourth) && std::abs(fourth) <= 32768.0;
   const int word = is_word ? static_cast<int>(fourth) : -1;
   out.residual = (word & 0xff) * std::abs(scale_);

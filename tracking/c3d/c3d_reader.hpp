@@ -1,4 +1,4 @@
-// Markers as C3D files store them.
+// Reads markers of C3D files.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace abstand::tracking {
 
-/// True where the bytes begin with the number of the parameter block and the key 0x50.
+/// True if the bytes begin with the number of the parameter block and the key 0x50.
 bool looksLikeC3d(std::string_view bytes);
 
-/// Intel, DEC and MIPS; integers (POINT:SCALE above 0) and floats (below). Analog samples are skipped. A
-/// point with a negative residual is a gap; where all residuals of a file are negative, residuals are not
-/// believed, and only points in the origin are gaps. The header says where things are; the frames are those
-/// that the file holds, and a claim that differs is a warning.
+/// Supports Intel, DEC and MIPS; integers (POINT:SCALE above 0) and floats (below). Analog samples are
+/// skipped. A point with a negative residual is a gap; if all residuals of a file are negative, they are
+/// ignored, and only points at the origin are gaps. The header states the locations; frames are those present
+/// in the file, and a differing stated number is a warning.
 class C3dReader : public PointReader {
  public:
-  /// `bytes` must outlive this. Throws ParseError with the offset.
+  /// `bytes` must outlive this object. Throws ParseError with the offset.
   C3dReader(std::string_view bytes, std::string file);
 
   const PointFacts& facts() const override { return facts_; }
@@ -32,9 +32,9 @@ class C3dReader : public PointReader {
   struct Point {
     Vector3d p;
     bool is_valid;
-    double residual;  ///< units of the file
+    double residual;  ///< in units of the file
   };
-  /// -1 where the parameter is not there.
+  /// -1 if the parameter does not exist.
   double numberOf(const std::string& name, std::size_t i = 0) const;
   void readHead();
   void nameMarkers();

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::string_view kMagic = "ABSTREC1";
 constexpr std::uint8_t kFrameWithSpread = 2, kFrame = 1, kEnd = 0;
-/// m; a spread beyond is written as this: nobody needs to know more.
+/// m; larger spreads are stored as this value.
 constexpr double kMaxSpread = 1e3;
-/// Beyond this (m) nothing is written, and differences beyond twice of it are refused.
+/// m; larger positions are not written, and differences beyond twice this are rejected.
 constexpr double kFarthest = 1e6;
 constexpr auto kMaxSteps = static_cast<std::int64_t>(kFarthest / kCompactStep);
 
@@ -26,7 +26,7 @@ void writeU64(std::ostream& out, std::uint64_t v) {
   for (int i = 0; i < 8; ++i, v >>= 8) out.put(static_cast<char>(v & 0xff));
 }
 
-/// Zigzag, then seven bits a byte, the lowest first, the high bit set where more follow.
+/// Zigzag varint: seven bits in each byte, lowest first, high bit set if more follow.
 void writeDifference(std::ostream& out, std::int64_t v) {
   auto z = static_cast<std::uint64_t>(v) << 1 ^ static_cast<std::uint64_t>(v >> 63);
   for (; z >= 0x80; z >>= 7) out.put(static_cast<char>(0x80 | (z & 0x7f)));
@@ -126,7 +126,7 @@ bool CompactReader::readDifference(std::int64_t& value) {
   return true;
 }
 
-/// False where the file ends inside the frame.
+/// False if the file ends within the frame.
 bool CompactReader::readFrame(PointFrame& frame, bool spread) {
   frame.clear(names_.size());
   if (bytes_.size() - at_ < 8) return false;

@@ -1,4 +1,4 @@
-// Abstand's own recording: small, and quick to read.
+// Abstand's own compact binary format of recordings.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,21 @@
 
 namespace abstand::tracking {
 
-/// Places are kept in whole micrometres: what is read differs from what was written by 0.5 um at most.
+/// m; positions are stored in whole micrometres, with an error of at most 0.5 um.
 inline constexpr double kCompactStep = 1e-6;
 
-/// Writes canonical joints; README.md beside this file has the layout. Throws UsageError for a place beyond
-/// 1e6 m. The form for a path is written whole or not at all.
+/// Writes canonical joints; README.md in this folder describes the layout. Throws UsageError for a position
+/// beyond 1e6 m. The overload for a path writes the file completely or not at all.
 void writeCompact(std::ostream& out, const Recording& recording);
 void writeCompact(const std::filesystem::path& file, const Recording& recording);
 
-/// True where the bytes begin with "ABSTREC1".
+/// True if the bytes begin with "ABSTREC1".
 bool looksLikeCompact(std::string_view bytes);
 
-/// Reads what writeCompact writes. A file that is cut gives its whole frames, with a warning.
+/// Reads the format of writeCompact(). A truncated file gives its complete frames, with a warning.
 class CompactReader : public PointReader {
  public:
-  /// `bytes` must outlive this. Throws ParseError with the offset.
+  /// `bytes` must outlive this object. Throws ParseError with the offset.
   CompactReader(std::string_view bytes, std::string file);
 
   const PointFacts& facts() const override { return facts_; }

@@ -10,7 +10,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kUneven = 0.1;
-/// Variance of a third difference of white noise, in units of that of the noise.
+/// Variance of a third difference of white noise, relative to that of the noise.
 constexpr double kThirdDifference = 20.0;
 /// Median of |x| of a normal distribution, in standard deviations.
 constexpr double kMedianOfNormal = 0.6744897501960817;
@@ -43,7 +43,7 @@ std::vector<double> speedsOf(const Frames& frames, humanmodel::Joint j) {
 JointHealth examineJoint(const Frames& frames, humanmodel::Joint j) {
   JointHealth health{std::string(humanmodel::jointName(j))};
   double last_seen = frames.front().t;
-  std::size_t missing_before = 0;  // at the last place
+  std::size_t missing_before = 0;  // at the last known position
   for (const auto& f : frames) {
     const humanmodel::JointState state = f.state[static_cast<std::size_t>(j)];
     health.missing += state == humanmodel::JointState::kMissing ? 1 : 0;
@@ -72,7 +72,7 @@ std::vector<Jump> findJumps(const Frames& frames) {
   return jumps;
 }
 
-/// True where left and right of the torso changed places between two frames.
+/// True if left and right of the torso are exchanged between two frames.
 bool isSwap(const humanmodel::SkeletonFrame& a, const humanmodel::SkeletonFrame& b) {
   double straight = 0.0, crossed = 0.0;
   int pairs = 0;

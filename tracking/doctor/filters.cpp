@@ -9,11 +9,11 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kBodyCutoff = 6.0;   // Hz
-constexpr double kSpeedCutoff = 1.0;  // Hz, as the paper has it
+constexpr double kSpeedCutoff = 1.0;  // Hz, as in the paper
 
 double lowPassShare(double cutoff, double dt) { return 1.0 / (1.0 + 1.0 / (2.0 * kPi * cutoff * dt)); }
 
-/// Runs one filter over every stretch of a joint that has no gap.
+/// Runs one filter over every gap-free stretch of a joint.
 template <typename Filter>
 void run(std::vector<humanmodel::SkeletonFrame>& frames, const Filter& fresh, bool backwards) {
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {

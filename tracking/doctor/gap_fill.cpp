@@ -11,7 +11,7 @@ namespace abstand::tracking {
 namespace {
 
 using J = humanmodel::Joint;
-/// Bones of the limbs, the inner joint first, trunk outwards.
+/// Bones of the limbs, proximal joint first, from the trunk outwards.
 constexpr std::array<std::pair<J, J>, 12> kLimbs{{{J::kShoulderLeft, J::kElbowLeft},
                                                   {J::kElbowLeft, J::kWristLeft},
                                                   {J::kWristLeft, J::kHandLeft},
@@ -29,7 +29,7 @@ bool has(const humanmodel::SkeletonFrame& f, std::size_t j) {
   return f.state[j] != humanmodel::JointState::kMissing;
 }
 
-/// Velocity at a known place from it and its known neighbour away from the gap; zero where there is none.
+/// Velocity at a known frame, from it and its known neighbour away from the gap; zero if there is none.
 Vector3d velocityAt(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std::size_t at,
                     bool before_gap) {
   const bool has_neighbour = before_gap ? at > 0 : at + 1 < frames.size();
@@ -51,7 +51,7 @@ void fillOne(std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std:
                   (2 * s3 - 3 * s2 + 1) * a.p[j] + (s3 - 2 * s2 + s) * dt * va + (3 * s2 - 2 * s3) * b.p[j] +
                       (s3 - s2) * dt * vb,
                   humanmodel::JointState::kInferred);
-    // Known as well as at its ends, and less by as far as it could have gone meanwhile.
+    // Uncertainty of the ends, plus the possible motion since.
     const double unseen = std::min(frames[i].t - a.t, b.t - frames[i].t);
     frames[i].spread[j] =
         std::max(a.spread[j], b.spread[j]) + unseen * humanmodel::kPersonSpeed / humanmodel::kSpreadQuantile;
@@ -65,7 +65,7 @@ GapFill fillGaps(std::vector<humanmodel::SkeletonFrame>& frames, double longest)
   std::vector<std::array<bool, humanmodel::kJointCount>> filled(frames.size());
   for (auto& f : filled) f.fill(false);
 
-  // Lengths of the bones where both ends are known.
+  // Lengths of the bones in frames with both ends.
   std::array<double, kLimbs.size()> length;
   for (std::size_t b = 0; b < kLimbs.size(); ++b) {
     std::vector<double> lengths;

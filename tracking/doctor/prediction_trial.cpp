@@ -8,7 +8,7 @@
 namespace abstand::tracking {
 namespace {
 
-/// The measured places of one joint.
+/// The measured positions of one joint.
 struct Way {
   std::vector<double> t;
   std::vector<Vector3d> p;
@@ -25,7 +25,7 @@ Way wayOf(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t join
   return way;
 }
 
-/// Where it was at `t`, on the line between its neighbours; nothing in a gap or beyond the end.
+/// Position at `t` by linear interpolation; nullopt in a gap or outside of the range.
 std::optional<Vector3d> placeAt(const Way& way, double t, double longest_gap) {
   const auto after = std::lower_bound(way.t.begin(), way.t.end(), t);
   if (after == way.t.end() || after == way.t.begin()) return std::nullopt;

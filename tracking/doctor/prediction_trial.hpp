@@ -1,4 +1,4 @@
-// How far ahead a person can be guessed, and whether bounds on people's speed hold: tried on a recording.
+// Tests motion prediction and speed bounds on a recording.
 #pragma once
 
 #include <span>
@@ -9,19 +9,19 @@
 
 namespace abstand::tracking {
 
-/// Of all joints at all frames that have a place `ahead` s later, between two frames that have one.
+/// Results over all joints and frames with a position `ahead` s later, between two frames with positions.
 struct PredictionTrial {
   double ahead{0.0};  ///< s
   std::size_t places{0};
-  double still_mean{0.0}, still_p95{0.0};                   ///< m, from where the joint was
-  double guess_mean{0.0}, guess_p95{0.0}, guess_most{0.0};  ///< m, from where it was guessed
-  std::size_t outside{0};    ///< places that a reach set of the bounds does not hold
-  double speed_needed{0.0};  ///< m/s: the least bound on the speed that would have held all of them
+  double still_mean{0.0}, still_p95{0.0};                   ///< m, error of assuming no motion
+  double guess_mean{0.0}, guess_p95{0.0}, guess_most{0.0};  ///< m, error of the prediction
+  std::size_t outside{0};    ///< positions outside of the reachable set of the bounds
+  double speed_needed{0.0};  ///< m/s: smallest speed bound that would have contained all of them
 };
 
-/// Guesses are those of MotionPrediction with its usual weights, reach sets those of reachAt() from the place
-/// and the guessed velocity. Joints that were not measured (inferred, missing) do not count. Throws
-/// UsageError for bounds that are not allowed.
+/// Predictions of MotionPrediction with its default weights; reachable sets of reachAt() from the position
+/// and the predicted velocity. Joints that were not measured (inferred, missing) are ignored. Throws
+/// UsageError for invalid bounds.
 std::vector<PredictionTrial> tryPredictions(const Recording& recording, const safety::MotionBounds& bounds,
                                             std::span<const double> ahead);
 

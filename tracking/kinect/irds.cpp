@@ -13,7 +13,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kMillisecond = 1e-3;
-/// Columns of a line beyond this are refused.
+/// Limit of columns in a line.
 constexpr std::size_t kMaxCells = 1000;
 
 std::vector<std::string_view> cellsOf(std::string_view line, const std::string& file, int number) {

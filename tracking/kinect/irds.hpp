@@ -1,4 +1,4 @@
-// Kinect v2 skeletons as IntelliRehabDS stores them: a line a joint (csv) or a line a frame (txt).
+// Kinect v2 skeletons in the format of IntelliRehabDS: a line for each joint (csv) or frame (txt).
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace abstand::tracking {
 
-/// True where the first line names the columns JointName and TrackingStatus.
+/// True if the first line has the columns JointName and TrackingStatus.
 bool looksLikeIrdsCsv(std::string_view text);
-/// True where the text begins with "Version0." and a digit.
+/// True if the text begins with "Version0." and a digit.
 bool looksLikeIrdsText(std::string_view text);
 
-/// Both forms. The three integers of a time stamp are kept together: lines with the same three are one frame.
-/// The third counts milliseconds; it must rise from frame to frame. Metres; x to the right of a person who
-/// faces the camera, y up, z away from it.
+/// Reads both forms. Lines with the same three integers of a time stamp are one frame. The third one counts
+/// milliseconds and must increase from frame to frame. Metres; x to the right of a person who faces the
+/// camera, y up, z away from it.
 class IrdsReader : public PointReader {
  public:
-  /// `text` must outlive this. Throws ParseError for the head.
+  /// `text` must outlive this object. Throws ParseError for the header.
   IrdsReader(std::string_view text, std::string file);
 
   const PointFacts& facts() const override { return facts_; }
@@ -29,7 +29,7 @@ class IrdsReader : public PointReader {
 
  private:
   using Stamp = std::array<long long, 3>;
-  /// Where the columns that are read stand in a line of the csv.
+  /// Indices of the columns of the csv that are read.
   struct Columns {
     std::size_t stamp[3], joint, state, p[3], count;
   };

@@ -1,4 +1,4 @@
-// The joints of Microsoft's trackers, in the order of their files.
+// Joints of Microsoft's trackers, in file order.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace abstand::tracking {
 
-/// The 25 joints of Kinect v2, as its SDK numbers and names them.
+/// The 25 joints of Kinect v2, in the order and with the names of its SDK.
 std::span<const std::string> kinectV2Joints();
-/// The 20 joints of Kinect v1 in the order of UTD-MHAD (head first), by the names of its list.
+/// The 20 joints of Kinect v1 in the order and with the names of UTD-MHAD (head first).
 std::span<const std::string> utdMhadJoints();
-/// The 22 joints of UI-PRMD; each is where the named bone begins.
+/// The 22 joints of UI-PRMD; each is at the start of the named bone.
 std::span<const std::string> uiPrmdJoints();
-/// The parent of each; -1 for the first, and always smaller than the own index.
+/// Parent index of each; -1 for the first; always smaller than its own.
 std::span<const int> uiPrmdParents();
 
 /// "Tracked", "Inferred" or "NotTracked".

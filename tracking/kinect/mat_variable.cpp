@@ -22,7 +22,7 @@ T valueAt(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Walks over the elements of a file, or of a matrix: a type, a length, bytes.
+/// Iterates over the elements of a file, or of a matrix: type, length, bytes.
 class Elements {
  public:
   Elements(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
@@ -39,7 +39,7 @@ class Elements {
     const std::size_t start = at_ + (is_small ? 4 : 8);
     if ((is_small && length > 4) || length > bytes_.size() - start)
       fail("found an element of " + std::to_string(length) + " bytes, expected what fits");
-    // All but packed elements end at a multiple of eight.
+    // All elements except compressed ones are padded to a multiple of eight.
     at_ = is_small ? at_ + 8 : start + (type == kCompressed ? length : (length + 7) / 8 * 8);
     return bytes_.substr(start, length);
   }
@@ -91,7 +91,7 @@ std::vector<double> numbersOf(std::string_view content) {
   return values;
 }
 
-/// The types that MATLAB stores numbers in: it packs doubles that are whole into fewer bytes.
+/// Number types of MATLAB: doubles with integer values are stored in fewer bytes.
 std::vector<double> numbersOf(std::string_view content, std::uint32_t type, const Elements& at) {
   switch (type) {
     case 1:
@@ -121,7 +121,7 @@ std::string sizeText(const std::vector<std::size_t>& size) {
   return s;
 }
 
-/// What stands before the numbers of a matrix.
+/// Header of a matrix, before its numbers.
 struct MatrixHead {
   std::uint32_t flags{0};
   std::vector<std::size_t> size;

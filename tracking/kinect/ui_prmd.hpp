@@ -1,4 +1,4 @@
-// Kinect v2 skeletons as UI-PRMD stores them: relative places in one file, angles in another.
+// Kinect v2 skeletons in the format of UI-PRMD: relative positions in one file, angles in another.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,20 @@
 
 namespace abstand::tracking {
 
-/// True where the first line is 66 numbers with commas between them.
+/// True if the first line is 66 numbers separated by commas.
 bool looksLikeUiPrmd(std::string_view text);
 
-/// The other file of the pair: `..positions..` for `..angles..` and the reverse. Throws ParseError where the
-/// name has neither word or the other file is not there.
+/// The other file of the pair: `..positions..` for `..angles..` and vice versa. Throws ParseError if the name
+/// has neither word or the other file does not exist.
 std::filesystem::path uiPrmdPartner(const std::filesystem::path& file);
 
-/// Places: the first joint's is absolute, the others' are in the axes of their parent. Angles: degrees about
-/// x, y, z of R = Rz Rx Ry (turns about y, x, z of the parent, one after the other): of the 36 orders and
-/// readings it is the one that keeps the feet still while the person of m05 gets up, to 4 cm; the next best
-/// lets them slide by 8 cm. Centimetres; 30 Hz, as the set says; no state of tracking.
+/// Positions: the first joint's is absolute, the others' are in the axes of their parent. Angles: degrees
+/// about x, y, z of R = Rz Rx Ry (rotations about the parent's y, x, z in this order): of 36 possible
+/// conventions this one keeps the feet of the person in m05 fixed within 4 cm; with the next best they slide
+/// by 8 cm. Centimetres; 30 Hz, as documented; no tracking states.
 class UiPrmdReader : public PointReader {
  public:
-  /// The texts must outlive this.
+  /// The texts must outlive this object.
   UiPrmdReader(std::string_view positions, std::string positions_file, std::string_view angles,
                std::string angles_file);
 

@@ -1,4 +1,4 @@
-// Kinect v1 skeletons as UTD-MHAD stores them: a MATLAB file with the variable d_skel.
+// Kinect v1 skeletons in the format of UTD-MHAD: a MATLAB file with the variable d_skel.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace abstand::tracking {
 
-/// True where the bytes begin as MATLAB files do.
+/// True if the bytes begin like a MATLAB file.
 bool looksLikeMat(std::string_view bytes);
 
 /// d_skel, 20 joints x 3 x frames, metres; x to the right of a person who faces the camera, y up, z away from
-/// it. No time is stored: 30 Hz, as the set says.
+/// it. Times are not stored: 30 Hz, as documented.
 class UtdMhadReader : public PointReader {
  public:
-  /// Throws ParseError for a file that is none, or has no such variable.
+  /// Throws ParseError if it is not a MATLAB file, or has no such variable.
   UtdMhadReader(std::string_view bytes, const std::string& file);
 
   const PointFacts& facts() const override { return facts_; }
@@ -24,7 +24,7 @@ class UtdMhadReader : public PointReader {
 
  private:
   PointFacts facts_;
-  std::vector<double> values_;  ///< column-major, as MATLAB keeps them
+  std::vector<double> values_;  ///< column-major, as in MATLAB
   std::size_t frames_{0}, next_{0};
 };
 

@@ -1,4 +1,4 @@
-// A rig whose bones are as long as somebody's.
+// Scales the rig to the sizes of a person.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace abstand::tracking {
 
-/// What is fitted of a body's size. Left and right are alike.
+/// Sizes that are fitted. Left and right are equal.
 enum class BodySize : std::uint8_t {
-  kStature,  ///< everything, and girths alone
-  kHips,     ///< breadth from hip to hip
+  kStature,  ///< overall scale; alone for girths
+  kHips,     ///< distance between the hip joints
   kTrunk,    ///< hips to neck
   kShoulders,
   kHead,
@@ -29,24 +29,24 @@ constexpr std::size_t index(BodySize size) { return static_cast<std::size_t>(siz
 /// "stature", "hips", "upper_arm", ...
 std::string_view sizeName(BodySize size);
 
-/// Shares of the rig's own sizes: first that of the stature, then what each of the others is beyond it. A
-/// segment's axes grow by stature + its own.
+/// Relative sizes: first the overall scale, then additions of the others. A segment's axes scale by stature +
+/// their own size.
 using SizeVector = Eigen::Matrix<double, static_cast<int>(kBodySizes), 1>;
 
-/// Nothing changed: (1, 0, 0, ...).
+/// Identity: (1, 0, 0, ...).
 SizeVector sameSizes();
 
-/// By which size each axis (x, y, z) of a segment grows.
+/// The size that scales each axis (x, y, z) of a segment.
 const std::array<BodySize, 3>& axisSizes(RigSegment s);
 
-/// By how much the axes of a segment grow.
+/// Scale factors of a segment's axes.
 Vector3d growth(RigSegment s, const SizeVector& sizes);
 
-/// `base` with joints moved accordingly. Shapes stay as they are.
+/// `base` with scaled joint positions. Shapes are unchanged.
 BodyRig resized(const BodyRig& base, const SizeVector& sizes);
 
-/// How a point of segment `s`, at p_S in the base rig, moves with the sizes when no joint turns, world axes.
-/// `X_WS` of the resized rig.
+/// Derivative of the position of a point of segment `s`, at p_S in the base rig, by the sizes at constant
+/// joint angles, world axes. `X_WS`: poses of the resized rig.
 Eigen::Matrix<double, 3, static_cast<int>(kBodySizes)> sizeJacobian(const BodyRig& base,
                                                                     const RigPlacement& X_WS, RigSegment s,
                                                                     const Vector3d& p_S);

@@ -14,26 +14,26 @@ constexpr double kMinSize = 0.4, kMaxSize = 2.0;  // of the base, each size
 constexpr double kIndependentMoments = 10.0;
 constexpr std::size_t kFirstMoments = 6;
 constexpr double kCalibrationAtRest = 1e-5;  // m, of a marker; shares, of a size
-constexpr double kMaxLost = 0.2;       // share of misplaced markers at which a pose is searched for anew
-constexpr double kMinStiff = 0.05;     // 1/rad^2, as in the solver's damping
-constexpr int kCalibrationSteps = 12;  // of a pose, between two changes of the body
-// From a wide reach to that of every frame, then on until all is at rest.
+constexpr double kMaxLost = 0.2;             // share of misplaced markers at which a new pose search starts
+constexpr double kMinStiff = 0.05;           // 1/rad^2, as in the solver's damping
+constexpr int kCalibrationSteps = 12;        // pose steps between two changes of the body
+// Robust scale: decreases from wide to that of single frames, then stays until convergence.
 constexpr double kFirstReach = 0.50, kSecondReach = 0.12, kLastReach = 0.05;  // m
-constexpr double kNarrower = 0.7;                                             // a round
+constexpr double kNarrower = 0.7;                                             // factor in each round
 constexpr int kMaxRounds = 40;
-// Far from the truth the equations promise too much: a round changes a size and a marker's place by so much
-// at most.
+// Limits of the changes of a size and of a marker position in one round, as the linearisation is inaccurate
+// far from the solution.
 constexpr double kMaxSizeStep = 0.08, kMaxShiftStep = 0.04;  // shares, m
 
 using Dense = Eigen::MatrixXd;
 constexpr int kSizes = static_cast<int>(kBodySizes);
 
-/// The marker of the base, grown with its segment.
+/// Position of the base's marker, scaled with its segment.
 Vector3d grown(const FoundMarker& m, const SizeVector& sizes) {
   return growth(m.segment, sizes).cwiseProduct(m.p_S);
 }
 
-/// The body and a pose for each moment; one round improves both.
+/// The body and a pose for each moment; each round improves both.
 class Calibration {
  public:
   Calibration(const BodyRig& base, std::span<const FoundMarker> found)
@@ -41,7 +41,7 @@ class Calibration {
     remake();
   }
 
-  /// Poses for these moments from now on.
+  /// Sets the moments to fit from now on.
   void take(std::vector<const MarkerPlaces*> moments, double reach) {
     moments_ = std::move(moments);
     poses_.assign(moments_.size(), RigPose{});
@@ -57,7 +57,7 @@ class Calibration {
     }
   }
 
-  /// The largest change.
+  /// One round; returns the largest change.
   double improve(double reach) {
     const PoseHold hold = restHold();
     const int all = kSizes + 3 * static_cast<int>(found_.size());
@@ -93,7 +93,7 @@ class Calibration {
         across.middleRows<3>(at) += w * R_WS.transpose() * J_pose;
         slope += w * J_pose.transpose() * off;
       }
-      // The pose follows every change of the body: what it takes up is no misfit.
+      // The pose adapts to every change of the body: that part is not a misfit.
       BodySolver::Matrix inner = share * solver.information();
       inner.diagonal().array() += share * kMinStiff;
       const Eigen::LLT<BodySolver::Matrix> llt(inner);
@@ -160,7 +160,7 @@ class Calibration {
 
   const BodyRig& base_;
   std::span<const FoundMarker> found_;
-  std::vector<Vector3d> shift_;  ///< of each marker from the set's place, m
+  std::vector<Vector3d> shift_;  ///< offset of each marker from the set's position, m
   MarkerBody body_;
   std::vector<const MarkerPlaces*> moments_;
   std::vector<RigPose> poses_;

@@ -1,4 +1,4 @@
-// Whose body the markers are on: its sizes, and where each marker sits.
+// Calibrates body sizes and marker positions of a person.
 #pragma once
 
 #include <span>
@@ -10,31 +10,30 @@
 
 namespace abstand::tracking {
 
-/// Places of all markers at one moment, world, m; NaN where one is missing.
+/// Positions of all markers at one time, world, m; NaN if missing.
 using MarkerPlaces = std::vector<Vector3d>;
 
 struct MarkerBody {
   SizeVector sizes{sameSizes()};
   BodyRig rig;                     ///< the base, resized
-  std::vector<RigMarker> markers;  ///< on it, in the order of those found
+  std::vector<RigMarker> markers;  ///< positions on it, in the order of those found
 };
 
-/// Sizes and places of markers that fit `moments` best, together with a pose for each.
+/// Body sizes and marker positions that fit `moments` best, with a pose for each.
 ///
-/// Least squares over everything at once: the poses are eliminated moment by moment (Schur's complement), so
-/// that a longer thigh is found although every single pose could bend to a short one. What the markers leave
-/// open is decided by the priors: a stature of the base's +- 10 %, bones +- 5 % beyond it (breadths 8 %), and
-/// each marker within its spread of the set's place. As the moments of one movement repeat each other's
-/// errors, they count as ten at most against the priors. Weights are bounded: what does not belong is left
-/// out.
+/// Joint least squares over everything: the poses are eliminated moment by moment (Schur complement), so that
+/// a longer thigh is found although every single pose could bend to fit a short one. Priors decide what the
+/// markers leave undetermined: stature +- 10 % of the base, bones +- 5 % beyond it (breadths 8 %), and each
+/// marker within its spread around the set's position. As the moments of one movement have correlated errors,
+/// they count as at most ten against the priors. Robust weights exclude outliers.
 MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
                      std::span<const MarkerPlaces> moments);
 
-/// Segments that carry markers, or from which one hangs that does; all false beyond.
+/// Segments with markers, or with a descendant that has markers.
 std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers);
 
-/// Freedoms of segments without markers, on them or beyond, are drawn to standing (1/rad^2): a trunk goes on
-/// straight, limbs hang.
+/// Weights (1/rad^2) that pull dof of segments without markers, on them or beyond, towards standing: the
+/// trunk stays straight, limbs hang.
 BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers);
 
 }  // namespace abstand::tracking

@@ -15,17 +15,17 @@ namespace {
 
 using enum RigSegment;
 
-/// m; beyond it a place is broken.
+/// m; larger coordinates are invalid.
 constexpr double kFarthest = 1e4;
-/// Heights of markers above the feet, in shares of the stature: on the head, the chest, the pelvis.
+/// Heights of markers above the feet, as shares of stature: on the head, the chest, the pelvis.
 constexpr double kHeadHeight = 0.90, kChestHeight = 0.72, kPelvisHeight = 0.53;
 
-/// Hip joint centres lie 0.36 of the distance of the iliac spines (some 0.24 m of 1.75 m) from the middle
-/// (Bell, Pedersen, Brand 1990, J. Biomech. 23), where the model's legs hang farther apart, below the
+/// Distance of the hip joint centres from the middle: 0.36 of the distance of the iliac spines (about 0.24 m
+/// at 1.75 m) (Bell, Pedersen, Brand 1990, J. Biomech. 23). The model's hips are farther apart, below the
 /// trochanters.
 constexpr double kHipFromMiddle = 0.36 * 0.24 / 1.75;
 
-/// The model of mean stature, its hips where markers see them turn.
+/// Rig of mean stature with hip joints at that distance.
 const BodyRig& usualRig() {
   static const BodyRig rig = [] {
     BodyRig made = makeRig(humanmodel::makeHuman({}));
@@ -43,7 +43,7 @@ bool isOf(RigSegment s, std::initializer_list<RigSegment> any) {
   return std::find(any.begin(), any.end(), s) != any.end();
 }
 
-/// The mean of the markers on some segments; nothing where none is seen.
+/// Mean of the markers on some segments; nullopt if none is visible.
 std::optional<Vector3d> meanOn(const MarkerMatch& match, const std::vector<Vector3d>& places,
                                std::initializer_list<RigSegment> segments) {
   Vector3d sum = Vector3d::Zero();
@@ -57,7 +57,7 @@ std::optional<Vector3d> meanOn(const MarkerMatch& match, const std::vector<Vecto
   return sum / count;
 }
 
-/// The parts of a joint as the report lists them: the markers on the segments that meet there.
+/// Sets the markers of each joint for the report: those on the segments that meet there.
 void nameMarkers(const MarkerMatch& match, RawRecording& raw) {
   const BodyRig& rig = usualRig();
   raw.match = JointMatch{};
@@ -151,7 +151,7 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   ABSTAND_CHECK(hasSet() && places_.size() == raw.frames.size());
   const UnitChoice unit = raw.unit && options.units == "auto" ? *raw.unit : chooseUnitOf(options);
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUpOf(options);
-  // Left and right exchanged, by axes or by names, are a body in a mirror.
+  // Exchanged left and right, by axes or by names, is a mirrored body.
   Matrix3d R_WF = rotationToZUp(up.axis);
   if (options.mirror != "none") R_WF.row(1) *= -1.0;
 

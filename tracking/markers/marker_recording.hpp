@@ -1,4 +1,4 @@
-// Markers of a file to joints of a person: finding the set, collecting the places, solving.
+// From markers of a file to joints of a person: selects the set, collects positions, solves.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@
 
 namespace abstand::tracking {
 
-/// The markers of one file. Not shared between threads.
+/// Markers of one file. Not shared between threads.
 class MarkerTrack {
  public:
-  /// The set that `options` name, else the best of data/marker_sets; its reason() says which, or why none.
-  /// Throws ParseError for a set that cannot be read, and for one that the user named and that finds less
-  /// than six markers on three segments.
+  /// Uses the set named in `options`, otherwise the best of data/marker_sets; its reason() states which, or
+  /// why none. Throws ParseError for an invalid set, and for a user's set that finds fewer than six markers
+  /// on three segments.
   MarkerTrack(std::span<const std::string> names, const RecordingOptions& options, const std::string& file);
 
   bool hasSet() const { return match_.has_value(); }
-  /// Markers of the set that the file has; 0 without a set.
+  /// Number of the set's markers in the file; 0 without a set.
   int found() const { return match_ ? static_cast<int>(match_->markers.size()) : 0; }
   const std::string& reason() const { return reason_; }
 
-  /// The next frame of the file.
+  /// Adds the next frame of the file.
   void add(const PointFrame& frame);
 
-  /// Solves all frames and puts the joint centres into raw.frames, in the axes and units of the file, with
-  /// the unit and up axis that it chose. Where more than half of the frames show no body, `raw` stays, and
-  /// the report has no set.
+  /// Solves all frames and writes the joint centres to raw.frames, in the axes and units of the file, with
+  /// the selected unit and up axis. If more than half of the frames show no body, `raw` is unchanged and the
+  /// report has no set.
   MarkerReport solveInto(RawRecording& raw, const RecordingOptions& options) const;
 
  private:

@@ -1,4 +1,4 @@
-// Reading marker sets, finding their markers in a file, and placing them on a rig.
+// Reads marker sets, finds their markers in a file, and places them on a rig.
 #include "tracking/markers/marker_set.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Word {
   int column;
 };
 
-/// The words of a line with the column of each; `from` is the first to look at.
+/// The words of a line with their columns, starting at `from`.
 std::vector<Word> wordsFrom(std::string_view line, std::size_t from) {
   std::vector<Word> words;
   while (true) {
@@ -59,7 +59,7 @@ std::vector<std::string> segmentNames() {
   return names;
 }
 
-/// "SEGMENT FORWARD OUTWARD ALONG [SPREAD]" behind the colon.
+/// Parses "SEGMENT FORWARD OUTWARD ALONG [SPREAD]" after the colon.
 SetMarker parseMarker(std::string_view line, std::size_t colon, SourcePos pos) {
   SetMarker marker;
   marker.names = namesBetweenBars(line.substr(0, colon), pos);
@@ -116,7 +116,7 @@ Vector3d farJoint(const BodyRig& rig, RigSegment s) {
     case kFootRight:
       return joint(humanmodel::Joint::kToeRight);
     default:
-      // Arms and legs: the one segment that hangs on it.
+      // Arms and legs: the only child segment.
       for (std::size_t i = index(s) + 1; i < kRigSegments; ++i)
         if (rig.parts[i].parent == s) return rig.parts[i].p_parent;
       ABSTAND_CHECK(!"a limb ends at another segment");

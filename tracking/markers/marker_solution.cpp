@@ -12,17 +12,17 @@ namespace {
 using enum RigSegment;
 
 constexpr std::size_t kMoments = 60;
-constexpr double kComplete = 0.8;                     // of the most markers in a moment
+constexpr double kComplete = 0.8;                     // share of the largest number of markers in a moment
 constexpr double kReach = 0.05;                       // m
 constexpr double kFastest = 5.0;                      // m/s, of a marker between two moments
 constexpr double kFastestTurn = 30.0;                 // rad/s
 constexpr double kShortStep = 1e-3, kLongStep = 0.2;  // s
 constexpr int kSteps = 10;
 constexpr int kFewestSeen = 4;
-constexpr double kMaxMisplaced = 0.4;     // share of the seen
-constexpr double kLost = 0.5;             // share of its frames at which a marker is ignored
+constexpr double kMaxMisplaced = 0.4;     // share of the visible ones
+constexpr double kLost = 0.5;             // share of its misplaced frames above which a marker is ignored
 constexpr std::size_t kLongestWait = 64;  // moments between two searches
-constexpr double kAlone = 0.050;          // m, of joints of a chest that only goes on from the pelvis
+constexpr double kAlone = 0.050;          // m, spread of joints of a chest extrapolated from the pelvis
 constexpr double kTracked = 0.030, kInferred = 0.120;  // m
 
 int countSeen(const MarkerPlaces& places) {
@@ -30,7 +30,7 @@ int countSeen(const MarkerPlaces& places) {
       std::count_if(places.begin(), places.end(), [](const Vector3d& p) { return std::isfinite(p.x()); }));
 }
 
-/// Evenly over the moments with nearly all markers.
+/// Evenly spaced among the moments with nearly all markers.
 std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments) {
   int most = 0;
   for (const auto& m : moments) most = std::max(most, countSeen(m));
@@ -43,7 +43,7 @@ std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments)
   return picked;
 }
 
-/// Standard deviation of each joint along its worst axis (m), from the markers that carried the last solve.
+/// Standard deviation of each joint along its worst axis (m), from the markers of the last solve.
 std::array<double, humanmodel::kJointCount> spreadsOf(const BodyRig& rig, const MarkerSolver& solver,
                                                       double rms) {
   auto spread = jointSpreads(rig, solver.problem(), solver.information());
@@ -51,7 +51,7 @@ std::array<double, humanmodel::kJointCount> spreadsOf(const BodyRig& rig, const 
   return spread;
 }
 
-/// Counts what a solved body says of its markers.
+/// Statistics of the markers relative to the solved body.
 class Ledger {
  public:
   explicit Ledger(std::span<const FoundMarker> found) : found_{found}, square_(found.size(), 0.0) {
@@ -135,7 +135,7 @@ void writeBones(const BodyRig& rig, MarkerReport& report) {
   add("foot", farJoint(rig, kFootLeft).norm());
 }
 
-/// Where no marker shows the chest, it goes on from the pelvis; nothing else goes on from anything.
+/// Without markers the chest is extrapolated from the pelvis; no other segment is.
 humanmodel::JointState stateOf(humanmodel::Joint j, bool is_shown,
                                const std::array<double, humanmodel::kJointCount>& spread) {
   if (!is_shown) {
@@ -180,7 +180,7 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
       pose = solver.solve(out.body.markers, moments[i], pose.pose, hold, kReach, kSteps);
     }
     if (!isGood(pose) && countSeen(moments[i]) >= kFewestSeen && wait == 0) {
-      // After a loss anew; where nothing is to be found, less and less often.
+      // After a loss a search; if nothing is found, at increasing intervals.
       hold.last.reset();
       pose = solver.search(out.body.markers, moments[i], hold);
       next_wait = isGood(pose) ? 1 : std::min(2 * next_wait, kLongestWait);

@@ -1,4 +1,4 @@
-// A whole recording of markers, solved: a body, and its joint centres frame by frame.
+// Solves a whole marker recording: a body, and its joint centres in every frame.
 #pragma once
 
 #include <span>
@@ -11,15 +11,16 @@ namespace abstand::tracking {
 
 struct MarkerSolution {
   std::vector<humanmodel::SkeletonFrame>
-      frames;  ///< joint centres of the solved body, a frame for each moment
+      frames;  ///< joint centres of the solved body, one frame for each moment
   MarkerBody body;
-  MarkerReport report;  ///< all but `set` and `reason`
+  MarkerReport report;  ///< without `set` and `reason`
 };
 
-/// Calibrates on at most 60 moments with most markers, taken evenly, then solves every one from the one
-/// before, and after a loss anew. A joint is tracked where its standard deviation, from the markers that were
-/// seen, is below 30 mm, inferred below 120 mm, missing above and on segments that no marker shows; the chest
-/// alone goes on from the pelvis, inferred. `t` (s) rises; `moments` in world axes, m.
+/// Calibrates on at most 60 evenly spaced moments with most markers, then solves each moment starting from
+/// the previous one, or by a search after a loss. A joint is tracked if its standard deviation, from the
+/// visible markers, is below 30 mm, inferred below 120 mm, missing above and on segments without markers;
+/// only the chest is extrapolated from the pelvis, as inferred. `t` (s) increases; `moments` in world axes,
+/// m.
 MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
                             std::span<const double> t, std::span<const MarkerPlaces> moments);
 

@@ -1,4 +1,4 @@
-// Robust Gauss-Newton steps, and where to start them.
+// Robust Gauss-Newton steps, and their start poses.
 #include "tracking/markers/marker_solver.hpp"
 
 #include <Eigen/SVD>
@@ -8,12 +8,11 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kLimitWeight = 400.0;  // 1/rad^2: 3 degrees beyond cost as much as skin that moves
+constexpr double kLimitWeight = 400.0;  // 1/rad^2: 3 degrees beyond cost as much as the soft tissue artefact
 constexpr double kDamping = 0.05;       // 1/rad^2, 1/m^2; a marker 0.1 m from an axis gives 100
-constexpr double kMaxTurn = 0.6;        // rad, m, a step
-constexpr double kAtRest = 2e-5;        // rad, m
-constexpr double kStillness = 0.01;     // of limb directions, nothing to align
-// The search first draws the whole body near, then sorts out what does not belong.
+constexpr double kMaxTurn = 0.6;        // rad, m, for each step
+constexpr double kAtRest = 2e-5;        // rad, m, convergence
+constexpr double kStillness = 0.01;     // ratio of singular values; below it a rotation is undetermined
 struct Stage {
   double reach;  // m
   int steps;
@@ -22,8 +21,9 @@ constexpr Stage kStages[]{{10.0, 25}, {0.30, 12}, {0.10, 10}, {0.05, 10}};
 
 bool isSeen(const Vector3d& p) { return std::isfinite(p.x()); }
 
-/// The rotation and place that bring points of the standing body onto those seen (Horn, by singular values),
-/// of the markers that `use` takes; the identity about their means where they say no more.
+/// Rigid transform of the standing body's points onto the visible ones (Horn, by singular value
+/// decomposition), for the markers selected by `use`; the identity about their means if they do not determine
+/// it.
 template <typename Use>
 Transform align(const BodyRig& rig, std::span<const RigMarker> markers, std::span<const Vector3d> seen,
                 Use use) {

@@ -42,7 +42,7 @@ JointMatch matchNames(const PointFacts& facts, std::span<const std::string> name
       "write a joint map for them as data/joint_maps/README.md says");
 }
 
-/// The middle of several points; missing where one of them is, inferred where one of them is.
+/// Mean of several points; missing if one of them is missing, inferred if one of them is inferred.
 void setMean(const PointFrame& from, const std::vector<int>& points, humanmodel::Joint j,
              humanmodel::SkeletonFrame& to) {
   Vector3d sum = Vector3d::Zero();
@@ -82,21 +82,21 @@ humanmodel::SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMa
   return pick(rest, match);
 }
 
-/// What the tracker guessed without saying how well; how far off that may be is known in metres only.
+/// Marks inferred joints without a spread; their spread is set in metres later.
 void markGuesses(std::vector<humanmodel::SkeletonFrame>& frames) {
   for (auto& f : frames)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (f.state[j] == humanmodel::JointState::kInferred && f.spread[j] == 0.0) f.spread[j] = kInfinity;
 }
 
-/// Gives the marked joints their spread, now that the frames are in metres.
+/// Sets the spread of the marked joints, after conversion to metres.
 void spreadGuesses(std::vector<humanmodel::SkeletonFrame>& frames) {
   for (auto& f : frames)
     for (double& spread : f.spread)
       if (spread == kInfinity) spread = humanmodel::kGuessedSpread;
 }
 
-/// From the steps of t, whose median is the least disturbed by gaps; 0 Hz for a single frame.
+/// From the median step of t, which is robust to gaps; 0 Hz for a single frame.
 double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
@@ -105,7 +105,7 @@ double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
   return median > 0.0 ? 1.0 / median : 0.0;
 }
 
-/// Points that may be markers, and what that means for the person.
+/// Warns of points that may be markers, and of the consequences for the person.
 void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
   if (report.mapped.empty()) {
     report.joint_map.clear();
@@ -121,7 +121,7 @@ void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
   }
 }
 
-/// What a user has to know of markers that were solved.
+/// Adds remarks about solved markers for the user.
 void describeSolved(RecordingReport& report) {
   const MarkerReport& m = report.markers;
   report.joint_map.clear();
@@ -154,7 +154,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   const bool may_be_markers = facts.of_markers || raw.match.of_markers;
   if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
     markers.emplace(raw.joints, options, file);
-  // C3D and TRC may hold joint centres too: then a joint map knows more of them than any marker set.
+  // C3D and TRC may contain joint centres too: then a joint map fits better than any marker set.
   if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
       raw.match.mapped >= markers->found())
     markers.reset();
@@ -173,14 +173,15 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;
-  // A file of canonical joints may hold some that were derived from others before: no guesses of a tracker.
+  // In a file of canonical joints inferred ones may have been derived earlier: they are not a tracker's
+  // guesses.
   if (!facts.is_canonical) markGuesses(raw.frames);
   MarkerReport solved;
   if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
   if (markers && solved.reason.empty()) solved.reason = markers->reason();
   const bool by_marker_map = raw.match.of_markers;
   Recording recording = convert(std::move(raw), options);
-  // Solving markers settles both: a guess is one all the same.
+  // Solving markers determines both; the unit may still be a guess.
   recording.report.units.guessed = !facts.unit && text::lowerCase(options.units) == "auto";
   recording.report.up.guessed = !facts.up && text::lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);

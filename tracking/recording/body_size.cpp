@@ -13,7 +13,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kAnkleHeight = 0.039;  // share of the stature
-constexpr double kStraightest = 0.9;    // quantile; the largest would be the glitch of one frame
+constexpr double kStraightest = 0.9;    // quantile; the maximum could be the glitch of one frame
 
 struct Unit {
   const char* name;
@@ -29,14 +29,14 @@ class Lengths {
     for (const auto i : sampleIndices(frames.size())) samples_.push_back(&frames[i]);
   }
 
-  /// NaN where the joints are never there.
+  /// NaN if the joints never occur together.
   double median(humanmodel::Joint a, humanmodel::Joint b) const { return over(a, b, 0.5); }
   double straightest(humanmodel::Joint a, humanmodel::Joint b) const {
     const double moving = over(a, b, kStraightest);
     return rest_.has(a) && rest_.has(b) ? std::max(moving, (rest_[a] - rest_[b]).norm()) : moving;
   }
 
-  /// How far the hips lie below the pelvis, along the trunk.
+  /// Distance of the hips below the pelvis, along the trunk.
   double hipDrop() const {
     std::vector<double> drops;
     for (const auto* f : samples_) {

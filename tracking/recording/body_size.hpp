@@ -1,4 +1,4 @@
-// How tall the recorded person is, and what that says about the units of the file.
+// Stature of the recorded person, and the unit of the file derived from it.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,30 @@
 
 namespace abstand::tracking {
 
-/// Stature in the units of the frames, along the bones, so that bent and lying poses count as upright ones
-/// do: head_top-neck + neck-pelvis + pelvis-hips along the trunk + hip-knee + knee-ankle, the legs' mean of
-/// both sides, each over sampled frames, and the height of the ankle, 0.039 of the stature (Drillis and
-/// Contini 1966, in Winter 2009, fig. 4.1). The spine counts as long as it is at its straightest (rest pose,
-/// 90 % of the frames). Nullopt where one of the joints is in no frame.
+/// Stature in the units of the frames, along the bones, so that it does not depend on the pose: head_top-neck
+/// + neck-pelvis + pelvis-hips along the trunk + hip-knee + knee-ankle, mean of both legs, over sampled
+/// frames, plus the height of the ankle, 0.039 of the stature (Drillis and Contini 1966, in Winter 2009, fig.
+/// 4.1). The spine has the length of its straightest pose (rest pose, 90 % quantile over the frames). nullopt
+/// if one of the joints is in no frame.
 std::optional<double> measureStature(const humanmodel::SkeletonFrame& rest,
                                      const std::vector<humanmodel::SkeletonFrame>& frames);
 
-/// Metres per unit of a file, and why.
+/// Metres per unit of a file, with the reason.
 struct UnitChoice {
-  std::string name;  ///< "cm", ..., a number, or "free": scaled to a stature
+  std::string name;  ///< "cm", ..., a number, or "free": scaled to an assumed stature
   std::string reason;
   double scale{1.0};    ///< m per unit
-  std::string warning;  ///< empty: nothing to warn of
+  std::string warning;  ///< empty: none
 };
 
-/// The stature of an adult lies within these (m); a unit that puts it outside is not believed.
+/// m; range of adult statures. A unit that gives a stature outside is rejected.
 inline constexpr double kShortestAdult = 1.4, kTallestAdult = 2.1;
-/// Where no usual unit fits, the person is scaled to this stature (m).
+/// m; if no usual unit fits, the person is scaled to this stature.
 inline constexpr double kAssumedStature = 1.75;
 
-/// Picks the unit of a file: `wanted` is "auto" or what the user says: m, cm, mm, inches, cmu (the CMU data
-/// base's 1 / 0.45 inch) or metres per unit as a number. Throws UsageError for anything else. With "auto" no
-/// two of the usual units can both fit: their ratios are larger than that of the tallest to the shortest
-/// adult.
+/// Selects the unit of a file: `wanted` is "auto" or the user's choice: m, cm, mm, inches, cmu (the CMU data
+/// base's 1 / 0.45 inch) or metres per unit as a number. Throws UsageError for anything else. With "auto" at
+/// most one usual unit fits: their ratios are larger than that of the tallest to the shortest adult.
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units);
 
 }  // namespace abstand::tracking

@@ -12,11 +12,11 @@
 namespace abstand::tracking {
 namespace {
 
-/// The lowest foot of a recording that stands on the floor is nearer to z = 0 than this (m).
+/// m; largest height of the lowest foot in a recording on the floor.
 constexpr double kFloorDistance = 0.3;
 
 void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d& R, double scale) {
-  if (scale == 1.0 && R == Matrix3d::Identity()) return;  // keeps every bit, the sign of a zero too
+  if (scale == 1.0 && R == Matrix3d::Identity()) return;  // preserves every bit, including the sign of zero
   for (auto& f : frames)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (f.state[j] != humanmodel::JointState::kMissing) {
@@ -25,7 +25,7 @@ void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d
       }
 }
 
-/// The points of the file that make a joint.
+/// The points of the file that define a joint.
 std::vector<std::size_t> pointsOf(const JointMatch& match, humanmodel::Joint j, std::size_t points) {
   const int joint = match.joint[static_cast<std::size_t>(j)];
   if (joint < 0) return {};
@@ -35,7 +35,7 @@ std::vector<std::size_t> pointsOf(const JointMatch& match, humanmodel::Joint j, 
   return {mean.begin(), mean.end()};
 }
 
-/// Fills `mapped`, `not_mapped` and `missing_parts`.
+/// Sets `mapped`, `not_mapped` and `missing_parts`.
 void reportParts(const RawRecording& raw, const std::vector<humanmodel::SkeletonFrame>& frames,
                  RecordingReport& report) {
   const auto known = [&](humanmodel::Joint j) {
@@ -78,7 +78,7 @@ void reportParts(const RawRecording& raw, const std::vector<humanmodel::Skeleton
     if (!used[i]) report.not_mapped.push_back(raw.joints[i]);
 }
 
-/// Frames in which a joint that the recording has elsewhere is missing.
+/// Number of frames without a joint that other frames have.
 std::size_t countGaps(const std::vector<humanmodel::SkeletonFrame>& frames) {
   std::array<bool, humanmodel::kJointCount> somewhere{};
   for (const auto& f : frames)
@@ -92,7 +92,8 @@ std::size_t countGaps(const std::vector<humanmodel::SkeletonFrame>& frames) {
       }));
 }
 
-/// Frames in which the person's left lies on the left, and on the right, of where the toes point to.
+/// Numbers of frames with the person's left on the left, and on the right, relative to the direction of the
+/// toes.
 struct Sides {
   int agree{0}, contradict{0};
 };
@@ -111,7 +112,7 @@ Sides countSides(const std::vector<humanmodel::SkeletonFrame>& frames) {
   return sides;
 }
 
-/// Toes that were made from the hips say nothing about sides.
+/// False for toes derived from the hips, which do not determine sides.
 bool toesWereFound(const std::vector<humanmodel::SkeletonFrame>& frames) {
   return std::any_of(frames.begin(), frames.end(), [](const humanmodel::SkeletonFrame& f) {
     return f.state[static_cast<std::size_t>(humanmodel::Joint::kToeLeft)] == humanmodel::JointState::kTracked;
@@ -136,7 +137,7 @@ void reportSides(const RawRecording& raw, RecordingReport& report) {
         "'axes' if the axes of the file are left-handed, 'sides' if the names are exchanged");
 }
 
-/// Exchanges what is called left and right.
+/// Exchanges the names of left and right.
 void swapSides(RawRecording& raw) {
   constexpr auto kFirstLeft = static_cast<std::size_t>(humanmodel::Joint::kShoulderLeft);
   for (const std::size_t first : {kFirstLeft, static_cast<std::size_t>(humanmodel::Joint::kHipLeft)})
@@ -152,8 +153,7 @@ void swapSides(RawRecording& raw) {
     }
 }
 
-/// How often the line from hip to hip turns by more than 90 degrees between two frames: a tracker swapped
-/// sides.
+/// Number of rotations of the hip line by more than 90 degrees between two frames: the tracker swapped sides.
 std::size_t countSideSwaps(const std::vector<humanmodel::SkeletonFrame>& frames) {
   using J = humanmodel::Joint;
   std::size_t swaps = 0;

@@ -1,4 +1,4 @@
-// From joints in a file's own axes and units to a recording in metres with z up.
+// Converts joints in a file's axes and units to a recording in metres with z up.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@
 
 namespace abstand::tracking {
 
-/// What a reader found, before anything is derived, scaled or turned.
+/// Output of a reader, before joints are derived, scaled or rotated.
 struct RawRecording {
   std::string format;
   std::vector<std::string> joints;  ///< names in the file
   JointMatch match;
-  humanmodel::SkeletonFrame rest;  ///< the file's rest pose, where it has one
+  humanmodel::SkeletonFrame rest;  ///< the file's rest pose, if it has one
   std::vector<humanmodel::SkeletonFrame>
       frames;        ///< canonical joints in the file's axes and units; at least one
   double rate{0.0};  ///< Hz
   std::string rate_reason;
-  std::optional<UnitChoice> unit;  ///< where the file or its format says it; else it is guessed
+  std::optional<UnitChoice> unit;  ///< if stated by the file or its format; otherwise it is guessed
   std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;
   std::vector<std::string> notes;
-  bool is_canonical{false};  ///< canonical joints already: none is derived
+  bool is_canonical{false};  ///< already canonical: no joints are derived
 };
 
-/// Derives what is missing, chooses up axis and units, turns and scales, and writes the report. Throws
-/// UsageError for options that mean nothing.
+/// Derives missing joints, selects up axis and units, rotates and scales, and writes the report. Throws
+/// UsageError for invalid options.
 Recording convert(RawRecording raw, const RecordingOptions& options);
 
 }  // namespace abstand::tracking

@@ -11,13 +11,14 @@ namespace {
 using humanmodel::Joint;
 using humanmodel::SkeletonFrame;
 
-constexpr double kHeadPerTrunk = 0.5;  // about the mean of the conventions in data/joint_maps, 0.3 to 0.7
+constexpr double kHeadPerTrunk = 0.5;  // approximately the mean of the conventions in data/joint_maps, 0.3 to
+                                       // 0.7
 constexpr double kHalfHeadPerTrunk = 0.065 / 0.288;
 constexpr double kHandPerForearm = 0.108 / 0.146;
 constexpr double kCosOfStrayHeadTop = 0.5;  // 60 degrees
 constexpr double kCosOfSole = 0.9;          // 25 degrees
 constexpr double kBallAheadPerCalf = 0.45, kBallBelowPerCalf = 0.039 / 0.246;
-/// Points nearer to each other than this, in units of the file, have no direction.
+/// In units of the file; nearer points define no direction.
 constexpr double kSmallestLength = 1e-9;
 
 bool has(const SkeletonFrame& f, Joint a, Joint b) { return f.has(a) && f.has(b); }
@@ -48,7 +49,7 @@ double medianLength(const SkeletonFrame& rest, const std::vector<SkeletonFrame>&
   return nearestQuantile(std::move(lengths), 0.5);
 }
 
-/// The cosine of the angle at b on the way from a over b to c, in the median frame; NaN where there is none.
+/// Cosine of the angle at b between a-b and b-c, in the median frame; NaN if undefined.
 double medianCosine(const std::vector<SkeletonFrame>& frames, Joint a, Joint b, Joint c) {
   std::vector<double> cosines;
   for (const auto i : sampleIndices(frames.size())) {
@@ -67,7 +68,7 @@ void toAll(SkeletonFrame& rest, std::vector<SkeletonFrame>& frames, Rule rule) {
   for (auto& f : frames) rule(f);
 }
 
-/// Derives joints of a recording, those first that others follow from.
+/// Derives the joints of a recording in order of their dependencies.
 class JointDerivation {
  public:
   JointDerivation(SkeletonFrame& rest, std::vector<SkeletonFrame>& frames) : rest_(rest), frames_(frames) {}
@@ -120,7 +121,7 @@ class JointDerivation {
     });
   }
 
-  /// On each thing that was made or moved.
+  /// One sentence on each joint that was derived or moved.
   std::vector<std::string> sentences() const {
     std::vector<std::string> all = moved_;
     if (!made_.empty()) all.push_back("not in the file and derived from other joints: " + made_);
@@ -128,7 +129,7 @@ class JointDerivation {
   }
 
  private:
-  /// Applies a rule that sets a joint, where no frame has it.
+  /// Applies a rule for a joint that no frame has.
   template <typename Rule>
   void derive(Joint j, Rule rule) {
     if (anyHas(frames_, j)) return;
@@ -150,7 +151,7 @@ class JointDerivation {
     });
   }
 
-  /// The end of the foot is that of the sole and no toe.
+  /// Removes a toe that is the end of the sole.
   void dropSole(Joint knee, Joint ankle, Joint toe) {
     if (!(medianCosine(frames_, knee, ankle, toe) > kCosOfSole)) return;
     moved_.push_back("the end of the foot lies below the ankle: " + std::string(humanmodel::jointName(toe)) +

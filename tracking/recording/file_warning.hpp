@@ -1,4 +1,4 @@
-// What a reader remarks on without stopping.
+// Warnings of readers.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace abstand::tracking {
 
-/// Something odd in a file that did not stop the reading. line 0: no line is known.
+/// An anomaly in a file that did not stop reading. line 0: unknown.
 struct FileWarning {
   int line{0};
   std::string text;
-  std::size_t frames_missing{0};  ///< frames that the file claims, or begins, and does not hold
+  std::size_t frames_missing{0};  ///< frames stated or begun in the file but not complete
 };
 
 }  // namespace abstand::tracking

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uintmax_t kMaxMapBytes = 1 << 20;
 
-/// The place of `value` among two words.
+/// Index of `value` in two words.
 int oneOf(std::string_view value, std::array<const char*, 2> words, const SourcePos& pos) {
   for (int i = 0; i < 2; ++i)
     if (value == words[static_cast<std::size_t>(i)]) return i;

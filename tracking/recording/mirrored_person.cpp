@@ -15,7 +15,7 @@ constexpr std::pair<Joint, Joint> kSides[] = {
     {Joint::kWristLeft, Joint::kWristRight},       {Joint::kHandLeft, Joint::kHandRight},
     {Joint::kHipLeft, Joint::kHipRight},           {Joint::kKneeLeft, Joint::kKneeRight},
     {Joint::kAnkleLeft, Joint::kAnkleRight},       {Joint::kToeLeft, Joint::kToeRight}};
-// m: mean lines across the body that are shorter have no direction.
+// m: shorter mean lines define no direction.
 constexpr double kNoDirection = 0.01;
 
 /// The vertical plane n . p = d.
@@ -24,7 +24,7 @@ struct MirrorPlane {
   double d;
 };
 
-/// From the joints of both sides in the frames that have them.
+/// Plane from the joints of both sides in the frames that have them.
 std::optional<MirrorPlane> planeOf(const std::vector<SkeletonFrame>& frames, Joint left, Joint right) {
   Vector3d across = Vector3d::Zero(), middle = Vector3d::Zero();
   double count = 0.0;

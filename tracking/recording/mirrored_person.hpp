@@ -1,4 +1,4 @@
-// A recording of a person with left and right exchanged.
+// Mirrors a recording of a person: left and right exchanged.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,10 @@
 
 namespace abstand::tracking {
 
-/// Makes the person who does the same with the other hand: joints are reflected in the vertical plane through
-/// the mean place of the hips, across the mean line from one hip to the other (of the shoulders where no hip
-/// was recorded), and those of the left side become those of the right one. The person stays where they were
-/// and faces the same way. Throws UsageError where neither hips nor shoulders were recorded, or they lie
-/// across no horizontal direction.
+/// Reflects the joints in the vertical plane through the mean hip position, perpendicular to the mean line
+/// from hip to hip (from shoulder to shoulder if no hip was recorded), and exchanges joints of the left and
+/// right side. The person stays in place and faces the same way. Throws UsageError if neither hips nor
+/// shoulders were recorded, or their line has no horizontal direction.
 void mirrorPerson(std::vector<humanmodel::SkeletonFrame>& frames);
 
 }  // namespace abstand::tracking

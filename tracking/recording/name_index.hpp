@@ -1,4 +1,4 @@
-// Names of points and joints as files spell them, found in the forms in which maps and marker sets name them.
+// Finds names of points and joints of a file by the names in maps and marker sets.
 #pragma once
 
 #include <span>
@@ -11,32 +11,33 @@
 
 namespace abstand::tracking {
 
-/// Without the blanks at both ends, and without the end of a line with \r\n.
+/// Without blanks at both ends, and without \r
+///  at the end.
 std::string_view trimmed(std::string_view text);
 
-/// "A | B | C" as its names. Throws ParseError at `pos` for an empty one.
+/// Splits "A | B | C". Throws ParseError at `pos` for an empty name.
 std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos);
 
-/// The form in which names are compared: small letters; '_', '.' and '-' are blanks.
+/// Normal form for comparison: lower case; '_', '.' and '-' are blanks.
 std::string plainName(std::string_view name);
 
-/// Finds names of a file without regard to capitals, to '_', '.', '-' against ' ', to a prefix and to a
-/// namespace before the last ':'.
+/// Finds names of a file ignoring case, '_', '.', '-' versus ' ', a prefix, and a namespace before the last
+/// ':'.
 class NameIndex {
  public:
-  /// Of two names with the same form the first counts.
+  /// Of names with the same normal form the first is used.
   NameIndex(std::span<const std::string> names, std::span<const std::string> prefixes);
 
-  /// The place of a name in the file; -1: not there.
+  /// Index of a name in the file; -1: none.
   int find(std::string_view name) const;
-  /// The points of "A + B + C", or of one name alone; empty where one of them is not there.
+  /// Indices of the points of "A + B + C", or of one name; empty if one of them does not exist.
   std::vector<int> points(std::string_view sum) const;
 
  private:
   std::unordered_map<std::string, int> index_;
 };
 
-/// Whether a name is a sum, "A + B".
+/// True for a sum of names, "A + B".
 bool isSum(std::string_view name);
 
 }  // namespace abstand::tracking

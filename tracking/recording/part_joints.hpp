@@ -1,4 +1,4 @@
-// Which canonical joints each of the fourteen parts of a body needs.
+// Canonical joints that each of the fourteen body parts needs.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace abstand::tracking {
 
-/// A part moves when its first and its last joint are known; those between make it bend better.
+/// A part can be posed if its first and its last joint are known; joints in between improve it.
 struct PartJoints {
   std::string_view part;                      ///< as in scene files
   std::span<const humanmodel::Joint> joints;  ///< from the proximal to the distal one

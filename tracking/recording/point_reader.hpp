@@ -1,4 +1,4 @@
-// What all readers of recordings have in common: named points, frame by frame.
+// Common interface of all recording readers: named points, frame by frame.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace abstand::tracking {
 
-/// One moment of a file, in the file's axes and units. A point that is missing holds NaN.
+/// One frame of a file, in the file's axes and units. Missing points are NaN.
 struct PointFrame {
   double t{0.0};  ///< s
   std::vector<Vector3d> p;
   std::vector<humanmodel::JointState> state;
-  std::vector<double> spread;  ///< standard deviation along the worst axis; 0, or nothing: not known
+  std::vector<double> spread;  ///< standard deviation along the worst axis; 0 or empty: unknown
 
-  /// All `points` missing, at t = 0.
+  /// Sets all `points` to missing, t = 0.
   void clear(std::size_t points) {
     t = 0.0;
     p.assign(points, Vector3d::Constant(kNaN));
@@ -35,34 +35,34 @@ struct PointFrame {
   }
 };
 
-/// What a file, or its format, says of itself.
+/// Properties stated by a file or its format.
 struct PointFacts {
   std::string format;
-  double rate{0.0};              ///< Hz; 0: the median step of t says it
-  std::string rate_reason;       ///< why these times
-  bool from_first_frame{false};  ///< t counts from something else than the start: the first t is taken off
-  bool of_markers{false};        ///< the points may lie on the skin; names that no map knows are no error
-  bool is_canonical{false};      ///< names are canonical joints, m, z up
+  double rate{0.0};              ///< Hz; 0: from the median step of t
+  std::string rate_reason;       ///< source of the times
+  bool from_first_frame{false};  ///< t has an arbitrary origin: the first t is subtracted
+  bool of_markers{false};        ///< the points may be on the skin; unknown names are not an error
+  bool is_canonical{false};      ///< names are canonical joints; m, z up
   std::optional<UnitChoice> unit;
   std::optional<UpChoice> up;
-  std::vector<std::string> notes;  ///< what else a user may want to know
+  std::vector<std::string> notes;  ///< further remarks for the user
 };
 
-/// Values beyond this (units of the file) are refused: no body is measured so, and sums of them stay finite.
+/// Limit of coordinates in units of the file; keeps sums finite.
 inline constexpr double kLargestCoordinate = 1e9;
 
-/// A file, opened. Not to be shared between threads. Memory grows with what a file holds, never with what it
-/// claims. Errors are ParseError, with line and column, or the offset of a binary file.
+/// Reader of one file. Not shared between threads. Memory grows with the content of a file, never with what
+/// it states. Errors are ParseErrors with line and column, or the offset in a binary file.
 class PointReader {
  public:
   virtual ~PointReader() = default;
   virtual const PointFacts& facts() const = 0;
   virtual std::span<const std::string> names() const = 0;
-  /// The next frame into `frame`, t rising; false after the last one.
+  /// Reads the next frame, with increasing t; false after the last one.
   virtual bool next(PointFrame& frame) = 0;
-  /// Places in a pose that the file calls its rest pose; empty where it has none.
+  /// Positions in the file's rest pose; empty if it has none.
   virtual std::vector<Vector3d> rest() const { return {}; }
-  /// Complete after next() gave false.
+  /// Complete after next() has returned false.
   virtual std::vector<FileWarning> warnings() const { return {}; }
 };
 

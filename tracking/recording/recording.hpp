@@ -1,4 +1,4 @@
-// A person's recorded motion, whatever file it came from.
+// Recorded motion of a person, from any file format.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +11,30 @@
 
 namespace abstand::tracking {
 
-/// What a user may say about a file instead of letting the reader guess.
+/// User options that override the reader's guesses.
 struct RecordingOptions {
-  std::string format{"auto"};  ///< "auto" or a name of recordingFormats()
+  std::string format{"auto"};  ///< "auto" or one of recordingFormats()
   std::string units{"auto"};   ///< "auto", "m", "cm", "mm", "inches", "cmu" (1/0.45 inch), or metres per unit
   std::string up{"auto"};      ///< "auto", "x", "y", "z", "-x", "-y", "-z"
-  std::filesystem::path joint_map{};  ///< empty: the best of the shipped maps
-  double rate{0.0};                   ///< Hz; 0: what the file says; else frame i lies at t = i / rate
+  std::filesystem::path joint_map{};  ///< empty: the best of the included maps
+  double rate{0.0};                   ///< Hz; 0: as in the file; otherwise the time of frame i is i / rate
   std::string mirror{
-      "none"};  ///< "none", "axes" (those of the file are left-handed) or "sides" (names swapped)
-  std::filesystem::path skeleton{};  ///< the ASF of an AMC; empty: looked for beside it
-  /// "auto" (the best of the shipped sets), "none" (joints are middles of markers) or a file
+      "none"};  ///< "none", "axes" (the file's axes are left-handed) or "sides" (names swapped)
+  std::filesystem::path skeleton{};  ///< the ASF of an AMC; empty: searched in the same folder
+  /// "auto" (the best of the included sets), "none" (joints are means of markers) or a file
   std::string marker_set{"auto"};
 };
 
-/// What was understood, and why; everything that was guessed can be overridden.
+/// Interpretation of the file, with reasons; all guesses can be overridden.
 struct RecordingReport {
   std::string format;
   double rate{0.0};         ///< Hz
-  std::string rate_reason;  ///< where the rate and the times come from
+  std::string rate_reason;  ///< source of the rate and the times
   double duration{0.0};     ///< s, from the first frame to the last
   struct Units {
-    std::string name;  ///< e.g. "cm"; "free" where the person was scaled to a stature
+    std::string name;  ///< e.g. "cm"; "free" if the person was scaled to an assumed stature
     std::string reason;
-    bool guessed{false};  ///< neither the file, its format nor the user says it
+    bool guessed{false};  ///< not stated by the file, its format or the user
   } units;
   double scale{1.0};  ///< metres per unit of the file
   struct UpAxis {
@@ -42,30 +42,31 @@ struct RecordingReport {
     std::string reason;
     bool guessed{false};  ///< as units.guessed
   } up;
-  std::string sides;  ///< "agree", "mirrored" or "unknown": left and right against where the toes point
+  std::string sides;  ///< "agree", "mirrored" or "unknown": left and right relative to the direction of the
+                      ///< toes
   std::string sides_reason;
-  double stature{0.0};                                     ///< m, estimated from the bones; 0: not known
-  std::string joint_map;                                   ///< name of the map in use
+  double stature{0.0};                                     ///< m, estimated from the bones; 0: unknown
+  std::string joint_map;                                   ///< name of the selected map
   std::vector<std::string> joints;                         ///< names in the file
   std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
-  std::vector<std::string> missing_parts;  ///< parts that this file cannot move
-  /// Frames that the file claims or begins and does not hold: it was cut. At least so many.
+  std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
+  /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};
-  double lowest_foot{kNaN};           ///< m, z of it over all frames; NaN: no foot is known
+  double lowest_foot{kNaN};           ///< m, smallest z over all frames; NaN: no foot is known
   std::size_t gaps{0};                ///< frames in which a mapped joint is missing or not finite
-  std::size_t swaps{0};               ///< turns of the hips by more than 90 degrees between two frames
-  MarkerReport markers;               ///< of a file of markers that were solved
-  std::vector<std::string> notes;     ///< about the file, nothing to worry about
-  std::vector<std::string> warnings;  ///< "LINE: text" where a line is known
-  /// Numbers of the warnings that fields of this report say as well: frames_missing, missing_parts and
+  std::size_t swaps{0};               ///< rotations of the hips by more than 90 degrees between two frames
+  MarkerReport markers;               ///< for a file of markers that were solved
+  std::vector<std::string> notes;     ///< about the file, informative
+  std::vector<std::string> warnings;  ///< "LINE: text" if a line is known
+  /// Indices of the warnings that are also in fields of this report: frames_missing, missing_parts and
   /// lowest_foot.
   std::vector<std::size_t> in_fields;
 };
 
 struct Recording {
   RecordingReport report;
-  std::vector<humanmodel::SkeletonFrame> frames;  ///< t rises; canonical joints, metres, z up
+  std::vector<humanmodel::SkeletonFrame> frames;  ///< t increases; canonical joints, metres, z up
 
   /// The frame at time t: the recorded one at or just before it (no interpolation), clamped at both ends.
   const humanmodel::SkeletonFrame& at(double t) const;

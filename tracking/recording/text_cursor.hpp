@@ -1,4 +1,4 @@
-// A place in a text, with line and column, for readers of keyword files.
+// Position in a text, with line and column, for parsers of keyword files.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace abstand::tracking {
 
-/// Walks over a text without copying it. A word ends at white space; '{' and '}' are words of their own.
+/// Iterates over a text without copying it. Words end at white space; '{' and '}' are words of their own.
 class TextCursor {
  public:
   TextCursor(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
-  /// The next word, or empty at the end of the text.
+  /// The next word; empty at the end of the text.
   std::string_view word();
-  /// What word() would give.
+  /// The next word without advancing.
   std::string_view peek();
   /// The rest of the current line up to a '{', without white space at both ends.
   std::string_view restOfName();
-  /// Takes `expected` (small letters) in any case, after white space. Spaces inside it stand for any blanks
+  /// Consumes `expected` (lower case), ignoring case, after white space. Spaces in it match any white space
   /// or none.
   bool take(std::string_view expected);
 
-  /// Where the last word began.
+  /// Position of the start of the last word.
   SourcePos pos() const { return {file_, line_, static_cast<int>(word_start_ - line_start_) + 1}; }
   int line() const { return line_; }
   std::size_t offset() const { return next_; }

@@ -12,13 +12,12 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "-x", "-y", "-z"};
-/// Length of the mean of unit vectors along an axis; below it the direction wavers too much to be an upright
-/// person's.
+/// Length of the mean of unit vectors below which the direction varies too much for an upright person.
 constexpr double kSteady = 0.6;
 /// Cosine between trunk and legs of a standing rest pose.
 constexpr double kStanding = 0.7;
 
-/// The lowest joints known, else nullopt.
+/// Mean of the lowest known joints, otherwise nullopt.
 std::optional<Vector3d> foot(const humanmodel::SkeletonFrame& f) {
   using J = humanmodel::Joint;
   for (const auto& [left, right] : {std::pair{J::kAnkleLeft, J::kAnkleRight},
@@ -44,7 +43,7 @@ std::string nearestAxis(const Vector3d& d) {
   return kAxes[static_cast<std::size_t>(d[k] < 0.0 ? k + 3 : k)];
 }
 
-/// The axis of the rest pose, if it is a standing one.
+/// The up axis of the rest pose, if it is standing.
 std::optional<std::string> standingRest(const humanmodel::SkeletonFrame& rest) {
   using J = humanmodel::Joint;
   for (const J j : {J::kPelvis, J::kNeck, J::kHipLeft, J::kHipRight, J::kAnkleLeft, J::kAnkleRight})

@@ -26,7 +26,7 @@ Recording readCsv(std::string bytes, const fs::path& file, const RecordingOption
   return readSkeletonCsv(bytes, file.string(), options);
 }
 
-/// For readers that need nothing but the bytes.
+/// For readers that only need the bytes.
 template <typename Reader>
 Recording readWith(std::string bytes, const fs::path& file, const RecordingOptions& options) {
   Reader reader(bytes, file.string());

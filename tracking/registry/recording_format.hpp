@@ -1,4 +1,4 @@
-// The formats of recordings, in the order in which they are tried.
+// Formats of recordings, in the order in which they are tried.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 namespace abstand::tracking {
 
 struct RecordingFormat {
-  const char* name;  ///< what the user may ask for
-  const char* sign;  ///< how a file shows it, for messages
+  const char* name;  ///< name in the user's options
+  const char* sign;  ///< how files are recognised, for messages
   bool (*looksLike)(std::string_view bytes);
   /// Reads a whole file. Throws ParseError, UsageError.
   Recording (*read)(std::string bytes, const std::filesystem::path& file, const RecordingOptions& options);
 };
 
-/// No two of them know the same file.
+/// All formats; a file matches at most one.
 std::span<const RecordingFormat> allRecordingFormats();
 
 }  // namespace abstand::tracking

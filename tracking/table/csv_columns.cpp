@@ -19,7 +19,7 @@ struct Named {
   int field{-1};
 };
 
-/// Splits "neck.x" or "neck_x"; field -1 where it does not end so.
+/// Splits "neck.x" or "neck_x"; field -1 if it has no such suffix.
 Named splitName(std::string_view cell) {
   const auto dot = cell.find_last_of("._");
   if (dot == std::string_view::npos || dot == 0) return {cell, -1};
@@ -47,7 +47,7 @@ std::vector<std::string> canonicalNames() {
   return names;
 }
 
-/// Most names are canonical or a slip of the pen away from it.
+/// True if most names are canonical or have a typing error in one.
 bool meansCanonical(const std::vector<std::string>& joints) {
   const auto known = canonicalNames();
   const auto near = std::count_if(joints.begin(), joints.end(), [&](const std::string& name) {

@@ -13,7 +13,7 @@
 namespace abstand::tracking {
 namespace {
 
-/// Where a table counts frames and says no rate.
+/// Hz; used if a table counts frames and states no rate.
 constexpr double kAssumedRate = 30.0;
 
 double confidenceOf(humanmodel::JointState s) {

@@ -1,4 +1,4 @@
-// The plain exchange format for skeletons: one line a frame, canonical joint names.
+// Exchange format of skeletons: CSV, one line for each frame, canonical joint names.
 #pragma once
 
 #include <filesystem>
@@ -13,27 +13,26 @@
 
 namespace abstand::tracking {
 
-/// Confidences that are written for the states of a joint, and the least that is read as tracked. 0 is
-/// missing.
+/// Confidences written for the states of a joint, and the smallest one read as tracked. 0 is missing.
 inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kMinTrackedConfidence = 0.75;
 
-/// Header `t,JOINT.x,JOINT.y,JOINT.z,JOINT.confidence,...` for every joint that some frame has; then one line
-/// a frame, s and metres, z up, each number with the digits that read back the same double. A joint that is
-/// missing in a frame has empty cells and confidence 0. A joint whose spread is known in some frame has a
-/// column JOINT.spread too, m, 0 where it is not known.
+/// Header `t,JOINT.x,JOINT.y,JOINT.z,JOINT.confidence,...` for every joint in any frame; then one line for
+/// each frame, s and metres, z up, numbers with the digits that read back to the same double. A joint missing
+/// in a frame has empty cells and confidence 0. A joint with a known spread in any frame also has a column
+/// JOINT.spread, m, 0 if unknown.
 void writeSkeletonCsv(std::ostream& out, const Recording& recording);
-/// The same into a file, whole or not at all. Throws UsageError when it cannot be written.
+/// The same to a file, completely or not at all. Throws UsageError if it cannot be written.
 void writeSkeletonCsv(const std::filesystem::path& file, const Recording& recording);
 
-/// True where the first line is such a header.
+/// True if the first line is such a header.
 bool looksLikeSkeletonCsv(std::string_view text);
 
-/// Reads what writeSkeletonCsv writes, and what others write in that form: any order of the joints, no
-/// confidences (then tracked), CRLF, empty cells for a gap. With canonical names it is metres and z up; with
-/// the names of a joint map, units and up are guessed. t rises; or the first column counts frames.
+/// Reads the format of writeSkeletonCsv(), and variants by others: any order of joints, no confidences
+/// (tracked), CRLF, empty cells for a gap. With canonical names: metres and z up; with names of a joint map
+/// units and up axis are guessed. t increases; or the first column counts frames.
 class SkeletonCsvReader : public PointReader {
  public:
-  /// `text` must outlive this. Throws ParseError for the header.
+  /// `text` must outlive this object. Throws ParseError for the header.
   SkeletonCsvReader(std::string_view text, std::string file);
 
   const PointFacts& facts() const override { return facts_; }

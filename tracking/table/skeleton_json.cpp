@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line nested deeper than this is no skeleton; the parser keeps a level for each.
+/// Limit of nesting; the parser uses memory for each level.
 constexpr int kDeepest = 16;
 
 bool isShallow(std::string_view line) {

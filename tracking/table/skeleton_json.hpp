@@ -1,4 +1,4 @@
-// Skeletons as JSON, one object a line; what `abstand serve` takes can be kept and read again.
+// Skeletons as JSON, one object on each line; the input format of `abstand serve`.
 #pragma once
 
 #include <string>
@@ -10,16 +10,15 @@
 
 namespace abstand::tracking {
 
-/// True where the first line begins an object that has "joints".
+/// True if the first line begins with an object that has "joints".
 bool looksLikeSkeletonJson(std::string_view text);
 
-/// `{"t": 0.01, "joints": {"pelvis": [x, y, z], "neck": [x, y, z, "inferred"], "spine": null}}`; `time_us`
-/// may stand for `t`. The fourth value is "tracked", "inferred" or a confidence. The joints of the first line
-/// are those of the recording: any of them may be missing later, none may be new. Canonical names: metres, z
-/// up.
+/// `{"t": 0.01, "joints": {"pelvis": [x, y, z], "neck": [x, y, z, "inferred"], "spine": null}}`; or `time_us`
+/// instead of `t`. The fourth value is "tracked", "inferred" or a confidence. The joints of the first line
+/// are those of the recording: any may be missing later, none may be added. Canonical names: metres, z up.
 class SkeletonJsonReader : public PointReader {
  public:
-  /// `text` must outlive this. Throws ParseError for the first line.
+  /// `text` must outlive this object. Throws ParseError for the first line.
   SkeletonJsonReader(std::string_view text, std::string file);
 
   const PointFacts& facts() const override { return facts_; }

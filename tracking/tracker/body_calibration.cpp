@@ -1,4 +1,4 @@
-// A search along one size after the other.
+// Coordinate search over body sizes.
 #include "tracking/tracker/body_calibration.hpp"
 
 #include <array>
@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kApart = 0.2;  // s
 constexpr double kExplained = 0.8;
-constexpr int kSteps = 5;                          // of the fit of an image to a changed body
-constexpr int kTurnSteps = 15;                     // and to one that faces the other way
-constexpr std::array kChanges{0.06, 0.03, 0.015};  // of a size, by sweep
-// Of the cost, for each size that is 10 % off the usual one; keeps sizes that no image shows where they are.
+constexpr int kSteps = 5;                          // solver steps for an image and a changed body
+constexpr int kTurnSteps = 15;                     // solver steps for one that faces the other way
+constexpr std::array kChanges{0.06, 0.03, 0.015};  // relative change of a size, by sweep
+// Share of the cost for each size that is 10 % off the usual one; regularises sizes that no image shows.
 constexpr double kUnusual = 0.01;
-constexpr double kMaxFactor = 1.25;  // and its inverse; what people are
+constexpr double kMaxFactor = 1.25;  // and its inverse: limits of human proportions
 
 enum class Size { kLength, kGirth };
 
-/// One size that the search changes: a kind of part, left and right alike.
+/// One size of the search: a kind of part, left and right equal.
 struct Knob {
   humanmodel::PartKind kind;
   Size size;
@@ -37,7 +37,7 @@ constexpr std::array<Knob, 10> kKnobs{{{humanmodel::PartKind::kTorso, Size::kLen
                                        {humanmodel::PartKind::kBiceps, Size::kGirth},
                                        {humanmodel::PartKind::kForearm, Size::kGirth}}};
 
-/// Of each knob, a factor of what is usual for the height.
+/// Factor of each size relative to the usual one for the stature.
 using Sizes = std::array<double, kKnobs.size()>;
 
 humanmodel::HumanOptions optionsOf(const humanmodel::HumanOptions& start, const Sizes& sizes) {
@@ -128,10 +128,10 @@ humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& st
       best = sizes;
       return true;
     } catch (const UsageError&) {
-      return false;  // no body has such sizes
+      return false;  // no valid body has such sizes
     }
   };
-  // As far as it gets better, first up, then down.
+  // Moves one size as long as the cost decreases, first up, then down.
   const auto walk = [&](std::size_t k, double by) {
     for (const double factor : {1.0 + by, 1.0 / (1.0 + by)}) {
       bool better = false;

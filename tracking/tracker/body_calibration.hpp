@@ -1,4 +1,4 @@
-// The size of a person from the first seconds of depth.
+// Estimates body sizes of a person from the first seconds of depth images.
 #pragma once
 
 #include <vector>
@@ -7,25 +7,25 @@
 
 namespace abstand::tracking {
 
-/// Collects images of one person together with the poses that a tracker found in them, and looks for the body
-/// that explains them best. May allocate.
+/// Collects images of one person with the tracked poses, and finds the body sizes that explain them best. May
+/// allocate.
 class BodyCalibration {
  public:
   static constexpr std::size_t kMaxImages = 8;
 
-  /// Keeps images that are explained well, at least 0.2 s apart, until there are kMaxImages.
+  /// Keeps well explained images, at least 0.2 s apart, up to kMaxImages.
   void add(double t, const BodyTracker& tracker);
   bool complete() const { return images_.size() == kMaxImages; }
 
-  /// How much worse the images are explained when the person faces the other way: ratio of the costs, each
-  /// image fitted anew. NaN without images.
+  /// Ratio of the fit costs if the person faces the other way, each image refitted; above 1: worse. NaN
+  /// without images.
   double whenTurned(const humanmodel::HumanOptions& body) const;
-  /// From now on the images are of a person who faces the other way.
+  /// Declares that the person in the images faces the other way.
   void turnRound(const humanmodel::HumanOptions& body);
 
-  /// Lengths of trunk, arms and legs, and girths: one after the other by a few per cent, each image fitted
-  /// anew, as long as the images are explained better. The height of `start` stays, and so do the parts that
-  /// it overrides. Without images `start` itself.
+  /// Coordinate search over lengths of trunk, arms and legs, and girths, in steps of a few per cent, each
+  /// image refitted, as long as the cost decreases. Keeps the stature of `start` and the parts that it
+  /// overrides. Without images returns `start`.
   humanmodel::HumanOptions fit(const humanmodel::HumanOptions& start) const;
 
  private:

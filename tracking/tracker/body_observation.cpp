@@ -1,4 +1,4 @@
-// Coarsening a depth image, its points and normals, and the way back to the person.
+// Subsampling of a depth image, points and normals, distance transform to the person.
 #include "tracking/tracker/body_observation.hpp"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr float kSameSurface = 0.05f;  // m, pixels of a cell that are farther apart are two surfaces
+constexpr float kSameSurface = 0.05f;  // m, pixels of a cell farther apart belong to two surfaces
 constexpr float kSmooth = 0.10f;       // m, neighbours farther apart give no normal
-// Share of the pixels beside the person that hold a depth; below it the background was taken away.
+// Share of the pixels beside the person with a depth below which the background counts as removed.
 constexpr double kBareBackground = 0.02;
 constexpr std::int16_t kFar = 8192;  // cells
 
@@ -52,7 +52,7 @@ void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint
           const float z = image.at(x, y);
           ++all;
           if (is_person[static_cast<std::size_t>(y * image.width + x)] != 0 && z > 0.0f) {
-            // The nearer surface counts where a cell holds two.
+            // The nearer surface is used if a cell contains two.
             if (persons > 0 && z > person / static_cast<float>(persons) + kSameSurface) continue;
             if (persons > 0 && z < person / static_cast<float>(persons) - kSameSurface)
               person = 0.0f, persons = 0;
@@ -83,8 +83,8 @@ void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint
       if (s == CellState::kUnknown) s = CellState::kEmpty;
 }
 
-// Danielsson 1980, four neighbours in two sweeps of two passes: the way to the nearest cell of the person,
-// off by less than a cell.
+// Vector distance transform (Danielsson 1980), four neighbours in two sweeps of two passes: offset to the
+// nearest cell of the person, with an error below one cell.
 void BodyObservation::spreadPerson() {
   way_.resize(state_.size());
   for (std::size_t c = 0; c < state_.size(); ++c)

@@ -1,4 +1,4 @@
-// What one depth image shows of one person, on a coarse grid: points with normals, and where nobody is.
+// Observation of one person in one depth image on a coarse grid: points with normals, and free space.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace abstand::tracking {
 
-/// What is known of a cell of the grid. unknown: nothing was measured, or somebody or something else is
-/// there. person: the person. empty: the camera looks past the person.
+/// State of a grid cell. unknown: nothing was measured, or someone or something else is there. person: the
+/// person. empty: free space, the camera sees past the person.
 enum class CellState : std::uint8_t { kUnknown, kPerson, kEmpty };
 
-/// Points of a person in structure of arrays, world, m.
+/// Points of a person as a structure of arrays, world, m.
 struct SeenPoints {
   static constexpr std::size_t kMax = 2048;
   std::size_t count{0};
@@ -26,26 +26,26 @@ struct SeenPoints {
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
 };
 
-/// One person in one image. Memory is taken once; look() allocates nothing after the first image of a size.
+/// One person in one image. look() allocates nothing after the first image of a size.
 class BodyObservation {
  public:
-  /// `cells`: the most cells of the person that the grid is made for; its step is as many pixels as needed.
+  /// `cells`: largest number of grid cells of the person; determines the grid's step in pixels.
   explicit BodyObservation(std::size_t cells = 1200) : max_cells_{cells} {}
 
-  /// `is_person`: of every pixel of `image`. Of the pixels that hold nothing (0) nothing is known, except
-  /// where the image holds nothing but the person: then its background was taken away, and they are empty.
+  /// `is_person`: for every pixel of `image`. Pixels without depth (0) are unknown, except if the image
+  /// contains only the person, because the background was removed: then they are empty.
   void look(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
 
   const SeenPoints& points() const { return points_; }
-  const Vector3d& eye() const { return p_WE_; }  ///< the camera, world
+  const Vector3d& eye() const { return p_WE_; }  ///< position of the camera, world
   const Transform& X_CW() const { return X_CW_; }
 
-  /// Where a point of the world (camera's frame p_CX, z > 0) falls.
+  /// Observation at the projection of a world point (camera's frame p_CX, z > 0).
   struct Look {
     CellState state{CellState::kUnknown};
-    double z{0.0};  ///< m, what was measured there; 0: nothing
-    /// m in the image plane at the point's depth, in the camera's frame: the way to the nearest cell of the
-    /// person. Of an empty cell only.
+    double z{0.0};  ///< m, measured depth there; 0: none
+    /// m, in the image plane at the point's depth, camera's frame: vector to the nearest cell of the person.
+    /// Only for an empty cell.
     Vector3d to_person{Vector3d::Zero()};
   };
   Look at(const Vector3d& p_CX) const;
@@ -57,13 +57,13 @@ class BodyObservation {
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(v * width_ + u); }
 
   std::size_t max_cells_;
-  int step_{1}, width_{0}, height_{0};            ///< pixels a cell; cells
-  double fx_{1.0}, fy_{1.0}, cx_{0.0}, cy_{0.0};  ///< of the grid
+  int step_{1}, width_{0}, height_{0};            ///< pixels for each cell; size in cells
+  double fx_{1.0}, fy_{1.0}, cx_{0.0}, cy_{0.0};  ///< intrinsics of the grid
   Transform X_WC_, X_CW_;
   Vector3d p_WE_{Vector3d::Zero()};
   std::vector<CellState> state_;
   std::vector<float> z_;
-  std::vector<std::array<std::int16_t, 2>> way_;  ///< cells to the nearest cell of the person
+  std::vector<std::array<std::int16_t, 2>> way_;  ///< offset in cells to the nearest cell of the person
   SeenPoints points_;
 };
 

@@ -1,4 +1,4 @@
-// Finding, following, losing.
+// Initial search, tracking, loss.
 #include "tracking/tracker/body_tracker.hpp"
 
 #include <algorithm>
@@ -10,18 +10,18 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kHalfBody = 0.10;    // m, from the skin that is seen to the middle of the body
-constexpr double kDamp = 0.7;         // of the motion that is expected to go on
-constexpr double kHandRelaxes = 0.8;  // an image; a hand goes on straight where nothing shows how it is bent
-constexpr double kMaxGap = 0.25;      // s; over longer ones nothing is expected to go on
+constexpr double kHalfBody = 0.10;    // m, from the visible skin to the middle of the body
+constexpr double kDamp = 0.7;         // share of the predicted motion that is used
+constexpr double kHandRelaxes = 0.8;  // factor for each image; decays the wrist angle if nothing shows it
+constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
-constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained
+constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
-// A joint moves by so much of what the stature is wrong by: the body is fitted to what is seen all the same.
+// Share of a stature error by which a joint moves: the body is still fitted to the observed points.
 constexpr double kOfStature = 0.25;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
-constexpr double kTurns = 1.0;  // s; who was out of sight for longer may have turned round
+constexpr double kTurns = 1.0;  // s; a person out of sight for longer may have turned around
 
 BodySolver::Vector priorsOf(const BodyRig& rig) {
   BodySolver::Vector w;

@@ -1,4 +1,4 @@
-// Follows one person through depth images.
+// Tracks one person through depth images.
 #pragma once
 
 #include <optional>
@@ -9,37 +9,37 @@
 
 namespace abstand::tracking {
 
-/// What is known of the person after an image.
+/// State of the person after an image.
 struct TrackedBody {
   bool found{false};
   RigPose pose;
   RigPlacement X_WS;
   DepthMisfit misfit;
-  std::array<double, kRigSegments> visible{};  ///< share of each segment that was seen where it is
+  std::array<double, kRigSegments> visible{};  ///< share of each segment that is visible at its pose
   humanmodel::SkeletonFrame
-      frame;  ///< joints in the world; inferred where little of their segment was seen, missing when lost
+      frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
 };
 
-/// Expectation from the last two poses, fit, search for limbs that were left behind, fit again. A person is
-/// first looked for upright, in front of the camera and facing it, or with the back to it (expectAway());
-/// turned up to 60 degrees from there is found too. After that left stays left, as nothing moves far between
-/// two images. Lost when more than a third of the person's points lie far from the body for some images; then
-/// looked for anew, within a second as the person last stood.
+/// Steps for each image: prediction from the last two poses, fit, search for limbs left behind, second fit.
+/// The initial search assumes a person upright and facing the camera, or with the back to it (expectAway()),
+/// and tolerates rotations up to 60 degrees. Afterwards left and right persist, as motion between two images
+/// is small. Lost when more than a third of the person's points are far from the body for some images; then
+/// searched anew, within a second in the last orientation.
 ///
-/// One tracker follows one person, on one thread. The rig must outlive it. track() allocates nothing after
-/// the first image; it does not throw.
+/// One tracker for each person and thread. The rig must outlive it. track() allocates nothing after the first
+/// image; it does not throw.
 class BodyTracker {
  public:
   explicit BodyTracker(const BodyRig& rig, std::uint64_t seed = 1);
 
-  /// `t` (s) rises. `is_person` of every pixel; with no pixel set the person is not in view, and lost.
+  /// `t` (s) increases. `is_person` for every pixel; if no pixel is set, the person is not in view, and lost.
   const TrackedBody& track(double t, const DepthImage& image, const DepthCamera& camera,
                            std::span<const std::uint8_t> is_person);
-  /// Who is first looked for has the back to the camera.
+  /// The initial search assumes that the person's back is to the camera.
   void expectAway() { away_ = true; }
-  /// Standard deviation of the stature of the rig, m; 0: it is known. Every joint is known less well by it.
+  /// Standard deviation (m) of the rig's stature; 0: known. Increases the uncertainty of every joint.
   void setStatureDeviation(double deviation) { stature_deviation_ = deviation; }
-  /// Goes on from a pose, as if it had been found in the last image.
+  /// Continues from a pose as if it had been found in the last image.
   void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }
@@ -59,11 +59,11 @@ class BodyTracker {
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
-  double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last with the body
-  std::optional<double> front_;          ///< rad, where the person last faced
+  double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body
+  std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
-  bool away_{false};                     ///< until somebody is found
-  int badly_{0};                         ///< images in a row that the body did not explain
+  bool away_{false};                     ///< until the person is found
+  int badly_{0};                         ///< consecutive images that the body did not explain
 };
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// Where a depth camera stands that does not say it.
+// Estimates the pose of a depth camera whose pose is unknown.
 #include "tracking/tracker/camera_stand.hpp"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kFloorImages = 5;
 
-/// Camera over a plane: z up, x along the level part of the optical axis, the origin below the camera.
+/// Pose of a camera above a plane: z up, x along the horizontal part of the optical axis, origin below the
+/// camera.
 Transform overFloor(const FloorPlane& floor) {
   const Vector3d z = floor.up.normalized();
   Vector3d x = Vector3d::UnitZ() - z.z() * z;
@@ -24,7 +25,7 @@ Transform overFloor(const FloorPlane& floor) {
   return X_WC;
 }
 
-/// Lowest point of anyone in an image, m, z of the world.
+/// Lowest point (m, z of the world) of any person in an image.
 double lowest(const DepthImage& image, const DepthCamera& camera, const PeopleImage& people) {
   double z = kInfinity;
   for (int v = 0; v < image.height; ++v)

@@ -1,4 +1,4 @@
-// Where a depth camera stands that does not say it.
+// Estimates the pose of a depth camera whose pose is unknown.
 #pragma once
 
 #include <string>
@@ -7,27 +7,27 @@
 
 namespace abstand::tracking {
 
-/// Looks for a floor in the first images. Without one until five images showed somebody, the camera is taken
-/// to be level, over a floor on which the lowest person of these stands. The world is then z up, x along the
-/// level part of the optical axis, the origin below the camera. One thread.
+/// Searches a floor plane in the first images. If none is found until five images have shown a person, the
+/// camera is assumed level, above a floor at the lowest point of these persons. World frame: z up, x along
+/// the horizontal part of the optical axis, origin below the camera. One thread.
 class CameraStand {
  public:
   explicit CameraStand(const DepthCamera& camera);
 
-  /// The next image, `t` (s) rises; true once it is decided, and nothing more is looked at.
+  /// Processes the next image, `t` (s) increases; true once decided, further images are ignored.
   bool see(double t, const DepthImage& image);
-  /// Decides by the images that there were.
+  /// Decides from the images so far.
   void settle();
 
   const Transform& X_WC() const { return X_WC_; }
-  /// How it was decided, for people.
+  /// Explanation of the decision, for messages.
   const std::string& reason() const { return reason_; }
 
  private:
   DepthCamera camera_;
   PeopleFinder finder_;
-  double low_{kInfinity};  ///< m, z of the lowest that was seen of a person, the level camera at 0
-  int seen_{0};            ///< images since somebody was seen
+  double low_{kInfinity};  ///< m, z of the lowest point seen of a person, level camera at 0
+  int seen_{0};            ///< images since a person was first seen
   Transform X_WC_;
   std::string reason_;
 };

@@ -1,4 +1,4 @@
-// Walking through a stream: who is where, and the body of each.
+// Passes over a stream: people in each image, and the body of each.
 #include "tracking/tracker/clip_tracker.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kLearning = 5.0;  // s of the stream that sizes are learned from
+constexpr double kLearning = 5.0;  // s of the stream used to learn sizes
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -51,12 +51,12 @@ class Walk {
     return track_.interrupted;
   }
 
-  /// All images before `end`; learns, or tracks with what was learned.
+  /// Processes all images before `end`; learns sizes, or tracks with the learned ones.
   void go(double end, std::map<int, KnownBody>& learned, bool keep) {
     stream_.seek(0);
     PeopleFinder finder(track_.camera);
     std::map<int, TrackedPerson> trackers;
-    std::map<int, std::size_t> place;  // of a person in track_.people
+    std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthFrame frame;
     std::vector<std::uint8_t> mask;
     for (std::size_t i = 0; stream_.next(frame) && frame.t < end; ++i) {
@@ -80,7 +80,7 @@ class Walk {
         options_.watch({i, person.id, frame, track_.camera, *it->second.rig(), *body});
         track_.seconds -= processorSeconds() - pause;
       }
-      // Who is not in this image is lost in it.
+      // People not in this image are lost.
       humanmodel::SkeletonFrame none;
       none.t = frame.t;
       for (const auto& [id, k] : place)

@@ -1,4 +1,4 @@
-// Association of points, rows for the solver, and the cost of a pose.
+// Association of points, rows of the solver, cost of a pose.
 #include "tracking/tracker/depth_fit.hpp"
 
 #include <algorithm>
@@ -7,22 +7,24 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr float kNormalWeight = 0.03f;  // m for a normal at right angles
-// m: beyond it a point is an outlier of the cost. Wider than a wrist, narrower than a torso.
+constexpr float kNormalWeight = 0.03f;  // m for a normal at 90 degrees
+// m: larger distances are outliers of the cost. Wider than a wrist, narrower than a torso.
 constexpr float kCostReach = 0.08f;
 constexpr double kExplainedFit = 0.05;  // m
-constexpr double kRows = 1000.0;        // all points together weigh as so many
-constexpr double kSampleWeight = 0.6;   // a sample in free space counts as so many points
-constexpr double kBefore = 0.04;        // m, that a sample may lie before what was measured
+constexpr double kRows = 1000.0;        // total weight of all points
+constexpr double kSampleWeight = 0.6;   // a sample in free space has the weight of this many points
+constexpr double kBefore = 0.04;        // m, allowed distance of a sample in front of the measured surface
 constexpr double kMaxViolation = 0.3;   // m
-constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond costs as 200 points 3 cm off
+constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3 cm
+                                        // off
 constexpr double kDamping = 1e-3;
-constexpr double kMaxTurn = 0.35;     // rad, m, a step
+constexpr double kMaxTurn = 0.35;     // rad, m, for each step
 constexpr double kSeenWithin = 0.08;  // m
-// A sample on the axis of a limb stays out of the trunk by this share of its own radius; the rest is flesh.
+// Share of its own radius by which a limb's axis sample must stay outside of the trunk; the rest is soft
+// tissue.
 constexpr double kKeepOut = 0.5;
 
-/// The segments that a segment's samples must stay out of: bits.
+/// Bit mask of the segments that a segment's samples must stay out of.
 std::uint32_t foes(RigSegment s) {
   using enum RigSegment;
   constexpr std::uint32_t kTrunk = DepthFit::bit(kPelvis) | DepthFit::bit(kChest) | DepthFit::bit(kHead);
@@ -70,7 +72,7 @@ DepthFit::Violation DepthFit::violation(const BodyObservation& seen, const Sampl
   const Vector3d p_C = seen.X_CW() * p_W;
   const BodyObservation::Look look = seen.at(p_C);
   if (look.state == CellState::kEmpty) {
-    if (look.z > 0.0 && look.z < p_C.z()) return v;  // behind what is there: hidden, not refuted
+    if (look.z > 0.0 && look.z < p_C.z()) return v;  // behind the measured surface: occluded, not refuted
     const double out = look.to_person.norm();
     if (out <= 0.0) return v;
     v.n = -(seen.X_CW().linear().transpose() * look.to_person) / out;
@@ -184,8 +186,8 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
       const Vector3d p = points.point(i);
       const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eye());
       const double robust = c2 / (c2 + hit.d * hit.d);
-      // The body's surface moves towards the point: a point of the segment moved by v along n nears it by
-      // n.v.
+      // The body's surface moves towards the point: moving a point of the segment by v along n reduces the
+      // distance by n.v.
       solver_.addPlane(segmentAt(s), p, -hit.n, hit.d, share * robust * robust);
     }
     for (const Sample& sample : samples_) {

@@ -1,4 +1,4 @@
-// The fit of the rig to what a depth camera sees of a person.
+// Fits the rig to a depth observation of a person.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace abstand::tracking {
 
-/// How well a pose explains an image.
+/// Fit quality of a pose.
 struct DepthMisfit {
-  double cost{kInfinity};  ///< m^2: mean over points and over samples in free space, robust
-  double explained{0.0};   ///< share of the points within 5 cm of the segment that they lie on
-  double residual{kNaN};   ///< m, root mean square of those
+  double cost{kInfinity};  ///< m^2: robust mean over points and free-space samples
+  double explained{0.0};   ///< share of the points within 5 cm of their segment
+  double residual{kNaN};   ///< m, RMS distance of those
 };
 
-/// Points of the image are to lie on the surface of the segment that explains them best, by distance and
-/// normal, on its side that faces the camera (Ganapathi and others, ECCV 2012). Points on the axes of the
-/// segments are not to lie where the camera looks past the person, nor before what it measured, nor inside
-/// the trunk, the head or the other leg. Not shared between threads; no allocation, no throw.
+/// Points of the image attract the surface of the segment that explains them best, by distance and normal, on
+/// its side facing the camera (Ganapathi and others, ECCV 2012). Sample points on the axes of the segments
+/// must not be in free space, nor in front of the measured surface, nor inside of the trunk, the head or the
+/// other leg. Not shared between threads; no allocation, no throw.
 class DepthFit {
  public:
   explicit DepthFit(const BodyRig& rig);
@@ -27,26 +27,27 @@ class DepthFit {
   const FitSurfaces& surfaces() const { return surfaces_; }
 
   struct Weights {
-    BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< towards the pose that is expected
-    double reach{0.10};  ///< m, residuals beyond it lose their weight (Geman, McClure 1985)
+    BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< weight towards the expected pose
+    double reach{0.10};  ///< m, scale of the robust weight: larger residuals lose influence (Geman, McClure
+                         ///< 1985)
   };
-  /// `steps` of Gauss-Newton from `pose`, which is made better. `expected` may be `pose` itself: every step
-  /// is then held to where it begins.
+  /// `steps` Gauss-Newton steps from `pose`, which is updated. `expected` may be `pose` itself: then every
+  /// step is regularised towards its start.
   void refine(const BodyObservation& seen, const RigPose& expected, const Weights& weights, int steps,
               RigPose& pose);
 
-  /// The last step of refine(), its points weighing 1 each at most and 1,000 all together.
+  /// Normal equations of the last step of refine(), with points weighted at most 1 each and 1,000 in total.
   const BodySolver& problem() const { return solver_; }
 
   DepthMisfit misfit(const BodyObservation& seen, const RigPlacement& X_WS);
 
-  /// Of every point, how ill the best segment fits among those of the mask; after refine() or misfit().
+  /// Misfit of every point to its best segment among those of the mask; after refine() or misfit().
   void scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments, float* best) const;
   /// Robust mean square of scores.
   static double robustMean(const float* score, std::size_t count);
-  /// Cost of the samples of these segments in free space and in other segments, m^2.
+  /// Cost (m^2) of the samples of these segments in free space and in other segments.
   double placeCost(const BodyObservation& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
-  /// Share of the samples of each segment that the camera sees where the pose has them.
+  /// Share of the samples of each segment that are visible at the pose.
   void visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                   std::array<double, kRigSegments>& share) const;
 
@@ -57,14 +58,14 @@ class DepthFit {
   struct Sample {
     RigSegment segment;
     Vector3d p_S;
-    double radius;  ///< m, of the segment there
+    double radius;  ///< m, of the segment at the sample
   };
   struct Violation {
-    Vector3d n;  ///< world; against the way out
+    Vector3d n;  ///< world; opposite to the direction out
     double depth{0.0};
   };
   Violation violation(const BodyObservation& seen, const Sample& sample, const Vector3d& p_W) const;
-  /// Of a sample in a segment that it must not be in.
+  /// Violation of a sample inside of a segment that it must not enter.
   Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                     const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);

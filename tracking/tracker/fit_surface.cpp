@@ -1,4 +1,4 @@
-// Distances to surfaces, one by one and many at once.
+// Distances to surfaces, for single points and in batches.
 #include "tracking/tracker/fit_surface.hpp"
 
 #include <cmath>
@@ -32,7 +32,7 @@ double FitSurface::level(const Vector3d& p, Vector3d& gradient) const {
 
 SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const Vector3d& p_W,
                              const Vector3d& eye) {
-  constexpr double kFacing = 0.05;  // cosine; flatter counts as seen
+  constexpr double kFacing = 0.05;  // cosine; flatter counts as visible
   const Vector3d p = X_WS.inverse() * p_W - s.centre.cast<double>();
   const Vector3d view = X_WS.linear().transpose() * (p_W - eye).normalized();
   Vector3d g;
@@ -42,7 +42,7 @@ SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const V
     hit.n = g / slope;
     hit.d = (level - 1.0) / slope;
   } else {
-    // Of a drum that of the ellipsoid in it.
+    // For a drum, that of the inscribed ellipsoid.
     const Vector3d r = s.semi.cast<double>();
     const Vector3d front = -r.cwiseAbs2().cwiseProduct(view) / r.cwiseProduct(view).norm();
     hit.n = -view;
@@ -54,7 +54,7 @@ SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const V
 
 namespace {
 
-/// scoreOf() with the kind of surface known, so that the loop has no branch.
+/// scoreOf() with the kind of surface as a template parameter, so that the loop has no branch.
 template <bool kDrum>
 void scoreAs(const FitSurface& s, const Transform& X_WS, const SeenPoints& points, float normal_weight,
              float* score) {
@@ -70,7 +70,7 @@ void scoreAs(const FitSurface& s, const Transform& X_WS, const SeenPoints& point
                 qc = (r02 * x + r12 * y + r22 * z) * ic;
     const float round = qa * qa + qb * qb, flat = qc * qc;
     const float level = kDrum ? std::sqrt(std::sqrt(round * round + flat * flat)) : std::sqrt(round + flat);
-    // The gradient times level^3 (drum) or level.
+    // Gradient times level^3 (drum) or level.
     const float ga = (kDrum ? round * qa : qa) * ia, gb = (kDrum ? round * qb : qb) * ib,
                 gc = (kDrum ? flat * qc : qc) * ic;
     const float scale = kDrum ? level * level * level : level;

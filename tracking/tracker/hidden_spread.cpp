@@ -12,14 +12,14 @@ bool has(SeenSegments seen, std::size_t s) { return (seen >> s & 1u) != 0; }
 }  // namespace
 
 std::array<double, humanmodel::kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen) {
-  // The point of a segment by which it hangs on what is seen, and the way (m) from there.
+  // Attachment point of a segment to what is visible, and the path length (m) from there.
   struct Hold {
     Vector3d p_S{Vector3d::Zero()};
     double way{kInfinity};
   };
   const auto along = [](const Hold& hold, const Vector3d& p_S) { return hold.way + (p_S - hold.p_S).norm(); };
   std::array<Hold, kRigSegments> hold;
-  // From the leaves to the root, which may hang on a child that is seen; then from the root to the leaves.
+  // From the leaves to the root, which may depend on a visible child; then from the root to the leaves.
   for (std::size_t s = kRigSegments; s-- > 1;) {
     const std::size_t parent = index(rig.parts[s].parent);
     const double way = has(seen, s) ? 0.0 : along(hold[s], Vector3d::Zero());

@@ -8,9 +8,9 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kNoise = 3.0;  // of the residual, as deviation of a point
+constexpr double kNoise = 3.0;  // times the residual: standard deviation of a point
 
-/// Of a joint: the constant term, and the term for a segment of which nothing is seen; m.
+/// For each joint: constant term, and term for an invisible segment; m.
 struct Terms {
   double shape, hidden;
 };

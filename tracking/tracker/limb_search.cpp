@@ -1,4 +1,4 @@
-// Two bones that reach for a point, and the search over points.
+// Two-bone inverse kinematics, and the search over positions.
 #include "tracking/tracker/limb_search.hpp"
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kBetter = 0.97;       // a place has to cost less than this share of the old one's
+constexpr double kBetter = 0.97;       // a position must cost less than this share of the old one's
 constexpr float kUnexplained = 0.05f;  // m
 constexpr int kUnexplainedTries = 10;
-constexpr double kUnderSkin = 0.03;  // m, a joint lies behind the surface that is seen
-// m^2 a rad^2: a place that needs a far turn has to explain more.
+constexpr double kUnderSkin = 0.03;  // m, depth of a joint behind the visible surface
+// m^2 for each rad^2: penalty of large rotations.
 constexpr double kTurnCost = 2e-6;
 constexpr double kLimitCost = 2e-3;
 constexpr std::size_t kPoints = 400;
@@ -22,7 +22,7 @@ double uniform(std::mt19937_64& random, double least, double most) {
 Vector3d normal(std::mt19937_64& random, double sigma) {
   Vector3d v;
   for (int k = 0; k < 3; ++k) {
-    double sum = -6.0;  // of twelve uniform numbers: nearly normal, the same on every machine
+    double sum = -6.0;  // sum of twelve uniform numbers: nearly normal, the same on every machine
     for (int i = 0; i < 12; ++i) sum += uniform(random, 0.0, 1.0);
     v[k] = sigma * sum;
   }
@@ -41,7 +41,7 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
   const double reach = std::clamp((goal - shoulder).norm(), std::abs(a - b) + 0.02, a + b - 1e-3);
   const Vector3d line = (goal - shoulder).norm() > 1e-6 ? Vector3d((goal - shoulder).normalized())
                                                         : Vector3d(-X_WP.linear().col(2));
-  // Angle at the shoulder by the law of cosines.
+  // Angle at the shoulder, law of cosines.
   const double cosine = std::clamp((a * a + reach * reach - b * b) / (2.0 * a * reach), -1.0, 1.0);
   const Vector3d out = limb.bend > 0.0 ? Vector3d(-X_WP.linear().col(2)) : Vector3d(X_WP.linear().col(0));
   Vector3d side = out - out.dot(line) * line;

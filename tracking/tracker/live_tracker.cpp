@@ -1,11 +1,10 @@
-// People of a camera that looks now, image by image.
+// Tracks people in live depth images.
 #include "tracking/tracker/live_tracker.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-// s; so long beyond the time that the finder keeps a number, so that nobody comes back to a body that is
-// gone.
+// s; longer than the finder keeps an id, so that no person returns to a body that is deleted.
 constexpr double kForgotten = 10.0;
 
 }  // namespace
@@ -50,7 +49,7 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
   return seen_;
 }
 
-/// Who is not in this image is lost in it, and after a while for good.
+/// People not in this image are lost; after a while their bodies are deleted.
 void LiveTracker::forget(double t) {
   humanmodel::SkeletonFrame none;
   none.t = t;

@@ -9,7 +9,7 @@
 namespace abstand::tracking {
 namespace {
 
-// The soles and the hair that a camera at the height of the chest does not see.
+// Soles and hair, invisible to a camera at chest height.
 constexpr double kUnseen = 0.02;      // m
 constexpr double kFeet = 0.2;         // m above the floor
 constexpr double kOutermost = 0.005;  // share of the pixels
@@ -37,7 +37,7 @@ VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera
   if (heights.empty()) return {};
   const double low = nearestQuantile(heights, kOutermost), top = nearestQuantile(heights, 1.0 - kOutermost);
   const bool to_floor = low < kFeet;
-  // Who is seen down to the feet stands on the floor, whose nearest pixels count as floor.
+  // A person seen down to the feet stands on the floor, whose nearest pixels are classified as floor.
   return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut};
 }
 
@@ -77,7 +77,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
     if (is_upright(top)) stature.used = top;
     stature.reason = "most images do not show the person from head to feet";
   }
-  // Raised arms make a person higher, nothing does lower.
+  // Raised arms increase the extent; nothing decreases it.
   if (seen < Stature::kTallest) stature.interval[0] = std::max(Stature::kShortest, seen);
   return stature;
 }

@@ -1,4 +1,4 @@
-// Grey for what was measured, colours for the body.
+// Grey for measured depth, colours for the body.
 #include "tracking/tracker/track_picture.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Colour greyOf(float z) {
   return {level, level, level};
 }
 
-/// Brightness by the slope of the drawn surface: from the change of depth to the next pixel.
+/// Brightness from the slope of the drawn surface, by the depth difference to the next pixel.
 double shade(const DepthImage& drawn, const DepthCamera& camera, int u, int v) {
   const float z = drawn.at(u, v);
   const float right = u + 1 < drawn.width && drawn.at(u + 1, v) > 0.0f ? drawn.at(u + 1, v) : z;

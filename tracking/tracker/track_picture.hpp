@@ -1,4 +1,4 @@
-// A depth image with the body that was fitted to it, to look at.
+// Picture of a depth image with the fitted body.
 #pragma once
 
 #include "tracking/depth/formats/colour_png.hpp"
@@ -6,9 +6,9 @@
 
 namespace abstand::tracking {
 
-/// The depth image in grey, nearer is brighter, and beside it the same with the rig's shapes drawn where they
-/// are nearer than 10 cm behind what was measured: the left side of the body orange, the right one blue,
-/// trunk and head green. Nothing is drawn of a body that was not found.
+/// The depth image in grey, nearer is brighter; beside it the same with the rig's shapes, drawn where they
+/// are at most 10 cm behind the measured depth: left side of the body orange, right side blue, trunk and head
+/// green. A body that was not found is not drawn.
 ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const BodyRig& rig,
                       const TrackedBody& body);
 

@@ -1,4 +1,4 @@
-// One person of a depth stream: measured, then followed.
+// One person of a depth stream: measured, then tracked.
 #pragma once
 
 #include <future>
@@ -9,56 +9,56 @@
 
 namespace abstand::tracking {
 
-/// Which way a person looked who was seen first.
+/// Facing direction of a person when first seen.
 struct Facing {
-  bool away{false};   ///< the back was to the camera
-  bool given{false};  ///< by the user
-  /// How much worse the first images were explained by a person who faces away than by one who faces the
-  /// camera; NaN: not compared.
+  bool away{false};   ///< the back is to the camera
+  bool given{false};  ///< set by the user
+  /// Ratio of the fit costs of the first images, facing away over facing the camera; NaN: not compared.
   double ratio{kNaN};
-  /// Below the one the back is taken, above the other the front is certain. Between them the images do not
-  /// decide: the front is taken, and that is said (docs/tracking.md has measured ratios).
+  /// Below kBackBelow the person faces away, above kFrontAbove certainly the camera. In between the images do
+  /// not decide: front is assumed and reported as undecided (docs/tracking.md has measured ratios).
   static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
   bool decided() const { return given || ratio < kBackBelow || ratio > kFrontAbove; }
 };
 
-/// What the images of a person have told of the body.
+/// Body learned from the images of a person.
 struct KnownBody {
   humanmodel::HumanOptions body;
   Stature stature;
   Facing facing;
 };
 
-/// Takes images of one person as they come. For the first of them the body is made from the stature that the
-/// pixels show (their median, unless it is given) and followed, as one that faces the camera; with the images
-/// that this explains well it is decided whether it does, the lengths and girths of the body are fitted, and
-/// the person is followed with these. One thread, and for
-/// fit_aside another. May allocate until it is fitted().
+/// Processes images of one person. The body is first made from the stature of the first images (median of the
+/// pixel extents, unless given) and tracked as facing the camera; then, from the images explained well,
+/// facing is decided, lengths and girths are fitted, and the person is tracked with these. One thread, and
+/// another one for fit_aside. May allocate until it is fitted().
 class TrackedPerson {
  public:
   struct Options {
     std::optional<double> height;  ///< m
-    bool fit_body{true};           ///< lengths and girths; else those usual for the height
-    bool fit_aside{false};         ///< on a thread of its own: until it is done images are followed as before
-    std::optional<bool> away;      ///< at first the back is to the camera, or not; else fit_body decides
+    bool fit_body{true};           ///< fit lengths and girths; otherwise the usual ones for the stature
+    bool fit_aside{false};         ///< fit on a separate thread; images are tracked with the first body
+                                   ///< meanwhile
+    std::optional<bool> away;      ///< initially the back is to the camera, or not; if unset, fit_body
+                                   ///< decides
     std::uint64_t seed{1};
   };
   explicit TrackedPerson(const Options& options);
-  /// With a body that is known already.
+  /// Starts with a known body.
   TrackedPerson(const Options& options, const KnownBody& known);
 
-  /// Nothing while the stature is being measured.
+  /// Null while the stature is being measured.
   const TrackedBody* see(double t, const DepthImage& image, const DepthCamera& camera,
                          std::span<const std::uint8_t> is_person);
   bool fitted() const { return fitted_; }
-  /// The body in use; nothing while the stature is being measured.
+  /// The current body; nullopt while the stature is being measured.
   const std::optional<humanmodel::HumanOptions>& body() const { return body_; }
   const Facing& facing() const { return facing_; }
-  /// Meaningful with body().
+  /// Valid if body() has a value.
   const Stature& stature() const { return stature_; }
   /// The rig of body().
   const BodyRig* rig() const { return rig_.get(); }
-  /// Ends measuring and fitting with the images that there are.
+  /// Ends measuring and fitting with the images so far.
   void settle();
 
  private:
@@ -66,7 +66,7 @@ class TrackedPerson {
     humanmodel::HumanOptions body;
     Facing facing;
   };
-  /// The facing is compared unless it is given.
+  /// Compares facing directions unless given.
   static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
   void use(const humanmodel::HumanOptions& body);
   void take(const Fit& fit);

@@ -1,4 +1,4 @@
-// Choosing the reader, and what a track says as a recording.
+// Selection of the reader, and conversion of a track to a recording.
 #include "tracking/tracker/tracked_recording.hpp"
 
 #include <cmath>
@@ -104,7 +104,7 @@ bool isDepthRecording(const std::filesystem::path& path) {
     openDepthStream(path);
     return true;
   } catch (const ParseError&) {
-    return false;  // holds a skeleton, or its reader says what is wrong
+    return false;  // contains a skeleton, or its reader reports the error
   }
 }
 
@@ -125,7 +125,7 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   tracker.known = known;
   tracker.interrupted = interruptRequested;
   const ClipTrack track = trackClip(*stream, tracker);
-  // Half a recording would stand for a person who was lost.
+  // A partial recording would look like a lost person.
   if (track.interrupted) throw Interrupted();
   if (track.people.empty())
     throw ParseError({path.string()}, "found nobody in the depth recording, expected a person");

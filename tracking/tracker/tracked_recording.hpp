@@ -1,4 +1,4 @@
-// A recording of a person from whatever shows one: skeletons, markers, or depth.
+// Recording of a person from skeletons, markers or depth images.
 #pragma once
 
 #include <filesystem>
@@ -8,26 +8,26 @@
 
 namespace abstand::tracking {
 
-/// The person of a track as a recording; its report says what was understood of the depth, where the world
-/// comes from, and the size of the body. Throws UsageError where there is no such person. `person` counts
-/// from 0, the one who was found in most images.
+/// Converts a person of a track to a recording; its report states the interpretation of the depth, the source
+/// of the world frame, and the size of the body. Throws UsageError if there is no such person. `person`
+/// counts from 0, sorted by the number of images found.
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person);
 
-/// Where the person looked at first, and why that is thought, in a sentence's rest.
+/// Initial facing direction with its reason, as the rest of a sentence.
 std::string facingReason(const Facing& facing);
 
-/// The stature in words, "1.76 m, measured" or an interval with its reason.
+/// The stature in words: "1.76 m, measured", or an interval with its reason.
 std::string statureReason(const Stature& stature);
 
-/// What weakens the track of a person, a sentence each: an undecided facing, a stature that is not known.
+/// Reservations about the track of a person, one sentence each: undecided facing, unknown stature.
 std::vector<std::string> trackWarnings(const ClipPerson& person);
 
-/// Whether a path is a depth recording: a folder, or a file of images, clouds or arrays of depth.
+/// True for a depth recording: a folder, or a file of depth images, clouds or arrays.
 bool isDepthRecording(const std::filesystem::path& path);
 
-/// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it
-/// is measured. With `known`, which cuts out what is no person, the recording has to say how its camera
-/// stands. Throws ParseError, UsageError, and Interrupted when an interrupt comes while it tracks.
+/// openRecording(); for a depth recording its first person, tracked. `height` (m): stature of the body;
+/// otherwise measured. With `known`, which removes pixels of known objects, the recording must state its
+/// camera pose. Throws ParseError, UsageError, and Interrupted on an interrupt during tracking.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
                            std::optional<double> height, const KnownThings& known = {});
 

@@ -116,7 +116,7 @@ void TrcReader::readRow(Cells& cells, PointFrame& frame) {
     if (line == 0) line = lines_.number();
   };
   std::string_view cell;
-  std::size_t cell_count = 0, value_count = 0;  // up to the last cell, and to the last that is not empty
+  std::size_t cell_count = 0, value_count = 0;  // up to the last cell, and to the last non-empty one
   SourcePos beyond;
   std::string first_beyond;
   while (cells.next(cell)) {

@@ -1,4 +1,4 @@
-// Markers as Motion Analysis and OpenSim store them: TRC, a table with tabs.
+// TRC markers of Motion Analysis and OpenSim: a tab-separated table.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace abstand::tracking {
 
-/// True where the text begins with PathFileType.
+/// True if the text begins with PathFileType.
 bool looksLikeTrc(std::string_view text);
 
-/// Marker names may be apart by one, two or three tabs, so they are counted, not placed. An empty cell, `nan`
-/// in any case, or a row that ends early is a gap. Where a row ends within a marker, a value is missing and
-/// nobody knows which: all its markers are gaps, with a warning. Values of whole markers behind the named
-/// ones are left out with a warning; other values too many are an error. Markers and frames are those found;
-/// a claim that differs is a warning.
+/// Marker names are separated by one, two or three tabs, so they are counted, not located by column. An empty
+/// cell, `nan` in any case, or a row that ends early is a gap. If a row ends within a marker, an unknown
+/// value is missing: all its markers are gaps, with a warning. Values of whole markers after the named ones
+/// are ignored with a warning; other surplus values are an error. Markers and frames are those present; a
+/// differing stated number is a warning.
 class TrcReader : public PointReader {
  public:
-  /// `text` must outlive this. Throws ParseError for the head.
+  /// `text` must outlive this object. Throws ParseError for the header.
   TrcReader(std::string_view text, std::string file);
 
   const PointFacts& facts() const override { return facts_; }
@@ -43,7 +43,7 @@ class TrcReader : public PointReader {
   long long claimed_frames_{-1}, claimed_markers_{-1};
   std::size_t frames_{0};
   double last_t_{0.0};
-  /// Lines, 0: none. Rows with fewer markers than names, with more, and with a part of a marker.
+  /// Line numbers, 0: none. First rows with fewer markers than names, with more, and with a part of a marker.
   int first_short_line_{0}, first_long_line_{0}, first_odd_line_{0};
   bool done_{false};
 };

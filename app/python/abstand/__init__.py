@@ -35,7 +35,7 @@ from ._engine import (
 
 __version__ = "@PROJECT_VERSION@"
 
-# Of the second extension, which is loaded when one of them is asked for: the readers behind it take a while.
+# Names of the second extension, which is loaded on first use of one of them, as loading its readers is slow.
 _LATER = ("Recording", "Scene", "SceneRun", "StepResult", "read_recording")
 
 __all__ = [name for name in globals() if not name.startswith("_")] + list(_LATER)

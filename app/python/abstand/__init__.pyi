@@ -1,4 +1,4 @@
-# Types of the module abstand; what things mean is in their docstrings and in docs/python.md.
+# Type stubs of the module abstand; its docstrings and docs/python.md describe behaviour.
 import os
 from typing import Any, Dict, List, Literal, Optional, Protocol, Sequence, Tuple, Union
 

@@ -1,4 +1,4 @@
-// Where a camera stands, from chessboards at known places.
+// Camera pose from chessboards at known poses.
 #include "tracking/depth/calibration/board_pose.hpp"
 
 #include <Eigen/Cholesky>
@@ -14,11 +14,11 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kMaxOff = 1.5;     // pixels
-constexpr double kClearer = 1.25;   // a pose that explains the corners so much better is the one
+constexpr double kClearer = 1.25;   // ratio of errors above which the better pose is unambiguous
 constexpr double kSamePose = 1e-3;  // rad
 constexpr int kMaxSteps = 50;
 constexpr double kSmallStep = 1e-11;
-constexpr double kDelta = 1e-6;  // m and rad, of differences
+constexpr double kDelta = 1e-6;  // m and rad, step of numerical derivatives
 
 struct Corner {
   Eigen::Vector2d pixel;
@@ -39,14 +39,14 @@ Vector3d middleOf(const std::vector<Corner>& corners) {
   return sum / static_cast<double>(corners.size());
 }
 
-/// Pixels that the corner is off; nothing where it lies behind the camera.
+/// Reprojection error of a corner in pixels; nullopt if it is behind the camera.
 std::optional<Eigen::Vector2d> off(const DepthCamera& camera, const Transform& X_CW, const Corner& corner) {
   const Vector3d p_C = X_CW * corner.p_W;
   if (!(p_C.z() > 0.0)) return std::nullopt;
   return camera.pixelOf(p_C) - corner.pixel;
 }
 
-/// sum r^2, J^T J and J^T r.
+/// Normal equations: sum r^2, J^T J and J^T r.
 struct Normal {
   double squares{0.0};
   Matrix6d JTJ{Matrix6d::Zero()};

@@ -1,11 +1,11 @@
-// Where a camera stands, from chessboards at known places.
+// Camera pose from chessboards at known poses.
 #pragma once
 
 #include "tracking/depth/calibration/chessboard.hpp"
 
 namespace abstand::tracking {
 
-/// A board that was seen, and where it lies.
+/// A detected board and its pose.
 struct PlacedBoard {
   BoardCorners corners;
   Transform X_WO{Transform::Identity()};
@@ -13,23 +13,22 @@ struct PlacedBoard {
 
 struct BoardFit {
   Transform X_WC{Transform::Identity()};
-  double rms{0.0};            ///< pixels, of the distances that are left
+  double rms{0.0};            ///< pixels, reprojection error
   double worst{0.0};          ///< pixels
   std::size_t worst_view{0};  ///< counted from 0
-  double depth{0.0};          ///< m, mean of the corners
-  /// m, standard deviation of an axis of a point that the camera sees. Two parts, added as squares:
-  /// - what is left, sigma = sqrt(sum r^2 / (2 n - 6)) pixels of n corners and 6 freedoms, is sigma depth / f
-  ///   across the rays. It is not divided by sqrt(n): a bent board and a wrong lens do not average out.
-  /// - the covariance sigma^2 (J^T J)^-1 of the pose, by spreadAt() kUsedWithin of the boards' middle: a
-  /// small
-  ///   board far away leaves the angles open.
+  double depth{0.0};          ///< m, mean over the corners
+  /// m, standard deviation of an axis of a point seen by the camera; sum of two variances.
+  /// Residuals: sigma = sqrt(sum r^2 / (2 n - 6)) pixels for n corners and 6 dof gives sigma depth / f across
+  /// the rays; not divided by sqrt(n), as a bent board and wrong lens parameters do not average out.
+  /// Covariance sigma^2 (J^T J)^-1 of the pose, by spreadAt() at kUsedWithin of the boards' centre: a small
+  /// board far away leaves the angles uncertain.
   double spread{0.0};
 };
 
-/// The pose with the least squares in the image (Gauss-Newton from posesOfBoard()). A board that is the same
-/// turned is taken the way round that is nearer to camera.X_WC. Throws UsageError where that is not given
-/// (the identity), where two poses explain the corners alike and it is not given, and where the corners are
-/// more than 1.5 pixels off, which is no noise.
+/// Least-squares pose by reprojection error (Gauss-Newton from posesOfBoard()). For a board with half-turn
+/// symmetry, the orientation nearer to camera.X_WC is used. Throws UsageError if that is needed but not given
+/// (the identity), if two poses explain the corners equally well and it is not given, and if corners are more
+/// than 1.5 pixels off, which is not noise.
 BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board, std::span<const PlacedBoard> views);
 
 }  // namespace abstand::tracking

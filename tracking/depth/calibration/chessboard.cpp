@@ -1,4 +1,4 @@
-// A chessboard in an image. The fence around OpenCV's calibration.
+// Chessboard detection in images. Wraps OpenCV's calibration.
 #include "tracking/depth/calibration/chessboard.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kMaxFocalSpread = 0.02;
-constexpr double kMinLean = 15.0;  // degrees, between the boards of two views at least
+constexpr double kMinLean = 15.0;  // degrees, smallest required angle between the boards of two views
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -30,7 +30,7 @@ Matrix3d turnOf(const cv::Mat& m) {
   return Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
 }
 
-/// rad, the largest angle between the normals of two boards.
+/// Largest angle (rad) between the normals of two boards.
 double mostLean(const std::vector<cv::Mat>& turns) {
   double least = 1.0;
   for (const cv::Mat& a : turns)
@@ -54,14 +54,14 @@ Corners toCv(const BoardCorners& corners) {
   return out;
 }
 
-/// Whether the squares are dark and light by turns, the outermost ones too, which a grid that is off by a
-/// square does not have.
+/// Checks that the squares alternate between dark and light, including the outermost ones; rejects a grid
+/// that is shifted by a square.
 struct Colours {
   bool alternate{false};
-  bool origin_is_light{false};  ///< of square (0, 0)
+  bool origin_is_light{false};  ///< colour of square (0, 0)
 };
 
-/// Pixel in the middle of a square; of those at the rim as their neighbours' sides go on.
+/// Pixel at the centre of a square; for border squares by extrapolation of the neighbours' sides.
 Eigen::Vector2d middleOf(const Chessboard& board, const BoardCorners& corners, int column, int row) {
   const int across = board.columns - 1, along = board.rows - 1;
   const int c = std::clamp(column - 1, 0, across - 2), r = std::clamp(row - 1, 0, along - 2);
@@ -72,8 +72,8 @@ Eigen::Vector2d middleOf(const Chessboard& board, const BoardCorners& corners, i
 }
 
 Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCorners& corners) {
-  constexpr double kMinRight = 0.95;  // of the squares; a shine may cover some
-  std::vector<double> level[2];       // of squares of the origin's colour, and of the others
+  constexpr double kMinRight = 0.95;  // share of the squares; reflections may cover some
+  std::vector<double> level[2];       // brightness of squares of the origin's colour, and of the others
   for (int r = 0; r < board.rows; ++r)
     for (int c = 0; c < board.columns; ++c) {
       const Eigen::Vector2d p = middleOf(board, corners, c, r);
@@ -96,7 +96,7 @@ Colours coloursOf(const GreyImage& image, const Chessboard& board, const BoardCo
   return {static_cast<double>(right) >= kMinRight * all, own > other};
 }
 
-/// Half the side of a window that holds one corner alone, wherever the board leans, pixels.
+/// Half the side (pixels) of a window that contains only one corner, for any inclination of the board.
 int windowOf(const Corners& corners, int across, int along) {
   double nearest = kInfinity;
   for (int r = 0; r < along; ++r)
@@ -115,7 +115,7 @@ int windowOf(const Corners& corners, int across, int along) {
 std::optional<BoardCorners> findChessboard(const GreyImage& image, const Chessboard& board) {
   const int across = board.columns - 1, along = board.rows - 1;
   const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
-  // A second way to look, for boards of which the first takes the rim for a row of squares.
+  // Second detector, for boards of which the first one takes the border for a row of squares.
   for (const bool by_sectors : {true, false}) {
     Corners found;
     const cv::Size size(across, along);
@@ -126,14 +126,14 @@ std::optional<BoardCorners> findChessboard(const GreyImage& image, const Chessbo
                    : cv::findChessboardCorners(grey, size, found,
                                                cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
     if (!is_found || found.size() != board.corners()) return std::nullopt;
-    // What finds the board is off by up to a quarter of a pixel where noise is strong.
+    // The detectors err by up to a quarter of a pixel in strong noise: sub-pixel refinement.
     const int window = windowOf(found, across, along);
     cv::cornerSubPix(grey, found, cv::Size(window, window), cv::Size(-1, -1),
                      cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-4));
     BoardCorners corners;
     for (const cv::Point2f& p : found)
       corners.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y));
-    // Seen from the front, y is to the left of x: the image's rows count down.
+    // Seen from the front, y is to the left of x, as the image's rows count downwards.
     const Eigen::Vector2d x = corners[static_cast<std::size_t>(across - 1)] - corners.front();
     const Eigen::Vector2d y = corners[static_cast<std::size_t>(across * (along - 1))] - corners.front();
     if (x.x() * y.y() - x.y() * y.x() > 0.0)
@@ -196,7 +196,7 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
     for (int i = 0; i < 5; ++i) c.distortion[i] = distortion.at<double>(i);
     fit.focal_spread = std::max(spread.at<double>(0) / c.fx, spread.at<double>(1) / c.fy);
   }
-  // Boards that are parallel hide the focal length in their distance. Written so that NaN fails.
+  // Parallel boards do not determine the focal length. The negated form also rejects NaN.
   if (!(std::isfinite(fit.rms) && fit.focal_spread <= kMaxFocalSpread &&
         mostLean(turns) >= unit::deg(kMinLean)))
     throw UsageError(

@@ -14,16 +14,16 @@ namespace {
 
 constexpr char kPointsHeader[] = "cx,cy,cz,wx,wy,wz";
 constexpr double kMaxPointDistance = 1e3;  // m
-// Share of the longest extent that points have to leave a line by.
+// Smallest extent of the points across a line, as a share of their longest extent.
 constexpr double kOffLine = 0.02;
 
-/// The six numbers of a line.
+/// Parses the six numbers of a line.
 MatchedPoint pointOf(std::string_view line, const std::string& file, int number) {
   Cells cells(line, file, number);
   std::string_view cell;
   std::array<double, 6> v{};
   for (std::size_t k = 0; k < v.size(); ++k) {
-    if (!cells.next(cell))  // it would begin behind one more comma
+    if (!cells.next(cell))  // the position after one more comma
       throw ParseError({file, number, static_cast<int>(line.size()) + 2},
                        "found " + std::to_string(k) + " numbers, expected 6: " + kPointsHeader);
     const auto value = parseDouble(cell);

@@ -1,4 +1,4 @@
-// How well the pose of a camera is known, and what that means for the points that it sees.
+// Accuracy of a camera pose, and of the points that the camera sees.
 #include "tracking/depth/calibration/pose_spread.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Where a camera stands, from depth images of things whose surfaces and places are known.
+// Camera pose from depth images of bodies with known surfaces and poses.
 #include "tracking/depth/calibration/surface_pose.hpp"
 
 #include <Eigen/Cholesky>
@@ -15,25 +15,25 @@ namespace {
 
 constexpr double kMinPoints = 150.0;
 constexpr double kMinExplained = 0.5;
-constexpr double kMinHeld = 1e-3;           // of a freedom, as a share of all rows
-constexpr std::size_t kMaxPixels = 100000;  // that are looked at, of all views
-constexpr std::size_t kEvery = 5;           // of the points, until the best start is known
-constexpr double kAgree = 0.6;              // cosine between the normals of image and surface
-constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfaces are not measured well
+constexpr double kMinHeld = 1e-3;           // smallest constraint of a dof, as a share of all rows
+constexpr std::size_t kMaxPixels = 100000;  // evaluated in all views together
+constexpr std::size_t kEvery = 5;           // uses every kEvery-th point until the best start is known
+constexpr double kAgree = 0.6;              // smallest cosine between the normals of image and surface
+constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfaces are not measured accurately
 constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
 constexpr int kSteps = 25;
 constexpr double kSmallSurfaceStep = 1e-6;
-constexpr double kSmallest = 5e-4;  // m, of the scale of the weights
+constexpr double kSmallest = 5e-4;  // m, smallest scale of the weights
 constexpr double kTouch = 1e-4;     // m; nearer than this the direction to the surface is not its normal
 constexpr std::size_t kStarts = 4;
-constexpr double kLastTolerance = 0.02;  // m, of the cost that chooses between the starts' ends
+constexpr double kLastTolerance = 0.02;  // m, of the cost that selects among the results of the starts
 
 struct Measured {
   Vector3d p_C, n_C;
   std::size_t view;
 };
 
-/// Points with normals where the image is smooth, of a grid that has few enough.
+/// Points with normals where the image is smooth, on a grid that limits their number.
 std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const SurfaceView> views) {
   std::vector<Measured> points;
   const std::size_t pixels = static_cast<std::size_t>(camera.width * camera.height) * views.size();
@@ -53,7 +53,7 @@ std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const 
         if (!smooth) continue;
         const Vector3d n = (below - above).cross(right - left);
         const double cosine = -n.dot(p) / (n.norm() * p.norm());
-        // Written so that NaN fails.
+        // The negated form also rejects NaN.
         if (!(std::abs(cosine) > kFlat)) continue;
         points.push_back({p, (cosine > 0.0 ? 1.0 : -1.0) * n.normalized(), k});
       }
@@ -61,7 +61,7 @@ std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const 
   return points;
 }
 
-/// m; 0 inside.
+/// Distance (m) from p to a box; 0 inside.
 double distanceToBox(const geometry::Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
 }
@@ -79,7 +79,7 @@ class Fit {
     for (const geometry::Surface* body : bodies) boxes_.push_back(body->bounds());
   }
 
-  /// What is left at a pose.
+  /// Residuals and normal equations at a pose.
   struct Sum {
     double weights{0.0}, squares{0.0};
     Vector3d middle{Vector3d::Zero()};
@@ -87,7 +87,7 @@ class Fit {
     Vector6d JTr{Vector6d::Zero()};
   };
 
-  /// Of every `stride`-th point.
+  /// Sum over every `stride`-th point.
   Sum at(const Transform& X_WC, double gate, std::size_t stride) const {
     std::vector<std::pair<Row, Vector3d>> rows;
     std::vector<double> sizes;
@@ -118,13 +118,13 @@ class Fit {
     return sum;
   }
 
-  /// The nearest end; from a `rough` start with a gate that closes.
+  /// Gauss-Newton result; from a `rough` start with a gate that shrinks.
   Transform from(Transform X_WC, bool rough) const {
     for (int i = rough ? 0 : kSteps / 2; i < kSteps; ++i) {
       const double part = std::min(1.0, static_cast<double>(i) / (0.5 * kSteps));
       const Sum sum = at(X_WC, kFirstGate + part * (kLastGate - kFirstGate), rough ? kEvery : 1);
       if (!(sum.weights > 6.0)) return X_WC;
-      // A little held, so that an open freedom does not run away.
+      // Damping, so that an undetermined dof does not diverge.
       Matrix6d held = sum.JTJ;
       held.diagonal().array() += 1e-6 * sum.weights;
       const Vector6d step = -held.ldlt().solve(sum.JTr);
@@ -136,7 +136,7 @@ class Fit {
   }
 
  private:
-  /// The surface within `gate` of a point, whose normal agrees with the image's.
+  /// The surface within `gate` of a point with a consistent normal.
   bool nearest(const Vector3d& p_W, const Vector3d& n_image, std::size_t view, double gate, Row& row) const {
     double best = gate;
     std::size_t body = bodies_.size();
@@ -174,8 +174,8 @@ class Fit {
   std::vector<geometry::Bounds> boxes_;
 };
 
-/// The least that a freedom is held by, as a share of the rows: turns count by the way that they move a point
-/// as far from the middle as most are.
+/// Smallest constraint of any dof, as a share of the rows: rotations count by the displacement of a point at
+/// a typical distance from the centre.
 double leastHeld(const Fit::Sum& sum) {
   Matrix6d H = sum.JTJ / sum.weights;
   const double turns = H.bottomRightCorner<3, 3>().trace();

@@ -1,4 +1,4 @@
-// Points spread over known surfaces, to be looked for in depth images.
+// Uniform samples of known surfaces.
 #include "tracking/depth/calibration/surface_samples.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kSagitta = 1e-3;  // m, of the meshes of shapes
+constexpr double kSagitta = 1e-3;  // m, for meshes of shapes
 
 struct Face {
   std::array<Vector3d, 3> corners;
@@ -25,7 +25,7 @@ Vector3d doubleArea(const Face& f) {
 std::vector<SurfaceSample> sampleSurfaces(std::span<const geometry::Surface* const> bodies, std::size_t count,
                                           std::uint64_t seed) {
   std::vector<Face> faces;
-  std::vector<double> up_to;  // area of all faces so far
+  std::vector<double> up_to;  // cumulative area of the faces
   double area = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const geometry::TriangleMesh mesh = bodies[b]->mesh(kSagitta);

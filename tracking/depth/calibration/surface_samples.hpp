@@ -1,4 +1,4 @@
-// Points spread over known surfaces, to be looked for in depth images.
+// Uniform samples of known surfaces.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 namespace abstand::tracking {
 
 struct SurfaceSample {
-  Vector3d p, normal;  ///< m; unit, outwards; of body `body`, in its frame
+  Vector3d p, normal;  ///< m; unit, outward; of body `body`, in its frame
   std::size_t body{0};
 };
 
-/// `count` points, the same number on the same area whichever body it belongs to. The same for the same seed.
+/// `count` points, uniform in area over all bodies. Deterministic for a seed.
 std::vector<SurfaceSample> sampleSurfaces(std::span<const geometry::Surface* const> bodies, std::size_t count,
                                           std::uint64_t seed);
 

@@ -1,4 +1,4 @@
-// Looks for the pose of a camera, roughly, in which known things explain its depth images.
+// Global search for the camera pose in which known bodies explain depth images.
 #include "tracking/depth/calibration/surface_search.hpp"
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr std::size_t kSearchPoints = 1200;  // of all views
+constexpr std::size_t kSearchPoints = 1200;  // in all views together
 constexpr std::size_t kCoarse = 6000, kKept = 16;
 constexpr int kRounds = 8, kTries = 60;
 constexpr double kFirstTolerance = 0.1, kFinestTolerance = 0.03;  // m
-constexpr double kNotSeen = 0.6;  // cost of a point that is hidden, or falls where nothing was measured
+constexpr double kNotSeen = 0.6;  // cost of a point that is occluded or has no measurement
 
 struct Candidate {
   double cost;
   Transform X_WC;
 };
 
-/// Uniform in a box: moved and turned about the camera's own axes.
+/// Uniformly distributed offset in a box: translated and rotated about the camera's own axes.
 Transform beside(const Transform& X_WC, double reach, double turn, Random& random) {
   const Vector3d move = random.inCube(reach), angles = random.inCube(turn);
   return X_WC * fromXyzRpy(move, angles);
@@ -73,7 +73,7 @@ double SurfaceSearch::cost(const Transform& X_WC, double tolerance) const {
 double SurfaceSearch::explained(const Transform& X_WC) const {
   double there = 0.0, count = 0.0;
   look(X_WC, [&](double behind, double z) {
-    const double tolerance = 0.03 + 0.006 * z * z;  // two steps of a Kinect's disparity and its edges
+    const double tolerance = 0.03 + 0.006 * z * z;  // two steps of a Kinect's disparity, and its edge effects
     if (!(behind > -tolerance)) return;
     count += 1.0;
     if (behind < tolerance) there += 1.0;

@@ -1,4 +1,4 @@
-// A pinhole depth camera and its file.
+// Pinhole depth camera and its file format.
 #include "tracking/depth/camera/depth_camera.hpp"
 
 #include "core/base/error.hpp"

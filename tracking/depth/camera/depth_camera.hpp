@@ -1,4 +1,4 @@
-// A pinhole depth camera and its file.
+// Pinhole depth camera and its file format.
 #pragma once
 
 #include <filesystem>
@@ -18,23 +18,24 @@ struct DepthCamera {
   /// k1, k2, p1, p2, k3 of OpenCV's model.
   Eigen::Matrix<double, 5, 1> distortion{Eigen::Matrix<double, 5, 1>::Zero()};
   Transform X_WC{Transform::Identity()};  ///< camera in world
-  double spread{0.0};  ///< m, standard deviation of an axis of where X_WC has a point; 0: not known
+  double spread{0.0};  ///< m, standard deviation of an axis of a point's position due to X_WC; 0: unknown
 
-  /// The point in the camera's frame that is seen at (u, v), z (m) along the optical axis. Undistorted.
+  /// The point in the camera's frame at pixel (u, v) and depth z (m) along the optical axis. Without
+  /// distortion.
   Vector3d at(double u, double v, double z) const { return {(u - cx) / fx * z, (v - cy) / fy * z, z}; }
-  /// Pixel (u, v) of a point before the camera, distortion included (Brown's model in OpenCV's order).
+  /// Pixel (u, v) of a point in front of the camera, with distortion (Brown's model in OpenCV's order).
   Eigen::Vector2d pixelOf(const Vector3d& p_C) const;
 };
 
-/// Reads a camera file: YAML with `width, height, fx, fy, cx, cy, depth_scale`, and optional `distortion:
+/// Reads a camera file: YAML with `width, height, fx, fy, cx, cy, depth_scale`, and optionally `distortion:
 /// [k1, k2, p1, p2, k3]`, `T_WC: {xyz, rpy}` and `spread`. Throws ParseError with line and column.
 DepthCamera loadDepthCamera(const std::filesystem::path& file);
 DepthCamera parseDepthCamera(const std::string& text, const std::string& file);
-/// What parseDepthCamera() reads, to the last bit of every number.
+/// Text that parseDepthCamera() reads back to exactly the same numbers.
 std::string describeDepthCamera(const DepthCamera& camera);
 
-/// At `eye`, its optical axis towards `target`, rows level; world z is up. Throws UsageError where they are
-/// one point or one above the other.
+/// Camera pose at `eye` with the optical axis towards `target` and level rows; world z is up. Throws
+/// UsageError if they coincide or one is above the other.
 Transform lookingAt(const Vector3d& eye, const Vector3d& target);
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// What a depth camera saw once.
+// One image of a depth camera.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace abstand::tracking {
 
-/// Depths (m) along the optical axis, row by row from the top; 0: not measured.
+/// Depths (m) along the optical axis, row by row from the top; 0: no measurement.
 struct DepthImage {
   int width{0}, height{0};
   std::vector<float> z;

@@ -1,4 +1,4 @@
-// Images as they come from a format or a driver, made into those of a plain pinhole camera.
+// Rectifies images of a format or driver to those of an ideal pinhole camera.
 #include "tracking/depth/camera/straight_images.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr float kMaxStraightDepth = 100.0f;  // m; no depth camera measures beyond
+constexpr float kMaxStraightDepth = 100.0f;  // m; beyond the range of depth cameras
 
-/// Where the pixel (u, v) of a camera without distortion lies in the image of the camera with it; row-major
-/// number of the nearest pixel, -1 beside the image.
+/// For each pixel of an undistorted image, the row-major index of the nearest pixel in the distorted image;
+/// -1 if outside.
 std::vector<int> pixelsWithDistortion(const DepthCamera& c) {
   std::vector<int> from;
   from.reserve(static_cast<std::size_t>(c.width) * static_cast<std::size_t>(c.height));
@@ -41,7 +41,7 @@ StraightImages::StraightImages(const DepthCamera& camera, bool is_mirrored)
 
 void StraightImages::straighten(DepthImage& image) {
   ABSTAND_CHECK(image.width == camera_.width && image.height == camera_.height);
-  // Written so that NaN is not measured.
+  // The comparisons turn NaN into 0.
   for (float& z : image.z)
     if (!(z > 0.0f && z <= kMaxStraightDepth)) z = 0.0f;
   if (!from_.empty()) {

@@ -1,4 +1,4 @@
-// Images as they come from a format or a driver, made into those of a plain pinhole camera.
+// Rectifies images of a format or driver to those of an ideal pinhole camera.
 #pragma once
 
 #include "tracking/depth/camera/depth_camera.hpp"
@@ -6,22 +6,22 @@
 
 namespace abstand::tracking {
 
-/// Takes the distortion of a camera out of its images, by the nearest pixel, and turns those of a mirror
-/// back. After the first image nothing allocates. One thread.
+/// Removes lens distortion by nearest-pixel remapping, and mirroring. No allocation after the first image.
+/// One thread.
 class StraightImages {
  public:
-  /// `camera` is that of the images as they come.
+  /// `camera`: that of the original images.
   StraightImages(const DepthCamera& camera, bool is_mirrored);
 
-  /// Of the images that straighten() leaves: without distortion.
+  /// The camera of the rectified images, without distortion.
   const DepthCamera& camera() const { return camera_; }
-  /// Of the size of the camera. Depths that are no numbers, not above 0 or beyond 100 m become 0.
+  /// `image` has the size of the camera. Depths that are NaN, <= 0 or above 100 m become 0.
   void straighten(DepthImage& image);
 
  private:
   DepthCamera camera_;
   bool is_mirrored_;
-  std::vector<int> from_;  ///< of a camera with distortion: the pixel that each one is taken from; -1: none
+  std::vector<int> from_;  ///< for a camera with distortion: source pixel of each pixel; -1: none
   DepthImage straight_;
 };
 

@@ -1,4 +1,4 @@
-// Pictures for people to look at. A fence around OpenCV's image files, as depth_png is.
+// Writes colour pictures. Wraps OpenCV's image files, like depth_png.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct ColourImage {
   std::array<std::uint8_t, 3>& at(int u, int v) { return pixels[static_cast<std::size_t>(v * width + u)]; }
 };
 
-/// Whole or not at all. Throws UsageError when the place cannot be written.
+/// Written completely or not at all. Throws UsageError if the file cannot be written.
 void saveColourPng(const ColourImage& image, const std::filesystem::path& file);
 
 }  // namespace abstand::tracking

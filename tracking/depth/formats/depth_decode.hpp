@@ -1,4 +1,4 @@
-// The fence around OpenCV's decoders of image files.
+// Wraps OpenCV's image decoders.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace abstand::tracking {
 
-/// An image of one channel of 16 bits, its header checked before, in metres (`scale`: units a metre). Throws
-/// ParseError for one that is damaged; `kind` names it.
+/// Decodes a single-channel 16-bit image, whose header was checked, to metres (`scale`: units per metre).
+/// Throws ParseError for a damaged image; `kind` names it.
 DepthImage decodeGrey16(const std::string& bytes, double scale, const std::string& file, const char* kind);
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// Depth recordings that are a folder of files, or one file: images, clouds, arrays.
+// Depth recordings in a folder of files, or in one file: images, clouds, arrays.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -19,9 +19,9 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{256} << 20;
-constexpr double kMillimetres = 1000.0;  // units a metre where no camera file says it
+constexpr double kMillimetres = 1000.0;  // units per metre without a camera file
 
-/// True where `a` stands before `b` as people count: image2 before image10.
+/// Natural order: image2 before image10.
 bool naturallyBefore(const std::string& a, const std::string& b) {
   const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;
@@ -48,7 +48,7 @@ bool naturallyBefore(const std::string& a, const std::string& b) {
 struct Found {
   DepthFileKind kind{DepthFileKind::kOther};
   std::vector<Path> files;
-  std::size_t colour{0};  ///< PNG beside that are no depth
+  std::size_t colour{0};  ///< number of PNGs in the folder that are not depth images
 };
 
 const char* nameOf(DepthFileKind kind) {
@@ -71,7 +71,7 @@ Found findFiles(const Path& path) {
   std::error_code ec;
   if (!std::filesystem::is_directory(path, ec)) {
     const DepthFileKind kind = depthFileKind(path);
-    // Its reader says what is wrong with a PNG of other bits.
+    // Its reader reports a PNG with another bit depth.
     return {kind == DepthFileKind::kColourPng ? DepthFileKind::kPng : kind, {path}};
   }
   std::map<DepthFileKind, std::vector<Path>> by_kind;
@@ -107,7 +107,7 @@ DepthImage imageOf(const PcdCloud& cloud) {
   return image;
 }
 
-/// Frame `frame` of rows x columns or frames x rows x columns. Whole numbers are in the camera's units,
+/// Frame `frame` of an array rows x columns or frames x rows x columns. Integers are in the camera's units,
 /// floating point in metres.
 DepthImage imageOf(const NpyArray& array, std::size_t frame, double scale) {
   const std::size_t columns = array.size.back(), rows = array.size[array.size.size() - 2];
@@ -162,7 +162,7 @@ DepthImage loadOne(const Path& file, DepthFileKind kind, double scale) {
   }
 }
 
-/// An array of several frames, kept in memory.
+/// An array of several frames, stored in memory.
 DepthSource openNpyStack(const Path& file, const DepthStreamOptions& options) {
   const auto bytes = std::make_shared<const std::string>(readFile(file, kMaxBytes));
   const NpyArray array = parseDepthNpy(*bytes, file.string());
@@ -227,7 +227,7 @@ DepthSource openDepthMat(const Path& file, const DepthStreamOptions& options) {
                static_cast<int>(rows), file.string());
   countTimes(source, depth->values.size() / (rows * columns), options);
   source.facts.notes.push_back("people are cut out already in this set: there is no background");
-  // A left hand is on the left of its images, as the set's own skeletons project into them.
+  // The images are mirrored: the set's own skeletons project with the left hand on the left.
   source.mirrored = true;
   source.load = [depth, rows, columns, scale = source.camera.depth_scale](std::size_t frame) {
     DepthImage image(static_cast<int>(columns), static_cast<int>(rows));

@@ -1,4 +1,4 @@
-// Depth images as 16-bit PNG. The fence around OpenCV's image files.
+// Depth images as 16-bit PNG. Wraps OpenCV's image files.
 #include "tracking/depth/formats/depth_png.hpp"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMax = 65535.0;
 constexpr std::uintmax_t kMaxDepthPngBytes = std::uintmax_t{256} << 20;
-/// Before the decoder reserves memory for what a stranger says.
+/// Checks the header before the decoder allocates memory for untrusted sizes.
 void checkHeader(const std::string& bytes, const std::string& file) {
   const PngHeader header = readPngHeader(bytes, file, "a depth image (grey, 16 bits)");
   if (header.bits != 16 || header.colour != 0)
@@ -31,7 +31,7 @@ void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       const double units = std::round(image.at(u, v) * scale);
-      // Written so that NaN is not measured.
+      // The comparisons turn NaN into 0.
       grey.at<std::uint16_t>(v, u) =
           units >= 1.0 && units <= kMax ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
     }

@@ -1,4 +1,4 @@
-// Depth images as 16-bit PNG. The fence around OpenCV's image files.
+// Depth images as 16-bit PNG. Wraps OpenCV's image files.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace abstand::tracking {
 
-/// Writes round(z * scale) in grey of 16 bits; what does not fit becomes 0, not measured. Whole or not at
-/// all. Throws UsageError when the place cannot be written.
+/// Writes round(z * scale) as 16-bit grey; values out of range become 0, no measurement. Written completely
+/// or not at all. Throws UsageError if the file cannot be written.
 void saveDepthPng(const DepthImage& image, double scale, const std::filesystem::path& file);
 
-/// Throws ParseError for what is no PNG of one channel of 16 bits, and for sides above
+/// Throws ParseError for anything except a PNG with one 16-bit channel, and for sides above
 /// DepthCamera::kMaxPixels.
 DepthImage loadDepthPng(const std::filesystem::path& file, double scale);
 

@@ -1,4 +1,4 @@
-// What the formats of depth recordings share: cameras, times, kinds of files.
+// Common parts of depth recording formats: cameras, times, kinds of files.
 #include "tracking/depth/formats/depth_sources.hpp"
 
 #include <array>
@@ -10,14 +10,14 @@
 namespace abstand::tracking {
 namespace {
 
-/// Images of known sensors, by their size: published nominal numbers.
+/// Nominal intrinsics of known sensors, by image size.
 struct Sensor {
   int width, height;
   double focal, cx, cy;
   const char* name;
 };
 // Kinect v1: NUI_CAMERA_DEPTH_NOMINAL_FOCAL_LENGTH_IN_PIXELS of Microsoft's SDK, 285.63 at 320 x 240.
-// Kinect v2: 365.5 pixels, the middle of what devices report of themselves.
+// Kinect v2: 365.5 pixels, a typical value reported by devices.
 constexpr std::array kSensors{Sensor{320, 240, 285.63, 159.5, 119.5, "Kinect v1"},
                               Sensor{640, 480, 571.26, 319.5, 239.5, "Kinect v1"},
                               Sensor{512, 424, 365.5, 255.5, 211.5, "Kinect v2"}};
@@ -87,7 +87,7 @@ void countTimes(DepthSource& source, std::size_t frames, const DepthStreamOption
 
 DepthFileKind depthFileKind(const std::filesystem::path& file) {
   std::array<char, 32> first{};
-  // A pipe would be waited for without end.
+  // Reading a pipe would block forever.
   std::error_code ec;
   if (!std::filesystem::is_regular_file(file, ec)) return DepthFileKind::kOther;
   std::ifstream in(file, std::ios::binary);

@@ -1,4 +1,4 @@
-// Depth images one after the other, whatever files they came in.
+// Sequential depth images from any file format.
 #include "tracking/depth/formats/depth_stream.hpp"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ bool DepthStream::next(DepthFrame& frame) {
 
 std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
                                              const DepthStreamOptions& options) {
-  // Written so that NaN fails.
+  // The negated form also rejects NaN.
   if (!(options.rate >= 0.0 && options.rate <= 1000.0))
     throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames a second");
   DepthSource source = openSource(path, options);

@@ -1,4 +1,4 @@
-// Depth images one after the other, whatever files they came in.
+// Sequential depth images from any file format.
 #pragma once
 
 #include <filesystem>
@@ -13,58 +13,55 @@
 namespace abstand::tracking {
 
 struct DepthFrame {
-  double t{0.0};  ///< s since the first frame of the file; of a clip of the simulator, of its scene
+  double t{0.0};  ///< s since the first frame of the file; for a simulated clip, time of its scene
   DepthImage image;
 };
 
-/// What was understood of a depth recording, and why.
+/// Interpretation of a depth recording, with reasons.
 struct DepthFacts {
   std::string format;         ///< as in README.md
-  double rate{0.0};           ///< Hz, of the median step; 0: one frame alone
-  std::string rate_reason;    ///< where the times come from
-  std::string camera_reason;  ///< where the intrinsics come from
-  bool camera_known{false};   ///< the intrinsics are those of a file; else they were guessed or fitted
-  bool pose_known{false};     ///< camera().X_WC is of a file; else it is the identity and says nothing
+  double rate{0.0};           ///< Hz, from the median step; 0: a single frame
+  std::string rate_reason;    ///< source of the times
+  std::string camera_reason;  ///< source of the intrinsics
+  bool camera_known{false};   ///< the intrinsics are from a file; otherwise guessed or fitted
+  bool pose_known{false};     ///< camera().X_WC is from a file; otherwise the identity, without meaning
   std::vector<std::string> notes;
 };
 
-/// What a user may say instead of letting the reader guess.
+/// User options that override the reader's guesses.
 struct DepthStreamOptions {
-  std::filesystem::path
-      camera;        ///< a camera file; its depth_scale counts where a format does not say its own
-  double rate{0.0};  ///< Hz; 0: what the files say; else frame i lies at i / rate
-  bool mirror{
-      false};  ///< the images are those of a mirror, as some drivers make them: exchange left and right
+  std::filesystem::path camera;  ///< camera file; its depth_scale is used if a format has none
+  double rate{0.0};              ///< Hz, time of frame i is i / rate; 0: as in the files
+  bool mirror{false};            ///< the images are mirrored, as by some drivers: exchange left and right
 };
 
-/// What a format hands over: times that rise, and how to read the frame of each.
+/// Content of a format: increasing times, and a function that reads the frame of each.
 struct DepthSource {
   DepthCamera camera;
   DepthFacts facts;
-  bool mirrored{false};   ///< the format's images are known to be a mirror's
+  bool mirrored{false};   ///< the format's images are known to be mirrored
   std::vector<double> t;  ///< s
   /// Reads frame i. Throws ParseError.
   std::function<DepthImage(std::size_t)> load;
 };
 
-/// Notes what StraightImages does to the images of such a camera.
+/// Adds to `facts` what StraightImages does to the images of this camera.
 void noteStraightening(DepthFacts& facts, const DepthCamera& camera, bool is_mirrored);
 
-/// Reads frame by frame, and holds one. Not shared between threads.
+/// Reads frames sequentially and stores one. Not shared between threads.
 class DepthStream {
  public:
   explicit DepthStream(DepthSource source);
 
-  /// Without distortion: where the file's camera has one, next() takes it out of the images. Of mirrored
-  /// images: after they were turned back.
+  /// Camera of the images of next(): distortion and mirroring are removed from them.
   const DepthCamera& camera() const { return straight_.camera(); }
   const DepthFacts& facts() const { return source_.facts; }
   std::size_t size() const { return source_.t.size(); }
   const std::vector<double>& times() const { return source_.t; }
-  /// The next frame into `frame`, of the camera's size, depths from 0 (not measured) to 100 m; false after
-  /// the last one. Throws ParseError.
+  /// Reads the next frame, of the camera's size, depths from 0 (no measurement) to 100 m; false after the
+  /// last one. Throws ParseError.
   bool next(DepthFrame& frame);
-  /// The next frame will be number `frame`.
+  /// Sets the index of the next frame.
   void seek(std::size_t frame) { next_ = frame; }
 
  private:
@@ -73,8 +70,8 @@ class DepthStream {
   std::size_t next_{0};
 };
 
-/// Opens a folder or a file; the format is found by content. Throws ParseError, in one true sentence, for
-/// what is no depth recording, and UsageError for the options.
+/// Opens a folder or a file; the format is detected by content. Throws ParseError with one sentence if it is
+/// not a depth recording, and UsageError for invalid options.
 std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
                                              const DepthStreamOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Depth images as TIFF of 16 bits.
+// Depth images as 16-bit TIFF.
 #include "tracking/depth/formats/depth_tiff.hpp"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class Directory {
     at_ = number(4, 4);
     count_ = number(at_, 2);
   }
-  /// The first value of a field of whole numbers, or `missing`.
+  /// The first value of an integer field, or `missing`.
   unsigned value(unsigned field, unsigned missing) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const std::size_t entry = at_ + 2 + 12 * i;

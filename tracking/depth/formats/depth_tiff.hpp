@@ -1,4 +1,4 @@
-// Depth images as TIFF of 16 bits.
+// Depth images as 16-bit TIFF.
 #pragma once
 
 #include <string>
@@ -7,15 +7,16 @@
 
 namespace abstand::tracking {
 
-/// Width and height that the first image of a TIFF claims. Throws ParseError for what is no image of one
-/// channel of 16 bits whole numbers, or has sides above DepthCamera::kMaxPixels, so that no decoder reserves
-/// memory for what a stranger says.
+/// Width and height stated by the first image of a TIFF. Throws ParseError unless it has one channel of
+/// 16-bit integers and sides up to DepthCamera::kMaxPixels, so that decoders do not allocate memory for
+/// untrusted sizes.
 struct TiffSize {
   int width{0}, height{0};
 };
 TiffSize checkDepthTiff(const std::string& bytes, const std::string& file);
 
-/// Reads the first image, packed or not (whatever libtiff reads). Throws ParseError. `scale`: units a metre.
+/// Reads the first image, compressed or not (as supported by libtiff). Throws ParseError. `scale`: units per
+/// metre.
 DepthImage decodeDepthTiff(const std::string& bytes, double scale, const std::string& file);
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// A depth frame as libfreenect's `record` dumps it.
+// Depth frames written by libfreenect's `record`.
 #include "tracking/depth/formats/freenect_depth.hpp"
 
 #include <algorithm>
@@ -15,15 +15,15 @@ namespace {
 constexpr int kNoDisparity = 2047;
 constexpr int kMaxFreenectMillimetres = 10000;  // FREENECT_DEPTH_MM_MAX_VALUE
 constexpr double kMaxFreenectDepth = 10.0;      // m
-// 1 / m, and 1 / m a step: the line of freenectDepth().
+// 1 / m, and 1 / m for each step: the line of freenectDepth().
 constexpr double kLineAtZero = 3.3309495161, kLineStep = 0.0030711016;
 
 struct FreenectHeader {
   int width{0}, height{0};
-  std::size_t data{0};  ///< where the pixels begin
+  std::size_t data{0};  ///< offset of the pixels
 };
 
-/// `P5 WIDTH HEIGHT MAXIMUM` and one blank; lines of remarks begin with #.
+/// `P5 WIDTH HEIGHT MAXIMUM` and one blank; comment lines begin with #.
 FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& file) {
   std::size_t at = 0;
   const auto fail = [&](const std::string& message) -> void {
@@ -106,7 +106,7 @@ float freenectDepth(int raw) {
 }
 
 int freenectRaw(float z) {
-  // Written so that NaN has none.
+  // The negated form also handles NaN.
   if (!(z > 0.0f)) return kNoDisparity;
   const double raw = std::round((kLineAtZero - 1.0 / static_cast<double>(z)) / kLineStep);
   if (!(raw >= 0.0 && raw < kNoDisparity)) return kNoDisparity;

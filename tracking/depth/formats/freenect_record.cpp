@@ -1,4 +1,4 @@
-// Recordings of libfreenect's `record`: INDEX.txt and, for depth, one PGM a frame.
+// Recordings of libfreenect's `record`: INDEX.txt and one PGM for each depth frame.
 #include <algorithm>
 #include <string_view>
 
@@ -21,7 +21,7 @@ struct Dumped {
   std::filesystem::path file;
 };
 
-/// The depth frames of the index: `d-TIME-TIMESTAMP.pgm`.
+/// Depth frames of the index: `d-TIME-TIMESTAMP.pgm`.
 std::vector<Dumped> readIndex(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "INDEX.txt";
   const std::string text = readFile(file, kMaxListBytes);
@@ -35,7 +35,7 @@ std::vector<Dumped> readIndex(const std::filesystem::path& folder) {
     const auto t = end == std::string_view::npos ? std::nullopt : parseDouble(line.substr(2, end - 2));
     if (!t || line.find('/') != std::string_view::npos)
       throw ParseError(pos, "found " + text::inQuotes(line) + ", expected d-TIME-TIMESTAMP.pgm");
-    // Within the resolution of the name, frames may share a time; the later one is dropped.
+    // Frames may have the same time within the resolution of the name; the later one is dropped.
     if (!frames.empty() && *t <= frames.back().t) {
       if (*t < frames.back().t)
         throw ParseError(pos, "found the time " + formatDouble(*t) + " after " +

@@ -1,5 +1,4 @@
-// Grey images, as infrared and colour cameras make them. A fence around OpenCV's image files, as depth_png
-// is.
+// Grey images of infrared and colour cameras. Wraps OpenCV's image files, like depth_png.
 #include "tracking/depth/formats/grey_png.hpp"
 
 #include <opencv2/imgcodecs.hpp>

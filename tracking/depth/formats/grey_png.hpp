@@ -1,5 +1,4 @@
-// Grey images, as infrared and colour cameras make them. A fence around OpenCV's image files, as depth_png
-// is.
+// Grey images of infrared and colour cameras. Wraps OpenCV's image files, like depth_png.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +18,8 @@ struct GreyImage {
   std::uint8_t& at(int u, int v) { return pixels[static_cast<std::size_t>(v * width + u)]; }
 };
 
-/// A PNG of grey or colour. Images of 16 bits, of which infrared cameras use some, are stretched until the
-/// brightest pixel is 255. Throws ParseError for what is no such image, and for sides above
-/// DepthCamera::kMaxPixels.
+/// Loads a grey or colour PNG. 16-bit images, as from some infrared cameras, are scaled so that the brightest
+/// pixel is 255. Throws ParseError for other images, and for sides above DepthCamera::kMaxPixels.
 GreyImage loadGreyPng(const std::filesystem::path& file);
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// Clips with a list of times and files: our own, and those of the TUM RGB-D benchmark.
+// Clips with a list of times and files: simulated ones, and those of the TUM RGB-D benchmark.
 #include <string_view>
 
 #include "core/base/error.hpp"
@@ -36,7 +36,7 @@ std::vector<Word> wordsOf(std::string_view line) {
   return words;
 }
 
-/// A name in a list stays within the list's folder.
+/// Resolves a name of a list, which must be inside of the list's folder.
 std::filesystem::path within(const std::filesystem::path& folder, const Word& word, const SourcePos& pos) {
   const std::filesystem::path name(word.text);
   bool leaves = name.is_absolute();
@@ -46,7 +46,7 @@ std::filesystem::path within(const std::filesystem::path& folder, const Word& wo
   return folder / name;
 }
 
-/// The column of `words` (0 or 2) that has a time before the name of a depth image.
+/// The column of `words` (0 or 2) with a time followed by the name of a depth image.
 std::size_t depthColumn(const std::vector<Word>& words, const std::filesystem::path& folder) {
   if (words.size() < 4) return 0;
   return depthFileKind(folder / words[1].text) == DepthFileKind::kPng ? 0 : 2;
@@ -76,7 +76,7 @@ std::vector<Listed> readList(const std::filesystem::path& file, std::size_t& rep
     const SourcePos pos{file.string(), lines.number(), time.column};
     const auto t = parseDouble(time.text);
     if (!t) throw ParseError(pos, "found " + text::inQuotes(time.text) + ", expected a time in seconds");
-    // One depth image may go with two colour images.
+    // One depth image may belong to two colour images.
     if (!listed.empty() && *t == listed.back().t) {
       ++repeated;
       continue;

@@ -1,4 +1,4 @@
-// LZF, the packing of PCD files.
+// LZF decompression, for PCD files.
 #include "tracking/depth/formats/lzf.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace abstand::tracking {
 
 bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
-  // No byte of input gives more than 88 (three bytes give 264 at most).
+  // A byte of input expands to at most 88 bytes (three bytes to 264).
   out.clear();
   out.reserve(std::min(most, 88 * packed.size()));
   std::size_t at = 0;
@@ -27,7 +27,7 @@ bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
         (static_cast<std::size_t>(control & 31) << 8 | static_cast<unsigned char>(packed[at++])) + 1;
     count += 2;
     if (distance > out.size() || most - out.size() < count) return false;
-    // What is copied may overlap what it makes.
+    // Source and destination may overlap.
     for (std::size_t i = 0; i < count; ++i) out.push_back(out[out.size() - distance]);
   }
   return true;

@@ -1,4 +1,4 @@
-// LZF, the packing of PCD files.
+// LZF decompression, for PCD files.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace abstand::tracking {
 
-/// Unpacks what Marc Lehmann's LibLZF packs: a byte below 32 copies so many bytes and one; any other copies
-/// from what was unpacked, 3 bits of length (7: one more byte) and 13 bits of distance. Memory grows with
-/// what is unpacked, up to `most` bytes. False where the input is damaged or gives more.
+/// Decompresses the format of Marc Lehmann's LibLZF: a byte n below 32 is followed by n + 1 literal bytes;
+/// any other is a back reference, 3 bits of length (7: one more byte) and 13 bits of distance. Memory grows
+/// with the output, up to `most` bytes. False if the input is damaged or the output larger.
 bool unpackLzf(std::string_view packed, std::size_t most, std::string& out);
 
 }  // namespace abstand::tracking

@@ -1,4 +1,4 @@
-// Arrays of NumPy.
+// Reads NumPy arrays.
 #include "tracking/depth/formats/npy_array.hpp"
 
 #include <bit>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxHeader = 1 << 16;
 constexpr std::size_t kMaxNumbers = std::size_t{1} << 31;
 
-/// The value behind a key of the header's dictionary, up to the next comma outside of brackets.
+/// The value of a key in the header's dictionary, up to the next comma outside of brackets.
 std::string_view valueOf(std::string_view header, std::string_view key, const std::string& file) {
   const std::size_t at = header.find(key);
   std::size_t from = at == std::string_view::npos ? at : header.find(':', at + key.size());
@@ -31,7 +31,7 @@ std::string_view valueOf(std::string_view header, std::string_view key, const st
   return header.substr(from, end - from);
 }
 
-/// IEEE 754 of two bytes.
+/// IEEE 754 half precision.
 double halfFloat(std::uint64_t bits) {
   const int exponent = static_cast<int>(bits >> 10 & 31);
   const double mantissa = static_cast<double>(bits & 1023), sign = bits >> 15 & 1 ? -1.0 : 1.0;

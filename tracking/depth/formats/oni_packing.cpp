@@ -1,4 +1,4 @@
-// How OpenNI packs the depths of an image.
+// Decompression of OpenNI depth images.
 #include "tracking/depth/formats/oni_packing.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ class Unpacker {
  public:
   Unpacker(std::string_view bytes, std::size_t count, const std::string& file)
       : bytes_{bytes}, count_{count}, file_{file} {
-    // No byte says more than 30 pixels: what claims to be large is not believed.
+    // A byte encodes at most 30 pixels, which limits the memory for untrusted sizes.
     numbers_.reserve(std::min(count, 30 * bytes.size()));
   }
 

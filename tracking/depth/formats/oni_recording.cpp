@@ -1,4 +1,4 @@
-// The container of OpenNI's recordings (.oni).
+// Container format of OpenNI recordings (.oni).
 #include "tracking/depth/formats/oni_recording.hpp"
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x0052494e;  // "NIR" and a zero
+constexpr std::uint32_t kMagic = 0x0052494e;  // "NIR" and a zero byte
 constexpr std::uint32_t kMaxOniFields = 1u << 20, kMaxData = 64u << 20;
 constexpr std::uint32_t kDepthStream = 2;
 constexpr std::uint64_t kOniMillimetres = 100, kTenthsOfThem = 101;  // ONI_PIXEL_FORMAT_DEPTH_...
@@ -56,7 +56,7 @@ class Reader {
     throw ParseError({file_}, "at byte " + std::to_string(at_) + ": " + message);
   }
 
-  /// False where the file ends before.
+  /// Reads `size` bytes; false if the file ends before.
   bool take(std::size_t size) {
     bytes_.resize(size);
     in_.read(bytes_.data(), static_cast<std::streamsize>(size));
@@ -77,7 +77,7 @@ class Reader {
     at_ = kHeader;
   }
 
-  /// False where the file ends within the record.
+  /// Reads one record; false if the file ends within it.
   bool readRecord() {
     in_.clear();
     in_.seekg(static_cast<std::streamoff>(at_));
@@ -115,7 +115,7 @@ class Reader {
     return true;
   }
 
-  /// A text with its length before it and a zero behind; moves `from` past it.
+  /// A text, preceded by its length and followed by a zero byte; advances `from` past it.
   std::string_view text(std::size_t& from) const {
     const std::uint64_t size = number(from, 4);
     if (size == 0 || size > bytes_.size() - from) fail("found a text that is longer than its record");
@@ -175,7 +175,7 @@ class Reader {
   }
 
   static std::optional<double> angle(double rad) {
-    // Written so that NaN is none.
+    // The comparisons also reject NaN.
     if (rad > 0.1 && rad < 3.0) return rad;
     return std::nullopt;
   }
@@ -211,14 +211,14 @@ class Reader {
 
   std::istream& in_;
   const std::string& file_;
-  std::uint64_t at_{0};  ///< of the record that is read
+  std::uint64_t at_{0};  ///< position of the current record
   std::size_t header_{28};
-  std::string bytes_;  ///< of the record, without its header
+  std::string bytes_;  ///< of the current record, without its header
   std::optional<std::uint32_t> stream_;
   OniDepth depth_;
 };
 
-/// OpenNI's pinhole camera: the field of view is that of the whole image, its middle between the pixels.
+/// OpenNI's pinhole camera: the field of view spans the whole image, whose centre is between the pixels.
 std::optional<GivenCamera> cameraOf(const OniDepth& depth) {
   if (!depth.across || !depth.down) return std::nullopt;
   GivenCamera given;

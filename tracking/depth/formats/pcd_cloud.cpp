@@ -1,4 +1,4 @@
-// Point clouds of PCL, as a depth camera's grid of points.
+// Organised point clouds of PCL, as images of a depth camera.
 #include "tracking/depth/formats/pcd_cloud.hpp"
 
 #include <algorithm>
@@ -24,14 +24,14 @@ struct Field {
   std::string name;
   std::size_t size{4}, count{1};
   char type{'F'};
-  std::size_t offset{0};  ///< within a point
+  std::size_t offset{0};  ///< within a point, bytes
 };
 
 struct Header {
   std::vector<Field> fields;
   std::size_t width{0}, height{1};
   std::string kind;
-  std::size_t data{0};  ///< where it begins
+  std::size_t data{0};  ///< offset of the data
   int line{0};
 };
 
@@ -114,7 +114,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
   }
   if (offset > kMaxPointBytes)
     fail("found points of " + std::to_string(offset) + " bytes, expected at most 1024");
-  // Where the line of DATA ends.
+  // End of the DATA line.
   header.data = static_cast<std::size_t>(line.data() + line.size() - bytes.data());
   if (header.data < bytes.size() && bytes[header.data] == '\r') ++header.data;
   if (header.data < bytes.size() && bytes[header.data] == '\n') ++header.data;
@@ -144,7 +144,7 @@ float readFloat(std::string_view data, std::size_t at, std::size_t size) {
   return static_cast<float>(value);
 }
 
-/// Numbers, "nan" for what was not measured.
+/// Parses numbers; "nan" without measurement.
 void parseAscii(std::string_view data, const Header& header, const std::array<std::size_t, 3>& xyz,
                 const std::string& file, PcdCloud& cloud) {
   std::array<std::size_t, 3> column{};
@@ -199,7 +199,7 @@ PcdCloud parsePcd(std::string_view bytes, const std::string& file) {
     fail("found " + std::to_string(stride * count) + " bytes of points, expected at most 1073741824");
   const bool is_packed = header.kind == "binary_compressed";
   if (is_packed) {
-    // Sizes, packed and not, then all x, all y and so on.
+    // Compressed and uncompressed size, then all x, all y and so on.
     if (data.size() < 8) fail("found the end of the file, expected packed points");
     std::uint32_t packed = 0, whole = 0;
     std::memcpy(&packed, data.data(), 4);
@@ -271,7 +271,7 @@ FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file) {
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
   std::nth_element(off.begin(), middle, off.end());
   fit.residual = *middle;
-  // Written so that NaN fails.
+  // The negated form also rejects NaN.
   if (!(fit.residual <= kMaxResidual && fit.camera.fx > 0.0 && fit.camera.fy > 0.0))
     throw ParseError({file}, "found points that no pinhole camera saw in this order (" +
                                  text::rounded(fit.residual, 1) +

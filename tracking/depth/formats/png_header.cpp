@@ -1,4 +1,4 @@
-// What the first bytes of a PNG say, before a decoder reserves memory for what a stranger says.
+// Reads a PNG header, before a decoder allocates memory for untrusted sizes.
 #include "tracking/depth/formats/png_header.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A Kinect v1 that looks now, through libfreenect: the only file that sees the library.
+// Live Kinect v1 through libfreenect: the only file that includes the library.
 #include "tracking/depth/live/freenect_camera.hpp"
 
 #include "core/base/error.hpp"
@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kLibrary = "libfreenect.so.0.5";
 constexpr long kWait = 100000;  // us
 
-/// What is called of the library, by the types of its header.
+/// Functions used of the library, with the types of its header.
 struct Library {
   decltype(&freenect_init) init;
   decltype(&freenect_shutdown) shutdown;
@@ -37,10 +37,10 @@ struct Library {
   decltype(&freenect_set_depth_mode) setDepthMode;
   decltype(&freenect_start_depth) startDepth;
   decltype(&freenect_stop_depth) stopDepth;
-  bool knows_millimetres{false};  ///< of the device's own calibration
+  bool knows_millimetres{false};  ///< from the device's calibration
 };
 
-/// Loaded once, and kept to the end of the program: its threads may outlive a camera.
+/// Loads the library once and keeps it until the program ends: its threads may outlive a camera.
 Library load() {
   void* const handle = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr)
@@ -72,7 +72,7 @@ Library load() {
   find(lib.setDepthMode, "freenect_set_depth_mode");
   find(lib.startDepth, "freenect_start_depth");
   find(lib.stopDepth, "freenect_stop_depth");
-  // fakenect has neither this nor a mode of millimetres, and ends the program that asks for one.
+  // fakenect lacks both this and the millimetre mode, and ends a program that requests the latter.
   lib.knows_millimetres = ::dlsym(handle, "freenect_copy_registration") != nullptr;
   return lib;
 }
@@ -82,7 +82,7 @@ const Library& library() {
   return loaded;
 }
 
-// The library's messages come without a word of whom they are for, on the thread that called it.
+// Messages of the library have no context; they arrive on the thread that called it.
 thread_local std::string last_error;
 
 void keepError(freenect_context*, freenect_loglevel, const char* message) {
@@ -96,7 +96,7 @@ std::string why() { return last_error.empty() ? "" : " (" + last_error + ")"; }
 
 struct FreenectCamera::Device {
   OnImage on_image;
-  /// fakenect hands over numbers that begin at an odd address.
+  /// fakenect delivers values at an odd address, so they are copied.
   std::vector<std::uint16_t> numbers = std::vector<std::uint16_t>(std::size_t{kKinectWidth} * kKinectHeight);
   freenect_context* context{nullptr};
   freenect_device* device{nullptr};

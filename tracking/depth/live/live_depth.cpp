@@ -1,4 +1,4 @@
-// Depth images of a camera that looks now.
+// Live depth images of a camera.
 #include "tracking/depth/live/live_depth.hpp"
 
 #include "core/base/error.hpp"
@@ -31,7 +31,7 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
   source.facts.format = kKinectSource;
   source.facts.rate = kAssumedDepthRate;
   source.facts.rate_reason = "the moments at which the images came";
-  // Beside a camera lies no file.
+  // There is no camera file beside a live camera.
   const auto given = options.camera.empty() ? std::nullopt : givenCamera(options, {});
   chooseCamera(source, given, kKinectWidth, kKinectHeight, kKinectSource);
   straight_.emplace(source.camera, options.mirror);
@@ -54,7 +54,7 @@ LiveDepth::~LiveDepth() {
   thread_.join();
 }
 
-/// On the driver's thread. No allocation, no lock, no throw.
+/// Called on the driver's thread. No allocation, no lock, no throw.
 void LiveDepth::keep(const std::uint16_t* numbers) {
   last_ = Clock::now();
   if (came_ == 0) first_ = last_;
@@ -89,11 +89,11 @@ void LiveDepth::end(const std::string& why) {
 LiveDepth::Outcome LiveDepth::next(LiveFrame& frame, double wait) {
   const auto end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
-  // The news of an image may come after the image was taken: then they are none.
+  // The signal of an image may arrive after the image was read; then there is no new one.
   while (news_.try_acquire_until(end)) {
     while (news_.try_acquire()) {
     }
-    // Asked before the image: the last one is still taken.
+    // Read before the image, so that the last one is still delivered.
     const bool has_ended = has_ended_.load(std::memory_order_acquire);
     const Image& image = images_.latest();
     if (image.number > taken_) {

@@ -1,4 +1,4 @@
-// Depth images of a camera that looks now.
+// Live depth images of a camera.
 #pragma once
 
 #include <atomic>
@@ -13,23 +13,23 @@
 
 namespace abstand::tracking {
 
-/// Whether that is the name of a camera, as kKinectSource, and not of a file: `live:` and anything.
+/// True for a camera name such as kKinectSource, i.e. anything with the prefix `live:`; false for a file.
 bool isLiveSource(const std::string& name);
 
-/// One image, and when it came.
+/// One image and its arrival time.
 struct LiveFrame {
-  DepthFrame frame;                            ///< t: s since the first image came
-  std::chrono::steady_clock::time_point came;  ///< when the driver handed the image over
+  DepthFrame frame;                            ///< t: s since the arrival of the first image
+  std::chrono::steady_clock::time_point came;  ///< arrival time of the image from the driver
 };
 
-/// Images come on a thread of the driver; the newest wins, and those that nobody took are counted. The
-/// reader is one thread. What ends the stream is said by ended(), not thrown.
+/// Images arrive on a thread of the driver; the newest one is delivered, and images never read are counted.
+/// One reader thread. The end of the stream is reported by ended(), not thrown.
 class LiveDepth {
  public:
   enum class Outcome : std::uint8_t { kFrame, kNothingYet, kEnded };
 
-  /// `name`: kKinectSource; of `options` the camera file and the mirror count, a rate is refused. Throws
-  /// ParseError where there is no such camera, and UsageError.
+  /// `name`: kKinectSource; of `options`, the camera file and the mirror are used, a rate is refused. Throws
+  /// ParseError if there is no such camera, and UsageError.
   LiveDepth(const std::string& name, const DepthStreamOptions& options);
   ~LiveDepth();
   LiveDepth(const LiveDepth&) = delete;
@@ -37,11 +37,11 @@ class LiveDepth {
 
   const DepthCamera& camera() const { return straight_->camera(); }
   const DepthFacts& facts() const { return facts_; }
-  /// The newest image that was not taken yet; waits for it for at most `wait` seconds.
+  /// The newest image not read yet; waits at most `wait` seconds for it.
   Outcome next(LiveFrame& frame, double wait);
-  /// Images that came and were replaced by newer ones before anybody took them.
+  /// Images replaced by newer ones before they were read.
   std::size_t dropped() const { return dropped_; }
-  /// Why there are no more images, one sentence; empty while there may be some.
+  /// Reason why there are no more images, one sentence; empty while there may be more.
   std::string ended() const;
 
  private:
@@ -55,7 +55,7 @@ class LiveDepth {
   void end(const std::string& why);
 
   DepthFacts facts_;
-  std::array<float, 65536> depth_of_{};  ///< m, of each number that the camera may send
+  std::array<float, 65536> depth_of_{};  ///< m, of each value that the camera may send
   TripleBuffer<Image> images_;
   std::optional<StraightImages> straight_;
   std::counting_semaphore<> news_{0};

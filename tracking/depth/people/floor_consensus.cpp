@@ -1,4 +1,4 @@
-// Planes by sample consensus. The fence around PCL.
+// Plane fitting by RANSAC. Wraps PCL.
 #include "tracking/depth/people/floor_consensus.hpp"
 
 #include <pcl/console/print.h>
@@ -13,20 +13,20 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr int kNeighbourhood = 5;  // a triple reaches over this part of the grid's columns, to each side
+constexpr int kNeighbourhood = 5;  // a triple extends over this share of the grid's columns, to each side
 
 using Point = pcl::PointXYZ;
 using LevelPlane = pcl::SampleConsensusModelPerpendicularPlane<Point>;
 
 FloorPlane planeOf(const Eigen::VectorXf& coefficients) {
   const Eigen::Vector4d c = coefficients.cast<double>();
-  const double side = c.y() > 0.0 ? -1.0 : 1.0;  // the image's up is -y
+  const double side = c.y() > 0.0 ? -1.0 : 1.0;  // the image's up direction is -y
   const double scale = side / c.head<3>().norm();
   return {scale * c.head<3>(), scale * c.w()};
 }
 
-/// PCL's plane that is perpendicular to an axis, with samples from its own neighbourhood, a seed of its own
-/// (PCL's generator has one seed for all) and a count that is the caller's.
+/// PCL's plane perpendicular to an axis, with samples from a neighbourhood, its own seed (PCL's generator has
+/// one global seed) and the caller's count.
 class FloorModel : public LevelPlane {
  public:
   FloorModel(const pcl::PointCloud<Point>::ConstPtr& cloud, const PointGrid& grid,
@@ -36,7 +36,7 @@ class FloorModel : public LevelPlane {
     setEpsAngle(options.tilt);
   }
 
-  /// Three that lie near each other in the image are on one plane more often than three of all.
+  /// Three points near each other in the image are on one plane more often than three arbitrary points.
   void getSamples(int&, pcl::Indices& samples) override {
     const int reach = std::max(2, grid_.columns / kNeighbourhood);
     for (; tries_ > 0; --tries_) {
@@ -69,7 +69,7 @@ class FloorModel : public LevelPlane {
   int tries_;
 };
 
-/// Once for all: that nothing was found is an answer, and nothing to print.
+/// Disables PCL's messages once: finding no plane is a valid result.
 void silencePcl() {
   [[maybe_unused]] static const bool silent = [] {
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
@@ -89,7 +89,7 @@ std::optional<FloorPlane> consensusPlane(const PointGrid& grid, const ConsensusO
     cloud->push_back({f.x(), f.y(), f.z()});
   }
   const auto model = pcl::make_shared<FloorModel>(cloud, grid, options, count);
-  // The threshold is the count's own; PCL wants one to be set.
+  // The count has its own threshold; PCL requires one to be set.
   pcl::RandomSampleConsensus<Point> search(model, 1.0);
   search.setProbability(options.certainty);
   search.setMaxIterations(options.tries);

@@ -1,4 +1,4 @@
-// Planes by sample consensus. The fence around PCL.
+// Plane fitting by RANSAC. Wraps PCL.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,16 @@
 namespace abstand::tracking {
 
 struct ConsensusOptions {
-  double tilt{0.0};        ///< rad, that a plane may lean by from the image's level
-  double certainty{0.99};  ///< of having drawn three points of the best plane, before the search ends early
-  int tries{0};            ///< triples that are drawn at most, unmeasured ones included
+  double tilt{0.0};        ///< rad, largest tilt of a plane from the image's horizontal
+  double certainty{0.99};  ///< probability of having drawn three points of the best plane, at which the
+                           ///< search ends early
+  int tries{0};            ///< largest number of triples drawn, including unmeasured ones
   std::uint64_t seed{1};
 };
 
-/// Of the level planes through three points that lie near each other in the grid, the one on which `count`
-/// finds the most points (RANSAC; Fischler, Bolles 1981). A count of 0 refuses a plane. The same for the same
-/// seed. Nothing where all are refused.
+/// RANSAC (Fischler, Bolles 1981): of the level planes through three points near each other in the grid, the
+/// one with the highest `count`. A count of 0 rejects a plane. Deterministic for a seed. nullopt if all are
+/// rejected.
 std::optional<FloorPlane> consensusPlane(const PointGrid& grid, const ConsensusOptions& options,
                                          const std::function<std::size_t(const FloorPlane&)>& count);
 

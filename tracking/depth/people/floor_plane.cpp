@@ -1,4 +1,4 @@
-// The floor in a depth image.
+// The floor plane in a depth image.
 #include "tracking/depth/people/floor_plane.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -10,17 +10,18 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr int kTries = 1500;               // most of them are not level, and cost nothing
-constexpr double kCertainty = 1.0 - 1e-9;  // less, and the seeds find floors of an image 4 cm apart
+constexpr int kTries = 1500;               // most of them are not level and cost nothing
+constexpr double kCertainty = 1.0 - 1e-9;  // with less, different seeds give floors of one image that differ
+                                           // by 4 cm
 constexpr std::size_t kPoints = 2000;
 constexpr double kTilt = 35.0;       // degrees
-constexpr double kMinHeight = 0.3;   // m, of a camera over the floor
-constexpr double kMinShare = 0.03;   // of all points on the floor
-constexpr double kMaxBelow = 0.02;   // of all points
-constexpr double kMinSpread = 0.15;  // m, standard deviation across: half a metre evenly covered
+constexpr double kMinHeight = 0.3;   // m, of the camera above the floor
+constexpr double kMinShare = 0.03;   // of all points, on the floor
+constexpr double kMaxBelow = 0.02;   // of all points, below the floor
+constexpr double kMinSpread = 0.15;  // m, standard deviation: that of half a metre evenly covered
 constexpr double kFarthest = 8.0;    // m
 
-/// m; what a Kinect's depth wavers by, and more than its steps (2.9 mm z^2, see kinect_noise.hpp).
+/// m; deviation of a Kinect's depth, more than its steps (2.9 mm z^2, see kinect_noise.hpp).
 double thickness(const Vector3d& p) { return 0.02 + 0.003 * p.z() * p.z(); }
 
 struct Count {

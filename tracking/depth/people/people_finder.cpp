@@ -1,4 +1,4 @@
-// Where people are in the images of a depth camera that stands still.
+// Finds people in images of a fixed depth camera.
 #include "tracking/depth/people/people_finder.hpp"
 
 #include <cmath>
@@ -8,31 +8,33 @@
 namespace abstand::tracking {
 namespace {
 
-// Of a head over its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m long, and
-// shoulders begin a third of a metre below the vertex (ANSUR II).
+// Dimensions of a head above its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m
+// long, and shoulders begin a third of a metre below the vertex (ANSUR II).
 constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
-constexpr double kHeadRadius = 0.16;  // what is as high as the head lies so near ...
-constexpr double kBesideHead = 0.32;  // ... and hardly anything between there and here
-constexpr double kHeadDrop = 0.22;    // as high: not lower than this
-constexpr double kMaxBeside = 0.5;    // cells beside a head, of those of the head
+constexpr double kHeadRadius = 0.16;  // points as high as the head are within this distance ...
+constexpr double kBesideHead = 0.32;  // ... and hardly any between that and this one
+constexpr double kHeadDrop = 0.22;    // as high: at most this much lower
+constexpr double kMaxBeside = 0.5;    // cells beside a head, relative to those of the head
 constexpr int kMinHeadCells = 3;
 constexpr double kHeadsApart = 0.28;
 constexpr double kBodyRadius = 0.35;              // of a trunk around its head
-constexpr double kMinBody = 0.05;                 // m^2 of it seen
+constexpr double kMinBody = 0.05;                 // m^2 of visible surface
 constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
 constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
-// Cut off from its trunk in this view: what does not stand on the floor (share of its surface below half a
-// metre), like arms and head of who bows towards the camera, or is small (m^2), like a foot.
+// Parts disconnected from their trunk in this view: those that do not stand on the floor (share of their
+// surface below half a metre), such as arms and head of someone bowing towards the camera, or small ones
+// (m^2), such as a foot.
 constexpr double kMaxStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
-constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: from where a person was
-constexpr double kJump = 0.3;   // m: nobody moves so far between two images
+constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: search radius around the last
+                                                                   // position
+constexpr double kJump = 0.3;   // m: limit of a person's motion between two images
 constexpr double kYoung = 1.0;  // s
-constexpr double kSplit = 0.4;  // m: nobody appears nearer to somebody
+constexpr double kSplit = 0.4;  // m: new persons are at least this far from others
 constexpr std::size_t kMinPixels = 30;
 
-constexpr float kMaxWaver = 0.3f;  // m; what wavers more is not still
+constexpr float kMaxWaver = 0.3f;  // m; surfaces that vary more are not static
 
-/// m; how much a Kinect's depth of something that stands still changes at most (steps of 2.9 mm z^2, twice).
+/// m; largest variation of a Kinect's depth of a static surface (steps of 2.9 mm z^2, twice).
 float waver(float z) { return 0.03f + 0.006f * z * z; }
 
 }  // namespace
@@ -60,14 +62,15 @@ void PeopleFinder::findFloor(double t, const DepthImage& image) {
   next_floor_ = t + 0.5;
 }
 
-/// Within four mean deviations, which are three and a bit of standard ones, or the camera's own waver.
+/// True within four mean deviations (somewhat more than three standard deviations), or within the camera's
+/// own variation.
 bool PeopleFinder::keeps(const Still& still, float z) {
   return still.z > 0.0f &&
          std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMaxWaver));
 }
 
 void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
-  constexpr float kNew = 0.1f;  // share of the newest depth in the means
+  constexpr float kNew = 0.1f;  // weight of the newest depth in the means
   Still& still = still_[pixel];
   if (!keeps(still, z)) {
     still = {z, 0.5f * waver(z), 0.0f};
@@ -79,7 +82,7 @@ void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
   if (still.lasts >= static_cast<float>(options_.learn_after)) background_[pixel] = still;
 }
 
-/// Without a floor: level, through the lowest hundredth of what is there.
+/// Without a floor: a level plane through the lowest one percent of the points.
 void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
   constexpr int kBins = 1000;
   constexpr double kLowest = -5.0, kBin = 0.01;  // m
@@ -120,9 +123,9 @@ void PeopleFinder::lookFromAbove(const DepthImage& image, const DepthImage* know
       if (!(z > nearest && z < farthest) || keeps(background_[i], z)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
       const float x = x_[static_cast<std::size_t>(u)];
-      const float rise = U.x() * x + up_row;  // of the ray
+      const float rise = U.x() * x + up_row;  // slope of the ray
       const float h = z * rise + height;
-      // What wavers along the ray wavers so much in height.
+      // A variation along the ray is scaled by its slope in height.
       const float sole = has_floor ? 0.02f + waver(z) * std::abs(rise) : 0.0f;
       if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
       const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
@@ -182,7 +185,7 @@ void PeopleFinder::findHeads() {
     if (heads_.size() == static_cast<std::size_t>(kMaxPeople)) break;
     heads_.push_back({i, PlanView::placeOf(i)});
   }
-  // The higher of two that are too near.
+  // Keeps the higher of two heads that are too near.
   for (std::size_t a = 0; a < heads_.size(); ++a)
     for (std::size_t b = heads_.size(); b-- > a + 1;)
       if ((heads_[a].place - heads_[b].place).norm() < kHeadsApart) {
@@ -192,8 +195,8 @@ void PeopleFinder::findHeads() {
   dropHeadsWithoutBody();
 }
 
-/// A raised fist has no trunk of its own below it. The one with the least goes first; what it had is the
-/// others'.
+/// A raised fist has no trunk of its own below. The head with the smallest body is dropped first; its surface
+/// goes to the others.
 void PeopleFinder::dropHeadsWithoutBody() {
   while (!heads_.empty()) {
     for (Head& head : heads_) {
@@ -231,7 +234,7 @@ void PeopleFinder::follow(double t) {
     track.here = true;
     track.matched = has_head;
   };
-  // Heads and persons who are nearest to each other, the nearest pair first.
+  // Matches heads and persons greedily, nearest pair first.
   for (;;) {
     Track* best_track = nullptr;
     std::size_t best_head = 0;
@@ -248,7 +251,7 @@ void PeopleFinder::follow(double t) {
     meet(*best_track, middleOfBody(heads_[best_head].place), true);
     heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
   }
-  // Persons without a head in sight stay with what stands where they were.
+  // Persons without a visible head stay with the surface at their last position.
   for (Track& track : tracks_) {
     if (track.matched || t - track.headed > options_.without_head) continue;
     const Place place = middleOfBody(predicted(track));
@@ -275,8 +278,8 @@ void PeopleFinder::follow(double t) {
   }
 }
 
-/// Who owns each cell: the nearest person of those whose trunk is of the same component, or in whose reach a
-/// piece lies.
+/// Assigns each cell to the nearest person whose trunk is in the same component, or within whose reach a
+/// disconnected part lies.
 void PeopleFinder::own() {
   for (std::size_t k = 0; k < plan_.components(); ++k) {
     const auto cells = plan_.component(k);
@@ -311,7 +314,7 @@ void PeopleFinder::own() {
       }
     }
   }
-  // What is seen too flat to fill a cell belongs to whom the cell beside it belongs to.
+  // Cells with too little surface get the owner of a neighbour cell.
   for (const int i : plan_.used()) {
     if (plan_.occupied(i)) continue;
     plan_.around(PlanView::placeOf(i), 1.5 * PlanView::kCell, [&](int beside, double) {
@@ -327,7 +330,7 @@ void PeopleFinder::label(const DepthImage& image) {
   }
 }
 
-/// Most of the background beside it is at its own depth.
+/// True if most of the background beside the surface has the same depth.
 bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const {
   constexpr int kMinBorder = 20;  // pixels
   const auto label = static_cast<std::uint8_t>(track + 1);
@@ -357,7 +360,7 @@ void PeopleFinder::dropUncovered(const DepthImage& image) {
       background_[i] = {image.z[i], 0.5f * waver(image.z[i]), 0.0f};
     }
     tracks_[k].here = false;
-    tracks_[k].seen = -kInfinity;  // forgotten with the next image
+    tracks_[k].seen = -kInfinity;  // removed with the next image
   }
 }
 

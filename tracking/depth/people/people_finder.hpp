@@ -1,4 +1,4 @@
-// Where people are in the images of a depth camera that stands still.
+// Finds people in images of a fixed depth camera.
 #pragma once
 
 #include "tracking/depth/people/floor_plane.hpp"
@@ -8,52 +8,52 @@ namespace abstand::tracking {
 
 struct PeopleFinderOptions {
   double nearest{0.4}, farthest{6.0};  ///< m, depth gate
-  double learn_after{2.0};    ///< s; what is nobody's and stands still so long is background from then on
-  double keep{2.0};           ///< s; a person who is not seen keeps the number so long
-  double without_head{10.0};  ///< s; so long a person is followed of whom no head is seen
-  std::uint64_t seed{1};      ///< of the search for the floor
+  double learn_after{2.0};    ///< s; an unassigned surface that is static for this long becomes background
+  double keep{2.0};           ///< s; time for which an unseen person keeps the id
+  double without_head{10.0};  ///< s; time for which a person is followed without a visible head
+  std::uint64_t seed{1};      ///< for the floor search
 };
 
 struct FoundPerson {
-  int id{-1};                           ///< the same from image to image, from 1
-  Vector3d centroid{kNaN, kNaN, kNaN};  ///< m, in the camera's frame: mean of the pixels
-  double top{kNaN};                     ///< m over the floor, of the highest pixel
+  int id{-1};                           ///< constant between images, from 1
+  Vector3d centroid{kNaN, kNaN, kNaN};  ///< m, camera's frame: mean over the pixels
+  double top{kNaN};                     ///< m above the floor, highest pixel
   std::size_t pixels{0};
-  int left{0}, above{0}, right{-1}, below{-1};  ///< pixels, both ends included
+  int left{0}, above{0}, right{-1}, below{-1};  ///< bounding box in pixels, inclusive
 };
 
 struct PeopleImage {
-  std::vector<std::uint8_t> label;   ///< of each pixel: 0 nobody's, else 1 + index in `persons`
-  std::vector<FoundPerson> persons;  ///< by rising id
-  std::optional<FloorPlane> floor;   ///< nothing where the floor was neither given nor seen
+  std::vector<std::uint8_t> label;   ///< for each pixel: 0 unassigned, else 1 + index in `persons`
+  std::vector<FoundPerson> persons;  ///< by increasing id
+  std::optional<FloorPlane> floor;   ///< nullopt if the floor was neither given nor found
 };
 
-/// Pixels that stand up from the floor, are not background and not known otherwise are looked at from above.
-/// A person is a head, as broad as one and with nothing beside it, over enough of a body. Touching people are
-/// told apart by their heads, and by where they were before; people who overlap in the image but not on the
-/// floor are apart anyway. Who was found once is followed without a head in sight, too.
+/// Projects pixels that are above the floor, not background and not otherwise known to a plan view. A person
+/// is detected by a head: a peak of a head's breadth with free space beside it, above enough of a body.
+/// Touching people are separated by their heads and their earlier positions; people who overlap in the image
+/// but not on the floor are separate anyway. Detected people are followed without a visible head, too.
 ///
-/// Background is learned pixel by pixel: the farthest depth that nobody's surface kept for `learn_after`. A
-/// person is never learned as long as he is found; one who is not found and stands still is. A part of the
-/// wall that somebody uncovers has his outline, but goes on in the learned wall around it: it is learned at
-/// once.
+/// Background is learned for each pixel: the farthest depth of an unassigned surface that was stable for
+/// `learn_after`. A detected person is never learned; an undetected person who stands still is. Newly
+/// uncovered background has a person's outline but continues the learned background around it: it is learned
+/// at once.
 ///
-/// With a camera whose X_WC is given (not the identity) the floor is the world's z = 0; else it is searched.
-/// Where there is none to be seen, the lowest thing in the image stands for it.
+/// If the camera's X_WC is given (not the identity), the floor is the world's z = 0; otherwise it is
+/// searched. If none is found, the lowest object in the image defines it.
 ///
-/// Not shared between threads. find() does not throw, and allocates nothing but for the search of the floor
-/// in the first image. Cost: see README.md.
+/// Not shared between threads. find() does not throw, and allocates only for the floor search in the first
+/// image. Cost: see README.md.
 class PeopleFinder {
  public:
   static constexpr int kMaxPeople = 64;
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
-  /// `t` (s) rises. `known`: depths (m; 0: none) of things that are known, like a robot; pixels within 6 cm
-  /// of them or behind are nobody's. The result is there until the next call.
+  /// `t` (s) increases. `known`: depths (m; 0: none) of known objects, such as a robot; pixels within 6 cm of
+  /// them or behind them are unassigned. The result is valid until the next call.
   const PeopleImage& find(double t, const DepthImage& image, const DepthImage* known = nullptr);
   const PeopleImage& people() const { return people_; }
-  /// 1 for the pixels of a person of the last image, else 0; all 0 where there is no such person.
+  /// 1 for the pixels of a person in the last image, otherwise 0; all 0 if there is no such person.
   void mask(int id, std::vector<std::uint8_t>& is_person) const;
 
  private:
@@ -61,19 +61,19 @@ class PeopleFinder {
   struct Track {
     int id{-1};
     Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
-    double born{0.0}, seen{0.0}, headed{0.0};  ///< s, when first, when last, and when last with a head
-    bool here{false};                          ///< in this image
-    bool matched{false};                       ///< to a head of this image
-    bool suspect{false};                       ///< younger than a second, or where it was not before
+    double born{0.0}, seen{0.0}, headed{0.0};          ///< s, first seen, last seen, last seen with a head
+    bool here{false};                                  ///< seen in this image
+    bool matched{false};                               ///< matched to a head of this image
+    bool suspect{false};  ///< younger than a second, or at a place where it was not
+                          ///< before
   };
   struct Head {
     int cell{-1};
     Place place{Place::Zero()};  ///< m
-    double body{0.0};            ///< m^2 seen below it, nearer to it than to other heads
+    double body{0.0};            ///< m^2 of surface below it, nearer to it than to other heads
   };
 
-  /// What a pixel has been seeing: the mean depth (m; 0: nothing), the mean deviation from it (m), and for
-  /// how long (s).
+  /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), and duration (s).
   struct Still {
     float z{0.0f}, wavers{0.0f}, lasts{0.0f};
   };
@@ -98,13 +98,13 @@ class PeopleFinder {
   DepthCamera camera_;
   PeopleFinderOptions options_;
   FloorFinder floor_finder_;
-  FloorPlane plane_;  ///< the floor, or what stands for it
+  FloorPlane plane_;  ///< the floor, or its substitute
   bool floor_given_{false};
-  double next_floor_{-kInfinity};  ///< s, when to look for it again
+  double next_floor_{-kInfinity};  ///< s, time of the next search
   PlanView plan_;
-  std::vector<int> cell_of_;       ///< of each pixel; -1: not looked at
-  std::vector<Still> still_;       ///< of nobody's surface, at the moment
-  std::vector<Still> background_;  ///< learned; z 0: not
+  std::vector<int> cell_of_;       ///< of each pixel; -1: ignored
+  std::vector<Still> still_;       ///< current unassigned surface
+  std::vector<Still> background_;  ///< learned; z 0: not learned
   std::vector<float> x_, y_;       ///< of the rays with z = 1
   std::vector<Head> heads_;
   std::vector<Track> tracks_;

@@ -1,4 +1,4 @@
-// What stands on the floor, seen from above.
+// Plan view: surfaces above the floor, seen from above.
 #include "tracking/depth/people/plan_view.hpp"
 
 namespace abstand::tracking {
@@ -9,7 +9,7 @@ constexpr int kGap = 2;  // cells that a component may skip
 }  // namespace
 
 PlanView::PlanView() : cells_(static_cast<std::size_t>(kColumns) * kRows) {
-  // No more is ever needed, so that nothing is allocated later.
+  // Upper bound of the size, so that nothing is allocated later.
   used_.reserve(cells_.size());
   joined_.reserve(cells_.size());
   starts_.reserve(cells_.size() + 1);
@@ -28,7 +28,7 @@ void PlanView::join() {
     const auto number = static_cast<int>(starts_.size()) - 1;
     cell(first).component = number;
     joined_.push_back(first);
-    // The cells of this component that were joined already are the queue.
+    // The cells already connected to this component are the queue.
     for (std::size_t next = starts_.back(); next < joined_.size(); ++next) {
       const int row = joined_[next] / kColumns, column = joined_[next] % kColumns;
       for (int r = std::max(0, row - kGap); r <= std::min(kRows - 1, row + kGap); ++r)

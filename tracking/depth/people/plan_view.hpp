@@ -1,4 +1,4 @@
-// What stands on the floor, seen from above.
+// Plan view: surfaces above the floor, seen from above.
 #pragma once
 
 #include <algorithm>
@@ -12,29 +12,29 @@
 
 namespace abstand::tracking {
 
-/// A grid over the floor. Each cell knows how much surface was seen over it, height by height.
+/// A grid on the floor. Each cell stores the visible surface area above it in height slabs.
 class PlanView {
  public:
   static constexpr double kCell = 0.04;                     ///< m
   static constexpr double kHalfWidth = 5.0, kReach = 10.0;  ///< m: to both sides, and ahead
   static constexpr int kColumns = 250, kRows = 250;
-  static constexpr int kSlabs = 10;                   ///< of height ...
+  static constexpr int kSlabs = 10;                   ///< number of height slabs ...
   static constexpr double kSlab = 0.25;               ///< ... m each
-  static constexpr double kHighest = kSlabs * kSlab;  ///< m; what is higher is not looked at
+  static constexpr double kHighest = kSlabs * kSlab;  ///< m; higher points are ignored
 
   using Place = Eigen::Vector2d;  ///< m: to the right of the camera and ahead of it
 
   struct Cell {
-    std::array<float, kSlabs> area{};  ///< m^2, seen
+    std::array<float, kSlabs> area{};  ///< m^2, visible
     float top{0.0f};                   ///< m
-    float whole{0.0f};                 ///< m^2 of all slabs
+    float whole{0.0f};                 ///< m^2, sum of all slabs
     int component{-1};
-    std::int16_t owner{-1};  ///< which person's it is; -1: nobody's
+    std::int16_t owner{-1};  ///< index of the person that it belongs to; -1: none
   };
 
   PlanView();
   void clear();
-  /// The cell under a place; -1 beside the grid.
+  /// The cell at a position; -1 outside of the grid.
   static int cellAt(double right, double ahead) {
     const double column = (right + kHalfWidth) * (1.0 / kCell), row = ahead * (1.0 / kCell);
     if (!(column >= 0.0 && column < kColumns && row >= 0.0 && row < kRows)) return -1;
@@ -52,22 +52,22 @@ class PlanView {
     c.area[static_cast<std::size_t>(height * (1.0 / kSlab))] += a;
     if (h > c.top) c.top = h;
   }
-  /// Joins occupied cells up to 8 cm apart; then components() are numbered in order of their first cell.
+  /// Connects occupied cells up to 8 cm apart into components(), numbered in order of their first cell.
   void join();
 
   const Cell& cell(int i) const { return cells_[static_cast<std::size_t>(i)]; }
   Cell& cell(int i) { return cells_[static_cast<std::size_t>(i)]; }
-  /// Less surface than this over a cell is noise, m^2.
+  /// m^2; less surface above a cell is noise.
   static constexpr float kMinArea = 4e-4f;
   bool occupied(int i) const { return cell(i).whole >= kMinArea; }
 
-  /// Cells of a component, or of all that were used (noise too), in a fixed order.
+  /// Cells of a component, or all used cells (including noise), in a fixed order.
   const std::vector<int>& used() const { return used_; }
   std::size_t components() const { return starts_.size() - 1; }
   std::span<const int> component(std::size_t k) const {
     return std::span(joined_).subspan(starts_[k], starts_[k + 1] - starts_[k]);
   }
-  /// Calls visit(cell, distance) for the occupied cells within `radius` (m) of a place.
+  /// Calls visit(cell, distance) for the occupied cells within `radius` (m) of a position.
   template <class Visit>
   void around(const Place& place, double radius, const Visit& visit) const {
     const int reach = static_cast<int>(radius / kCell) + 1;

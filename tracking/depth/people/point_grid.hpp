@@ -1,4 +1,4 @@
-// Every so many points of a depth image, where they were.
+// Subsampled points of a depth image on a grid.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace abstand::tracking {
 
-/// Points of an image (m, camera's frame), row by row; 0 where nothing was measured.
+/// Points of an image (m, camera's frame), row by row; 0 without measurement.
 struct PointGrid {
   int columns{0}, rows{0};
   std::vector<Vector3d> points;

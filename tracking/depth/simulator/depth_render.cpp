@@ -1,4 +1,4 @@
-// Depth images of meshes: what an ideal camera would see.
+// Renders depth images of meshes for an ideal camera.
 #include "tracking/depth/simulator/depth_render.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void DepthRender::clear() { std::fill(image_.z.begin(), image_.z.end(), 0.0f); }
 
 void DepthRender::draw(const geometry::TriangleMesh& mesh, const Transform& X_CB) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    // What is left of the triangle before the plane z = kNearest: at most four corners.
+    // The part of the triangle beyond the plane z = kNearest: at most four corners.
     std::array<Vector3d, 4> kept;
     std::size_t n = 0;
     Vector3d last = X_CB * mesh.corner(t, 2);
@@ -49,7 +49,7 @@ void DepthRender::fill(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
     v[i] = camera_.fy * p.y() * inverse[i] + camera_.cy;
   }
   const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
-  // Written so that NaN fails.
+  // The negated form also rejects NaN.
   if (!(std::abs(area) > 0.0)) return;
   const auto first = [](double least, int) { return static_cast<int>(std::ceil(std::max(0.0, least))); };
   const auto last = [](double most, int size) {

@@ -1,4 +1,4 @@
-// Depth images of meshes: what an ideal camera would see.
+// Renders depth images of meshes for an ideal camera.
 #pragma once
 
 #include "core/geometry/triangle_mesh.hpp"
@@ -7,17 +7,17 @@
 
 namespace abstand::tracking {
 
-/// A z-buffer of the size of the camera's image. Both sides of every triangle are seen. Not shared between
+/// Z-buffer of the size of the camera's image. Both sides of every triangle are visible. Not shared between
 /// threads.
 class DepthRender {
  public:
-  /// Throws UsageError for a camera with a distortion, as images are rendered without one.
+  /// Throws UsageError for a camera with distortion, which is not rendered.
   explicit DepthRender(const DepthCamera& camera);
 
   void clear();
-  /// `X_CB`: the mesh's body in the camera's optical frame. Parts nearer than 1 cm are cut off.
+  /// `X_CB`: pose of the mesh's body in the camera's optical frame. Parts nearer than 1 cm are clipped.
   void draw(const geometry::TriangleMesh& mesh, const Transform& X_CB);
-  /// The nearest surface at the centre of each pixel; 0 where there is none.
+  /// The nearest surface at the centre of each pixel; 0 if there is none.
   const DepthImage& image() const { return image_; }
 
  private:

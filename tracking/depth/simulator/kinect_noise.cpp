@@ -1,4 +1,4 @@
-// What a Kinect of 2010 makes of an ideal depth image.
+// Noise model of a Kinect of 2010.
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 namespace abstand::tracking {
 namespace {
 
-// Of the depth: neighbours whose depths differ by less are one surface.
+// Share of the depth: neighbours that differ by less are one surface.
 constexpr float kOneSurface = 0.03f;
-// Of the depth: what lies behind the nearest by less is lit too.
+// Share of the depth: points this little behind the nearest one are lit too.
 constexpr float kLit = 0.02f;
-constexpr double kNoiseFrom = 0.4;  // m, of the law of Nguyen and others
+constexpr double kNoiseFrom = 0.4;  // m, of the formula of Nguyen and others
 
 double gauss(Random& random) {
   // Box, Muller 1958; the argument of the logarithm is above 0.
@@ -24,7 +24,8 @@ bool oneSurface(float a, float b) {
   return a > 0.0f && b > 0.0f && std::abs(a - b) < kOneSurface * std::min(a, b);
 }
 
-/// One row as the projector sees it: its column of each pixel, and the nearest depth in each of its columns.
+/// One row from the projector's view: the projector column of each pixel, and the nearest depth in each
+/// column.
 class Projector {
  public:
   Projector(const DepthCamera& camera, const KinectNoise& noise)
@@ -58,11 +59,11 @@ class Projector {
   }
 
   double shift_;  ///< pixels times m
-  int before_;    ///< columns that are left of the image
+  int before_;    ///< columns left of the image
   std::vector<float> nearest_;
 };
 
-/// Cosine of the angle between the ray and the normal, from the neighbours; 1 where there are none.
+/// Cosine of the angle between the ray and the normal, from the neighbours; 1 if there are none.
 double facing(const DepthImage& image, const DepthCamera& camera, int u, int v) {
   const float z = image.at(u, v);
   const int u1 = u + 1 < image.width && oneSurface(z, image.at(u + 1, v)) ? u + 1 : u - 1;

@@ -1,4 +1,4 @@
-// What a Kinect of 2010 makes of an ideal depth image.
+// Noise model of a Kinect of 2010.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +8,25 @@
 
 namespace abstand::tracking {
 
-/// A camera that sees the pattern of a projector beside it. Numbers of Khoshelham, Elberink, Sensors 2012
-/// (the baseline, disparities in eighths of a pixel, so steps of 2.9 mm z^2 [z in m, f = 580]) and of Nguyen,
-/// Izadi, Lovell, 3DIMPVT 2012 (sigma across 0.8 pixels; along 1.2 mm + 1.9 mm (z - 0.4)^2).
+/// Structured-light camera with a projector beside it. Values of Khoshelham, Elberink, Sensors 2012
+/// (baseline, disparities in eighths of a pixel, i.e. steps of 2.9 mm z^2 [z in m, f = 580]) and of Nguyen,
+/// Izadi, Lovell, 3DIMPVT 2012 (lateral sigma 0.8 pixels; axial sigma 1.2 mm + 1.9 mm (z - 0.4)^2).
 struct KinectNoise {
-  double baseline{0.075};              ///< m; the projector stands so far along the camera's x
+  double baseline{0.075};              ///< m; distance of the projector along the camera's x
   double disparity_step{0.125};        ///< pixels
-  double across{0.8};                  ///< pixels, standard deviation of where a depth is seen
-  double along{0.0012};                ///< m, standard deviation of the depth at 0.4 m ...
-  double along_growth{0.0019};         ///< ... and what it grows by (z - 0.4)^2, 1/m
-  double nearest{0.5}, farthest{8.0};  ///< m; beyond, nothing is measured
-  double grazing{0.14};  ///< cosine of the angle to the surface's normal; flatter ones are not seen
+  double across{0.8};                  ///< pixels, lateral standard deviation
+  double along{0.0012};                ///< m, axial standard deviation of the depth at 0.4 m ...
+  double along_growth{0.0019};         ///< ... and its coefficient of (z - 0.4)^2, 1/m
+  double nearest{0.5}, farthest{8.0};  ///< m; no measurement outside of this range
+  double grazing{0.14};  ///< cosine of the angle to the surface normal; flatter surfaces are not measured
 };
 
-/// The same camera's noise in images of another size: `across` and `disparity_step` are measured in pixels of
-/// 640 columns, of which a smaller image, as the driver makes it, has fewer.
+/// The noise of the same camera in images of another size: `across` and `disparity_step` are in pixels of 640
+/// columns; a smaller image, as from the driver, has fewer.
 KinectNoise kinectNoiseIn(const DepthCamera& camera);
 
-/// Shadows where the projector does not reach, edges that fray, noise, steps, and pixels missing where the
-/// surface is seen too flat, too near or too far. The same numbers for the same seed and frame.
+/// Adds projector shadows, ragged edges, noise, disparity steps, and missing pixels where the surface is too
+/// flat, too near or too far. Deterministic for a seed and frame.
 DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, const KinectNoise& noise,
                         std::uint64_t seed, std::uint64_t frame);
 

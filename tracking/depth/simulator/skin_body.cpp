@@ -1,4 +1,4 @@
-// A body of smooth skin over the bones of a recording, for the camera simulator.
+// Body with smooth skin around the joints of a recording, for the camera simulator.
 #include "tracking/depth/simulator/skin_body.hpp"
 
 #include <algorithm>
@@ -15,35 +15,35 @@ namespace {
 
 using enum humanmodel::Joint;
 
-constexpr double kUnevenness = 0.08;     // of thicknesses of a body with a seed
-constexpr double kSameSkinPlace = 0.01;  // m, joints that are one
+constexpr double kUnevenness = 0.08;     // variation of thicknesses with a seed
+constexpr double kSameSkinPlace = 0.01;  // m, joints nearer than this coincide
 
-// Thicknesses in shares of stature: radii of girths that adults have on the mean (ANSUR II, Gordon et al.
-// 2014, men and women together), drawn as profiles by hand. x: 0 at the proximal joint, 1 at the distal one.
+// Thicknesses as shares of stature: radii of mean adult girths (ANSUR II, Gordon et al. 2014, men and women
+// together), as hand-drawn profiles. x: 0 at the proximal joint, 1 at the distal one.
 constexpr std::array<CurvePoint, 4> kUpperArm{{{0.0, 0.030}, {0.3, 0.029}, {0.6, 0.027}, {1.0, 0.0225}}};
 constexpr std::array<CurvePoint, 4> kForearm{{{0.0, 0.0225}, {0.22, 0.0255}, {0.6, 0.020}, {1.0, 0.0155}}};
 constexpr std::array<CurvePoint, 4> kThigh{{{0.0, 0.052}, {0.25, 0.051}, {0.7, 0.040}, {1.0, 0.033}}};
 constexpr std::array<CurvePoint, 5> kCalf{
     {{0.0, 0.033}, {0.1, 0.031}, {0.3, 0.0335}, {0.7, 0.023}, {1.0, 0.0205}}};
-/// How far the belly of the calf lies behind the bone.
+/// Offset of the calf's centre behind the bone.
 constexpr std::array<CurvePoint, 4> kCalfBack{{{0.0, 0.0}, {0.3, 0.010}, {0.7, 0.004}, {1.0, 0.0}}};
-// The trunk; x: 0 at the hips, 1 at the line of the shoulders. Half the breadth where the skeleton's hips and
-// shoulders do not say it, half the depth, and how far the middle lies in front of the spine.
+// The trunk; x: 0 at the hips, 1 at the line of the shoulders. Half breadth where hips and shoulders do not
+// determine it, half depth, and offset of the centre in front of the spine.
 constexpr std::array<CurvePoint, 6> kTrunkBreadth{
     {{-0.25, 0.060}, {0.0, 0.098}, {0.45, 0.082}, {0.75, 0.092}, {0.95, 0.098}, {1.12, 0.040}}};
 constexpr std::array<CurvePoint, 6> kTrunkDepth{
     {{-0.25, 0.040}, {0.0, 0.067}, {0.40, 0.060}, {0.72, 0.070}, {0.95, 0.052}, {1.12, 0.035}}};
 constexpr std::array<CurvePoint, 4> kTrunkFront{{{-0.25, -0.004}, {0.1, -0.010}, {0.5, 0.006}, {1.12, 0.0}}};
 constexpr double kTrunkSquareness = 2.5;   // a chest is rounder than a box and flatter than an ellipse
-constexpr double kShoulderBreadth = 0.98;  // of the distance of the shoulders; the upper arms round it off
+constexpr double kShoulderBreadth = 0.98;  // of the shoulder distance; the upper arms round it off
 constexpr double kNeckRadius = 0.034;
 constexpr double kHeadHeight = 0.066, kHeadBreadth = 0.045, kHeadDepth = 0.057;  // half of each
 constexpr double kHair = 0.004;                                                  // above the vertex
-constexpr double kChin = 0.18;  // what the head narrows by downwards
+constexpr double kChin = 0.18;  // downward narrowing of the head
 constexpr double kNose = 0.014, kNoseBreadth = 0.010, kNoseHeight = 0.016;
 constexpr double kHandBreadth = 0.024, kHandDepth = 0.010;  // half of each
 constexpr double kShoeLength = 0.160, kHeel = 0.042;        // behind the ankle
-constexpr double kToeCap = 0.018;                           // before the tip of the toes
+constexpr double kToeCap = 0.018;                           // in front of the toe tip
 constexpr double kSole = 0.045;                             // below the ankle
 constexpr double kShoeBreadth = 0.028;                      // half
 
@@ -60,8 +60,8 @@ bool hasAll(const humanmodel::SkeletonFrame& f, std::initializer_list<humanmodel
   return std::all_of(joints.begin(), joints.end(), [&](humanmodel::Joint j) { return f.has(j); });
 }
 
-/// A limb from `from` to `to`, round, with both ends rounded off. `radius` and `back` (how far the middle
-/// lies behind the bone, against `front`) are functions of the share of the way.
+/// A round limb from `from` to `to` with rounded ends. `radius` and `back` (offset of the centre behind the
+/// bone, against `front`) are functions of the share of the length.
 template <class Radius, class Back>
 geometry::TriangleMesh limb(const Vector3d& from, const Vector3d& to, const Vector3d& front,
                             const Radius& radius, const Back& back) {
@@ -86,8 +86,7 @@ geometry::TriangleMesh limb(const Vector3d& from, const Vector3d& to, const Vect
 
 double none(double) { return 0.0; }
 
-/// The place at the share `x` (below 0 and above 1: straight on) of the way along a smooth line through
-/// points.
+/// Position at the share `x` (linear extrapolation below 0 and above 1) along a smooth curve through points.
 class Spine {
  public:
   explicit Spine(std::vector<Vector3d> points) : points_(std::move(points)), at_{0.0} {
@@ -133,7 +132,7 @@ std::optional<double> statureOfLegs(std::span<const humanmodel::SkeletonFrame> f
 
 SkinBody::SkinBody(double stature, const SkinOptions& options)
     : stature_(stature), clothing_(options.clothing) {
-  // Written so that NaN fails.
+  // The negated form also rejects NaN.
   if (!(stature >= 0.5 && stature <= 2.5))
     throw UsageError("a stature of " + formatDouble(stature) + " m, expected 0.5 to 2.5");
   if (!(options.girth >= 0.5 && options.girth <= 2.0))
@@ -165,7 +164,7 @@ void SkinBody::addTrunk(const humanmodel::SkeletonFrame& f, Parts& parts) const 
   std::vector<Vector3d> points{p_hips};
   for (const humanmodel::Joint j : {kSpine, kThorax}) {
     if (!f.has(j)) continue;
-    // Some recordings have the spine's joints behind the shoulders or in one place.
+    // In some recordings the spine's joints are behind the shoulders or coincide.
     const double before = (f[j] - points.back()).norm(), left = (p_shoulders - f[j]).norm();
     if (before > kSameSkinPlace && left > 0.12 * trunk && left < (p_shoulders - points.back()).norm())
       points.push_back(f[j]);
@@ -250,7 +249,7 @@ void SkinBody::addArm(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
                          f[elbow], f[wrist], front,
                          [&](double x) { return smoothCurve(kForearm, x) * forearm_ + clothing_; }, none)});
   if (apart(wrist, hand)) {
-    // The palm faces the thigh of who stands; the thumb's side looks to the front.
+    // The palm of a standing person faces the thigh; the thumb points forward.
     const Vector3d way = f[hand] - f[wrist], axis = way.normalized();
     const Vector3d v = squareTo(axis, front), u = v.cross(axis);
     std::vector<LoftSection> sections;
@@ -258,7 +257,7 @@ void SkinBody::addArm(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
     for (int i = 1; i < kHandRings; ++i) {
       const double along = -std::cos(kPi * i / kHandRings);
       const double round = std::pow(std::sin(kPi * i / kHandRings), 0.6);
-      // From a little before the wrist to a little beyond the end.
+      // From slightly before the wrist to slightly beyond the end.
       const Vector3d centre = f[wrist] + (0.5 + 0.56 * along) * way;
       sections.push_back({centre, u, v, kHandDepth * forearm_ * round, kHandBreadth * forearm_ * round, 2.4});
     }
@@ -287,7 +286,7 @@ void SkinBody::addLeg(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
              f[knee], f[ankle], front, [&](double x) { return smoothCurve(kCalf, x) * calf_ + clothing_; },
              [&](double x) { return smoothCurve(kCalfBack, x) * calf_; })});
   if (apart(ankle, toe) && apart(knee, ankle)) {
-    // The sole holds the toes, and lies below the ankle.
+    // The sole contains the toes, and is below the ankle.
     const Vector3d shin = (f[knee] - f[ankle]).normalized();
     Vector3d forward = f[toe] - f[ankle];
     const double sole = kSole * stature_;
@@ -299,7 +298,7 @@ void SkinBody::addLeg(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
     const double tip =
         std::max((f[toe] - f[ankle]).dot(forward) + kToeCap * stature_, (kShoeLength - kHeel) * stature_);
     const double heel = -kHeel * stature_;
-    // Half the height over the sole, from heel to tip.
+    // Half height above the sole, from heel to tip.
     constexpr std::array<CurvePoint, 4> kShoeHeight{
         {{0.0, 0.022}, {0.35, 0.026}, {0.7, 0.014}, {1.0, 0.010}}};
     std::vector<LoftSection> sections;

@@ -1,4 +1,4 @@
-// A body of smooth skin over the bones of a recording, for the camera simulator.
+// Body with smooth skin around the joints of a recording, for the camera simulator.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace abstand::tracking {
 
-/// What a person of the simulator looks like.
+/// Appearance of a simulated person.
 struct SkinOptions {
   double girth{1.0};      ///< 0.5 to 2: factor of all thicknesses; lengths are those of the recording
-  double clothing{0.0};   ///< m, 0 to 0.1: added to the bare skin of trunk, arms and legs
-  std::uint64_t seed{0};  ///< 0: usual proportions; else thicknesses differ by up to 8 %, part by part
+  double clothing{0.0};   ///< m, 0 to 0.1: thickness added on trunk, arms and legs
+  std::uint64_t seed{0};  ///< 0: usual proportions; otherwise thicknesses vary by up to 8 %, by part
 };
 
-/// m, from the length of the legs (thigh 0.245, calf 0.246 of it; Drillis and Contini 1966, in Winter 2009),
-/// the median over the frames that show one; nothing where none does. A recording's own stature is often
-/// short, as its head ends below the vertex.
+/// Stature (m) from the length of the legs (thigh 0.245, calf 0.246 of it; Drillis and Contini 1966, in
+/// Winter 2009), the median over the frames with a leg; nullopt if there are none. A recording's own stature
+/// is often too small, as its head ends below the vertex.
 std::optional<double> statureOfLegs(std::span<const humanmodel::SkeletonFrame> frames);
 
 struct SkinPart {
@@ -29,22 +29,22 @@ struct SkinPart {
   geometry::TriangleMesh mesh;  ///< closed, in the axes of the frame that it was made for
 };
 
-/// A body that is made unlike the model of humanmodel, so that what fits that model is not tested against
-/// itself: its lengths are those of the recorded joints, moment by moment, and its surface is smooth: a trunk
-/// lofted along the bent spine, limbs with calf and forearm, a head with a nose, mittens and shoes. Constant
-/// after construction.
+/// A body built independently of humanmodel, so that a fit of that model is not tested against itself: its
+/// lengths are those of the recorded joints in each frame, and its surface is smooth: a trunk lofted along
+/// the bent spine, limbs with calf and forearm, a head with a nose, mittens and shoes. Constant after
+/// construction.
 class SkinBody {
  public:
-  /// `stature` (m) sets the thicknesses. Throws UsageError for numbers out of range.
+  /// `stature` (m) determines the thicknesses. Throws UsageError for values out of range.
   SkinBody(double stature, const SkinOptions& options);
 
-  /// The parts whose joints are there. Left and right, front and back follow hips, shoulders and toes, as the
-  /// joints say nothing of a turn about a limb's own axis or of where the head looks.
+  /// Meshes of the parts whose joints exist. Left and right, front and back follow hips, shoulders and toes,
+  /// as joints do not determine the twist of a limb or the direction of the head.
   std::vector<SkinPart> wrap(const humanmodel::SkeletonFrame& frame) const;
 
  private:
   struct Axes {
-    Vector3d front, left;  ///< of the trunk, of length 1
+    Vector3d front, left;  ///< of the trunk, unit
   };
   using Parts = std::vector<SkinPart>;
   static Axes axesOf(const humanmodel::SkeletonFrame& frame, humanmodel::Joint left, humanmodel::Joint right);
@@ -55,7 +55,7 @@ class SkinBody {
 
   double stature_;
   double clothing_;
-  /// m, what the shares of stature are multiplied with: girth and unevenness included.
+  /// m, thicknesses as factors of the shares of stature: girth and variation included.
   double trunk_breadth_, trunk_depth_, upper_arm_, forearm_, thigh_, calf_, head_, neck_, foot_;
 };
 

@@ -1,4 +1,4 @@
-// Closed meshes through a row of cross-sections.
+// Lofted closed meshes through cross-sections.
 #include "tracking/depth/simulator/skin_loft.hpp"
 
 #include <cmath>
@@ -48,7 +48,7 @@ double smoothCurve(std::span<const CurvePoint> points, double x) {
   while (x > points[k + 1].x) ++k;
   const auto step = [&](std::size_t i) { return points[i + 1].x - points[i].x; };
   const auto slope = [&](std::size_t i) { return (points[i + 1].y - points[i].y) / step(i); };
-  // The slope at a point: none at the ends and at turning points, else the weighted harmonic mean.
+  // Slope at a point: 0 at the ends and at turning points, otherwise the weighted harmonic mean.
   const auto tangent = [&](std::size_t i) {
     if (i == 0 || i + 1 == points.size() || slope(i - 1) * slope(i) <= 0.0) return 0.0;
     const double before = 2.0 * step(i) + step(i - 1), after = step(i) + 2.0 * step(i - 1);

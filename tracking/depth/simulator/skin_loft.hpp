@@ -1,4 +1,4 @@
-// Closed meshes through a row of cross-sections.
+// Lofted closed meshes through cross-sections.
 #pragma once
 
 #include <span>
@@ -7,21 +7,21 @@
 
 namespace abstand::tracking {
 
-/// A rounded cross-section: the points centre + u a cos^(2/n) + v b sin^(2/n), an ellipse for n = 2 and
-/// nearer to its rectangle for greater n. `u` and `v` are square to each other, of length 1; u x v points to
-/// the next section.
+/// A superelliptic cross-section: the points centre + u a cos^(2/n) + v b sin^(2/n), an ellipse for n = 2 and
+/// closer to a rectangle for larger n. `u` and `v` are perpendicular unit vectors; u x v points to the next
+/// section.
 struct LoftSection {
   Vector3d centre, u, v;
-  double a{0.0}, b{0.0};  ///< m, half the extents along u and v
+  double a{0.0}, b{0.0};  ///< m, half extents along u and v
   double n{2.0};
 };
 
-/// Bands between neighbours and a fan over each end: closed, triangles outwards as long as no section bends
-/// through its neighbour. At least two sections.
+/// Bands between neighbours and a fan at each end: closed, triangles outward as long as no section intersects
+/// its neighbour. At least two sections.
 geometry::TriangleMesh loft(std::span<const LoftSection> sections);
 
-/// The value at `x` of a smooth curve through (x, y) pairs whose x rises; constant beyond both ends. No value
-/// leaves the range of the two neighbours (monotone cubic; Fritsch, Butland 1984).
+/// Monotone cubic interpolation (Fritsch, Butland 1984) at `x` through (x, y) pairs with increasing x;
+/// constant beyond both ends. Values stay within the range of the two neighbours.
 struct CurvePoint {
   double x, y;
 };
