@@ -15,8 +15,8 @@ constexpr std::size_t kMaxLines = 10;
 }  // namespace
 
 nlohmann::ordered_json doctorJson(const tracking::DoctorReport& r) {
-  using Json = nlohmann::ordered_json;
-  Json bones = Json::array(), joints = Json::array(), jumps = Json::array(), filters = Json::array();
+  nlohmann::ordered_json bones = nlohmann::ordered_json::array();
+  nlohmann::ordered_json joints = bones, jumps = bones, filters = bones;
   for (const auto& b : r.bones)
     bones.push_back({{"part", b.part}, {"length", b.length}, {"spread", b.spread}, {"drift", b.drift}});
   for (const auto& j : r.joints)

@@ -10,7 +10,7 @@ namespace {
 
 /// Indentation into the triangles that surely does not exceed the one into the shape around them.
 double certainIndentation(const ContactSurface& surface, const ContactPlace& place) {
-  // With a curved person, a point within the sagitta may lie up to sqrt(2) times it behind.
+  // With a curved person, a point within the sagitta may lie up to sqrt(2) times it behind; twice is safe.
   return place.indentation - (std::isinf(place.body_radius) ? 1.0 : 2.0) * surface.sagitta();
 }
 

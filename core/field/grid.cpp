@@ -10,8 +10,8 @@ namespace abstand::field {
 
 VoxelGrid makeGrid(const geometry::Bounds& box, double voxel_size, int outer_layers) {
   // An extent within this relative error of a multiple of the voxel size counts as that multiple.
-  constexpr double kRounding = 1e-9;
-  const Vector3d steps = (box.extent() / voxel_size).array() + kRounding;
+  constexpr double kStepRounding = 1e-9;
+  const Vector3d steps = (box.extent() / voxel_size).array() + kStepRounding;
   const Vector3d counts = steps.array().floor() + 1.0 + 2.0 * outer_layers;
   if (!(counts.prod() <= kMaxVoxels)) {
     std::ostringstream message;

@@ -165,11 +165,11 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
   const Four lowest_face{-tolerance_, -tolerance_, -tolerance_, -plane_limit}, lowest = splat(-tolerance_);
 
   // Four at once: rejects features whose balls are too far.
-  constexpr std::size_t kLanes = 4;
+  constexpr std::size_t kFour = 4;
   const std::size_t n = list.size();
   kept.resize(n);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < n; i += kLanes) {
+  for (std::size_t i = 0; i < n; i += kFour) {
     const auto ball = [&](std::size_t k) { return load(balls_[list[std::min(i + k, n - 1)]].v); };
     Four x = ball(0), y = ball(1), z = ball(2), radius = ball(3);
     transpose(x, y, z, radius);
@@ -180,7 +180,7 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
                               reach * (radius + tolerance_));
     const int beyond = bits(square(apart) * (1.0f - kCompared) - (limit + gain * (1.0f + kCompared)) > 0.0f);
     if (beyond == 15) continue;
-    for (std::size_t k = 0; k < std::min(kLanes, n - i); ++k) {
+    for (std::size_t k = 0; k < std::min(kFour, n - i); ++k) {
       if ((beyond >> k & 1) != 0) continue;
       const Feature& f = features_[list[i + k]];
       // Largest value of n . p over the block's corners.

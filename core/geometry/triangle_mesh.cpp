@@ -22,7 +22,7 @@ class KeptVertices {
   }
 
   /// Index of the kept vertex within the tolerance of p; if there is none, p is kept as a new one.
-  std::uint32_t estimateFloorFromScene(const Vector3d& p) {
+  std::uint32_t findOrKeep(const Vector3d& p) {
     Vector3d cell = p;
     Vector3d side = Vector3d::Zero();
     if (tolerance_ > 0.0) {
@@ -100,7 +100,7 @@ TriangleMesh weld(const TriangleMesh& mesh, double tolerance) {
     for (int i = 0; i < 3; ++i) {
       ABSTAND_CHECK(triangle[i] < mesh.vertices.size());
       auto& s = stand_in[triangle[i]];
-      if (s == kNone) s = kept.estimateFloorFromScene(mesh.vertices[triangle[i]]);
+      if (s == kNone) s = kept.findOrKeep(mesh.vertices[triangle[i]]);
       t[i] = s;
     }
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.push_back(t);

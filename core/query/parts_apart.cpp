@@ -22,8 +22,8 @@ std::size_t partOfField(int bit) { return static_cast<std::size_t>(bit) / kMax; 
 Vector3d centre(const kernels::SphereGroup& s, std::size_t i) { return {s.x[i], s.y[i], s.z[i]}; }
 
 /// Upper bound of the support function of a part (m times the length of g).
-double partUncertainty(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
-                       bool closely) {
+double partSupport(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
+                   bool closely) {
   if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
   return closely ? body.support.closeUpper(g) : body.support.upper(g);
 }
@@ -43,7 +43,7 @@ class Reaches {
   double operator()(std::size_t part) {
     if (!(known_ >> part & 1)) {
       known_ |= 1u << part;
-      reach_[part] = partUncertainty(body_, part, g_, closely_);
+      reach_[part] = partSupport(body_, part, g_, closely_);
     }
     return reach_[part];
   }
@@ -83,8 +83,8 @@ FacingParts::FacingParts(const structure::HapticStructure& P, const structure::H
 }
 
 double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const noexcept {
-  return n.dot(X_FP_.translation()) - partUncertainty(P_, i, X_FP_.linear().transpose() * -n, closely_) -
-         partUncertainty(F_, j, n, closely_);
+  return n.dot(X_FP_.translation()) - partSupport(P_, i, X_FP_.linear().transpose() * -n, closely_) -
+         partSupport(F_, j, n, closely_);
 }
 
 // Frank-Wolfe iteration (1956): moves v to the nearest point of the segment to the support points, until a

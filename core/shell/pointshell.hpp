@@ -39,7 +39,7 @@ struct Pointshell {
 /// Eldar et al. 1997) of a fine subdivision, then one step of Lloyd relaxation. The mean area of a point on
 /// gently curved surfaces is about 2 / sqrt(3) spacing^2: 1,126 points for the thesis's sphere. Corners, tips
 /// and strongly curved places get up to six times as many points per area and sharp edges twice as many, but
-/// a body at most about three quarters more. Uses `threads` threads (0: all); the result does not depend on
+/// a body at most 60 % more. Uses `threads` threads (0: all); the result does not depend on
 /// their number. Throws UsageError for a spacing that is not positive or far too small for the surface, and
 /// for a surface without area.
 Pointshell makePointshell(const geometry::Surface& surface, double spacing, int threads = 1);

@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, kRigSegments> kNames{
     "thigh_right",  "calf_left",     "calf_right", "foot_left",      "foot_right"};
 
 // Bend of the trunk, as a share of the distance from the hip centre to the neck: the joint between the fourth
-// and the fifth lumbar vertebra is at about 0.63 h, the hips are at 0.53 h, the neck at 0.82 h.
+// and the fifth lumbar vertebra is at about 0.62 h, the hips are at 0.53 h, the neck at 0.82 h.
 constexpr double kBendShare = 0.3;
 // Factors of the visible trunk: its cross-section is an ellipse, not a box, and the model's box contains
 // chest, waist and hips at their largest.
