@@ -6,6 +6,7 @@
 #include "app/report/exposure_section.hpp"
 #include "app/report/margin_section.hpp"
 #include "app/report/page.hpp"
+#include "app/report/speed_section.hpp"
 #include "app/report/svg_plot.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -253,9 +254,10 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
                        : "")
                << ".</p>\n"
                << closestSection(answer) << proposedSection(answer) << marginSetSection(answer)
-               << bandSection(answer) << curveSection(answer) << approachSection(answer, options)
-               << timeSection(answer) << exposureSection(answer.exposure) << assumptions(answer) << kSignature
-               << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version) << ".</p>\n"
+               << bandSection(answer) << curveSection(answer) << speedSection(answer) << tradeSection(answer)
+               << approachSection(answer, options) << timeSection(answer) << exposureSection(answer.exposure)
+               << assumptions(answer) << kSignature << "<p class=\"soft\">Made by abstand "
+               << text::escapedXml(options.version) << ".</p>\n"
                << pageEnd();
   out.commit();
 }
