@@ -5,6 +5,7 @@
 #include "core/scene/scene.hpp"
 #include "humanmodel/poser.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/track_monitor.hpp"
 
 namespace abstand::session {
 
@@ -12,9 +13,9 @@ namespace abstand::session {
 class HumanDriver {
  public:
   /// Reads the recording (if any) and makes the model. `known`: what a depth camera that stands in the scene
-  /// sees of other things. Throws ParseError, UsageError.
+  /// sees of other things. Throws ParseError, UsageError, and Interrupted when the monitor ends the tracking.
   explicit HumanDriver(const scene_file::HumanDescription& description,
-                       const tracking::KnownThings& known = {});
+                       const tracking::KnownThings& known = {}, const tracking::TrackMonitor& monitor = {});
   HumanDriver(const HumanDriver&) = delete;
   HumanDriver& operator=(const HumanDriver&) = delete;
 

@@ -25,6 +25,8 @@ struct SessionOptions {
   std::map<std::string, std::shared_ptr<const structure::HapticStructure>> made;
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
   structure::BuildMonitor monitor;  ///< of the structures; its word is the name of one
+  /// Hears how many images of a depth recording are tracked, of how many. monitor.cancelled ends this, too.
+  std::function<void(std::size_t done, std::size_t all)> tracked;
   /// Hears how many structures there will be, before the first is looked for or built.
   std::function<void(std::size_t structures)> planned;
   tracking::KnownThings known;  ///< what a camera sees of the robots, for depth recordings that ask for it
@@ -40,7 +42,7 @@ inline constexpr double kHandSpeed = 2.0;
 /// Loads everything that a scene names, builds the haptic structures, and steps. Not shared between threads.
 class Session {
  public:
-  /// Throws ParseError, UsageError.
+  /// Throws ParseError, UsageError, and BuildCancelled or Interrupted when options.monitor ends it.
   Session(scene_file::SceneDescription description, const SessionOptions& options);
 
   /// One cycle at simulation time t: kinematics, poses, pairs, totals, joint efforts. After the first call no

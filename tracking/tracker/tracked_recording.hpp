@@ -5,6 +5,7 @@
 
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/track_monitor.hpp"
 
 namespace abstand::tracking {
 
@@ -27,8 +28,10 @@ bool isDepthRecording(const std::filesystem::path& path);
 
 /// openRecording(), and for a depth recording its first person, tracked. `height` (m): of the body; else it
 /// is measured. With `known`, which cuts out what is no person, the recording has to say how its camera
-/// stands. Throws ParseError, UsageError, and Interrupted when an interrupt comes while it tracks.
+/// stands. Throws ParseError, UsageError, and Interrupted when an interrupt comes while it tracks, or the
+/// monitor ends it.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height, const KnownThings& known = {});
+                           std::optional<double> height, const KnownThings& known = {},
+                           const TrackMonitor& monitor = {});
 
 }  // namespace abstand::tracking
