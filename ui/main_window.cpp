@@ -20,6 +20,7 @@
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -44,6 +45,7 @@ namespace {
 constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
+constexpr int kPlotWidth = 280;  // px, at least
 // Grows when panels come or go, so that an old layout is not applied to a new window.
 constexpr int kLayoutVersion = 4;
 
@@ -84,6 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
   viewport_ = new Viewport(*selection_, this);
   setCentralWidget(viewport_);
   status_ = new StatusPanel(statusBar());
+  new FocusKeys(this);
   buildDocks();
   opacity_ = buildMenus(*this, *actions_);
   connectFile();
@@ -116,6 +119,7 @@ void MainWindow::buildDocks() {
   groups_ = new GroupPanel(this);
   notes_ = new NotePanel(this);
   plots_ = new PlotPanel(this);
+  plots_->setMinimumWidth(kPlotWidth);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, this);
   docks_ = {
@@ -219,9 +223,7 @@ void MainWindow::setSession(SessionPort* session) {
     pull_timer_->stop();
     slow_timer_->stop();
     viewport_->close();
-    viewport_->setMessage(
-        tr("Open a project or a scene (Ctrl+O),\n"
-           "or drop a project, a scene, a robot or a recording here"));
+    showStart();
   }
   showTitle();
 }
@@ -248,7 +250,7 @@ void MainWindow::refreshSlow() {
     robots_->refresh(outline, snapshot_);
     groups_->refresh(snapshot_);
     if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
-      statusBar()->showMessage(tr("Robots were put on their plans at %1, and react from there")
+      statusBar()->showMessage(tr("Robots were restarted on their planned motion at %1")
                                    .arg(secondsWithUnit(snapshot_.loop_start)),
                                kMessageMs);
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
@@ -268,9 +270,20 @@ void MainWindow::showProblem(const QString& title, const QString& text) {
   box->open();
 }
 
-void MainWindow::showOpening(const Opening& opening) { status_->showOpening(opening); }
+void MainWindow::showOpening(const Opening& opening) {
+  status_->showOpening(opening);
+  if (!session_) viewport_->setMessage(tr("Opening…"));
+}
 
-void MainWindow::hideOpening() { status_->hideOpening(); }
+void MainWindow::hideOpening() {
+  status_->hideOpening();
+  if (!session_) showStart();
+}
+
+void MainWindow::showStart() {
+  viewport_->setMessage(
+      tr("Open a project or a scene (Ctrl+O),\nor drop a project, a scene, a robot or a recording here"));
+}
 
 void MainWindow::restore() {
   QSettings settings;

@@ -82,6 +82,8 @@ class MainWindow : public QMainWindow {
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
   void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
+  /// The user does not want to wait for what is being opened.
+  void cancelRequested();
   /// The user wants to begin with nothing.
   void closeRequested();
 
@@ -111,6 +113,7 @@ class MainWindow : public QMainWindow {
   void restore();
   void save() const;
   void showRecent();
+  void showStart();
   void applyOptions();
   void refreshSlow();
   void goToContact(bool next);

@@ -1,4 +1,5 @@
 // How the window edits the document, and follows it.
+#include <QAbstractButton>
 #include <QFileInfo>
 #include <QSlider>
 #include <QStatusBar>
@@ -13,6 +14,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/recovery.hpp"
 #include "ui/style/actions.hpp"
@@ -69,6 +71,7 @@ void MainWindow::connectDocument() {
     if (session_) document_->setViewpoint({viewport_->cameraView(), playback_->time()});
   });
 
+  connect(status_->cancelButton(), &QAbstractButton::clicked, this, &MainWindow::cancelRequested);
   connect((*actions_)[ActionId::kNew], &QAction::triggered, this, [this] {
     if (projects_->mayDiscard()) Q_EMIT closeRequested();
   });

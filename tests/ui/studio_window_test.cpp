@@ -73,6 +73,16 @@ TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
   expectWork();
 }
 
+TEST_F(StudioDocument, WhatCannotBeShownIsNotMixedUpWithTheDocument) {
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  std::filesystem::rename(folder.path() / "walk.csv", folder.path() / "gone.csv");
+  EXPECT_FALSE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); }));
+  EXPECT_FALSE(window.marginPanel().row(0)) << "the window is empty";
+  std::filesystem::rename(folder.path() / "gone.csv", folder.path() / "walk.csv");
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kRedo]->trigger(); })) << problem;
+  EXPECT_TRUE(window.marginPanel().row(0));
+}
+
 TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
   makeWork();
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
@@ -100,6 +110,15 @@ TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
   EXPECT_EQ(ready.size(), 1);
   EXPECT_EQ(work().scene, in("scene.yaml"));
   EXPECT_FALSE(window.findChild<QMessageBox*>()) << "nobody hears of what was abandoned";
+}
+
+TEST_F(StudioWindow, ACancelledRequestIsNeverShown) {
+  const QSignalSpy ready(&studio, &Studio::ready);
+  studio.openScene(in("scene.yaml"), {}, 0.0);
+  Q_EMIT window.cancelRequested();
+  ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
+  EXPECT_EQ(ready.size(), 1);
+  EXPECT_TRUE(work().scene.isEmpty());
 }
 
 TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {

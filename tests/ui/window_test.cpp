@@ -182,10 +182,10 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
   session.setWork({.checked = 12, .rested = 34, .beyond = 5, .deferred = 6, .longest_wait = 7});
-  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6"))
+  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", skipped 39 (far away), postponed 6"))
       << label->text().toStdString();
   EXPECT_TRUE(label->isVisible());
-  for (const char* part : {"checked: 12\n", "rested, ", ": 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
+  for (const char* part : {"checked: 12\n", "clearance: 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
     EXPECT_TRUE(label->toolTip().contains(part)) << part << " in " << label->toolTip().toStdString();
   const int still = static_cast<int>(session.outline().pairs.size()) - 12 - 34 - 5 - 6;
   EXPECT_TRUE(label->toolTip().contains(": " + QString::number(still) + "\n"));
@@ -208,7 +208,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
     window.pull();
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
-  EXPECT_TRUE(shows(head, "On their plans at 0.000 s, reacting since"));
+  EXPECT_TRUE(shows(head, "Restarted on their planned motion at 0.000 s; reacting since then"));
   EXPECT_TRUE(shows(state, "arm: running since 0.000 s, speed 100 %"));
   EXPECT_TRUE(reason->text().isEmpty());
   EXPECT_EQ(bar->text(), "Robots: running");
@@ -259,7 +259,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
     snapshot.loop_start = 3.2;
     ++snapshot.loops;
   });
-  EXPECT_TRUE(shows(head, "On their plans at 3.200 s, reacting since"));
+  EXPECT_TRUE(shows(head, "Restarted on their planned motion at 3.200 s; reacting since then"));
   EXPECT_TRUE(panel->log()->toPlainText().isEmpty());
   EXPECT_TRUE(window.statusBar()->currentMessage().contains("3.200 s"));
 

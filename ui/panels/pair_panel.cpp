@@ -14,6 +14,10 @@
 
 namespace abstand::ui {
 
+namespace {
+constexpr int kNameWidth = 100;  // px; narrower, bodies of several robots look alike
+}
+
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
     : QWidget(parent),
       selection_{selection},
@@ -28,7 +32,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   filter_box_->setClearButtonEnabled(true);
   filter_box_->setAccessibleName(tr("Filter pairs by name"));
   filter_box_->setMaximumWidth(240);
-  all_->setText(tr("Only chosen objects  ✕"));
+  all_->setText(tr("Only the selection  ✕"));
   all_->setToolTip(tr("Show all pairs again (Esc)"));
   all_->hide();
   count_->setForegroundRole(QPalette::PlaceholderText);
@@ -47,12 +51,13 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->sortByColumn(PairTableModel::kDistance, Qt::AscendingOrder);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
+  header->setMinimumSectionSize(kNameWidth);
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
   for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96},
                                       {+PairTableModel::kDistance, 126},
-                                      {+PairTableModel::kBound, 104},
+                                      {+PairTableModel::kBound, 140},
                                       {+PairTableModel::kMargin, 104},
                                       {+PairTableModel::kForce, 88},
                                       {+PairTableModel::kContacts, 86}})
