@@ -35,6 +35,7 @@
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -80,7 +81,7 @@ MainWindow::MainWindow(QWidget* parent)
   (*actions_)[Id::kDarkTheme]->setChecked(is_dark);
   tree_model_->setTheme(is_dark ? Theme::kDark : Theme::kLight);
 
-  setWindowTitle(tr("Abstand"));
+  setWindowIcon(programIcon());
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   viewport_ = new Viewport(*selection_, this);
@@ -330,7 +331,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const FileKind kind : {FileKind::kProject, FileKind::kScene, FileKind::kRecording})
     for (const QUrl& url : event->mimeData()->urls())
       if (kindOf(url.toLocalFile()) == kind) paths << url.toLocalFile();
-  openFiles(paths);
+  // Later: whoever drops them waits for this event, and a question may take long.
+  QTimer::singleShot(0, this, [this, paths] { openFiles(paths); });
 }
 
 }  // namespace abstand::ui

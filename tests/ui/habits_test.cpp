@@ -82,6 +82,7 @@ TEST_F(HabitsTest, TheCameraMovesByKeys) {
 }
 
 TEST_F(HabitsTest, TheShortcutPageNamesTheMouse) {
+  EXPECT_FALSE(window.windowIcon().isNull());
   EXPECT_TRUE(shortcutPage(window.actions()).contains("Double click"));
 }
 

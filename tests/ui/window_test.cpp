@@ -36,6 +36,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
@@ -70,6 +71,7 @@ struct WindowTest : testing::Test {
     if (!accepted) return;
     QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window, &event);
+    QApplication::processEvents();
   }
   FakeSession session;
   MainWindow window;
@@ -145,6 +147,11 @@ TEST_F(WindowTest, DroppedFilesAreAskedForByTheirKind) {
   EXPECT_EQ(scenes[0][0].toString(), "/somewhere/cell.yaml");
   ASSERT_EQ(recordings.size(), 1);
   EXPECT_EQ(recordings[0][0].toString(), "/somewhere/walk.bvh");
+  const QSignalSpy projects(&window.projects(), &ProjectCommands::failed);
+  drop({"/somewhere/work.abstand"});
+  EXPECT_TRUE(accepted);
+  ASSERT_EQ(projects.size(), 1) << "it was asked for, and is not there";
+  EXPECT_TRUE(projects[0][1].toString().contains("work.abstand"));
   drop({"/somewhere/picture.gif"});
   EXPECT_FALSE(accepted);
   EXPECT_EQ(scenes.size(), 1);

@@ -15,7 +15,7 @@
 namespace abstand::ui {
 
 namespace {
-constexpr int kNameWidth = 100;  // px; narrower, bodies of several robots look alike
+constexpr int kColumnWidth = 76;  // px, at least
 }
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
@@ -43,6 +43,8 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);
   table_->setWordWrap(false);
+  // Beginning and end of a name tell bodies apart.
+  table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -51,16 +53,16 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->sortByColumn(PairTableModel::kDistance, Qt::AscendingOrder);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
-  header->setMinimumSectionSize(kNameWidth);
+  header->setMinimumSectionSize(kColumnWidth);
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
-  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96},
-                                      {+PairTableModel::kDistance, 126},
-                                      {+PairTableModel::kBound, 140},
-                                      {+PairTableModel::kMargin, 104},
-                                      {+PairTableModel::kForce, 88},
-                                      {+PairTableModel::kContacts, 86}})
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 92},
+                                      {+PairTableModel::kDistance, 112},
+                                      {+PairTableModel::kBound, 132},
+                                      {+PairTableModel::kMargin, 100},
+                                      {+PairTableModel::kForce, 80},
+                                      {+PairTableModel::kContacts, 76}})
     header->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;
