@@ -208,6 +208,7 @@ void MainWindow::setSession(SessionPort* session) {
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
   const bool can = outline.cannot_react.empty();
   (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
+  (*actions_)[Id::kRecordingOptions]->setEnabled(session_ != nullptr);
   (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
   (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);

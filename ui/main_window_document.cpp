@@ -16,6 +16,7 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
+#include "ui/reading_dialog.hpp"
 #include "ui/recovery.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -75,6 +76,11 @@ void MainWindow::connectDocument() {
   connect((*actions_)[ActionId::kNew], &QAction::triggered, this, [this] {
     if (projects_->mayDiscard()) Q_EMIT closeRequested();
   });
+  connect((*actions_)[ActionId::kRecordingOptions], &QAction::triggered, this, [this] {
+    if (const auto reading = askReading(document_->work().reading, this))
+      document_->edit(tr("recording options"), [&](Work& work) { work.reading = *reading; });
+  });
+  connect(opacity_, &QSlider::sliderReleased, document_, &Document::endStep);
   connect((*actions_)[ActionId::kSave], &QAction::triggered, projects_, &ProjectCommands::save);
   connect((*actions_)[ActionId::kSaveAs], &QAction::triggered, projects_, &ProjectCommands::saveAs);
   connect(projects_, &ProjectCommands::aboutToSave, this, [this] {

@@ -2,7 +2,9 @@
 #include "tests/ui/studio_window.hpp"
 
 #include <QAction>
+#include <QLabel>
 #include <QMessageBox>
+#include <QToolButton>
 
 #include "ui/document/project_file.hpp"
 #include "ui/model/playback.hpp"
@@ -64,6 +66,16 @@ TEST_F(StudioDocument, TheSameSceneAgainKeepsTheWorkAndTheTime) {
   EXPECT_TRUE(window.document().steps().canUndo());
 }
 
+TEST_F(StudioDocument, OtherReadingOptionsReadTheRecordingAnew) {
+  const double end = window.playback().end();
+  ASSERT_TRUE(opens([&] {
+    window.document().edit("twice as fast", [](ui::Work& work) { work.reading.speed = 2.0; });
+  })) << problem;
+  EXPECT_NEAR(window.playback().end(), 0.5 * end, 1e-6);
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); })) << problem;
+  EXPECT_NEAR(window.playback().end(), end, 1e-6);
+}
+
 TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
   makeWork();
   folder.write("bad.csv", "t,foo\n0,1\n");
@@ -100,6 +112,22 @@ TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
   EXPECT_EQ(window.viewport().cameraView(), camera);
   EXPECT_FALSE(window.document().modified());
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.1) < 0.05; }, kLoadMs));
+}
+
+TEST_F(StudioDocument, ADepthRecordingSaysHowFarItIsAndCanBeAbandoned) {
+  const auto depth = testing::sharedData("depth/utd_mhad/a18_s1_t1_depth.mat");
+  if (!exists(depth)) GTEST_SKIP() << depth;
+  makeWork();
+  const auto* text = window.findChild<QLabel*>("opening");
+  const QSignalSpy ready(&studio, &Studio::ready);
+  window.openFile(QString::fromStdString(depth.string()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text->text().contains("Finding the person: image"); }, kLoadMs));
+  window.findChild<QToolButton*>("cancel_opening")->click();
+  EXPECT_FALSE(text->isVisible());
+  expectWork();
+  EXPECT_TRUE(work().recording.isEmpty());
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  EXPECT_EQ(ready.size(), 1);
 }
 
 TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSignalSpy>
@@ -253,6 +256,24 @@ TEST_F(WindowDocumentTest, AMissingRecordingIsLocatedOrLeftOut) {
   window.openFile(file);
   ASSERT_EQ(opened.size(), 2);
   EXPECT_EQ(opened[1][0].value<Project>().work.recording, in("other.bvh"));
+}
+
+TEST_F(WindowDocumentTest, RecordingOptionsAreAnEdit) {
+  const ModalAnswer accept("recording_options", [](QWidget* dialog) {
+    auto* units = dialog->findChild<QComboBox*>("units");
+    units->setCurrentIndex(units->findData("cm"));
+    dialog->findChild<QDoubleSpinBox*>("speed")->setValue(1.5);
+    static_cast<QDialog*>(dialog)->accept();
+  });
+  action(ActionId::kRecordingOptions)->trigger();
+  EXPECT_TRUE(accept.answered());
+  EXPECT_EQ(work().reading, (ReadingOptions{"cm", "", 1.5, false}));
+  action(ActionId::kUndo)->trigger();
+  EXPECT_EQ(work().reading, ReadingOptions());
+  const ModalAnswer reject("recording_options",
+                           [](QWidget* dialog) { static_cast<QDialog*>(dialog)->reject(); });
+  action(ActionId::kRecordingOptions)->trigger();
+  EXPECT_FALSE(action(ActionId::kUndo)->isEnabled());
 }
 
 TEST_F(WindowDocumentTest, ADamagedProjectIsNamedWithThePlace) {

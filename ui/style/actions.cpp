@@ -29,6 +29,8 @@ const Spec kSpecs[] = {
      Kind::kPlain, Glyph::kOpen},
     {Id::kOpenRecording, In::kFile, TEXT("Open &recording…"), TEXT("Let the person move as in a recording"),
      "Ctrl+Shift+O", Kind::kPlain, Glyph::kRecording},
+    {Id::kRecordingOptions, In::kFile, TEXT("Recording op&tions…"),
+     TEXT("Say how recordings are understood: units, axis, speed"), "Ctrl+Alt+O"},
     {Id::kRecent1, In::kFile, TEXT("Recent file 1"), TEXT("Open the file that was opened last"),
      "Ctrl+Alt+1"},
     {Id::kRecent2, In::kFile, TEXT("Recent file 2"), TEXT("Open an earlier file"), "Ctrl+Alt+2"},

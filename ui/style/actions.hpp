@@ -13,6 +13,7 @@ enum class ActionId {
   kNew,
   kOpenScene,
   kOpenRecording,
+  kRecordingOptions,
   kRecent1,
   kRecent2,
   kRecent3,

@@ -92,6 +92,17 @@ TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
   EXPECT_TRUE(leftOvers(folder).empty());
 }
 
+TEST_F(AutosaveTest, RubbishOfEndedProgramsIsRemoved) {
+  QDir().mkpath(folder);
+  scratch.write("a/b/dead.lock", "");
+  scratch.write("a/b/dead.abstand.part77.0", "{");
+  scratch.write("a/b/kept.lock", "");
+  scratch.write("a/b/kept.abstand", projectText(sampleProject(), QString()));
+  Autosave autosave(document, folder);
+  EXPECT_EQ(leftOvers(folder).size(), 1u);
+  EXPECT_EQ(files().size(), 3) << "an autosave, its lock, and that of this program";
+}
+
 TEST_F(AutosaveTest, ADamagedOneIsNamed) {
   QDir().mkpath(folder);
   scratch.write("a/b/x.abstand", "{");
