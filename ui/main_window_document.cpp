@@ -4,6 +4,7 @@
 #include <QSlider>
 #include <QStatusBar>
 
+#include "ui/bookmark_commands.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
@@ -26,6 +27,7 @@ namespace abstand::ui {
 namespace {
 
 constexpr int kNamesInMessage = 10;
+constexpr int kNoticeMs = 4000;
 
 /// The switches of the view menu.
 struct ViewSwitch {
@@ -91,8 +93,17 @@ void MainWindow::connectDocument() {
   connect(projects_, &ProjectCommands::saved, this, [this](const QString& file) {
     rememberFile(file);
     showRecent();
-    statusBar()->showMessage(tr("Saved %1").arg(file), 4000);
+    statusBar()->showMessage(tr("Saved %1").arg(file), kNoticeMs);
   });
+
+  auto* bookmarks = new BookmarkCommands(*document_, *playback_, *viewport_, this);
+  connect((*actions_)[ActionId::kAddBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::add);
+  connect((*actions_)[ActionId::kRemoveBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::remove);
+  connect((*actions_)[ActionId::kNextBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::goToNext);
+  connect((*actions_)[ActionId::kPreviousBookmark], &QAction::triggered, bookmarks,
+          &BookmarkCommands::goToPrevious);
+  connect(bookmarks, &BookmarkCommands::said, this,
+          [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
 
   connect(tree_model_, &SceneTreeModel::visibilityEdited, this,
           [this](const std::vector<int>& objects, bool visible) {
