@@ -102,6 +102,11 @@ class MainWindow : public QMainWindow {
   void connectPlayback();
   void connectPanels();
   void connectDocument();
+  void connectUndo();
+  void connectProjects();
+  void connectBookmarks();
+  void connectEdits();
+  void connectGroups();
   void followWork(const Work& before, const Work& after);
   void showDocument();
   void showHidden(const QSet<QString>& before, const QSet<QString>& after);

@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "core/base/text_file.hpp"
@@ -62,6 +63,12 @@ struct WindowDocumentTest : ShownWindow {
           model->setData(index, state, Qt::CheckStateRole);
       }
     }
+  }
+  const QToolButton* floorButton() {
+    const auto buttons = window.findChildren<QToolButton*>();
+    return *std::find_if(buttons.begin(), buttons.end(), [&](const QToolButton* button) {
+      return button->defaultAction() == action(ActionId::kFloor);
+    });
   }
   /// A project whose scene and recording exist.
   QString writeFiles() {
@@ -123,10 +130,12 @@ TEST_F(WindowDocumentTest, UndoOfAllEditsReturnsToTheStart) {
   EXPECT_EQ(window.document().steps().count(), 8);
   window.pull();
   EXPECT_FALSE(window.viewport().options().floor);
+  EXPECT_FALSE(floorButton()->isChecked());
   EXPECT_FALSE(work() == start);
   while (action(ActionId::kUndo)->isEnabled()) action(ActionId::kUndo)->trigger();
   EXPECT_EQ(work(), start);
   EXPECT_TRUE(action(ActionId::kFloor)->isChecked());
+  EXPECT_TRUE(floorButton()->isChecked());
   EXPECT_FALSE(window.isWindowModified());
   // The session is back, too: what it shows is drawn as before.
   window.pull();
