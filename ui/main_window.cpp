@@ -24,6 +24,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
 #include "ui/panels/event_panel.hpp"
+#include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -38,6 +39,7 @@
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -48,6 +50,7 @@ namespace {
 constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
+constexpr int kPlotWidth = 280;  // px, at least
 // Grows when panels come or go, so that an old layout is not applied to a new window.
 constexpr int kLayoutVersion = 5;
 
@@ -85,12 +88,13 @@ MainWindow::MainWindow(QWidget* parent)
   (*actions_)[Id::kDarkTheme]->setChecked(is_dark);
   tree_model_->setTheme(is_dark ? Theme::kDark : Theme::kLight);
 
-  setWindowTitle(tr("Abstand"));
+  setWindowIcon(programIcon());
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   viewport_ = new Viewport(*selection_, this);
   setCentralWidget(viewport_);
   status_ = new StatusPanel(statusBar());
+  new FocusKeys(this);
   buildDocks();
   opacity_ = buildMenus(*this, *actions_);
   connectFile();
@@ -124,6 +128,7 @@ void MainWindow::buildDocks() {
   groups_ = new GroupPanel(this);
   notes_ = new NotePanel(this);
   plots_ = new PlotPanel(this);
+  plots_->setMinimumWidth(kPlotWidth);
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, *review_, *axis_, this);
   events_ = new EventPanel(*review_, this);
@@ -219,6 +224,7 @@ void MainWindow::setSession(SessionPort* session) {
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
   const bool can = outline.cannot_react.empty();
   (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
+  (*actions_)[Id::kRecordingOptions]->setEnabled(session_ != nullptr);
   (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
   (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
@@ -235,9 +241,7 @@ void MainWindow::setSession(SessionPort* session) {
     pull_timer_->stop();
     slow_timer_->stop();
     viewport_->close();
-    viewport_->setMessage(
-        tr("Open a project or a scene (Ctrl+O),\n"
-           "or drop a project, a scene, a robot or a recording here"));
+    showStart();
   }
   showTitle();
 }
@@ -265,7 +269,7 @@ void MainWindow::refreshSlow() {
     robots_->refresh(outline, snapshot_);
     groups_->refresh(snapshot_);
     if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
-      statusBar()->showMessage(tr("Robots were put on their plans at %1, and react from there")
+      statusBar()->showMessage(tr("Robots were restarted on their planned motion at %1")
                                    .arg(secondsWithUnit(snapshot_.loop_start)),
                                kMessageMs);
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
@@ -285,9 +289,20 @@ void MainWindow::showProblem(const QString& title, const QString& text) {
   box->open();
 }
 
-void MainWindow::showOpening(const Opening& opening) { status_->showOpening(opening); }
+void MainWindow::showOpening(const Opening& opening) {
+  status_->showOpening(opening);
+  if (!session_) viewport_->setMessage(tr("Opening…"));
+}
 
-void MainWindow::hideOpening() { status_->hideOpening(); }
+void MainWindow::hideOpening() {
+  status_->hideOpening();
+  if (!session_) showStart();
+}
+
+void MainWindow::showStart() {
+  viewport_->setMessage(
+      tr("Open a project or a scene (Ctrl+O),\nor drop a project, a scene, a robot or a recording here"));
+}
 
 void MainWindow::restore() {
   QSettings settings;
@@ -334,7 +349,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const FileKind kind : {FileKind::kProject, FileKind::kScene, FileKind::kRecording})
     for (const QUrl& url : event->mimeData()->urls())
       if (kindOf(url.toLocalFile()) == kind) paths << url.toLocalFile();
-  openFiles(paths);
+  // Later: whoever drops them waits for this event, and a question may take long.
+  QTimer::singleShot(0, this, [this, paths] { openFiles(paths); });
 }
 
 }  // namespace abstand::ui

@@ -91,6 +91,8 @@ class MainWindow : public QMainWindow {
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
   void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
+  /// The user does not want to wait for what is being opened.
+  void cancelRequested();
   /// The user wants to begin with nothing.
   void closeRequested();
 
@@ -111,6 +113,11 @@ class MainWindow : public QMainWindow {
   void connectReview();
   void choosePair(int part, int link);
   void connectDocument();
+  void connectUndo();
+  void connectProjects();
+  void connectBookmarks();
+  void connectEdits();
+  void connectGroups();
   void followWork(const Work& before, const Work& after);
   void showDocument();
   void showHidden(const QSet<QString>& before, const QSet<QString>& after);
@@ -122,6 +129,7 @@ class MainWindow : public QMainWindow {
   void restore();
   void save() const;
   void showRecent();
+  void showStart();
   void applyOptions();
   void refreshSlow();
   void goToEvent(bool next);

@@ -43,6 +43,8 @@ namespace abstand::ui {
 namespace {
 using Id = ActionId;
 constexpr int kFeedbackMs = 4000;
+constexpr double kKeyStep = 24.0;  // px that a key moves the camera
+constexpr double kKeyZoom = 1.15;
 }  // namespace
 
 void MainWindow::connectFile() {
@@ -76,6 +78,19 @@ void MainWindow::connectView() {
                                                  {Id::kIso, CameraPreset::kIso}};
   for (const auto& [id, preset] : presets)
     connect((*actions_)[id], &QAction::triggered, this, [this, p = preset] { viewport_->look(p); });
+  const auto move = [this](Id id, auto&& camera) {
+    connect((*actions_)[id], &QAction::triggered, this, camera);
+  };
+  move(Id::kOrbitLeft, [this] { viewport_->orbit(kKeyStep, 0.0); });
+  move(Id::kOrbitRight, [this] { viewport_->orbit(-kKeyStep, 0.0); });
+  move(Id::kOrbitUp, [this] { viewport_->orbit(0.0, kKeyStep); });
+  move(Id::kOrbitDown, [this] { viewport_->orbit(0.0, -kKeyStep); });
+  move(Id::kPanLeft, [this] { viewport_->pan(kKeyStep, 0.0); });
+  move(Id::kPanRight, [this] { viewport_->pan(-kKeyStep, 0.0); });
+  move(Id::kPanUp, [this] { viewport_->pan(0.0, kKeyStep); });
+  move(Id::kPanDown, [this] { viewport_->pan(0.0, -kKeyStep); });
+  move(Id::kZoomIn, [this] { viewport_->zoom(1.0 / kKeyZoom); });
+  move(Id::kZoomOut, [this] { viewport_->zoom(kKeyZoom); });
   connect((*actions_)[Id::kFit], &QAction::triggered, viewport_, &Viewport::fit);
   connect((*actions_)[Id::kFitSelection], &QAction::triggered, viewport_, &Viewport::fitSelection);
   connect((*actions_)[Id::kClearSelection], &QAction::triggered, selection_, &Selection::clear);

@@ -1,19 +1,16 @@
-// How the window edits the document, and follows it.
+// How the window follows its document.
 #include <QFileInfo>
 #include <QSlider>
-#include <QStatusBar>
 
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/playback.hpp"
-#include "ui/model/recent_files.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
-#include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/recovery.hpp"
@@ -39,111 +36,6 @@ constexpr ViewSwitch kViewSwitches[] = {
     {ActionId::kTransparent, &ViewOptions::transparent}};
 
 }  // namespace
-
-QString MainWindow::nameOf(int object) const {
-  return QString::fromStdString(session_->outline().objects[static_cast<std::size_t>(object)].name);
-}
-
-void MainWindow::connectDocument() {
-  QUndoStack& steps = document_->steps();
-  QAction* undo = (*actions_)[ActionId::kUndo];
-  QAction* redo = (*actions_)[ActionId::kRedo];
-  undo->setEnabled(false);
-  redo->setEnabled(false);
-  connect(undo, &QAction::triggered, &steps, &QUndoStack::undo);
-  connect(redo, &QAction::triggered, &steps, &QUndoStack::redo);
-  connect(&steps, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-  connect(&steps, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
-  const auto name = [](QAction* action, const QString& word, const QString& step) {
-    QString safe = step;
-    safe.replace(QLatin1Char('&'), QLatin1String("&&"));
-    action->setText(step.isEmpty() ? word : tr("%1: %2").arg(word, safe));
-  };
-  connect(&steps, &QUndoStack::undoTextChanged, undo,
-          [=](const QString& step) { name(undo, tr("&Undo"), step); });
-  connect(&steps, &QUndoStack::redoTextChanged, redo,
-          [=](const QString& step) { name(redo, tr("&Redo"), step); });
-
-  connect(document_, &Document::workChanged, this, &MainWindow::followWork);
-  connect(document_, &Document::opened, this, &MainWindow::showDocument);
-  connect(document_, &Document::titleChanged, this, &MainWindow::showTitle);
-  connect(viewport_, &Viewport::cameraMoved, this, [this] {
-    if (session_) document_->setViewpoint({viewport_->cameraView(), playback_->time()});
-  });
-
-  connect((*actions_)[ActionId::kNew], &QAction::triggered, this, [this] {
-    if (projects_->mayDiscard()) Q_EMIT closeRequested();
-  });
-  connect((*actions_)[ActionId::kSave], &QAction::triggered, projects_, &ProjectCommands::save);
-  connect((*actions_)[ActionId::kSaveAs], &QAction::triggered, projects_, &ProjectCommands::saveAs);
-  connect(projects_, &ProjectCommands::aboutToSave, this, [this] {
-    if (session_) document_->setViewpoint({document_->viewpoint().camera, playback_->time()});
-  });
-  connect(projects_, &ProjectCommands::openWanted, this, &MainWindow::openProjectRequested);
-  connect(projects_, &ProjectCommands::failed, this, &MainWindow::showProblem);
-  connect(projects_, &ProjectCommands::saved, this, [this](const QString& file) {
-    rememberFile(file);
-    showRecent();
-    statusBar()->showMessage(tr("Saved %1").arg(file), 4000);
-  });
-
-  connect(tree_model_, &SceneTreeModel::visibilityEdited, this,
-          [this](const std::vector<int>& objects, bool visible) {
-            const QString what = objects.size() == 1
-                                     ? nameOf(objects.front())
-                                     : tr("%n objects", nullptr, static_cast<int>(objects.size()));
-            document_->edit(visible ? tr("show %1").arg(what) : tr("hide %1").arg(what), [&](Work& work) {
-              for (const int object : objects)
-                if (visible)
-                  work.hidden.remove(nameOf(object));
-                else
-                  work.hidden.insert(nameOf(object));
-            });
-          });
-  connect(margins_, &MarginPanel::marginsChanged, this, [this](const QMap<int, double>& margins) {
-    const QString what = margins.size() == 1 ? tr("margin of %1").arg(nameOf(margins.firstKey()))
-                                             : tr("margins of %n objects", nullptr, margins.size());
-    document_->edit(
-        what,
-        [&](Work& work) {
-          for (auto it = margins.begin(); it != margins.end(); ++it)
-            work.margins[nameOf(it.key())] = it.value();
-        },
-        QStringLiteral("margins"));
-  });
-  connect(margins_, &MarginPanel::editFinished, document_, &Document::endStep);
-  const auto reset = [this] {
-    document_->edit(tr("reset margins"), [](Work& work) { work.margins.clear(); });
-  };
-  connect(margins_, &MarginPanel::resetWanted, this, reset);
-  connect((*actions_)[ActionId::kResetMargins], &QAction::triggered, this, reset);
-
-  const auto group_name = [this](int group) {
-    return QString::fromStdString(session_->outline().pair_groups[static_cast<std::size_t>(group)]);
-  };
-  const auto pair_name = [this](int pair) {
-    const auto [a, b] = session_->outline().pairs[static_cast<std::size_t>(pair)];
-    return QPair<QString, QString>(nameOf(a), nameOf(b));
-  };
-  connect(groups_, &GroupPanel::stateWanted, this, [=, this](int group, view::PairGroupState state) {
-    const QString what = state == view::PairGroupState::kRunning  ? tr("run pair group %1")
-                         : state == view::PairGroupState::kPaused ? tr("pause pair group %1")
-                                                                  : tr("stop pair group %1");
-    document_->edit(what.arg(group_name(group)), [&](Work& work) {
-      if (state == view::PairGroupState::kRunning)
-        work.groups.remove(group_name(group));
-      else
-        work.groups[group_name(group)] = state;
-    });
-  });
-  const auto move = [=, this](int pair, const QString& group) {
-    const auto names = pair_name(pair);
-    const QString what = group.isEmpty() ? tr("remove %1 – %2 from its group") : tr("add %1 – %2 to a group");
-    document_->edit(what.arg(names.first, names.second), [&](Work& work) { work.moved[names] = group; });
-  };
-  connect(groups_, &GroupPanel::addWanted, this, [=](int group, int pair) { move(pair, group_name(group)); });
-  connect(groups_, &GroupPanel::removeWanted, this, [=](int pair) { move(pair, QString()); });
-}
 
 void MainWindow::followWork(const Work& before, const Work& after) {
   follower_.follow(before, after);

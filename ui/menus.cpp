@@ -38,7 +38,7 @@ QMenu* addGroup(QWidget* parent, const Actions& actions, ActionGroup group) {
 QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   QMenuBar* bar = window.menuBar();
   QMenu* file = bar->addMenu(Actions::groupName(ActionGroup::kFile));
-  addRange(file, actions, Id::kNew, Id::kOpenRecording);
+  addRange(file, actions, Id::kNew, Id::kRecordingOptions);
   QMenu* recent = file->addMenu(Actions::tr("Open re&cent"));
   addRange(recent, actions, Id::kRecent1, Id::kRecent5);
   file->addSeparator();

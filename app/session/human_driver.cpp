@@ -13,10 +13,11 @@ namespace abstand::session {
 namespace {
 
 std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescription& d,
-                                               const tracking::KnownThings& known) {
+                                               const tracking::KnownThings& known,
+                                               const tracking::TrackMonitor& monitor) {
   if (d.recording.file.empty()) return std::nullopt;
   tracking::Recording recording =
-      tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, known);
+      tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, known, monitor);
   if (recording.report.mapped.empty())
     throw ParseError({d.recording.file.string()},
                      "found no joints that move a part of a person, expected at least both ends of one",
@@ -59,8 +60,9 @@ scene::PoseState poseState(humanmodel::PartState s) {
 
 }  // namespace
 
-HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::KnownThings& known)
-    : recording_(recordingOf(d, known)),
+HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::KnownThings& known,
+                         const tracking::TrackMonitor& monitor)
+    : recording_(recordingOf(d, known, monitor)),
       model_(modelOf(d, recording_)),
       poser_(model_, d.follow_lengths),
       X_WR_(fromXyzRpy(d.recording.place_xyz, Vector3d(0, 0, d.recording.place_yaw))) {

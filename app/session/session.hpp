@@ -25,6 +25,9 @@ struct SessionOptions {
   std::map<std::string, std::shared_ptr<const structure::HapticStructure>> made;
   bool cache{true};                 ///< use the user's cache folder for structures
   structure::BuildMonitor monitor;  ///< of building the structures; its phase is the name of one
+  /// Called with the number of tracked images of a depth recording, and of all. monitor.cancelled ends this,
+  /// too.
+  std::function<void(std::size_t done, std::size_t all)> tracked;
   /// Called with the number of structures before the first is looked up or built.
   std::function<void(std::size_t structures)> planned;
   tracking::KnownThings known;  ///< images of the robots as seen by a camera, for depth recordings that
@@ -41,7 +44,7 @@ inline constexpr double kHandSpeed = 2.0;
 /// Loads all files of a scene, builds the haptic structures, and runs cycles. Not shared between threads.
 class Session {
  public:
-  /// Throws ParseError, UsageError.
+  /// Throws ParseError, UsageError, and BuildCancelled or Interrupted when options.monitor ends it.
   Session(scene_file::SceneDescription description, const SessionOptions& options);
 
   /// One cycle at simulation time t: kinematics, poses, pairs, totals, joint efforts. After the first call no

@@ -39,6 +39,7 @@ std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_
     if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
   }
   OpeningProgress progress(show);
+  options.tracked = [&progress](std::size_t done, std::size_t all) { progress.read(done, all); };
   options.planned = [&progress](std::size_t structures) { progress.plan(structures); };
   options.monitor.progress = [&progress](double fraction, std::string_view name) {
     progress.hear(fraction, name);

@@ -19,10 +19,13 @@ class OpeningProgress {
   using Show = std::function<void(const ui::Opening&)>;
   explicit OpeningProgress(Show show) : show_(std::move(show)) {}
 
+  void read(std::size_t done, std::size_t images);
   void plan(std::size_t structures);
   void hear(double fraction, std::string_view name);
 
  private:
+  void showNow();
+
   Show show_;
   ui::Opening opening_;
   std::set<std::string, std::less<>> names_;

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <utility>
 
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
@@ -40,11 +41,12 @@ Studio::Studio(ui::MainWindow& window, robot_file::PackagePaths packages)
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
   connect(&window, &ui::MainWindow::openProjectRequested, this, &Studio::openProject);
+  connect(&window, &ui::MainWindow::cancelRequested, this, &Studio::cancel);
   connect(&window, &ui::MainWindow::closeRequested, this, &Studio::close);
   connect(&window.projects(), &ui::ProjectCommands::failed, this,
           [this](const QString&, const QString& problem) { Q_EMIT failed(problem); });
   connect(&window.document(), &ui::Document::workChanged, this,
-          [this](const ui::Work&, const ui::Work& after) { followWork(after); });
+          [this](const ui::Work& before, const ui::Work& after) { followWork(before, after); });
   connect(&loader_, &Loader::progressed, &window, &ui::MainWindow::showOpening);
   connect(&loader_, &Loader::finished, this, [this](const auto& loaded) { take(*loaded); });
 }
@@ -102,11 +104,24 @@ void Studio::openProject(const ui::Project& project, const QString& file, bool m
   window_.document().open(project, file, modified);
 }
 
-void Studio::close() {
-  if (loader_.isLoading()) QApplication::restoreOverrideCursor();
+void Studio::cancel() {
+  if (!loader_.isLoading()) return;
+  QApplication::restoreOverrideCursor();
   loader_.abandon();
-  request_.reset();
   window_.hideOpening();
+  giveUp(*std::exchange(request_, nullptr));
+}
+
+/// The document asks for what could not be loaded: nothing is shown rather than something else.
+void Studio::giveUp(const Request& request) {
+  if (request.kind != Request::Kind::kFollow || isLoadedAlike(shown_, window_.document().work())) return;
+  window_.setSession(nullptr);
+  port_.reset();
+  shown_ = {};
+}
+
+void Studio::close() {
+  cancel();
   window_.setSession(nullptr);
   analyses_.stop();
   port_.reset();
@@ -116,8 +131,9 @@ void Studio::close() {
   window_.document().open(empty, QString(), false);
 }
 
-void Studio::followWork(const ui::Work& after) {
-  if (!port_ || isLoadedAlike(after, request_ ? request_->project.work : shown_)) return;
+void Studio::followWork(const ui::Work& before, const ui::Work& after) {
+  if (isLoadedAlike(before, after) || isLoadedAlike(after, request_ ? request_->project.work : shown_))
+    return;
   Request request;
   request.project = window_.document().project();
   load(std::move(request));
@@ -128,6 +144,7 @@ void Studio::take(Loaded& loaded) {
   const std::unique_ptr<Request> request = std::move(request_);
   window_.hideOpening();
   if (!loaded.live) {
+    giveUp(*request);
     window_.showProblem(tr("Cannot open"), loaded.problem);
     Q_EMIT failed(loaded.problem);
     return;

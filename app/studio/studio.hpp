@@ -33,6 +33,8 @@ class Studio : public QObject {
   void openRecording(const QString& recording);
   /// Begins with a document that was read.
   void openProject(const ui::Project& project, const QString& file, bool modified);
+  /// Ends the load that is under way; what is shown stays.
+  void cancel();
   /// Begins with nothing.
   void close();
 
@@ -44,7 +46,8 @@ class Studio : public QObject {
   struct Request;
   void load(Request request);
   void take(Loaded& loaded);
-  void followWork(const ui::Work& after);
+  void giveUp(const Request& request);
+  void followWork(const ui::Work& before, const ui::Work& after);
 
   ui::MainWindow& window_;
   Loader loader_;

@@ -2,7 +2,9 @@
 #include "tests/ui/studio_window.hpp"
 
 #include <QAction>
+#include <QLabel>
 #include <QMessageBox>
+#include <QToolButton>
 
 #include "ui/document/project_file.hpp"
 #include "ui/model/playback.hpp"
@@ -64,6 +66,16 @@ TEST_F(StudioDocument, TheSameSceneAgainKeepsTheWorkAndTheTime) {
   EXPECT_TRUE(window.document().steps().canUndo());
 }
 
+TEST_F(StudioDocument, OtherReadingOptionsReadTheRecordingAnew) {
+  const double end = window.playback().end();
+  ASSERT_TRUE(opens([&] {
+    window.document().edit("twice as fast", [](ui::Work& work) { work.reading.speed = 2.0; });
+  })) << problem;
+  EXPECT_NEAR(window.playback().end(), 0.5 * end, 1e-6);
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); })) << problem;
+  EXPECT_NEAR(window.playback().end(), end, 1e-6);
+}
+
 TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
   makeWork();
   folder.write("bad.csv", "t,foo\n0,1\n");
@@ -71,6 +83,16 @@ TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
   EXPECT_FALSE(problem.empty());
   EXPECT_TRUE(work().recording.isEmpty());
   expectWork();
+}
+
+TEST_F(StudioDocument, WhatCannotBeShownIsNotMixedUpWithTheDocument) {
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  std::filesystem::rename(folder.path() / "walk.csv", folder.path() / "gone.csv");
+  EXPECT_FALSE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); }));
+  EXPECT_FALSE(window.marginPanel().row(0)) << "the window is empty";
+  std::filesystem::rename(folder.path() / "gone.csv", folder.path() / "walk.csv");
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kRedo]->trigger(); })) << problem;
+  EXPECT_TRUE(window.marginPanel().row(0));
 }
 
 TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
@@ -92,6 +114,22 @@ TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.1) < 0.05; }, kLoadMs));
 }
 
+TEST_F(StudioDocument, ADepthRecordingSaysHowFarItIsAndCanBeAbandoned) {
+  const auto depth = testing::sharedData("depth/utd_mhad/a18_s1_t1_depth.mat");
+  if (!exists(depth)) GTEST_SKIP() << depth;
+  makeWork();
+  const auto* text = window.findChild<QLabel*>("opening");
+  const QSignalSpy ready(&studio, &Studio::ready);
+  window.openFile(QString::fromStdString(depth.string()));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text->text().contains("Finding the person: image"); }, kLoadMs));
+  window.findChild<QToolButton*>("cancel_opening")->click();
+  EXPECT_FALSE(text->isVisible());
+  expectWork();
+  EXPECT_TRUE(work().recording.isEmpty());
+  ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+  EXPECT_EQ(ready.size(), 1);
+}
+
 TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
   const QSignalSpy ready(&studio, &Studio::ready);
   for (int i = 0; i < 5; ++i) studio.openScene(in("none.yaml"), {}, 0.0);
@@ -100,6 +138,15 @@ TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
   EXPECT_EQ(ready.size(), 1);
   EXPECT_EQ(work().scene, in("scene.yaml"));
   EXPECT_FALSE(window.findChild<QMessageBox*>()) << "nobody hears of what was abandoned";
+}
+
+TEST_F(StudioWindow, ACancelledRequestIsNeverShown) {
+  const QSignalSpy ready(&studio, &Studio::ready);
+  studio.openScene(in("scene.yaml"), {}, 0.0);
+  Q_EMIT window.cancelRequested();
+  ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
+  EXPECT_EQ(ready.size(), 1);
+  EXPECT_TRUE(work().scene.isEmpty());
 }
 
 TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {

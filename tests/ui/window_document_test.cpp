@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "core/base/text_file.hpp"
@@ -59,6 +63,12 @@ struct WindowDocumentTest : ShownWindow {
           model->setData(index, state, Qt::CheckStateRole);
       }
     }
+  }
+  const QToolButton* floorButton() {
+    const auto buttons = window.findChildren<QToolButton*>();
+    return *std::find_if(buttons.begin(), buttons.end(), [&](const QToolButton* button) {
+      return button->defaultAction() == action(ActionId::kFloor);
+    });
   }
   /// A project whose scene and recording exist.
   QString writeFiles() {
@@ -120,10 +130,12 @@ TEST_F(WindowDocumentTest, UndoOfAllEditsReturnsToTheStart) {
   EXPECT_EQ(window.document().steps().count(), 8);
   window.pull();
   EXPECT_FALSE(window.viewport().options().floor);
+  EXPECT_FALSE(floorButton()->isChecked());
   EXPECT_FALSE(work() == start);
   while (action(ActionId::kUndo)->isEnabled()) action(ActionId::kUndo)->trigger();
   EXPECT_EQ(work(), start);
   EXPECT_TRUE(action(ActionId::kFloor)->isChecked());
+  EXPECT_TRUE(floorButton()->isChecked());
   EXPECT_FALSE(window.isWindowModified());
   // The session is back, too: what it shows is drawn as before.
   window.pull();
@@ -253,6 +265,24 @@ TEST_F(WindowDocumentTest, AMissingRecordingIsLocatedOrLeftOut) {
   window.openFile(file);
   ASSERT_EQ(opened.size(), 2);
   EXPECT_EQ(opened[1][0].value<Project>().work.recording, in("other.bvh"));
+}
+
+TEST_F(WindowDocumentTest, RecordingOptionsAreAnEdit) {
+  const ModalAnswer accept("recording_options", [](QWidget* dialog) {
+    auto* units = dialog->findChild<QComboBox*>("units");
+    units->setCurrentIndex(units->findData("cm"));
+    dialog->findChild<QDoubleSpinBox*>("speed")->setValue(1.5);
+    static_cast<QDialog*>(dialog)->accept();
+  });
+  action(ActionId::kRecordingOptions)->trigger();
+  EXPECT_TRUE(accept.answered());
+  EXPECT_EQ(work().reading, (ReadingOptions{"cm", "", 1.5, false}));
+  action(ActionId::kUndo)->trigger();
+  EXPECT_EQ(work().reading, ReadingOptions());
+  const ModalAnswer reject("recording_options",
+                           [](QWidget* dialog) { static_cast<QDialog*>(dialog)->reject(); });
+  action(ActionId::kRecordingOptions)->trigger();
+  EXPECT_FALSE(action(ActionId::kUndo)->isEnabled());
 }
 
 TEST_F(WindowDocumentTest, ADamagedProjectIsNamedWithThePlace) {

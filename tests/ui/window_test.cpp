@@ -36,6 +36,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
@@ -70,6 +71,7 @@ struct WindowTest : testing::Test {
     if (!accepted) return;
     QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window, &event);
+    QApplication::processEvents();
   }
   FakeSession session;
   MainWindow window;
@@ -145,6 +147,11 @@ TEST_F(WindowTest, DroppedFilesAreAskedForByTheirKind) {
   EXPECT_EQ(scenes[0][0].toString(), "/somewhere/cell.yaml");
   ASSERT_EQ(recordings.size(), 1);
   EXPECT_EQ(recordings[0][0].toString(), "/somewhere/walk.bvh");
+  const QSignalSpy projects(&window.projects(), &ProjectCommands::failed);
+  drop({"/somewhere/work.abstand"});
+  EXPECT_TRUE(accepted);
+  ASSERT_EQ(projects.size(), 1) << "it was asked for, and is not there";
+  EXPECT_TRUE(projects[0][1].toString().contains("work.abstand"));
   drop({"/somewhere/picture.gif"});
   EXPECT_FALSE(accepted);
   EXPECT_EQ(scenes.size(), 1);
@@ -182,10 +189,10 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
   session.setWork({.checked = 12, .rested = 34, .beyond = 5, .deferred = 6, .longest_wait = 7});
-  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", rested 34, beyond 5, late 6"))
+  EXPECT_TRUE(shows("Checked 12 of " + pairs + ", skipped 39 (far away), postponed 6"))
       << label->text().toStdString();
   EXPECT_TRUE(label->isVisible());
-  for (const char* part : {"checked: 12\n", "rested, ", ": 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
+  for (const char* part : {"checked: 12\n", "clearance: 34\n", "horizon: 5\n", "6 (longest: 7 cycles)"})
     EXPECT_TRUE(label->toolTip().contains(part)) << part << " in " << label->toolTip().toStdString();
   const int still = static_cast<int>(session.outline().pairs.size()) - 12 - 34 - 5 - 6;
   EXPECT_TRUE(label->toolTip().contains(": " + QString::number(still) + "\n"));
@@ -208,7 +215,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
     window.pull();
     return QTest::qWaitFor([&] { return label->text() == text; }, kWaitMs);
   };
-  EXPECT_TRUE(shows(head, "On their plans at 0.000 s, reacting since"));
+  EXPECT_TRUE(shows(head, "Restarted on their planned motion at 0.000 s; reacting since then"));
   EXPECT_TRUE(shows(state, "arm: running since 0.000 s, speed 100 %"));
   EXPECT_TRUE(reason->text().isEmpty());
   EXPECT_EQ(bar->text(), "Robots: running");
@@ -259,7 +266,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
     snapshot.loop_start = 3.2;
     ++snapshot.loops;
   });
-  EXPECT_TRUE(shows(head, "On their plans at 3.200 s, reacting since"));
+  EXPECT_TRUE(shows(head, "Restarted on their planned motion at 3.200 s; reacting since then"));
   EXPECT_TRUE(panel->log()->toPlainText().isEmpty());
   EXPECT_TRUE(window.statusBar()->currentMessage().contains("3.200 s"));
 

@@ -109,7 +109,8 @@ bool isDepthRecording(const std::filesystem::path& path) {
 }
 
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height, const KnownThings& known) {
+                           std::optional<double> height, const KnownThings& known,
+                           const TrackMonitor& monitor) {
   if (!isDepthRecording(path)) return openRecording(path, options);
   DepthStreamOptions stream_options;
   stream_options.rate = options.rate;
@@ -123,7 +124,10 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
         "found depth images that do not say how their camera stands, expected a camera with T_WC, "
         "to cut the things of the scene out of them");
   tracker.known = known;
-  tracker.interrupted = interruptRequested;
+  tracker.progress = monitor.progress;
+  tracker.interrupted = [&monitor] {
+    return interruptRequested() || (monitor.cancelled && monitor.cancelled());
+  };
   const ClipTrack track = trackClip(*stream, tracker);
   // A partial recording would look like a lost person.
   if (track.interrupted) throw Interrupted();

@@ -5,6 +5,7 @@
 
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/track_monitor.hpp"
 
 namespace abstand::tracking {
 
@@ -27,8 +28,10 @@ bool isDepthRecording(const std::filesystem::path& path);
 
 /// openRecording(); for a depth recording its first person, tracked. `height` (m): stature of the body;
 /// otherwise measured. With `known`, which removes pixels of known objects, the recording must state its
-/// camera pose. Throws ParseError, UsageError, and Interrupted on an interrupt during tracking.
+/// camera pose. Throws ParseError, UsageError, and Interrupted on an interrupt during tracking, or if the
+/// monitor ends it.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height, const KnownThings& known = {});
+                           std::optional<double> height, const KnownThings& known = {},
+                           const TrackMonitor& monitor = {});
 
 }  // namespace abstand::tracking

@@ -13,7 +13,25 @@ void LeftOver::remove() {
   lock.remove();
 }
 
+namespace {
+
+/// Lock files without an autosave, and half-written files.
+void removeRubbish(const QDir& folder) {
+  for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("*.lock")}, QDir::Files)) {
+    const QString name = info.completeBaseName();
+    auto lock = FileLock::tryLock(info.absoluteFilePath());
+    if (!lock) continue;
+    const QString autosave = name + QLatin1Char('.') + QLatin1String(kProjectSuffix);
+    for (const QString& file : folder.entryList({name + QStringLiteral("*")}, QDir::Files | QDir::Hidden))
+      if (file != autosave && file != info.fileName()) QFile::remove(folder.filePath(file));
+    if (!folder.exists(autosave)) lock->remove();
+  }
+}
+
+}  // namespace
+
 std::vector<LeftOver> leftOvers(const QString& folder) {
+  removeRubbish(QDir(folder));
   std::vector<LeftOver> found;
   const QString pattern = QStringLiteral("*.") + QLatin1String(kProjectSuffix);
   const QFileInfoList files = QDir(folder).entryInfoList({pattern}, QDir::Files, QDir::Time);

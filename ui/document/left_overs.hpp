@@ -21,7 +21,7 @@ struct LeftOver {
   void remove();
 };
 
-/// Those in a folder, the newest first.
+/// Those in a folder, the newest first. Removes what ended programs have left beside them.
 std::vector<LeftOver> leftOvers(const QString& folder);
 
 }  // namespace abstand::ui

@@ -56,7 +56,7 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
         case PairLevel::kInside:
           return tr("⚠ inside margin");
         case PairLevel::kApart:
-          return tr("apart");
+          return tr("clear");
         case PairLevel::kUnknown:
           return tr("–");
       }
@@ -72,8 +72,8 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
     case kMargin: {
       const double uncertainty = uncertainty_[row];
       if (!(uncertainty > 0.0)) return millimetres(pair.margin, 0);
-      return millimetres(pair.margin, 0) +
-             (std::isinf(uncertainty) ? tr(" + ∞") : " + " + millimetres(uncertainty, 0));
+      if (std::isinf(uncertainty)) return tr("%1 + pose unknown").arg(millimetres(pair.margin, 0));
+      return tr("%1 + %2 (pose)").arg(millimetres(pair.margin, 0), millimetres(uncertainty, 0));
     }
     case kForce:
       return pair.paused ? tr("–") : fixed(pair.result.force_a.norm(), 1);
@@ -163,7 +163,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kDistance:
         return tr("Distance [mm]");
       case kBound:
-        return tr("Bound [mm]");
+        return tr("Uncertainty [mm]");
       case kMargin:
         return tr("Margin [mm]");
       case kForce:
@@ -183,7 +183,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kDistance:
         return tr("Between the bare surfaces, negative inside");
       case kBound:
-        return tr("The true distance is never below distance minus bound");
+        return tr("The true distance is never below the distance minus this");
       case kMargin:
         return tr(
             "Sum of both objects' safety margins, and what is added for places that are not known well");

@@ -1,7 +1,7 @@
 // Groups of pairs: run, pause and stop them, and take single pairs out and back in.
 #include "ui/panels/group_panel.hpp"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -66,10 +66,15 @@ GroupPanel::GroupPanel(QWidget* parent)
   add_->setToolTip(tr("Put the selected pairs, which are in no group, into a group"));
   add_->setMenu(new QMenu(add_));
 
-  auto* buttons = new QHBoxLayout;
+  // Two rows, so that the panel may be narrow.
+  auto* buttons = new QGridLayout;
   buttons->setContentsMargins(8, 3, 8, 6);
-  for (QPushButton* button : {run_, pause_, stop_, remove_, add_}) buttons->addWidget(button);
-  buttons->addStretch();
+  int place = 0;
+  for (QPushButton* button : {run_, pause_, stop_, remove_, add_}) {
+    button->setFocusPolicy(Qt::TabFocus);
+    buttons->addWidget(button, place / 3, place % 3);
+    ++place;
+  }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 0);
   layout->setSpacing(2);

@@ -31,7 +31,22 @@ QString shortcutPage(const Actions& actions) {
     }
     page += QStringLiteral("</table>");
   }
-  return page;
+  const std::pair<QString, QString> mouse[] = {
+      {QApplication::translate("help", "Left button"),
+       QApplication::translate("help", "Orbit; a click selects")},
+      {QApplication::translate("help", "Right or middle button, or Shift and left button"),
+       QApplication::translate("help", "Pan")},
+      {QApplication::translate("help", "Wheel"), QApplication::translate("help", "Zoom")},
+      {QApplication::translate("help", "Double click"),
+       QApplication::translate("help", "Zoom to the selection")},
+      {QApplication::translate("help", "Drop"),
+       QApplication::translate("help", "Open a project, a scene, a robot or a recording")}};
+  page += QStringLiteral("<h3>%1</h3><table cellpadding='3' width='100%'>")
+              .arg(QApplication::translate("help", "Mouse in the 3D view"));
+  for (const auto& [what, effect] : mouse)
+    page += QStringLiteral("<tr><td width='320'><b>%1</b></td><td>%2</td></tr>")
+                .arg(what.toHtmlEscaped(), effect.toHtmlEscaped());
+  return page + QStringLiteral("</table>");
 }
 
 void showShortcuts(const Actions& actions, QWidget* parent) {

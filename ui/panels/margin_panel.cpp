@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -34,6 +35,7 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   layout->setSpacing(2);
   if (!outline.objects.empty()) {
     auto* reset = new QPushButton(tr("Reset all"), content);
+    reset->setFocusPolicy(Qt::TabFocus);
     reset->setToolTip(tr("All safety margins as the scene file says"));
     connect(reset, &QPushButton::clicked, this, &MarginPanel::resetWanted);
     layout->addWidget(reset, 0, Qt::AlignRight);
@@ -62,6 +64,7 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   }
   layout->addStretch();
   setWidget(content);
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
   show(margins);
 }
 

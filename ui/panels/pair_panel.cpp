@@ -14,6 +14,10 @@
 
 namespace abstand::ui {
 
+namespace {
+constexpr int kColumnWidth = 76;  // px, at least
+}
+
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
     : QWidget(parent),
       selection_{selection},
@@ -28,7 +32,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   filter_box_->setClearButtonEnabled(true);
   filter_box_->setAccessibleName(tr("Filter pairs by name"));
   filter_box_->setMaximumWidth(240);
-  all_->setText(tr("Only chosen objects  ✕"));
+  all_->setText(tr("Only the selection  ✕"));
   all_->setToolTip(tr("Show all pairs again (Esc)"));
   all_->hide();
   count_->setForegroundRole(QPalette::PlaceholderText);
@@ -39,6 +43,8 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);
   table_->setWordWrap(false);
+  // Beginning and end of a name tell bodies apart.
+  table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -47,15 +53,16 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->sortByColumn(PairTableModel::kDistance, Qt::AscendingOrder);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
+  header->setMinimumSectionSize(kColumnWidth);
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
-  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 96},
-                                      {+PairTableModel::kDistance, 126},
-                                      {+PairTableModel::kBound, 104},
-                                      {+PairTableModel::kMargin, 104},
-                                      {+PairTableModel::kForce, 88},
-                                      {+PairTableModel::kContacts, 86}})
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 92},
+                                      {+PairTableModel::kDistance, 112},
+                                      {+PairTableModel::kBound, 132},
+                                      {+PairTableModel::kMargin, 100},
+                                      {+PairTableModel::kForce, 80},
+                                      {+PairTableModel::kContacts, 76}})
     header->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;

@@ -29,12 +29,13 @@ void setAlarm(QLabel* label, bool alarm) {
 RobotPanel::RobotPanel(QWidget* parent)
     : QWidget(parent),
       head_{new QLabel(this)},
-      reset_{new QPushButton(tr("Reset stops"), this)},
+      reset_{new QPushButton(tr("Reset protective stops"), this)},
       cards_layout_{new QVBoxLayout},
       log_{new QPlainTextEdit(this)} {
   head_->setWordWrap(true);
   head_->setObjectName(QStringLiteral("robots_head"));
   reset_->setToolTip(tr("Let every robot that waits for it go on"));
+  reset_->setFocusPolicy(Qt::TabFocus);
   reset_->setObjectName(QStringLiteral("reset_stops"));
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(kMaxLines);
@@ -94,10 +95,11 @@ void RobotPanel::open(const view::SceneOutline& outline) {
 void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (cards_.empty()) return;
   const bool reacting = snapshot.robots.size() == cards_.size();
-  head_->setText(
-      !outline.cannot_react.empty() ? tr("Not reacting: %1").arg(QString::fromStdString(outline.cannot_react))
-      : reacting ? tr("On their plans at %1, reacting since").arg(secondsWithUnit(snapshot.loop_start))
-                 : tr("Not reacting: robots follow their recorded motion."));
+  head_->setText(!outline.cannot_react.empty()
+                     ? tr("Not reacting: %1").arg(QString::fromStdString(outline.cannot_react))
+                 : reacting ? tr("Restarted on their planned motion at %1; reacting since then")
+                                  .arg(secondsWithUnit(snapshot.loop_start))
+                            : tr("Not reacting: robots follow their recorded motion."));
   head_->setToolTip(
       tr("What a robot does depends on what happened before: a seek, a frame back and a new\n"
          "round put the robots on their plans at that time, and they react from there."));

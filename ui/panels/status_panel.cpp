@@ -5,12 +5,14 @@
 #include <QPalette>
 #include <QProgressBar>
 #include <QStatusBar>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/model/event_text.hpp"
 #include "ui/model/nearest_classes.hpp"
 #include "ui/model/stop_text.hpp"
+#include "ui/panels/elided_label.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 
@@ -25,23 +27,15 @@ void colourText(QLabel* label, bool alarm) {
     label->setPalette(palette);
 }
 
-constexpr int kAround = 12;  // px left and right of a text
 constexpr int kBarWidth = 160;
 constexpr int kBarSteps = 1000;
 
-void setText(QLabel* label, const QString& text) {
-  label->setText(text);
-  // Labels only grow, so that what stands beside them keeps its place.
-  label->setMinimumWidth(
-      std::max(label->minimumWidth(), label->fontMetrics().horizontalAdvance(text) + 2 * kAround));
-}
-
-/// "Checked 120 of 639, rested 480, beyond 30, late 9"; what is 0 is not named.
+/// "Checked 120 of 639, skipped 510 (far away), postponed 9"; what is 0 is not named.
 QString leftOut(const scene::StepCounts& work, std::size_t pairs) {
   QString text = StatusPanel::tr("Checked %1 of %2").arg(work.checked).arg(pairs);
-  if (work.rested > 0) text += StatusPanel::tr(", rested %1").arg(work.rested);
-  if (work.beyond > 0) text += StatusPanel::tr(", beyond %1").arg(work.beyond);
-  if (work.deferred > 0) text += StatusPanel::tr(", late %1").arg(work.deferred);
+  const long skipped = work.rested + work.beyond;
+  if (skipped > 0) text += StatusPanel::tr(", skipped %1 (far away)").arg(skipped);
+  if (work.deferred > 0) text += StatusPanel::tr(", postponed %1").arg(work.deferred);
   return text;
 }
 
@@ -55,11 +49,11 @@ QString leftOutInWords(const scene::StepCounts& work, std::size_t pairs) {
   return StatusPanel::tr(
              "Pairs in the last cycle\n"
              "checked: %1\n"
-             "rested, as they have moved by little of their clearance: %2\n"
-             "beyond the horizon: %3\n"
-             "late, as the time budget was used up: %4 (longest: %5 cycles)\n"
-             "not moved since they were checked: %6\n"
-             "Whatever is left out, the true distance is never below distance − bound.")
+             "skipped, as they cannot have used up their clearance: %2\n"
+             "skipped, as they are beyond the horizon: %3\n"
+             "postponed, as the time budget was used up: %4 (longest: %5 cycles)\n"
+             "unchanged since the last check: %6\n"
+             "Whatever is skipped, the true distance is never below distance − bound.")
       .arg(work.checked)
       .arg(work.rested)
       .arg(work.beyond)
@@ -72,25 +66,24 @@ QString leftOutInWords(const scene::StepCounts& work, std::size_t pairs) {
 
 StatusPanel::StatusPanel(QStatusBar* bar)
     : QObject(bar),
-      nearest_{new QLabel(bar)},
-      opening_{new QLabel(bar)},
+      nearest_{new ElidedLabel(bar)},
+      opening_{new ElidedLabel(bar)},
       opening_bar_{new QProgressBar(bar)},
-      analysis_{new QLabel(bar)},
-      robots_{new QLabel(bar)},
-      left_out_{new QLabel(bar)},
-      cycle_{new QLabel(bar)},
-      overruns_{new QLabel(bar)},
-      real_time_{new QLabel(bar)} {
+      cancel_{new QToolButton(bar)},
+      analysis_{new ElidedLabel(bar)},
+      robots_{new ElidedLabel(bar)},
+      left_out_{new ElidedLabel(bar)},
+      cycle_{new ElidedLabel(bar)},
+      overruns_{new ElidedLabel(bar)},
+      real_time_{new ElidedLabel(bar)} {
   bar->setSizeGripEnabled(false);
-  auto* banner = new QLabel(bar);
-  setText(banner, tr("Analysis tool, not a safety function"));
+  auto* banner = new ElidedLabel(bar);
+  banner->setText(tr("Analysis tool, not a safety function"));
   banner->setForegroundRole(QPalette::PlaceholderText);
   banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
   real_time_->setToolTip(tr("Scene time that was played by wall time, over the last half second"));
-  nearest_->setContentsMargins(8, 0, 8, 0);
-  opening_->setContentsMargins(8, 0, 8, 0);
   opening_->setObjectName(QStringLiteral("opening"));
   opening_bar_->setAccessibleName(tr("Progress of opening"));
   opening_bar_->setMaximumWidth(kBarWidth);
@@ -101,7 +94,11 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   robots_->setObjectName(QStringLiteral("robots"));
   robots_->setAccessibleName(tr("State of the robots that react"));
   left_out_->setAccessibleName(tr("Pairs that were checked"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop opening, and keep what is there"));
+  cancel_->setObjectName(QStringLiteral("cancel_opening"));
   bar->addWidget(opening_bar_);
+  bar->addWidget(cancel_);
   bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
   hideOpening();
@@ -128,16 +125,16 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   const std::size_t not_checked = notChecked(snapshot);
   QString left_out = leftOut(snapshot.work, snapshot.pairs.size());
   if (not_checked > 0) left_out = tr("⚠ %1 pairs not checked. %2").arg(not_checked).arg(left_out);
-  setText(left_out_, left_out);
+  left_out_->setText(left_out);
   colourText(left_out_, not_checked > 0);
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
-  setText(cycle_,
-          tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
-  setText(overruns_, tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));
+  cycle_->setText(
+      tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
+  overruns_->setText(tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));
   overruns_->setToolTip(tr("Cycles that took longer than the step that the loop has chosen, %1 ms, of all\n"
                            "since playing began or its speed changed")
                             .arg(fixed(1e3 * snapshot.step_s, 2)));
-  setText(real_time_, std::isnan(snapshot.real_time_factor)
+  real_time_->setText(std::isnan(snapshot.real_time_factor)
                           ? tr("Real time –")
                           : tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
 }
@@ -148,13 +145,15 @@ void StatusPanel::showRobots(const view::SceneOutline& outline, const view::Scen
   bool alarm = false;
   const QString text = worstText(snapshot, outline, &alarm);
   if (snapshot.robots.empty()) {
-    setText(robots_, tr("React: off"));
+    robots_->setText(tr("React: off"));
     robots_->setToolTip(tr("Robots follow their recorded motion (React is off)"));
   } else {
-    setText(robots_, (alarm ? QStringLiteral("⚠ ") : QString()) + text);
-    robots_->setToolTip(tr("Robots react from %1 on: there they were put on their plans, as a seek, a frame\n"
-                           "back and a new round do. Reasons and times are in the panel \"Robots\".")
-                            .arg(secondsWithUnit(snapshot.loop_start)));
+    robots_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + text);
+    robots_->setToolTip(
+        tr("Robots were restarted on their planned motion at %1 and react since then; a seek,\n"
+           "a frame back and a new round restart them. Reasons and times are in the panel\n"
+           "\"Robots\".")
+            .arg(secondsWithUnit(snapshot.loop_start)));
   }
   colourText(robots_, alarm);
 }
@@ -166,12 +165,18 @@ void StatusPanel::clear() {
 
 void StatusPanel::showOpening(const Opening& opening) {
   const QString count = tr("%1 of %2").arg(opening.begun).arg(opening.all);
-  opening_->setText(opening.begun == 0 ? tr("Reading files")
-                    : opening.building ? tr("Building structure %1: %2").arg(count, opening.name)
-                                       : tr("Structure %1: %2").arg(count, opening.name));
+  const bool tracking = opening.begun == 0 && opening.images > 0;
+  opening_->setText(
+      tracking ? tr("Finding the person: image %1 of %2").arg(opening.images_done).arg(opening.images)
+      : opening.begun == 0 ? tr("Reading files")
+      : opening.building   ? tr("Building structure %1: %2").arg(count, opening.name)
+                           : tr("Structure %1: %2").arg(count, opening.name));
   // Without steps the bar only says that something is going on.
-  opening_bar_->setMaximum(opening.begun == 0 ? 0 : kBarSteps);
-  opening_bar_->setValue(static_cast<int>(kBarSteps * opening.fraction));
+  opening_bar_->setMaximum(opening.begun == 0 && !tracking ? 0 : kBarSteps);
+  opening_bar_->setValue(
+      tracking ? static_cast<int>(static_cast<long>(kBarSteps) * opening.images_done / opening.images)
+               : static_cast<int>(kBarSteps * opening.fraction));
+  cancel_->show();
   nearest_->hide();
   opening_->show();
   opening_bar_->show();
@@ -191,6 +196,7 @@ void StatusPanel::showAnalysis(const RecordingReview& review) {
 void StatusPanel::hideOpening() {
   opening_->hide();
   opening_bar_->hide();
+  cancel_->hide();
   nearest_->show();
 }
 

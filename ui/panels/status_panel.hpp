@@ -9,6 +9,7 @@
 class QLabel;
 class QProgressBar;
 class QStatusBar;
+class QToolButton;
 
 namespace abstand::ui {
 
@@ -16,9 +17,11 @@ class RecordingReview;
 
 /// How far the opening of a scene is.
 struct Opening {
+  int images_done{0};    ///< of a depth recording
+  int images{0};         ///< 0: no depth recording is being read
   int begun{0};          ///< structures that are done or under way; 0: files are being read
   int all{0};            ///< structures in all
-  QString name;          ///< of the structure that was heard of last
+  QString name{};        ///< of the structure that was heard of last
   bool building{false};  ///< it is being built; else it came from the cache, or it is not known yet
   double fraction{0.0};  ///< 0 to 1, of the work
 };
@@ -29,6 +32,8 @@ class StatusPanel : public QObject {
   explicit StatusPanel(QStatusBar* bar);
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   void clear();
+  /// Ends the opening; shown with its progress.
+  QToolButton* cancelButton() const { return cancel_; }
   /// Takes the place of the nearest pair, until hideOpening().
   void showOpening(const Opening& opening);
   void hideOpening();
@@ -41,6 +46,7 @@ class StatusPanel : public QObject {
   QLabel* nearest_;
   QLabel* opening_;
   QProgressBar* opening_bar_;
+  QToolButton* cancel_;
   QLabel* analysis_;
   QLabel* robots_;
   QLabel* left_out_;

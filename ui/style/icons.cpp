@@ -196,7 +196,33 @@ class GlyphEngine : public QIconEngine {
   Glyph glyph_;
 };
 
+QPixmap programPixmap(int size) {
+  QPixmap pixmap(size, size);
+  pixmap.fill(Qt::transparent);
+  QPainter p(&pixmap);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.scale(size / 24.0, size / 24.0);
+  p.setPen(Qt::NoPen);
+  p.setBrush(QColor(kAccent));
+  p.drawRoundedRect(QRectF(0.5, 0.5, 23, 23), 5, 5);
+  p.setBrush(Qt::white);
+  p.drawEllipse(QPointF(6, 6.5), 2.3, 2.3);
+  p.drawRoundedRect(QRectF(3.6, 9.6, 4.8, 10.4), 2.2, 2.2);
+  p.setPen(QPen(Qt::white, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  p.drawPolyline(QVector<QPointF>{{19, 19.4}, {19, 11}, {15.4, 6.4}});
+  p.setPen(QPen(QColor(kAmber), 1.8, Qt::SolidLine, Qt::RoundCap));
+  p.drawLine(QPointF(10.6, 14.6), QPointF(16, 14.6));
+  return pixmap;
+}
+
 }  // namespace
+
+QIcon programIcon() {
+  QIcon all;
+  for (const int size : {16, 24, 32, 48, 64, 128, 256}) all.addPixmap(programPixmap(size));
+  return all;
+}
 
 QIcon icon(Glyph glyph) { return glyph == Glyph::kNone ? QIcon() : QIcon(new GlyphEngine(glyph)); }
 

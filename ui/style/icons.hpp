@@ -39,4 +39,7 @@ enum class Glyph {
 
 QIcon icon(Glyph glyph);
 
+/// Of the program: a person, a robot, and the distance between them.
+QIcon programIcon();
+
 }  // namespace abstand::ui

@@ -28,6 +28,7 @@ QToolBar { border: 0; border-bottom: 1px solid palette(mid); spacing: 2px; paddi
 QToolBar QToolButton { padding: 4px; border-radius: 4px; border: 1px solid transparent; }
 QToolBar QToolButton:hover { background: palette(button); border-color: palette(mid); }
 QToolBar QToolButton:checked { background: palette(midlight); border-color: palette(mid); }
+QToolButton:checked { background: palette(midlight); border: 1px solid palette(highlight); border-radius: 4px; }
 QStatusBar { border-top: 1px solid palette(mid); }
 QStatusBar::item { border: 0; }
 QHeaderView::section { background: palette(button); border: 0; border-right: 1px solid palette(mid);

@@ -21,6 +21,7 @@ constexpr double kShadowLift = 0.002;           // m above the floor
 constexpr double kShadowThickness = 1e-3;       // of the object's height; a flat matrix could not be inverted
 constexpr double kMinMist = 2e-3;               // m; less is not seen
 constexpr double kMistOpacity = 0.16;
+constexpr float kHollowLine = 2.0F;  // px
 // Where the key light comes from, per metre of height.
 constexpr double kLightX = -0.12, kLightY = -0.40;
 
@@ -188,6 +189,8 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chose
   setColour(look, now.colliding ? QColor(kVermillion) : item.colour);
   look->SetRepresentation(hollow ? VTK_WIREFRAME : VTK_SURFACE);
   look->SetLighting(!hollow);
+  // The mist of its neighbours lies over it.
+  look->SetLineWidth(hollow ? kHollowLine : 1.0F);
   // An inferred pose is between known and lost: whole, but with its edges.
   look->SetEdgeVisibility(now.pose_state == scene::PoseState::kInferred);
   look->SetEdgeColor(0.45, 0.5, 0.55);

@@ -105,7 +105,7 @@ void Viewport::Impl::drawFrame() {
 
 void Viewport::Impl::resize() {
   overlay->setGeometry(owner.rect());
-  camera.setViewSize(owner.size());
+  camera.setViewSize(gl ? gl->size() : owner.size());
   askForFrame();
 }
 
@@ -197,6 +197,24 @@ void Viewport::fitSelection() {
   Q_EMIT cameraMoved();
 }
 
+void Viewport::orbit(double dx, double dy) {
+  impl_->camera.orbit(dx, dy);
+  impl_->askForFrame();
+  Q_EMIT cameraMoved();
+}
+
+void Viewport::pan(double dx, double dy) {
+  impl_->camera.pan(dx, dy);
+  impl_->askForFrame();
+  Q_EMIT cameraMoved();
+}
+
+void Viewport::zoom(double factor) {
+  impl_->camera.zoom(factor);
+  impl_->askForFrame();
+  Q_EMIT cameraMoved();
+}
+
 CameraView Viewport::cameraView() const { return impl_->camera.view(); }
 
 void Viewport::setCameraView(const CameraView& view) {
@@ -241,13 +259,9 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       const QPoint moved = mouse->pos() - my.last_mouse;
       my.last_mouse = mouse->pos();
       if (mouse->buttons() & Qt::LeftButton && !(mouse->modifiers() & Qt::ShiftModifier))
-        my.camera.orbit(moved.x(), moved.y());
+        orbit(moved.x(), moved.y());
       else if (mouse->buttons() != Qt::NoButton)
-        my.camera.pan(moved.x(), moved.y());
-      else
-        return true;
-      my.askForFrame();
-      Q_EMIT cameraMoved();
+        pan(moved.x(), moved.y());
       return true;
     }
     case QEvent::MouseButtonRelease: {
@@ -267,11 +281,13 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       return true;
     case QEvent::Wheel: {
       const auto* wheel = static_cast<QWheelEvent*>(event);
-      my.camera.zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
-      my.askForFrame();
-      Q_EMIT cameraMoved();
+      zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
       return true;
     }
+    case QEvent::Resize:
+      // Its size may come later than that of the view around it.
+      my.resize();
+      return QWidget::eventFilter(watched, event);
     default:
       return QWidget::eventFilter(watched, event);
   }

@@ -33,6 +33,11 @@ class Viewport : public QWidget {
   void look(CameraPreset preset);
   void fit();
   void fitSelection();
+  /// As a drag by so many logical pixels.
+  void orbit(double dx, double dy);
+  void pan(double dx, double dy);
+  /// Multiplies the distance of the camera from its focus.
+  void zoom(double factor);
   /// Where the camera stands; without OpenGL where it would.
   CameraView cameraView() const;
   void setCameraView(const CameraView& view);

@@ -2,6 +2,7 @@
 #include "ui/document/autosave.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,6 +61,7 @@ TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // Nothing of Qt's event loop runs here: the autosave is told to write until the parent kills it.
     Document killed;
     killed.open(sampleProject(), "/cell/p.abstand", false);
@@ -70,7 +72,10 @@ TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
     }
   }
   const auto written = [&] { return !QDir(folder).entryList({"*.abstand"}, QDir::Files).isEmpty(); };
-  while (!written()) ::usleep(1000);
+  while (!written()) {
+    ASSERT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "it ended by itself";
+    ::usleep(1000);
+  }
   EXPECT_TRUE(leftOvers(folder).empty()) << "it lives";
   ::kill(child, SIGKILL);
   int status = 0;
@@ -85,6 +90,17 @@ TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
   found[0].remove();
   found.clear();
   EXPECT_TRUE(leftOvers(folder).empty());
+}
+
+TEST_F(AutosaveTest, RubbishOfEndedProgramsIsRemoved) {
+  QDir().mkpath(folder);
+  scratch.write("a/b/dead.lock", "");
+  scratch.write("a/b/dead.abstand.part77.0", "{");
+  scratch.write("a/b/kept.lock", "");
+  scratch.write("a/b/kept.abstand", projectText(sampleProject(), QString()));
+  Autosave autosave(document, folder);
+  EXPECT_EQ(leftOvers(folder).size(), 1u);
+  EXPECT_EQ(files().size(), 3) << "an autosave, its lock, and that of this program";
 }
 
 TEST_F(AutosaveTest, ADamagedOneIsNamed) {

@@ -176,7 +176,7 @@ TEST(PairTable, CallsInsideWhatTheGateWouldNotPass) {
     model.refresh(snapshot);
     return model.index(0, PairTableModel::kState).data().toString();
   };
-  EXPECT_EQ(stateAt(0.5, 0.0, 0.0), QStringLiteral("apart"));
+  EXPECT_EQ(stateAt(0.5, 0.0, 0.0), QStringLiteral("clear"));
   EXPECT_EQ(stateAt(0.09, 0.0, 0.0), QStringLiteral("▲ near"));
   EXPECT_EQ(stateAt(0.049, 0.0, 0.0), QStringLiteral("⚠ inside margin"));
   EXPECT_EQ(stateAt(0.09, 0.05, 0.0), QStringLiteral("⚠ inside margin")) << "not proven";

@@ -1,0 +1,123 @@
+// Keys, focus and sizes as people expect them.
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStatusBar>
+#include <QToolButton>
+#include <cstdio>
+
+#include "tests/ui/shown_window.hpp"
+#include "ui/panels/elided_label.hpp"
+#include "ui/panels/help_dialogs.hpp"
+#include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_row.hpp"
+#include "ui/panels/scene_tree_panel.hpp"
+#include "ui/panels/status_panel.hpp"
+#include "ui/style/actions.hpp"
+
+namespace abstand::ui {
+namespace {
+
+struct HabitsTest : ShownWindow {
+  void SetUp() override {
+    ShownWindow::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    session.log.clear();
+    QApplication::setActiveWindow(&window);
+  }
+  bool focus(QWidget* widget) {
+    widget->setFocus(Qt::TabFocusReason);
+    return QTest::qWaitFor([&] { return widget->hasFocus(); }, kWaitMs);
+  }
+};
+
+TEST_F(HabitsTest, ArrowsMoveTheSliderThatHasTheFocus) {
+  auto* slider = window.marginPanel().row(session.indexOf("operator/hand_left"))->findChild<QSlider*>();
+  ASSERT_TRUE(focus(slider));
+  const int before = slider->value();
+  QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_EQ(slider->value(), before + 1);
+  QTest::keyClick(slider, Qt::Key_End);
+  EXPECT_EQ(slider->value(), slider->maximum());
+  QTest::keyClick(slider, Qt::Key_Home);
+  EXPECT_EQ(slider->value(), slider->minimum());
+  EXPECT_EQ(session.time(), 0.0) << "the clock stands";
+  QTest::keyClick(slider, Qt::Key_Space);
+  EXPECT_TRUE(session.playing()) << "what a slider has no use for stays a shortcut";
+}
+
+TEST_F(HabitsTest, TheTreeFoldsAndTicksByKeys) {
+  auto* tree = window.findChild<SceneTreePanel*>();
+  ASSERT_TRUE(focus(tree));
+  const QModelIndex arm = tree->model()->index(0, 0);
+  tree->setCurrentIndex(arm);
+  QTest::keyClick(tree, Qt::Key_Left);
+  EXPECT_FALSE(tree->isExpanded(arm));
+  QTest::keyClick(tree, Qt::Key_Right);
+  EXPECT_TRUE(tree->isExpanded(arm));
+  QTest::keyClick(tree, Qt::Key_Space);
+  EXPECT_EQ(arm.data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
+  EXPECT_FALSE(session.playing());
+  EXPECT_EQ(session.time(), 0.0);
+}
+
+TEST_F(HabitsTest, TheCameraMovesByKeys) {
+  const auto moves = [&](int key, Qt::KeyboardModifiers modifiers) {
+    const CameraView before = window.viewport().cameraView();
+    QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers);
+    return !(window.viewport().cameraView() == before);
+  };
+  for (const int key : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down}) {
+    EXPECT_TRUE(moves(key, Qt::ControlModifier)) << key;
+    EXPECT_TRUE(moves(key, Qt::ControlModifier | Qt::ShiftModifier)) << key;
+  }
+  const double distance = window.viewport().cameraView().distance;
+  EXPECT_TRUE(moves(Qt::Key_Plus, Qt::ControlModifier));
+  EXPECT_LT(window.viewport().cameraView().distance, distance);
+  EXPECT_TRUE(moves(Qt::Key_Minus, Qt::ControlModifier));
+  EXPECT_NEAR(window.viewport().cameraView().distance, distance, 1e-12);
+  EXPECT_EQ(session.time(), 0.0);
+}
+
+TEST_F(HabitsTest, TheShortcutPageNamesTheMouse) {
+  EXPECT_FALSE(window.windowIcon().isNull());
+  EXPECT_TRUE(shortcutPage(window.actions()).contains("Double click"));
+}
+
+TEST_F(HabitsTest, FitsASmallScreen) {
+  const QSize small(1024, 700);
+  for (const int round : {0, 1}) {
+    window.resize(small);
+    EXPECT_EQ(window.size(), small) << round;
+    EXPECT_LE(window.minimumSizeHint().width(), small.width());
+    for (const auto* dock : window.findChildren<QDockWidget*>())
+      if (window.minimumSizeHint().width() > small.width())
+        std::printf("%s needs %d px\n", qPrintable(dock->objectName()), dock->minimumSizeHint().width());
+    EXPECT_LE(window.minimumSizeHint().height(), small.height());
+    // With every text as long as it gets.
+    session.setWork(
+        {.checked = 123456, .rested = 34567, .beyond = 51234, .deferred = 6123, .longest_wait = 7});
+    for (auto* label : window.statusBar()->findChildren<ElidedLabel*>())
+      label->setText(label->text() + QString(80, 'x'));
+    window.pull();
+  }
+}
+
+TEST_F(HabitsTest, AnOpeningCanBeCancelled) {
+  QSignalSpy cancelled(&window, &MainWindow::cancelRequested);
+  auto* cancel = window.findChild<QToolButton*>("cancel_opening");
+  ASSERT_TRUE(cancel);
+  EXPECT_FALSE(cancel->isVisible());
+  window.showOpening({.images_done = 12, .images = 300});
+  EXPECT_EQ(window.findChild<QLabel*>("opening")->text(), "Finding the person: image 12 of 300");
+  ASSERT_TRUE(cancel->isVisible());
+  cancel->click();
+  EXPECT_EQ(cancelled.size(), 1);
+  window.hideOpening();
+  EXPECT_FALSE(cancel->isVisible());
+}
+
+}  // namespace
+}  // namespace abstand::ui

@@ -1,0 +1,25 @@
+// A line of text that gives way.
+#pragma once
+
+#include <QLabel>
+
+namespace abstand::ui {
+
+/// Asks for the widest of its texts so far, so that what stands beside it keeps its place, but may be made
+/// narrower: then the end of the text is left out. GUI thread only.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  using QLabel::QLabel;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  mutable int widest_{0};  // px
+};
+
+}  // namespace abstand::ui
