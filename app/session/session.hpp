@@ -21,7 +21,7 @@ struct SessionOptions {
   double person_speed{1.0};         ///< people move this much faster than recorded
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores
-  /// Of objects by name, instead of what the scene says of their geometry.
+  /// Of bodies by name, instead of what the scene says of their geometry.
   std::map<std::string, std::shared_ptr<const structure::HapticStructure>> made;
   bool cache{true};                 ///< look for structures in the user's cache folder, and keep them there
   structure::BuildMonitor monitor;  ///< of the structures; its word is the name of one
@@ -97,7 +97,7 @@ class Session {
     double usual_speed;               ///< m/s, where it does not and pairs may rest
     std::function<void(ObjectId)> placed;
   };
-  void planMechanisms(std::vector<Planned>& plan);
+  void planMechanisms(std::vector<Planned>& plan, const SessionOptions& options);
   void planHumans(std::vector<Planned>& plan, const SessionOptions& options);
   void planObjects(std::vector<Planned>& plan, const SessionOptions& options);
   template <class Body>

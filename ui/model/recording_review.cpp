@@ -8,10 +8,17 @@
 
 namespace abstand::ui {
 
+namespace {
+
+constexpr qint64 kRest = 4;  // times what judging costs, between two of them
+
+}  // namespace
+
 RecordingReview::RecordingReview(QObject* parent) : QObject(parent), later_{new QTimer(this)} {
   later_->setSingleShot(true);
   later_->setInterval(0);
   connect(later_, &QTimer::timeout, this, &RecordingReview::judge);
+  judge();
 }
 
 void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline,
@@ -26,6 +33,7 @@ void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline
   for (std::size_t p = 0; p < outline.pairs.size(); ++p)
     pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
   store_.reset();
+  reviewer_ = {};
   half_frame_ = 0.5 * outline.frame_period;
   judge();
 }
@@ -39,7 +47,12 @@ void RecordingReview::pull() {
   problem_ = QString::fromStdString(news.problem);
   if (!store_ && news.layout) store_.emplace(news.layout);
   for (auto& chunk : news.chunks) store_->add(std::move(chunk));
-  judge();
+  if (state_ != view::AnalysisNews::State::kRunning || judged_.elapsed() >= kRest * cost_ms_) {
+    judge();
+  } else {
+    ++revision_;
+    Q_EMIT changed();
+  }
 }
 
 void RecordingReview::setMargin(int object, double metres) {
@@ -51,12 +64,14 @@ void RecordingReview::setMargin(int object, double metres) {
 
 void RecordingReview::judge() {
   later_->stop();
-  review_ = {};
+  static const margin::MarginReview kNothing;
+  judged_.start();
+  review_ = store_ ? &reviewer_.review(*store_, margins_, {{}, kNearFactor}) : &kNothing;
   stops_at_.clear();
-  if (store_) review_ = margin::review(*store_, margins_, {{}, kNearFactor});
-  for (const margin::ReviewEvent& event : review_.events)
+  for (const margin::ReviewEvent& event : review_->events)
     stops_at_.push_back(event.kind == margin::ReviewEvent::Kind::kNear ? event.t_nearest : event.t0);
   std::sort(stops_at_.begin(), stops_at_.end());
+  cost_ms_ = judged_.restart();
   ++revision_;
   Q_EMIT changed();
 }

@@ -76,7 +76,7 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   layout->addWidget(table_, 1);
 
   connect(&review_, &RecordingReview::changed, this, [this] {
-    if (isVisible()) refresh();
+    if (isVisible() || !review_.store()) refresh();
   });
   connect(near_, &QCheckBox::toggled, sorted_, [this] { sorted_->invalidate(); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
