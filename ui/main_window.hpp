@@ -14,6 +14,8 @@ class QTimer;
 namespace abstand::ui {
 
 class Actions;
+class BookmarkPanel;
+class Bookmarks;
 class EventPanel;
 class GroupPanel;
 class MarginPanel;
@@ -69,6 +71,8 @@ class MainWindow : public QMainWindow {
   RecordingReview& review() const { return *review_; }
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
+  Bookmarks& bookmarks() const { return *bookmarks_; }
+  BookmarkPanel& bookmarkPanel() const { return *bookmark_panel_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers scenes.
@@ -112,6 +116,7 @@ class MainWindow : public QMainWindow {
   RecordingReview* review_;
   TimeAxis* axis_;
   PlayRules* rules_;
+  Bookmarks* bookmarks_;
   Selection* selection_;
   SceneTreeModel* tree_model_;
   Viewport* viewport_;
@@ -123,6 +128,7 @@ class MainWindow : public QMainWindow {
   GroupPanel* groups_;
   NotePanel* notes_;
   EventPanel* events_;
+  BookmarkPanel* bookmark_panel_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;
@@ -130,7 +136,8 @@ class MainWindow : public QMainWindow {
   QTimer* slow_timer_;
   std::vector<QDockWidget*> docks_;
   bool news_{false};
-  long loops_{0};  // SceneSnapshot::loops that was shown last
+  bool whole_plot_{false};  // the distance chart shows the whole recording, not what was played
+  long loops_{0};           // SceneSnapshot::loops that was shown last
 };
 
 }  // namespace abstand::ui

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 
 #include "ui/main_window.hpp"
+#include "ui/model/bookmarks.hpp"
 #include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
@@ -18,6 +19,7 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
@@ -26,6 +28,7 @@
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"
@@ -165,6 +168,16 @@ void MainWindow::connectReview() {
   connect((*actions_)[Id::kPauseOnEvent], &QAction::toggled, rules_, &PlayRules::setPauseOnEvents);
   connect(rules_, &PlayRules::pausedAt, this, [this](double t) {
     statusBar()->showMessage(tr("Paused at an event, %1").arg(secondsWithUnit(t)), 3000);
+  });
+  on(Id::kAddBookmark, [this] {
+    bookmarks_->add(playback_->time());
+    statusBar()->showMessage(tr("Bookmark at %1").arg(secondsWithUnit(playback_->time())), 3000);
+  });
+  connect(bookmark_panel_, &BookmarkPanel::picked, playback_, &Playback::seek);
+  connect(bookmarks_, &Bookmarks::changed, this, [this] {
+    std::vector<double> times;
+    for (const Bookmark& bookmark : bookmarks_->all()) times.push_back(bookmark.t);
+    timeline_->strip()->setBookmarks(std::move(times));
   });
   connect(playback_, &Playback::timeChanged, axis_, &TimeAxis::reveal);
   connect(timeline_->laneView(), &LaneView::pairPicked, this, &MainWindow::choosePair);

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSettings>
 #include <QSlider>
 #include <QTableView>
@@ -15,9 +16,11 @@
 
 #include "tests/ui/fake_analysis.hpp"
 #include "ui/main_window.hpp"
+#include "ui/model/bookmarks.hpp"
 #include "ui/model/event_table_model.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/margin_panel.hpp"
@@ -141,6 +144,26 @@ TEST_F(TimelineTest, InAndOutAreTheRange) {
   EXPECT_EQ(window.timeAxis().range(), (TimeRange{3.0, 5.0}));
   key(Qt::Key_I, Qt::ShiftModifier);
   EXPECT_FALSE(window.timeAxis().range());
+}
+
+TEST_F(TimelineTest, ABookmarkIsAMomentToComeBackTo) {
+  window.playback().seek(3.0);
+  key(Qt::Key_M);
+  window.playback().seek(6.0);
+  key(Qt::Key_M);
+  ASSERT_EQ(window.bookmarks().rowCount(), 2);
+  auto* dock = window.findChild<QDockWidget*>("bookmarks");
+  ASSERT_TRUE(dock);
+  dock->raise();
+  QTableView* table = window.bookmarkPanel().table();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->isVisible(); }, kLimitMs));
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                    table->visualRect(table->model()->index(0, 0)).center());
+  EXPECT_EQ(session.time(), 3.0);
+  EXPECT_TRUE(window.bookmarkPanel().removeButton()->isEnabled());
+  window.bookmarkPanel().removeButton()->click();
+  ASSERT_EQ(window.bookmarks().rowCount(), 1);
+  EXPECT_EQ(window.bookmarks().all().front().t, 6.0);
 }
 
 TEST_F(TimelineTest, ATypedTimeIsGoneTo) {

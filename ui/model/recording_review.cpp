@@ -33,6 +33,7 @@ void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline
   for (std::size_t p = 0; p < outline.pairs.size(); ++p)
     pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
   store_.reset();
+  nearest_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kSmallest);
   reviewer_ = {};
   half_frame_ = 0.5 * outline.frame_period;
   judge();
@@ -46,7 +47,10 @@ void RecordingReview::pull() {
   frames_ = news.frames;
   problem_ = QString::fromStdString(news.problem);
   if (!store_ && news.layout) store_.emplace(news.layout);
-  for (auto& chunk : news.chunks) store_->add(std::move(chunk));
+  for (auto& chunk : news.chunks) {
+    for (std::size_t i = 0; i < chunk->frames(); ++i) nearest_.add(chunk->t(i), chunk->leastClearance(i));
+    store_->add(std::move(chunk));
+  }
   if (state_ != view::AnalysisNews::State::kRunning || judged_.elapsed() >= kRest * cost_ms_) {
     judge();
   } else {
@@ -79,6 +83,17 @@ void RecordingReview::judge() {
 double RecordingReview::progress() const {
   if (state_ == view::AnalysisNews::State::kDone) return 1.0;
   return frames_ > 0 ? static_cast<double>(done_) / static_cast<double>(frames_) : 0.0;
+}
+
+std::optional<double> RecordingReview::commonMargin() const {
+  std::optional<double> common;
+  if (!store_) return common;
+  for (const auto& [part, link] : store_->layout().pairs) {
+    const double margin = marginOf(part, link);
+    if (common && *common != margin) return {};
+    common = margin;
+  }
+  return common;
 }
 
 double RecordingReview::marginOf(std::size_t part, std::size_t link) const {

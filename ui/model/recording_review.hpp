@@ -9,6 +9,7 @@
 #include "core/margin/margin_review.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
+#include "ui/model/frame_series.hpp"
 
 class QTimer;
 
@@ -40,6 +41,11 @@ class RecordingReview : public QObject {
   /// Null: nothing is known yet.
   const margin::ClearanceStore* store() const { return store_ ? &*store_ : nullptr; }
   const margin::MarginReview& review() const { return *review_; }
+  /// m: the least certified clearance of people and robots in each frame, as far as it is known. Its address
+  /// stays.
+  const FrameSeries& nearest() const { return nearest_; }
+  /// m: of all pairs, where they have the same margin.
+  std::optional<double> commonMargin() const;
   /// Of a part and a link of the store, m.
   double marginOf(std::size_t part, std::size_t link) const;
   /// Index of the outline's pairs, or -1.
@@ -65,6 +71,7 @@ class RecordingReview : public QObject {
   std::vector<double> margins_;
   std::map<std::pair<int, int>, int> pair_of_;
   std::optional<margin::ClearanceStore> store_;
+  FrameSeries nearest_;
   margin::MarginReviewer reviewer_;
   const margin::MarginReview* review_;
   std::vector<double> stops_at_;  ///< s, rising: where events are

@@ -64,6 +64,11 @@ void TimeStrip::setTime(double t) {
   update();
 }
 
+void TimeStrip::setBookmarks(std::vector<double> times) {
+  bookmarks_ = std::move(times);
+  update();
+}
+
 void TimeStrip::refresh() {
   if (review_.available() || !distance_ || distance_->revision() == shown_revision_) return;
   rebuild();
@@ -123,6 +128,7 @@ void TimeStrip::paintEvent(QPaintEvent*) {
   paintMarks(painter);
   paintRange(painter, band(), axis_, [this](double t) { return xOf(t); });
   paintView(painter);
+  paintBookmarks(painter);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(band().adjusted(-1, -1, 0, 0));
@@ -194,6 +200,12 @@ void TimeStrip::paintView(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
   painter.drawRect(shown);
+}
+
+void TimeStrip::paintBookmarks(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  for (const double t : bookmarks_)
+    painter.fillRect(QRect(xOf(t) - 2, band().top() - 8, 4, 7), palette().color(QPalette::Highlight));
 }
 
 void TimeStrip::wheelEvent(QWheelEvent* event) {

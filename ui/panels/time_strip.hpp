@@ -27,6 +27,8 @@ class TimeStrip : public QWidget {
   /// Series live in the owner; null for none.
   void setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end);
   void setTime(double t);
+  /// s: marked above the strip.
+  void setBookmarks(std::vector<double> times);
   /// Repaints when the series have grown.
   void refresh();
 
@@ -54,6 +56,7 @@ class TimeStrip : public QWidget {
   void paintMarks(QPainter& painter) const;
   void paintPlayhead(QPainter& painter) const;
   void paintView(QPainter& painter) const;
+  void paintBookmarks(QPainter& painter) const;
   void rebuildFromReview();
   QString textAt(double t) const;
 
@@ -63,8 +66,9 @@ class TimeStrip : public QWidget {
   const FrameSeries* force_{nullptr};
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
-  QImage heat_;                // one row, a pixel a column
-  std::vector<bool> contact_;  // by column: contact, or inside a margin
+  std::vector<double> bookmarks_;  // s
+  QImage heat_;                    // one row, a pixel a column
+  std::vector<bool> contact_;      // by column: contact, or inside a margin
   long shown_revision_{-1};
 };
 

@@ -102,6 +102,8 @@ const Spec kSpecs[] = {
     {Id::kSetOut, In::kPlayback, TEXT("Set &OUT"), TEXT("The chosen range ends at this moment"), "O"},
     {Id::kClearRange, In::kPlayback, TEXT("&Clear IN and OUT"), TEXT("Choose the whole recording"),
      "Shift+I"},
+    {Id::kAddBookmark, In::kPlayback, TEXT("Add &bookmark"),
+     TEXT("Keep this moment in the list of bookmarks"), "M"},
     {Id::kZoomTimeIn, In::kPlayback, TEXT("Zoom time in"),
      TEXT("Show less time in the lanes, around this moment (Ctrl and the wheel over them)"), "Ctrl+= Ctrl++"},
     {Id::kZoomTimeOut, In::kPlayback, TEXT("Zoom time out"), TEXT("Show more time in the lanes"), "Ctrl+-"},

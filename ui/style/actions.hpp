@@ -52,6 +52,7 @@ enum class ActionId {
   kSetIn,
   kSetOut,
   kClearRange,
+  kAddBookmark,
   kZoomTimeIn,
   kZoomTimeOut,
   kZoomTimeAll,
