@@ -35,21 +35,21 @@ ClearanceChunk::Part ClearanceChunk::partOf(const StoreLayout& layout, std::size
     PairSample nearest;
     nearest.clearance = nearest.distance = kInfinity;
     std::uint16_t nearest_link = 0;
-    double least_between = kInfinity, least_braking = kInfinity;
+    double min_between = kInfinity, min_braking = kInfinity;
     bool lost = false;
     for (std::size_t p = 0; p < frame.size(); ++p) {
       if (layout.pairs[p].part != part) continue;
       const bool first = nearest.clearance == kInfinity;
       if (frame[p].clearance < nearest.clearance || first)
         nearest = frame[p], nearest_link = layout.pairs[p].link;
-      least_between = std::min(least_between, frame[p].between);
-      least_braking = std::min(least_braking, frame[p].braking);
+      min_between = std::min(min_between, frame[p].between);
+      min_braking = std::min(min_braking, frame[p].braking);
       lost = lost || frame[p].lost;
     }
     const float clearance = floatBelow(nearest.clearance);
     out.clearance.push_back(clearance);
-    between.push_back(halfBelow(least_between));
-    braking.push_back(halfBelow(least_braking));
+    between.push_back(halfBelow(min_between));
+    braking.push_back(halfBelow(min_braking));
     error.push_back(halfAbove(nearest.distance - static_cast<double>(clearance)));
     uncertainty.push_back(halfAbove(nearest.uncertainty));
     closing.push_back(halfAbove(nearest.closing));
@@ -103,7 +103,7 @@ void ClearanceChunk::takeAll(std::span<const PairSample> samples, std::size_t pa
     between_.push_back(floatBelow(between));
     braking_.push_back(floatBelow(braking));
     least_ = std::min(least_, static_cast<double>(clearance_.back()));
-    least_between_ = std::min(least_between_, static_cast<double>(between_.back()));
+    min_between_ = std::min(min_between_, static_cast<double>(between_.back()));
   }
 }
 

@@ -56,7 +56,7 @@ class ClearanceChunk {
   };
   const Summary& summary(std::size_t part) const { return parts_[part].all; }
   /// m: the least known clearance of the frames of a block; +infinity: none is known.
-  double blockLeast(std::size_t part, std::size_t block) const { return parts_[part].blocks[block]; }
+  double blockMinimum(std::size_t part, std::size_t block) const { return parts_[part].blocks[block]; }
 
   /// Of all parts together, m.
   double leastClearance(std::size_t frame) const { return clearance_[frame]; }
@@ -64,7 +64,7 @@ class ClearanceChunk {
   double leastBraking(std::size_t frame) const { return braking_[frame]; }
   /// Least clearance, and what is between, of all parts and frames.
   double least() const { return least_; }
-  double leastBetween() const { return least_between_; }
+  double leastBetween() const { return min_between_; }
 
   std::size_t bytes() const;
 
@@ -92,7 +92,7 @@ class ClearanceChunk {
   std::vector<Part> parts_;
   std::vector<Pair> pairs_;
   std::vector<float> clearance_, between_, braking_;
-  double least_{kInfinity}, least_between_{kInfinity};
+  double least_{kInfinity}, min_between_{kInfinity};
 };
 
 /// Gathers frames into chunks. One thread.

@@ -46,7 +46,7 @@ ClearanceStore::Look ClearanceStore::look(std::size_t part, std::size_t begin, s
     for (std::size_t j = in_chunk; j < in_chunk + here;) {
       const std::size_t rest = in_chunk + here - j;
       if (j % kBlock == 0 && rest >= kBlock && (!all.unknown || look.unknown)) {
-        look.least = std::min(look.least, chunk.blockLeast(part, j / kBlock));
+        look.least = std::min(look.least, chunk.blockMinimum(part, j / kBlock));
         j += kBlock;
         continue;
       }

@@ -117,8 +117,8 @@ QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, i
       {QT_TR_NOOP("Closing"), QT_TR_NOOP("Speed of the nearest points towards each other at the least "
                                          "clearance; negative: they part")},
       {QT_TR_NOOP("Stop"),
-       QT_TR_NOOP("What a stop at the beginning would have been: too late, or not needed; "
-                  "empty: needed and in time")}};
+       QT_TR_NOOP("What a stop at the beginning would have been. Missed: too late, or told by nobody;\n"
+                  "false: not needed; empty: needed and in time")}};
   if (role == Qt::DisplayRole) return tr(kHeads[section].name);
   if (role == Qt::ToolTipRole) return tr(kHeads[section].tip);
   return {};

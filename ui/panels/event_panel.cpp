@@ -63,6 +63,11 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   table_->sortByColumn(EventTableModel::kTime, Qt::AscendingOrder);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
+  for (const auto& [column, width] : {std::pair{+EventTableModel::kKind, 150},
+                                      {+EventTableModel::kPart, 130},
+                                      {+EventTableModel::kLink, 130},
+                                      {+EventTableModel::kClearance, 120}})
+    table_->horizontalHeader()->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);
