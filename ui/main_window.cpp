@@ -263,6 +263,7 @@ void MainWindow::refreshSlow() {
     tree_model_->refresh(outline, snapshot_);
     status_->refresh(outline, snapshot_);
     robots_->refresh(outline, snapshot_);
+    timeline_->refresh(snapshot_);
     groups_->refresh(snapshot_);
     if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
       statusBar()->showMessage(tr("Robots were put on their plans at %1, and react from there")

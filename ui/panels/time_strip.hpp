@@ -29,6 +29,8 @@ class TimeStrip : public QWidget {
   void setTime(double t);
   /// s: marked above the strip.
   void setBookmarks(std::vector<double> times);
+  /// In which robots stood, as far as it was played: a bar along the upper edge.
+  void setStops(std::vector<TimeRange> stops);
   /// Repaints when the series have grown.
   void refresh();
 
@@ -57,8 +59,10 @@ class TimeStrip : public QWidget {
   void paintPlayhead(QPainter& painter) const;
   void paintView(QPainter& painter) const;
   void paintBookmarks(QPainter& painter) const;
+  void paintStops(QPainter& painter) const;
   void rebuildFromReview();
   QString textAt(double t) const;
+  QString momentAt(double t) const;
 
   const RecordingReview& review_;
   TimeAxis& axis_;
@@ -67,8 +71,9 @@ class TimeStrip : public QWidget {
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
   std::vector<double> bookmarks_;  // s
-  QImage heat_;                    // one row, a pixel a column
-  std::vector<bool> contact_;      // by column: contact, or inside a margin
+  std::vector<TimeRange> stops_;
+  QImage heat_;                // one row, a pixel a column
+  std::vector<bool> contact_;  // by column: contact, or inside a margin
   long shown_revision_{-1};
 };
 
