@@ -43,7 +43,7 @@ void BookmarkCommands::add() {
   });
 }
 
-void BookmarkCommands::remove() {
+void BookmarkCommands::removeHere() {
   const int before = document_.work().bookmarks.size();
   document_.edit(tr("remove bookmark"), [&](Work& work) {
     auto& all = work.bookmarks;
@@ -51,6 +51,22 @@ void BookmarkCommands::remove() {
               all.end());
   });
   if (document_.work().bookmarks.size() == before) Q_EMIT said(tr("No bookmark at this frame"));
+}
+
+void BookmarkCommands::goTo(int index) {
+  const auto& marks = document_.work().bookmarks;
+  if (index >= 0 && index < marks.size()) show(marks[index]);
+}
+
+void BookmarkCommands::remove(int index) {
+  if (index < 0 || index >= document_.work().bookmarks.size()) return;
+  document_.edit(tr("remove bookmark"), [index](Work& work) { work.bookmarks.removeAt(index); });
+}
+
+void BookmarkCommands::setNote(int index, const QString& note) {
+  if (index < 0 || index >= document_.work().bookmarks.size()) return;
+  document_.edit(tr("note of a bookmark"),
+                 [&](Work& work) { work.bookmarks[index].note = note.simplified().left(kMaxNote); });
 }
 
 void BookmarkCommands::goToNext() {

@@ -24,7 +24,11 @@ class BookmarkCommands : public QObject {
   /// Asks for a note. One that is there already gets the new note and camera.
   void add();
   /// The one at the present frame.
-  void remove();
+  void removeHere();
+  /// By its index in the document.
+  void goTo(int index);
+  void remove(int index);
+  void setNote(int index, const QString& note);
   void goToNext();
   void goToPrevious();
 

@@ -23,6 +23,7 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
@@ -132,6 +133,7 @@ void MainWindow::buildDocks() {
   pairs_ = new PairPanel(*selection_, this);
   timeline_ = new TimelinePanel(*actions_, *playback_, *review_, *axis_, this);
   events_ = new EventPanel(*review_, this);
+  bookmark_panel_ = new BookmarkPanel(this);
   docks_ = {
       addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
       addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
@@ -147,7 +149,9 @@ void MainWindow::buildDocks() {
       addDock("notes", tr("Reservations"), tr("Show or hide what to know of the scene before believing it"),
               QStringLiteral("Ctrl+8"), notes_),
       addDock("events", tr("Events"), tr("Show or hide the events of the recording"),
-              QStringLiteral("Ctrl+9"), events_)};
+              QStringLiteral("Ctrl+9"), events_),
+      addDock("bookmarks", tr("Bookmarks"), tr("Show or hide the bookmarks"), QStringLiteral("Ctrl+Shift+9"),
+              bookmark_panel_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -160,8 +164,9 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events] = std::tie(
-      docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7], docks_[8]);
+  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events, bookmarks] =
+      std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7],
+               docks_[8], docks_[9]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -180,6 +185,7 @@ void MainWindow::arrangeDocks() {
   addDockWidget(Qt::BottomDockWidgetArea, pairs);
   splitDockWidget(timeline, pairs, Qt::Vertical);
   tabifyDockWidget(pairs, events);
+  tabifyDockWidget(events, bookmarks);
   pairs->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
@@ -210,8 +216,11 @@ void MainWindow::setSession(SessionPort* session) {
   loops_ = snapshot_.loops;
   docks_[outline.reacting.empty() ? 4 : 5]->raise();
   timeline_->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
-  plots_->setSeries(&history_->distance(), &history_->force(), &history_->torques(), outline.start,
-                    outline.end);
+  // What robots that react do differs from what was recorded.
+  whole_plot_ = review_->available() && outline.reacting.empty() && !outline.falls;
+  plots_->setDistanceName(whole_plot_ ? tr("Least clearance person – robot") : tr("Smallest distance"));
+  plots_->setSeries(whole_plot_ ? &review_->nearest() : &history_->distance(), &history_->force(),
+                    &history_->torques(), outline.start, outline.end);
   plots_->setJoints(outline.joints);
   groups_->open(outline);
   static const std::vector<scene::SceneNote> kNoNotes;
@@ -267,15 +276,18 @@ void MainWindow::refreshSlow() {
     tree_model_->refresh(outline, snapshot_);
     status_->refresh(outline, snapshot_);
     robots_->refresh(outline, snapshot_);
+    timeline_->refresh(snapshot_);
     groups_->refresh(snapshot_);
     if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
       statusBar()->showMessage(tr("Robots were restarted on their planned motion at %1")
                                    .arg(secondsWithUnit(snapshot_.loop_start)),
                                kMessageMs);
+    if (whole_plot_) plots_->setMargin(review_->commonMargin().value_or(0.0));
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
-    plots_->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size()
-                          ? snapshot_.pairs[nearest].margin
-                          : 0.0);
+    if (!whole_plot_)
+      plots_->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size()
+                            ? snapshot_.pairs[nearest].margin
+                            : 0.0);
   }
   timeline_->strip()->refresh();
   plots_->refresh();

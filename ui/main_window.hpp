@@ -17,6 +17,7 @@ namespace abstand::ui {
 
 class Actions;
 class Autosave;
+class BookmarkPanel;
 class Document;
 class EventPanel;
 class GroupPanel;
@@ -81,6 +82,7 @@ class MainWindow : public QMainWindow {
   RecordingReview& review() const { return *review_; }
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
+  BookmarkPanel& bookmarkPanel() const { return *bookmark_panel_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers it.
@@ -116,6 +118,7 @@ class MainWindow : public QMainWindow {
   void connectUndo();
   void connectProjects();
   void connectBookmarks();
+  void showBookmarks();
   void connectEdits();
   void connectGroups();
   void followWork(const Work& before, const Work& after);
@@ -164,6 +167,7 @@ class MainWindow : public QMainWindow {
   GroupPanel* groups_;
   NotePanel* notes_;
   EventPanel* events_;
+  BookmarkPanel* bookmark_panel_;
   TimelinePanel* timeline_;
   StatusPanel* status_;
   QSlider* opacity_;
@@ -171,7 +175,8 @@ class MainWindow : public QMainWindow {
   QTimer* slow_timer_;
   std::vector<QDockWidget*> docks_;
   bool news_{false};
-  long loops_{0};  // SceneSnapshot::loops that was shown last
+  bool whole_plot_{false};  // the distance chart shows the whole recording, not what was played
+  long loops_{0};           // SceneSnapshot::loops that was shown last
 };
 
 }  // namespace abstand::ui

@@ -27,6 +27,7 @@
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"

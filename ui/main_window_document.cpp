@@ -11,7 +11,10 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/time_strip.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/recovery.hpp"
 #include "ui/style/actions.hpp"
@@ -45,8 +48,17 @@ void MainWindow::followWork(const Work& before, const Work& after) {
     for (std::size_t i = 0; i < margins.size(); ++i) review_->setMargin(static_cast<int>(i), margins[i]);
   }
   if (before.range != after.range) axis_->setRange(after.range);
+  if (before.bookmarks != after.bookmarks) showBookmarks();
   if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);
   if (before.view != after.view) showView();
+}
+
+void MainWindow::showBookmarks() {
+  const QVector<Bookmark>& bookmarks = document_->work().bookmarks;
+  bookmark_panel_->show(bookmarks);
+  std::vector<double> times;
+  for (const Bookmark& bookmark : bookmarks) times.push_back(bookmark.t);
+  timeline_->strip()->setBookmarks(std::move(times));
 }
 
 void MainWindow::showHidden(const QSet<QString>& before, const QSet<QString>& after) {
@@ -91,6 +103,7 @@ void MainWindow::showDocument() {
   kept_selection_.clear();
   fresh_document_ = true;
   showView();
+  showBookmarks();
   if (!recovered_) return;
   autosave_->write();
   if (QFileInfo::exists(autosave_->file())) recovered_->remove();

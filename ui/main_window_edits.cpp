@@ -9,6 +9,7 @@
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
 #include "ui/model/scene_tree_model.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/status_panel.hpp"
@@ -90,10 +91,14 @@ void MainWindow::connectProjects() {
 void MainWindow::connectBookmarks() {
   auto* bookmarks = new BookmarkCommands(*document_, *playback_, *viewport_, this);
   connect((*actions_)[ActionId::kAddBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::add);
-  connect((*actions_)[ActionId::kRemoveBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::remove);
+  connect((*actions_)[ActionId::kRemoveBookmark], &QAction::triggered, bookmarks,
+          &BookmarkCommands::removeHere);
   connect((*actions_)[ActionId::kNextBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::goToNext);
   connect((*actions_)[ActionId::kPreviousBookmark], &QAction::triggered, bookmarks,
           &BookmarkCommands::goToPrevious);
+  connect(bookmark_panel_, &BookmarkPanel::picked, bookmarks, &BookmarkCommands::goTo);
+  connect(bookmark_panel_, &BookmarkPanel::noteWanted, bookmarks, &BookmarkCommands::setNote);
+  connect(bookmark_panel_, &BookmarkPanel::removeWanted, bookmarks, &BookmarkCommands::remove);
   connect(bookmarks, &BookmarkCommands::said, this,
           [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
 }

@@ -38,7 +38,7 @@ Session::Session(scene_file::SceneDescription description, const SessionOptions&
 
   // Reads everything that can fail because of invalid files before expensive builds.
   std::vector<Planned> plan;
-  planMechanisms(plan);
+  planMechanisms(plan, options);
   planHumans(plan, options);
   planObjects(plan, options);
   if (!options.poses.empty()) poses_ = loadPoses(options.poses);
@@ -86,7 +86,7 @@ StructureLibrary::Key Session::request(const Body& body, const structure::Haptic
   return library_.request(body.mesh, body.scale, options);
 }
 
-void Session::planMechanisms(std::vector<Planned>& plan) {
+void Session::planMechanisms(std::vector<Planned>& plan, const SessionOptions& options) {
   for (const auto& d : description_.mechanisms) {
     mechanisms_.push_back(std::make_unique<MechanismDriver>(d));
     MechanismDriver* driver = mechanisms_.back().get();
@@ -95,8 +95,9 @@ void Session::planMechanisms(std::vector<Planned>& plan) {
       const auto& link = d.links[i];
       scene_file::BodySettings settings = link.settings;
       settings.fillFrom(d.settings);
-      const structure::HapticOptions options = hapticOptions(settings);
-      const auto key = request(link, options);
+      const auto made = options.made.find(link.name);
+      const auto key =
+          made != options.made.end() ? library_.take(made->second) : request(link, hapticOptions(settings));
       plan.push_back({link.name, d.name, key, settings.margin.value_or(description_.defaults.margin),
                       settings.max_speed, driver->motion() ? kInfinity : 0.0,
                       [driver, i](ObjectId id) { driver->bind(i, id); }});
@@ -118,9 +119,12 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
       scene_file::BodySettings settings;
       if (const auto own = d.parts.find(part.part); own != d.parts.end()) settings = own->second;
       settings.fillFrom(d.settings);
-      plan.push_back({d.name + "/" + part_name, d.name, library_.request(part.shape, hapticOptions(settings)),
-                      settings.margin.value_or(description_.defaults.margin), settings.max_speed,
-                      driver->recording() ? kHandSpeed : 0.0,
+      const std::string name = d.name + "/" + part_name;
+      const auto made = options.made.find(name);
+      const auto key = made != options.made.end() ? library_.take(made->second)
+                                                  : library_.request(part.shape, hapticOptions(settings));
+      plan.push_back({name, d.name, key, settings.margin.value_or(description_.defaults.margin),
+                      settings.max_speed, driver->recording() ? kHandSpeed : 0.0,
                       [driver, id = part.part](ObjectId object) { driver->bind(id, object); }});
     }
     for (const auto& [a, b] : humanmodel::adjacentParts()) {

@@ -101,7 +101,7 @@ class Session {
     double usual_speed;               ///< m/s, default if the scene has none and queries may be culled
     std::function<void(ObjectId)> placed;
   };
-  void planMechanisms(std::vector<Planned>& plan);
+  void planMechanisms(std::vector<Planned>& plan, const SessionOptions& options);
   void planHumans(std::vector<Planned>& plan, const SessionOptions& options);
   void planObjects(std::vector<Planned>& plan, const SessionOptions& options);
   template <class Body>

@@ -18,6 +18,7 @@
 #include "core/base/output_place.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recording_review.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
@@ -31,7 +32,8 @@ namespace {
 using namespace abstand;
 
 constexpr int kWrongUsage = 2, kBadInput = 3, kNotWritten = 4;
-constexpr int kSettle_ms = 700;  // ms, until the first snapshots are drawn
+constexpr int kSettle_ms = 700;         // until the first snapshots are drawn
+constexpr int kLongestWait_ms = 20000;  // for the analysis of a recording that shall be in a picture
 const QSize kDefaultSize(1500, 950);
 
 int fail(int code, const QString& text) {
@@ -129,14 +131,29 @@ int written(const std::function<void()>& work) {
   }
 }
 
-/// Plays for `play_s`, waits until that time is drawn, saves the picture and ends the program.
+/// Waits until the analysis of the recording has ended, but not for ever, and then until the moment is drawn;
+/// saves the picture and ends the program.
+void saveWhenAnalysed(ui::MainWindow& window, const Arguments& args, int waited_ms = 0) {
+  using State = view::AnalysisNews::State;
+  const ui::RecordingReview& review = window.review();
+  const bool busy = review.available() && review.state() != State::kDone && review.state() != State::kFailed;
+  if (busy && waited_ms < kLongestWait_ms) {
+    QTimer::singleShot(kSettle_ms, &window, [&window, args, waited_ms] {
+      saveWhenAnalysed(window, args, waited_ms + kSettle_ms);
+    });
+    return;
+  }
+  QTimer::singleShot(kSettle_ms, &window, [&window, args] {
+    QApplication::exit(written([&] { ui::savePicture(ui::grabWindow(window), args.screenshot); }));
+  });
+}
+
+/// Plays for `play_s` before.
 void takePicture(ui::MainWindow& window, const Arguments& args) {
   if (args.play_s > 0.0) window.playback().setPlaying(true);
   QTimer::singleShot(static_cast<int>(1000.0 * args.play_s), &window, [&window, args] {
     window.playback().setPlaying(false);
-    QTimer::singleShot(kSettle_ms, &window, [&window, args] {
-      QApplication::exit(written([&] { ui::savePicture(ui::grabWindow(window), args.screenshot); }));
-    });
+    saveWhenAnalysed(window, args);
   });
 }
 

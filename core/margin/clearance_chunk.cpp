@@ -77,17 +77,17 @@ ClearanceChunk::Pair ClearanceChunk::pairOf(const StoreLayout& layout, std::size
   Pair out;
   out.part = layout.pairs[pair].part;
   const std::vector<float>& nearest = parts_[out.part].clearance;
-  std::vector<HalfBits> above;
+  std::vector<std::uint8_t> above;
   bool beside = false;
   for (std::size_t i = 0; i < t_.size(); ++i) {
     const double clearance = samples[i * layout.pairs.size() + pair].clearance;
     const double more = clearance - static_cast<double>(nearest[i]);
     // Where nothing is seen, no link is farther than another.
-    above.push_back(std::isnan(more) ? halfBelow(0.0) : halfBelow(more));
-    beside = beside || !(fromHalf(above.back()) >= kBeside);
+    above.push_back(std::isnan(more) ? 0 : static_cast<std::uint8_t>(std::min(more, kBeside) / kStep));
+    beside = beside || more < kBeside || std::isnan(more);
     out.least = std::min(out.least, clearance);
   }
-  if (beside) out.above = std::make_unique<PackedColumn<HalfBits>>(above);
+  if (beside) out.above = std::make_unique<PackedColumn<std::uint8_t>>(above);
   return out;
 }
 
@@ -123,8 +123,8 @@ ClearanceChunk::Nearest ClearanceChunk::nearest(std::size_t part, std::size_t fr
 double ClearanceChunk::pairClearance(std::size_t pair, std::size_t frame) const {
   const Pair& p = pairs_[pair];
   const double nearest = parts_[p.part].clearance[frame];
-  if (p.above) return nearest + fromHalf((*p.above)[frame]);
-  return std::max(p.least, nearest + kBeside);
+  const double above = p.above ? kStep * (*p.above)[frame] : kBeside;
+  return std::max(p.least, nearest + above);
 }
 
 std::size_t ClearanceChunk::bytes() const {

@@ -17,8 +17,9 @@ class ClearanceChunk {
  public:
   static constexpr std::size_t kFrames = 256, kBlock = 16;
   /// m. Links that stay farther than the nearest one by this in all frames of the chunk have no values of
-  /// their own: margins of links that differ by no more than this are judged exactly.
-  static constexpr double kBeside = 0.25;
+  /// their own, and others are kept in steps of kStep: margins of links that differ by no more than kBeside
+  /// are judged as if the links were nearer by less than kStep; those that are equal are judged exactly.
+  static constexpr double kStep = 1.0 / 1024.0, kBeside = 255.0 * kStep;
 
   /// `samples`: of each pair in each frame, frame by frame. `judged`: the first frame from which on all parts
   /// can be judged (firstJudgedFrame).
@@ -78,8 +79,9 @@ class ClearanceChunk {
   };
   struct Pair {
     std::uint16_t part{0};
-    double least{kInfinity};                        ///< m, of the chunk
-    std::unique_ptr<PackedColumn<HalfBits>> above;  ///< m, above the part's clearance; null: see kBeside
+    double least{kInfinity};  ///< m, of the chunk
+    /// kStep, at most kBeside, above the part's clearance; null: kBeside everywhere.
+    std::unique_ptr<PackedColumn<std::uint8_t>> above;
   };
   Part partOf(const StoreLayout& layout, std::size_t part, std::span<const PairSample> samples) const;
   Pair pairOf(const StoreLayout& layout, std::size_t pair, std::span<const PairSample> samples) const;

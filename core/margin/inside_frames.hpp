@@ -12,11 +12,14 @@ struct PartMargins {
   struct Pair {
     std::size_t pair;  ///< StoreLayout::pairs
     double margin;     ///< m
+
+    bool operator==(const Pair&) const = default;
   };
   std::vector<Pair> pairs;
   double least{kInfinity}, largest{-kInfinity};  ///< m
 
   bool same() const { return least == largest; }
+  bool operator==(const PartMargins&) const = default;
 };
 
 /// Of each part. `margins`: m, of each object, multiplied by `factor`.

@@ -118,14 +118,14 @@ class WholeBody {
  public:
   explicit WholeBody(const MarginOptions& options) : limit_(options.limit), stream_(options) {}
 
-  void take(const ClearanceChunk& chunk, const std::vector<InsideFrames>& parts) {
+  void take(const ClearanceChunk& chunk, const std::vector<const InsideFrames*>& parts) {
     const std::size_t from = chunk.judged();
     if (from >= chunk.frames()) return;
     any_ = true;
     const double first = chunk.t(0), last = chunk.t(chunk.frames() - 1);
     const double least = std::min(chunk.least(), chunk.leastBetween());
-    const bool none = std::none_of(parts.begin(), parts.end(), [](const auto& p) { return p.some; });
-    const bool all = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.all; });
+    const bool none = std::none_of(parts.begin(), parts.end(), [](const auto* p) { return p->some; });
+    const bool all = std::any_of(parts.begin(), parts.end(), [](const auto* p) { return p->all; });
     if (from == 0 && none && !stream_.stopping() && chunk.leastBetween() > limit_) {
       stream_.addOutside({first, last, least, kInfinity, {}, 0});
       return;
@@ -135,8 +135,8 @@ class WholeBody {
       return;
     }
     std::bitset<ClearanceChunk::kFrames> frames;
-    for (const InsideFrames& part : parts)
-      if (part.some && !part.all) frames |= part.frames;
+    for (const InsideFrames* part : parts)
+      if (part->some && !part->all) frames |= part->frames;
     for (std::size_t i = from; i < chunk.frames(); ++i)
       stream_.add({chunk.t(i), all || frames[i], chunk.leastClearance(i), chunk.leastBetween(i),
                    chunk.leastBraking(i)});
@@ -163,36 +163,55 @@ void complete(const ClearanceStore& store, ReviewEvent& event) {
 
 }  // namespace
 
-MarginReview review(const ClearanceStore& store, std::span<const double> margins,
-                    const ReviewOptions& options) {
-  MarginReview result;
-  result.frames = store.frames();
-  const std::size_t parts = store.layout().parts.size();
+void MarginReviewer::judge(std::size_t index, const ClearanceStore& store, const ReviewOptions& options) {
+  Part& part = parts_[index];
+  part.chunks = store.chunks().size();
+  part.inside.clear();
+  part.events.clear();
+  IntrusionFinder intrusions(index, options, part.events);
+  NearFinder nears(index, part.events);
+  for (const auto& chunk : store.chunks()) {
+    const InsideFrames inside = insideFrames(*chunk, index, part.inner);
+    intrusions.take(*chunk, inside);
+    nears.take(*chunk, inside, inside.all ? inside : insideFrames(*chunk, index, part.outer));
+    part.inside.push_back(inside);
+  }
+  intrusions.finish();
+  nears.end();
+  for (ReviewEvent& event : part.events) complete(store, event);
+}
+
+const MarginReview& MarginReviewer::review(const ClearanceStore& store, std::span<const double> margins,
+                                           const ReviewOptions& options) {
   const std::vector<PartMargins> inner = partMargins(store.layout(), margins);
   const std::vector<PartMargins> outer = partMargins(store.layout(), margins, options.near_factor);
-  std::vector<std::unique_ptr<IntrusionFinder>> intrusions;
-  std::vector<NearFinder> nears;
-  for (std::size_t k = 0; k < parts; ++k) {
-    intrusions.push_back(std::make_unique<IntrusionFinder>(k, options, result.events));
-    nears.emplace_back(k, result.events);
+  parts_.resize(inner.size());
+  review_ = {};
+  review_.frames = store.frames();
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    if (part.chunks != store.chunks().size() || part.inner != inner[k] || part.outer != outer[k]) {
+      part.inner = inner[k];
+      part.outer = outer[k];
+      judge(k, store, options);
+    }
+    review_.events.insert(review_.events.end(), part.events.begin(), part.events.end());
   }
   WholeBody whole(options.margins);
-  std::vector<InsideFrames> inside(parts);
-  for (const auto& chunk : store.chunks()) {
-    for (std::size_t k = 0; k < parts; ++k) {
-      inside[k] = insideFrames(*chunk, k, inner[k]);
-      intrusions[k]->take(*chunk, inside[k]);
-      nears[k].take(*chunk, inside[k], inside[k].all ? inside[k] : insideFrames(*chunk, k, outer[k]));
-    }
-    whole.take(*chunk, inside);
+  std::vector<const InsideFrames*> inside(parts_.size());
+  for (std::size_t c = 0; c < store.chunks().size(); ++c) {
+    for (std::size_t k = 0; k < parts_.size(); ++k) inside[k] = &parts_[k].inside[c];
+    whole.take(*store.chunks()[c], inside);
   }
-  for (auto& finder : intrusions) finder->finish();
-  for (NearFinder& finder : nears) finder.end();
-  result.outcome = whole.finish();
-  for (ReviewEvent& event : result.events) complete(store, event);
-  std::stable_sort(result.events.begin(), result.events.end(),
+  review_.outcome = whole.finish();
+  std::stable_sort(review_.events.begin(), review_.events.end(),
                    [](const auto& a, const auto& b) { return a.t0 != b.t0 ? a.t0 < b.t0 : a.part < b.part; });
-  return result;
+  return review_;
+}
+
+MarginReview review(const ClearanceStore& store, std::span<const double> margins,
+                    const ReviewOptions& options) {
+  return MarginReviewer().review(store, margins, options);
 }
 
 }  // namespace abstand::margin

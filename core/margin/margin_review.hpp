@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/margin/clearance_store.hpp"
+#include "core/margin/inside_frames.hpp"
 #include "core/margin/margin_outcome.hpp"
 
 namespace abstand::margin {
@@ -33,6 +34,27 @@ struct MarginReview {
   /// Of all parts together, from the first frame that can be judged: what `tune` says of the same margins.
   MarginOutcome outcome;
   std::size_t frames{0};  ///< that were judged or passed over
+};
+
+/// Judges margins again and again. What a change does not touch is kept: parts whose margins stay, as long as
+/// no frames come. One thread.
+class MarginReviewer {
+ public:
+  /// As review(). The store is always the same one and only grows.
+  const MarginReview& review(const ClearanceStore& store, std::span<const double> margins,
+                             const ReviewOptions& options);
+
+ private:
+  struct Part {
+    PartMargins inner, outer;
+    std::size_t chunks{0};  ///< that were judged
+    std::vector<InsideFrames> inside;
+    std::vector<ReviewEvent> events;
+  };
+  void judge(std::size_t index, const ClearanceStore& store, const ReviewOptions& options);
+
+  std::vector<Part> parts_;
+  MarginReview review_;
 };
 
 /// `margins`: m, of each object of the scene; the margin of a pair is the sum of its two bodies' ones.

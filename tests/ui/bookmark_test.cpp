@@ -1,12 +1,15 @@
 // Bookmarks by keys: added, visited with their camera, removed, undone.
 #include <QAction>
+#include <QDockWidget>
 #include <QInputDialog>
 #include <QStatusBar>
+#include <QTableView>
 
 #include "tests/ui/modal_answer.hpp"
 #include "tests/ui/shown_window.hpp"
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/panels/bookmark_panel.hpp"
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
@@ -63,6 +66,34 @@ TEST_F(BookmarkTest, OneAFrameIsKeptRemovedAndUndone) {
   EXPECT_EQ(marks().size(), 1);
   while (window.actions()[ActionId::kUndo]->isEnabled()) window.actions()[ActionId::kUndo]->trigger();
   EXPECT_TRUE(marks().isEmpty());
+}
+
+TEST_F(BookmarkTest, AreListedEditedAndRemovedInThePanel) {
+  window.document().edit("bookmarks", [](Work& work) {
+    work.bookmarks = {{3.0, "near", {}}, {6.0, "far", {}}};
+  });
+  auto* dock = window.findChild<QDockWidget*>("bookmarks");
+  ASSERT_TRUE(dock);
+  dock->raise();
+  QTableView* table = window.bookmarkPanel().table();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->isVisible(); }, 60000));
+  QAbstractItemModel& rows = *table->model();
+  ASSERT_EQ(rows.rowCount(), 2);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(rows.index(0, 0)).center());
+  EXPECT_EQ(session.time(), 3.0);
+  EXPECT_TRUE(rows.setData(rows.index(1, 1), "very\nfar", Qt::EditRole));
+  EXPECT_EQ(marks()[1].note, "very far");
+  EXPECT_EQ(rows.index(1, 1).data(), "very far");
+  EXPECT_FALSE(rows.setData(rows.index(1, 0), "9 s", Qt::EditRole)) << "times are not edited";
+  table->selectRow(0);
+  EXPECT_TRUE(window.bookmarkPanel().removeButton()->isEnabled());
+  window.bookmarkPanel().removeButton()->click();
+  ASSERT_EQ(marks().size(), 1);
+  EXPECT_EQ(marks()[0].t, 6.0);
+  EXPECT_EQ(rows.rowCount(), 1);
+  for (int step = 0; step < 3; ++step) window.document().steps().undo();
+  EXPECT_TRUE(marks().isEmpty());
+  EXPECT_EQ(rows.rowCount(), 0);
 }
 
 }  // namespace

@@ -76,6 +76,8 @@ QVariant EventTableModel::key(const margin::ReviewEvent& event, int column) cons
 QVariant EventTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !review_.store()) return {};
   const margin::ReviewEvent& event = this->event(index.row());
+  // Of another recording, until refresh().
+  if (event.end > review_.store()->frames()) return {};
   const bool number = index.column() != kKind && index.column() != kPart && index.column() != kLink &&
                       index.column() != kStop;
   switch (role) {
@@ -115,8 +117,8 @@ QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, i
       {QT_TR_NOOP("Closing"), QT_TR_NOOP("Speed of the nearest points towards each other at the least "
                                          "clearance; negative: they part")},
       {QT_TR_NOOP("Stop"),
-       QT_TR_NOOP("What a stop at the beginning would have been: too late, or not needed; "
-                  "empty: needed and in time")}};
+       QT_TR_NOOP("What a stop at the beginning would have been. Missed: too late, or told by nobody;\n"
+                  "false: not needed; empty: needed and in time")}};
   if (role == Qt::DisplayRole) return tr(kHeads[section].name);
   if (role == Qt::ToolTipRole) return tr(kHeads[section].tip);
   return {};

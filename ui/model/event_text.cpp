@@ -53,8 +53,8 @@ QString kindText(Kind kind) {
 
 QString stopText(const margin::ReviewEvent& event) {
   if (event.kind == Kind::kNear) return {};
-  if (event.missed) return trEvent("⚠ too late");
-  return event.false_stop ? trEvent("not needed") : QString();
+  if (event.missed) return trEvent("⚠ missed");
+  return event.false_stop ? trEvent("false") : QString();
 }
 
 QString momentText(const RecordingReview& review, std::size_t part, double t) {
@@ -86,7 +86,7 @@ QString nearestMomentText(const RecordingReview& review, double t) {
 QString whatIfText(const RecordingReview& review) {
   if (!review.store() || review.store()->empty()) return {};
   const margin::MarginOutcome& outcome = review.review().outcome;
-  const QString text = trEvent("%1 stops, %2 % of the time; %3 not needed, %4 too late")
+  const QString text = trEvent("%1 stops, %2 % of the time; %3 false, %4 missed")
                            .arg(outcome.stops)
                            .arg(fixed(100.0 * outcome.stoppedShare(), 1))
                            .arg(outcome.false_stops)
@@ -98,9 +98,9 @@ QString whatIfTip() {
   return trEvent(
       "What the present margins would have done over the whole recording, as recorded and without\n"
       "reactions: protective stops, and the share of time in which the robot would have stood.\n"
-      "Not needed: even without the stop nobody would have been touched.\n"
-      "Too late: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration\n"
-      "5 rad/s² or m/s²). The same numbers as those of \"abstand tune\".");
+      "False: even without the stop nobody would have been touched.\n"
+      "Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration\n"
+      "5 rad/s² or m/s²), or nobody told the robot. The same numbers as those of \"abstand tune\".");
 }
 
 QString analysisText(const RecordingReview& review) {

@@ -13,8 +13,8 @@ QString linkText(const margin::ClearanceStore& store, std::size_t link);
 
 /// "inside margin", "touch between frames", "near miss".
 QString kindText(margin::ReviewEvent::Kind kind);
-/// What a stop at the beginning of an event would have been: "too late", "not needed"; empty: needed and in
-/// time, or no stop.
+/// What a stop at the beginning of an event would have been: "missed", "false"; empty: needed and in time, or
+/// no stop.
 QString stopText(const margin::ReviewEvent& event);
 
 /// A part at a moment (s): pair, distance, uncertainty and margin, or why there is none.
@@ -22,7 +22,7 @@ QString momentText(const RecordingReview& review, std::size_t part, double t);
 /// The part that was nearest at a moment, likewise.
 QString nearestMomentText(const RecordingReview& review, double t);
 
-/// "12 stops, 20.5 % of the time; 12 not needed, 0 too late": what the present margins would have done.
+/// "12 stops, 20.5 % of the time; 12 false, 0 missed": what the present margins would have done.
 QString whatIfText(const RecordingReview& review);
 /// How the numbers of whatIfText() come about.
 QString whatIfTip();

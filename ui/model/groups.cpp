@@ -37,4 +37,11 @@ std::string shortName(const view::SceneOutline::ObjectInfo& info) {
                                                                            : info.name;
 }
 
+std::string clearName(const view::SceneOutline& outline, std::size_t object) {
+  const std::string name = shortName(outline.objects[object]);
+  const auto same = std::count_if(outline.objects.begin(), outline.objects.end(),
+                                  [&](const auto& other) { return shortName(other) == name; });
+  return same > 1 ? outline.objects[object].name : name;
+}
+
 }  // namespace abstand::ui

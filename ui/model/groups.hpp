@@ -22,5 +22,7 @@ std::vector<Group> groupsOf(const view::SceneOutline& outline);
 
 /// "hand_left" of "operator/hand_left" in the group "operator"; the whole name otherwise.
 std::string shortName(const view::SceneOutline::ObjectInfo& info);
+/// The short name, or the whole one where several objects have the same short name.
+std::string clearName(const view::SceneOutline& outline, std::size_t object);
 
 }  // namespace abstand::ui

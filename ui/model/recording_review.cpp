@@ -8,10 +8,17 @@
 
 namespace abstand::ui {
 
+namespace {
+
+constexpr qint64 kRest = 4;  // times what judging costs, between two of them
+
+}  // namespace
+
 RecordingReview::RecordingReview(QObject* parent) : QObject(parent), later_{new QTimer(this)} {
   later_->setSingleShot(true);
   later_->setInterval(0);
   connect(later_, &QTimer::timeout, this, &RecordingReview::judge);
+  judge();
 }
 
 void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline,
@@ -26,6 +33,8 @@ void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline
   for (std::size_t p = 0; p < outline.pairs.size(); ++p)
     pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
   store_.reset();
+  nearest_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kSmallest);
+  reviewer_ = {};
   half_frame_ = 0.5 * outline.frame_period;
   judge();
 }
@@ -38,8 +47,16 @@ void RecordingReview::pull() {
   frames_ = news.frames;
   problem_ = QString::fromStdString(news.problem);
   if (!store_ && news.layout) store_.emplace(news.layout);
-  for (auto& chunk : news.chunks) store_->add(std::move(chunk));
-  judge();
+  for (auto& chunk : news.chunks) {
+    for (std::size_t i = 0; i < chunk->frames(); ++i) nearest_.add(chunk->t(i), chunk->leastClearance(i));
+    store_->add(std::move(chunk));
+  }
+  if (state_ != view::AnalysisNews::State::kRunning || judged_.elapsed() >= kRest * cost_ms_) {
+    judge();
+  } else {
+    ++revision_;
+    Q_EMIT changed();
+  }
 }
 
 void RecordingReview::setMargin(int object, double metres) {
@@ -51,12 +68,14 @@ void RecordingReview::setMargin(int object, double metres) {
 
 void RecordingReview::judge() {
   later_->stop();
-  review_ = {};
+  static const margin::MarginReview kNothing;
+  judged_.start();
+  review_ = store_ ? &reviewer_.review(*store_, margins_, {{}, kNearFactor}) : &kNothing;
   stops_at_.clear();
-  if (store_) review_ = margin::review(*store_, margins_, {{}, kNearFactor});
-  for (const margin::ReviewEvent& event : review_.events)
+  for (const margin::ReviewEvent& event : review_->events)
     stops_at_.push_back(event.kind == margin::ReviewEvent::Kind::kNear ? event.t_nearest : event.t0);
   std::sort(stops_at_.begin(), stops_at_.end());
+  cost_ms_ = judged_.restart();
   ++revision_;
   Q_EMIT changed();
 }
@@ -64,6 +83,17 @@ void RecordingReview::judge() {
 double RecordingReview::progress() const {
   if (state_ == view::AnalysisNews::State::kDone) return 1.0;
   return frames_ > 0 ? static_cast<double>(done_) / static_cast<double>(frames_) : 0.0;
+}
+
+std::optional<double> RecordingReview::commonMargin() const {
+  std::optional<double> common;
+  if (!store_) return common;
+  for (const auto& [part, link] : store_->layout().pairs) {
+    const double margin = marginOf(part, link);
+    if (common && *common != margin) return {};
+    common = margin;
+  }
+  return common;
 }
 
 double RecordingReview::marginOf(std::size_t part, std::size_t link) const {

@@ -1,6 +1,7 @@
 // The whole recording under the present margins: what lanes, events and markers are drawn from.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "core/margin/margin_review.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
+#include "ui/model/frame_series.hpp"
 
 class QTimer;
 
@@ -24,7 +26,8 @@ class RecordingReview : public QObject {
   /// Forgets everything. Null: there is no analysis. The port must outlive its stay here. `margins`: m, of
   /// each object.
   void open(AnalysisPort* port, const view::SceneOutline& outline, std::vector<double> margins);
-  /// Takes what the analysis has found since.
+  /// Takes what the analysis has found since. While more is to come, it is judged as often as costs a fifth
+  /// of the time at most; what was not judged yet has no events.
   void pull();
   /// m. Judges anew before the next turn of the event loop, once for all changes before it.
   void setMargin(int object, double metres);
@@ -37,7 +40,12 @@ class RecordingReview : public QObject {
 
   /// Null: nothing is known yet.
   const margin::ClearanceStore* store() const { return store_ ? &*store_ : nullptr; }
-  const margin::MarginReview& review() const { return review_; }
+  const margin::MarginReview& review() const { return *review_; }
+  /// m: the least certified clearance of people and robots in each frame, as far as it is known. Its address
+  /// stays.
+  const FrameSeries& nearest() const { return nearest_; }
+  /// m: of all pairs, where they have the same margin.
+  std::optional<double> commonMargin() const;
   /// Of a part and a link of the store, m.
   double marginOf(std::size_t part, std::size_t link) const;
   /// Index of the outline's pairs, or -1.
@@ -63,10 +71,14 @@ class RecordingReview : public QObject {
   std::vector<double> margins_;
   std::map<std::pair<int, int>, int> pair_of_;
   std::optional<margin::ClearanceStore> store_;
-  margin::MarginReview review_;
+  FrameSeries nearest_;
+  margin::MarginReviewer reviewer_;
+  const margin::MarginReview* review_;
   std::vector<double> stops_at_;  ///< s, rising: where events are
   double half_frame_{0.0};        ///< s
   long revision_{0};
+  QElapsedTimer judged_;
+  qint64 cost_ms_{0};  ///< of judging
   QTimer* later_;
 };
 

@@ -63,6 +63,11 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   table_->sortByColumn(EventTableModel::kTime, Qt::AscendingOrder);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
+  for (const auto& [column, width] : {std::pair{+EventTableModel::kKind, 150},
+                                      {+EventTableModel::kPart, 130},
+                                      {+EventTableModel::kLink, 130},
+                                      {+EventTableModel::kClearance, 120}})
+    table_->horizontalHeader()->resizeSection(column, width);
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);
@@ -76,7 +81,7 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   layout->addWidget(table_, 1);
 
   connect(&review_, &RecordingReview::changed, this, [this] {
-    if (isVisible()) refresh();
+    if (isVisible() || !review_.store()) refresh();
   });
   connect(near_, &QCheckBox::toggled, sorted_, [this] { sorted_->invalidate(); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

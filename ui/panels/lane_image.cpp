@@ -34,8 +34,8 @@ void mark(const margin::ReviewEvent& event, const TimeRange& shown, LaneRow& row
 
 std::vector<std::size_t> columnFrames(const margin::ClearanceStore& store, const TimeRange& shown,
                                       int columns) {
+  if (store.empty()) return std::vector<std::size_t>(static_cast<std::size_t>(columns) + 1, 0);
   std::vector<std::size_t> bounds;
-  if (store.empty()) return bounds;
   const double width = shown.length() / columns, last = store.t(store.frames() - 1);
   const double rounding = 1e-9 * (1.0 + std::abs(last));
   for (int x = 0; x <= columns; ++x) {

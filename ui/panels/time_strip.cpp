@@ -64,6 +64,16 @@ void TimeStrip::setTime(double t) {
   update();
 }
 
+void TimeStrip::setBookmarks(std::vector<double> times) {
+  bookmarks_ = std::move(times);
+  update();
+}
+
+void TimeStrip::setStops(std::vector<TimeRange> stops) {
+  stops_ = std::move(stops);
+  update();
+}
+
 void TimeStrip::refresh() {
   if (review_.available() || !distance_ || distance_->revision() == shown_revision_) return;
   rebuild();
@@ -123,6 +133,8 @@ void TimeStrip::paintEvent(QPaintEvent*) {
   paintMarks(painter);
   paintRange(painter, band(), axis_, [this](double t) { return xOf(t); });
   paintView(painter);
+  paintStops(painter);
+  paintBookmarks(painter);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(palette().color(QPalette::Mid));
   painter.drawRect(band().adjusted(-1, -1, 0, 0));
@@ -196,6 +208,20 @@ void TimeStrip::paintView(QPainter& painter) const {
   painter.drawRect(shown);
 }
 
+void TimeStrip::paintStops(QPainter& painter) const {
+  for (const TimeRange& stop : stops_) {
+    const QRect bar(QPoint(xOf(stop.from), band().top()), QPoint(xOf(stop.to), band().top() + 4));
+    painter.fillRect(bar.adjusted(0, 0, 0, 1), palette().color(QPalette::Base));
+    painter.fillRect(bar, QColor(kVermillion));
+  }
+}
+
+void TimeStrip::paintBookmarks(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  for (const double t : bookmarks_)
+    painter.fillRect(QRect(xOf(t) - 2, band().top() - 8, 4, 7), palette().color(QPalette::Highlight));
+}
+
 void TimeStrip::wheelEvent(QWheelEvent* event) {
   const double steps = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
   axis_.zoomSteps(steps, timeAt(static_cast<int>(event->position().x())));
@@ -219,6 +245,14 @@ void TimeStrip::leaveEvent(QEvent*) {
 void TimeStrip::resizeEvent(QResizeEvent*) { rebuild(); }
 
 QString TimeStrip::textAt(double t) const {
+  for (const TimeRange& stop : stops_)
+    if (stop.contains(t))
+      return tr("%1\nA robot stood from %2 to %3 when this was played")
+          .arg(momentAt(t), secondsWithUnit(stop.from), secondsWithUnit(stop.to));
+  return momentAt(t);
+}
+
+QString TimeStrip::momentAt(double t) const {
   if (review_.available()) return nearestMomentText(review_, t);
   const double d = distance_->at(t);
   return std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))

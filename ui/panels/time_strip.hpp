@@ -27,6 +27,10 @@ class TimeStrip : public QWidget {
   /// Series live in the owner; null for none.
   void setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end);
   void setTime(double t);
+  /// s: marked above the strip.
+  void setBookmarks(std::vector<double> times);
+  /// In which robots stood, as far as it was played: a bar along the upper edge.
+  void setStops(std::vector<TimeRange> stops);
   /// Repaints when the series have grown.
   void refresh();
 
@@ -54,8 +58,11 @@ class TimeStrip : public QWidget {
   void paintMarks(QPainter& painter) const;
   void paintPlayhead(QPainter& painter) const;
   void paintView(QPainter& painter) const;
+  void paintBookmarks(QPainter& painter) const;
+  void paintStops(QPainter& painter) const;
   void rebuildFromReview();
   QString textAt(double t) const;
+  QString momentAt(double t) const;
 
   const RecordingReview& review_;
   TimeAxis& axis_;
@@ -63,6 +70,8 @@ class TimeStrip : public QWidget {
   const FrameSeries* force_{nullptr};
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
+  std::vector<double> bookmarks_;  // s
+  std::vector<TimeRange> stops_;
   QImage heat_;                // one row, a pixel a column
   std::vector<bool> contact_;  // by column: contact, or inside a margin
   long shown_revision_{-1};

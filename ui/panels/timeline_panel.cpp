@@ -68,6 +68,10 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
   connect(lanes_, &LaneView::scrubbed, &playback_, &Playback::seek);
   connect(&playback_, &Playback::timeChanged, this, &TimelinePanel::showTime);
   connect(&playback_, &Playback::rangeChanged, this, &TimelinePanel::showTime);
+  connect(&playback_, &Playback::rangeChanged, this, [this] {
+    stops_ = {};
+    strip_->setStops({});
+  });
   connect(&playback_, &Playback::speedChanged, this, &TimelinePanel::showSpeed);
   connect(&review_, &RecordingReview::changed, this, &TimelinePanel::showReview);
   connect(speed_, QOverload<int>::of(&QComboBox::activated), this, &TimelinePanel::takeSpeed);
@@ -138,6 +142,10 @@ void TimelinePanel::showReview() {
   lanes_->setVisible(available);
   what_if_->setText(whatIfText(review_));
   no_lanes_->setVisible(!available);
+}
+
+void TimelinePanel::refresh(const view::SceneSnapshot& snapshot) {
+  if (stops_.add(snapshot)) strip_->setStops(stops_.spans());
 }
 
 void TimelinePanel::goToTyped() {

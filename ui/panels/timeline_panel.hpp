@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include "ui/model/stop_spans.hpp"
+
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -25,6 +27,8 @@ class TimelinePanel : public QWidget {
   /// All of them outlive it.
   TimelinePanel(const Actions& actions, Playback& playback, const RecordingReview& review, TimeAxis& axis,
                 QWidget* parent = nullptr);
+  /// What robots that react do at this moment.
+  void refresh(const view::SceneSnapshot& snapshot);
   TimeStrip* strip() const { return strip_; }
   LaneView* laneView() const { return lanes_; }
   /// Where a time is typed.
@@ -39,6 +43,7 @@ class TimelinePanel : public QWidget {
   void showSpeed(double factor);
   void takeSpeed();
 
+  StopSpans stops_;
   Playback& playback_;
   const RecordingReview& review_;
   TimeAxis& axis_;

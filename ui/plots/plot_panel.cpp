@@ -119,6 +119,8 @@ void PlotPanel::setTime(double t) {
   if (follow_) followTime();
 }
 
+void PlotPanel::setDistanceName(const QString& name) { charts_[0]->setQuantity(name, tr("mm")); }
+
 void PlotPanel::setMargin(double metres) {
   charts_[0]->setBand(metres, tr("margin %1").arg(millimetresWithUnit(metres, 0)));
 }

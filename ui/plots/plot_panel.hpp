@@ -28,7 +28,9 @@ class PlotPanel : public QWidget {
   /// Joints that can be chosen; the largest of all is chosen.
   void setJoints(const std::vector<view::SceneOutline::JointInfo>& joints);
   void setTime(double t);
-  /// Margin (m) of the nearest pair, shown as a band in the distance chart.
+  /// Of the distance chart.
+  void setDistanceName(const QString& name);
+  /// Shown as a band in the distance chart, m; 0: none.
   void setMargin(double metres);
   void refresh();
   bool following() const { return follow_; }

@@ -103,7 +103,7 @@ void Viewport::Impl::addContactLabels() {
     double depth = 0.0;
     const QPointF at = camera.project(object.p_WCom, &depth);
     if (depth <= 0.0) continue;
-    const QString name = QString::fromStdString(shortName(outline->objects[i]));
+    const QString name = QString::fromStdString(clearName(*outline, i));
     if (object.colliding) ++contacts;
     const double force = object.contact.force.norm();
     if (!object.colliding)

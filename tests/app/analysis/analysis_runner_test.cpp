@@ -116,6 +116,14 @@ TEST_F(Analysis, RunsInTheBackgroundUntilItIsStopped) {
   while (runner.running() > 0) std::this_thread::yield();
 }
 
+TEST_F(Analysis, SharesTheStructures) {
+  const auto request = requestFor(*session_, {});
+  const auto second = depth::openSession(request->scene, request->options);
+  ASSERT_EQ(second->scene().objects().size(), session_->scene().objects().size());
+  for (std::size_t i = 0; i < second->scene().objects().size(); ++i)
+    EXPECT_EQ(second->scene().objects()[i].spec.structure, session_->scene().objects()[i].spec.structure);
+}
+
 TEST_F(Analysis, SaysWhyItCannotRun) {
   AnalysisRequest request = *requestFor(*session_, {});
   request.options.recording = folder_.path() / "none.csv";

@@ -58,9 +58,9 @@ TEST_F(SpeedsOfTune, WritesNoSpeedProfileWhereTheRobotWouldHaveToStand) {
 }
 
 TEST_F(SpeedsOfTune, TradesSpeedForMarginAndTime) {
-  const json j = runJson("tune " + scene_ + " --recordings " + out("person6.csv") +
-                         " --deceleration 1000 --reaction-time 0.2 --speed-scales 0.5,1 --report " +
-                         out("trade.html"));
+  const json j =
+      runJson("tune " + scene_ + " --recordings " + out("person6.csv") +
+              " --deceleration 1000 --reaction-time 0.2 --speed-scales 0.5,1 --report " + out("trade.html"));
   ASSERT_EQ(j["trade"].size(), 2u);
   double whole_body = 0.0;
   for (const json& p : j["proposed"]) whole_body = std::max(whole_body, p["margin"].get<double>());
@@ -75,7 +75,8 @@ TEST_F(SpeedsOfTune, TradesSpeedForMarginAndTime) {
   EXPECT_EQ(j["trade"][1]["margin"], whole_body) << "at full speed it is the proposed one";
   EXPECT_EQ(j["trade"][0]["speed_scale"], 0.5);
   const std::string page = readFile(out("trade.html"), 1 << 24);
-  for (const char* said : {"Permitted speeds", "Margin, speed and time", "<td>50 %</td>", "2.5 s as recorded"})
+  for (const char* said :
+       {"Permitted speeds", "Margin, speed and time", "<td>50 %</td>", "2.5 s as recorded"})
     EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 

@@ -160,6 +160,29 @@ TEST(MarginReview, FindsWhatCameNearWithoutComingInside) {
   }
 }
 
+TEST(MarginReviewer, KeepsOnlyWhatStays) {
+  const StoredPairs pairs = storedPairs(9, 4, 3, 1300);
+  const ClearanceStore all = pairs.store();
+  ClearanceStore store(pairs.layout);
+  MarginReviewer reviewer;
+  std::mt19937 random(9);
+  std::vector<double> margins = someMargins(random, 4, 3, 0.1);
+  std::size_t chunks = 0;
+  for (int n = 0; n < 60; ++n) {
+    if (n % 12 == 0 && chunks < all.chunks().size()) store.add(all.chunks()[chunks++]);
+    if (n % 5) margins[random() % margins.size()] = 0.001 * static_cast<double>(random() % 500);
+    const MarginReview& kept = reviewer.review(store, margins, {});
+    const MarginReview fresh = review(store, margins, {});
+    expectEqual(kept.outcome, fresh.outcome);
+    ASSERT_EQ(kept.events.size(), fresh.events.size());
+    for (std::size_t i = 0; i < fresh.events.size(); ++i) {
+      EXPECT_EQ(kept.events[i].begin, fresh.events[i].begin);
+      EXPECT_EQ(kept.events[i].part, fresh.events[i].part);
+      EXPECT_EQ(kept.events[i].kind, fresh.events[i].kind);
+    }
+  }
+}
+
 TEST(MarginReview, OrdersEventsByTime) {
   const MarginReview result =
       review(storedPairs(1, 3, 2, 900).store(), std::vector<double>{0.3, 0.3, 0.3, 0.0, 0.0}, {});

@@ -41,13 +41,13 @@ TEST(EventTable, HasARowForEachEvent) {
   EXPECT_EQ(text(inside, Column::kClearance), "39.0 mm") << "40 mm, and 1 mm nearer between two frames";
   EXPECT_EQ(text(inside, Column::kError), "10.0 mm");
   EXPECT_EQ(text(inside, Column::kClosing), "0.50 m/s");
-  EXPECT_EQ(text(inside, Column::kStop), "not needed");
+  EXPECT_EQ(text(inside, Column::kStop), "false");
   ASSERT_GE(near, 0);
   EXPECT_EQ(text(near, Column::kKind), "near miss");
   EXPECT_EQ(text(near, Column::kClearance), "70.0 mm");
   EXPECT_EQ(text(near, Column::kStop), "");
   ASSERT_GE(touch, 0) << "a touch is inside a margin of nothing";
-  EXPECT_EQ(text(touch, Column::kStop), "⚠ too late");
+  EXPECT_EQ(text(touch, Column::kStop), "⚠ missed");
   EXPECT_EQ(model.data(model.index(inside, Column::kTime), EventTableModel::kSortRole).toDouble(),
             model.event(inside).t0);
 }

@@ -88,6 +88,21 @@ TEST_F(RecordingReviewTest, FollowsTheMargins) {
   EXPECT_TRUE(review.review().events.empty());
 }
 
+TEST_F(RecordingReviewTest, HasTheNearestOfEachFrameAndTheMarginThatAllShare) {
+  open(0.1);
+  EXPECT_EQ(review.commonMargin(), 0.1);
+  EXPECT_TRUE(std::isnan(review.nearest().at(2.0)));
+  analysis.runAll();
+  review.pull();
+  for (const double t : {0.0, 2.0, 5.5, 12.0}) {
+    double least = kInfinity;
+    for (std::size_t part = 0; part < 14; ++part) least = std::min(least, valley(part, t));
+    EXPECT_NEAR(review.nearest().at(t), least, 1e-6) << t;
+  }
+  review.setMargin(object(3), 0.2);
+  EXPECT_FALSE(review.commonMargin());
+}
+
 TEST_F(RecordingReviewTest, GoesFromEventToEvent) {
   analysis.runAll();
   open(0.0);

@@ -1,0 +1,25 @@
+// When robots stood, as far as it was played.
+#pragma once
+
+#include <vector>
+
+#include "core/view/snapshot.hpp"
+#include "ui/model/time_axis.hpp"
+
+namespace abstand::ui {
+
+/// Gathers the stops of the robots that react from one snapshot to the next. GUI thread only.
+class StopSpans {
+ public:
+  /// True where something has changed. A new beginning of the closed loop forgets what was before.
+  bool add(const view::SceneSnapshot& snapshot);
+  /// s, from the change to a stop until the robot ran again or was seen last; of all robots.
+  const std::vector<TimeRange>& spans() const { return spans_; }
+
+ private:
+  long loops_{-1};
+  std::vector<TimeRange> spans_;
+  std::vector<int> open_;  ///< of each robot: the number of its span that is under way, or -1
+};
+
+}  // namespace abstand::ui
