@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QInputDialog>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTableView>
 
