@@ -1,5 +1,6 @@
 #include "ui/model/pair_level.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/safety/clearance_verdict.hpp"
@@ -12,6 +13,8 @@ double poseUncertainty(const view::SceneSnapshot& snapshot, std::pair<int, int> 
          snapshot.objects[static_cast<std::size_t>(objects.second)].pose_uncertainty;
 }
 
+bool isTouching(const query::PairResult& result) { return result.distance <= std::max(0.0, result.bound); }
+
 PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapshot& pair,
                     std::pair<int, int> objects) {
   const auto lost = [&](int object) {
@@ -20,7 +23,8 @@ PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapsho
   };
   if (pair.paused) return PairLevel::kPaused;
   const query::PairResult& result = pair.result;
-  if (result.contacts > 0 || result.distance < 0.0) return PairLevel::kContact;
+  if (isTouching(result)) return PairLevel::kTouching;
+  if (result.contacts > 0) return PairLevel::kInside;
   if (lost(objects.first) || lost(objects.second)) return PairLevel::kLost;
   if (std::isnan(result.distance)) return PairLevel::kUnknown;
   const safety::KnownDistance known{result.distance, result.bound, poseUncertainty(snapshot, objects)};

@@ -45,8 +45,8 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
   switch (column) {
     case kState:
       switch (levels_[row]) {
-        case PairLevel::kContact:
-          return tr("⚠ contact");
+        case PairLevel::kTouching:
+          return tr("⚠ touching");
         case PairLevel::kLost:
           return tr("? pose lost");
         case PairLevel::kPaused:
@@ -119,13 +119,13 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
     case Qt::BackgroundRole: {
       const PairLevel now = levels_[row];
       if (now == PairLevel::kApart || now == PairLevel::kUnknown) return {};
-      const bool broken = now == PairLevel::kContact || now == PairLevel::kInside;
+      const bool broken = now == PairLevel::kTouching || now == PairLevel::kInside;
       QColor tint(broken ? kVermillion : kAmber);
       tint.setAlpha(broken ? 60 : 36);
       return QBrush(tint);
     }
     case Qt::FontRole:
-      if (index.column() == kState && levels_[row] == PairLevel::kContact) {
+      if (index.column() == kState && levels_[row] == PairLevel::kTouching) {
         QFont font = QGuiApplication::font();
         font.setBold(true);
         return font;

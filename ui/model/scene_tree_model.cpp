@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/pair_level.hpp"
 #include "ui/style/format.hpp"
 
 namespace abstand::ui {
@@ -47,11 +48,13 @@ void SceneTreeModel::open(const view::SceneOutline& outline) {
 void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (snapshot.objects.size() != rows_.size()) return;
   std::fill(nearest_.begin(), nearest_.end(), kNaN);
+  touching_.assign(rows_.size(), false);
   for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {
     const double d = snapshot.pairs[p].result.distance;
     for (const int object : {outline.pairs[p].first, outline.pairs[p].second}) {
       double& nearest = nearest_[static_cast<std::size_t>(object)];
       nearest = std::fmin(nearest, d);
+      if (isTouching(snapshot.pairs[p].result)) touching_[static_cast<std::size_t>(object)] = true;
     }
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -63,10 +66,12 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
       Row& row = rows_[i];
       const bool hollow =
           now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
-      if (row.colliding == now.colliding && row.hollow == hollow && sameShown(row.distance, nearest_[i]))
+      if (row.colliding == now.colliding && row.touching == touching_[i] && row.hollow == hollow &&
+          sameShown(row.distance, nearest_[i]))
         continue;
-      group_changed |= row.colliding != now.colliding;
+      group_changed |= row.colliding != now.colliding || row.touching != touching_[i];
       row.colliding = now.colliding;
+      row.touching = touching_[i];
       row.hollow = hollow;
       row.distance = nearest_[i];
       Q_EMIT dataChanged(index(row.row, 0, parent), index(row.row, 1, parent));
@@ -130,8 +135,10 @@ QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
 
 QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
   const Group& group = groups_[static_cast<std::size_t>(index.row())];
-  const auto in_contact = std::count_if(group.objects.begin(), group.objects.end(),
-                                        [&](int o) { return rows_[static_cast<std::size_t>(o)].colliding; });
+  const auto in_contact = std::count_if(group.objects.begin(), group.objects.end(), [&](int o) {
+    const Row& row = rows_[static_cast<std::size_t>(o)];
+    return row.colliding || row.touching;
+  });
   const auto shown = std::count_if(group.objects.begin(), group.objects.end(),
                                    [&](int o) { return rows_[static_cast<std::size_t>(o)].visible; });
   if (index.column() == 0) {
@@ -159,7 +166,7 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
     return {};
   }
   if (role == Qt::DisplayRole && in_contact > 0) return QStringLiteral("⚠ %1").arg(in_contact);
-  if (role == Qt::ToolTipRole && in_contact > 0) return tr("In contact: %1").arg(in_contact);
+  if (role == Qt::ToolTipRole && in_contact > 0) return tr("Touching or inside margins: %1").arg(in_contact);
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ForegroundRole && in_contact > 0) return QBrush(QColor(kVermillion));
   return {};
@@ -179,11 +186,12 @@ QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const 
   }
   switch (role) {
     case Qt::DisplayRole:
-      if (row.colliding) return tr("⚠ contact");
+      if (row.touching) return tr("⚠ touching");
+      if (row.colliding) return tr("⚠ inside margin");
       if (row.hollow) return tr("pose lost");
       return std::isnan(row.distance) ? QString() : millimetresWithUnit(row.distance);
     case Qt::ForegroundRole:
-      if (row.colliding) return QBrush(QColor(kVermillion));
+      if (row.colliding || row.touching) return QBrush(QColor(kVermillion));
       return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
     case Qt::TextAlignmentRole:
       return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);

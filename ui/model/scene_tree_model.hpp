@@ -47,7 +47,8 @@ class SceneTreeModel : public QAbstractItemModel {
     QString name, full_name;
     int group{0}, row{0};
     bool visible{true};
-    bool colliding{false};
+    bool colliding{false};  // inside a margin, or touching
+    bool touching{false};
     bool hollow{false};     // the pose is stale or was rejected
     double distance{kNaN};  // m, to the nearest other object
   };
@@ -59,6 +60,7 @@ class SceneTreeModel : public QAbstractItemModel {
   std::vector<Group> groups_;
   std::vector<Row> rows_;  // by object
   std::vector<double> nearest_;
+  std::vector<bool> touching_;
   Theme theme_{Theme::kLight};
 };
 

@@ -78,7 +78,7 @@ void Viewport::Impl::addClosest() {
     const QPointF b = camera.project(result.witness_b, &depth_b);
     if (depth_a <= 0.0 || depth_b <= 0.0) continue;
     const PairLevel level = pairLevel(snapshot, now, outline->pairs[static_cast<std::size_t>(pair)]);
-    const bool contact = level == PairLevel::kContact || level == PairLevel::kInside;
+    const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
     const bool near = level == PairLevel::kNear || level == PairLevel::kLost;
     content.segments.push_back({a, b,
                                 QColor(contact ? kVermillion

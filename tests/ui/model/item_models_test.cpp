@@ -158,8 +158,47 @@ TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
               model.index(row, PairTableModel::kState).data().toString() == QStringLiteral("? pose lost"));
   model.refresh(snapshot);
   const auto nearest = snapshot.nearest_pair;
-  EXPECT_EQ(model.index(nearest, PairTableModel::kState).data().toString(), QStringLiteral("⚠ contact"));
+  EXPECT_EQ(model.index(nearest, PairTableModel::kState).data().toString(), QStringLiteral("⚠ touching"));
   EXPECT_TRUE(model.index(nearest, 0).data(Qt::BackgroundRole).isValid());
+}
+
+TEST(PairStates, AMarginThatIsBrokenIsNoTouch) {
+  FakeSession session;
+  PairTableModel table;
+  SceneTreeModel tree;
+  table.open(session.outline());
+  tree.open(session.outline());
+  view::SceneSnapshot snapshot = snapshotAt(session, 0.4);
+  const auto nearest = static_cast<std::size_t>(snapshot.nearest_pair);
+  const int body = session.outline().pairs[nearest].first;
+  const auto inTree = [&] {
+    tree.refresh(session.outline(), snapshot);
+    for (int g = 0; g < tree.rowCount(); ++g)
+      for (int r = 0; r < tree.rowCount(tree.index(g, 0)); ++r)
+        if (tree.objectsOf(tree.index(r, 0, tree.index(g, 0))) == std::vector<int>{body})
+          return tree.index(r, 1, tree.index(g, 0)).data().toString();
+    return QString();
+  };
+  const auto inTable = [&] {
+    table.refresh(snapshot);
+    return table.index(static_cast<int>(nearest), PairTableModel::kState).data().toString();
+  };
+  for (view::PairSnapshot& pair : snapshot.pairs) pair.result = {};
+  view::PairSnapshot& pair = snapshot.pairs[nearest];
+  pair.margin = 0.05;
+  pair.result.contacts = 3;
+  pair.result.bound = 1e-5;
+  snapshot.objects[static_cast<std::size_t>(body)].colliding = true;
+  for (const double apart : {0.03, 2e-5}) {
+    pair.result.distance = apart;
+    EXPECT_EQ(inTable(), QStringLiteral("⚠ inside margin"));
+    EXPECT_EQ(inTree(), QStringLiteral("⚠ inside margin"));
+  }
+  for (const double inside : {1e-5, 0.0, -0.01}) {
+    pair.result.distance = inside;
+    EXPECT_EQ(inTable(), QStringLiteral("⚠ touching"));
+    EXPECT_EQ(inTree(), QStringLiteral("⚠ touching"));
+  }
 }
 
 TEST(PairTable, CallsInsideWhatTheGateWouldNotPass) {
