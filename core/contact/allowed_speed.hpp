@@ -21,19 +21,19 @@ using AreaAt = std::function<ContactArea(double indentation)>;
 /// The highest speed of approach, at most `wanted` (m/s), at which a transient contact stays within the
 /// limits of force, energy and pressure of every region, as it is unknown which one is touched. Force and
 /// energy have the closed form v = F_max / sqrt(mu k) (predicted_contact.hpp). Pressure depends on the shape
-/// and is bisected: the result is a speed whose pressure was computed and is within its limit, or 0.
+/// and is searched for: the result is a speed whose pressure was computed and is within its limit, or 0.
 ///
 /// A contact passes through every smaller indentation before its largest one. So a speed whose pressure is
 /// within its limit also allows all lower speeds, although the certified area of a curved surface vanishes
 /// with the indentation. If the pressure at the force's limit is within its own limit, force alone decides.
-/// Calls `area` once for each region, and kPressureHalvings times more if pressure decides. Pure if `area`
-/// is.
+/// Calls `area` once or twice for each region, and up to kPressureHalvings + kMoreThanHalvings times more
+/// if pressure decides (mostly three). Pure if `area` is.
 AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const RobotMass& robot,
                           double wanted, const AreaAt& area);
 
-/// Bisections of a speed limited by pressure: the result is below the highest speed by at most `wanted` /
-/// 4096, if pressure rises with speed.
-inline constexpr int kPressureHalvings = 12;
+/// The search for a speed limited by pressure ends as narrow as after so many bisections: the result is below
+/// the highest speed by at most `wanted` / 4096, if pressure rises with speed.
+inline constexpr int kPressureHalvings = 12, kMoreThanHalvings = 3;
 
 /// The largest share, 0 to 1, of the robot's speed with share * robot_speed + person_speed (m/s, towards each
 /// other) <= `allowed`. 0 if the person's own speed exceeds that. robot_speed is positive.

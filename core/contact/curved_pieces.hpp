@@ -17,8 +17,9 @@ inline const Vector3d& corner(const PatchTriangle& t, int i) { return t[static_c
 /// deviates from a parabola of radius R by at most l^2 / (6 R), and l^2 <= kPieceShare R x.
 inline constexpr double kPieceShare = 0.1, kPieceError = kPieceShare / 6.0;
 
-/// Limit of pieces; usual patches have some hundred to some thousand.
-inline constexpr std::size_t kMaxPieces = 400'000;
+/// Limit of pieces; usual patches have some hundred. More are needed only for indentations of micrometres,
+/// whose contact area is then taken as unknown.
+inline constexpr std::size_t kMaxPieces = 20'000;
 
 /// A person rounded as height = rho^2 / (2 radius), m.
 struct CurvedPerson {

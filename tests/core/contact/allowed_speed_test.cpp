@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kExact = 1e-12;  // relative: the same formula in another order
 constexpr double kFast = 100.0;   // m/s, above every limit
-// Relative: a bisected speed is below the true one by a part in 2^kPressureHalvings of where it began.
+// Relative: a speed that was searched for is below the true one by a part in 2^kPressureHalvings of where the
+// search began.
 constexpr double kBisected = 1.0 / 4096.0;
 
 /// A flat face: every point as deep as the foremost one.
@@ -84,6 +85,45 @@ TEST(AllowedSpeed, OfACapIsAllOrNothing) {
     const AllowedSpeed pointed = allowedSpeed({region}, {15.0}, kFast, cap(0.99 * radius));
     EXPECT_EQ(pointed.kind, LimitKind::kPressure) << region->name;
     EXPECT_EQ(pointed.speed, 0.0) << region->name;
+  }
+}
+
+TEST(AllowedSpeed, TakesFewEvaluationsAndNeverManyMoreThanBisection) {
+  const RegionLimits* region = limitedRegions().front();
+  const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
+  const double full = region->force.value / region->pressure();
+  // Area grows with a power of the indentation: pressure rises with speed as its 1 - power.
+  const auto evaluations = [&](double power, double share) {
+    const double deepest = predictContact(*region, {by_force, {15.0}}).indentation;
+    int count = 0;
+    const AllowedSpeed v = allowedSpeed({region}, {15.0}, kFast, [&](double x) {
+      ++count;
+      return flat(std::max(share, 1e-9) * full * std::pow(x / deepest, power))(x);
+    });
+    const double expected = std::pow(share, 1.0 / (1.0 - power)) * by_force;
+    EXPECT_LE(v.speed, expected * (1.0 + kExact)) << power << " " << share;
+    EXPECT_GE(v.speed, expected - kBisected * by_force) << power << " " << share;
+    return count;
+  };
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
+    for (const double power : {-4.0, -2.0, -0.5, 0.0, 0.5, 0.9})
+      EXPECT_LE(evaluations(power, share), 4) << power << " " << share;
+}
+
+TEST(AllowedSpeed, TakesHardlyMoreThanBisectionWherePressureIsNoPower) {
+  const RegionLimits* region = limitedRegions().front();
+  const double full = region->force.value / region->pressure();
+  const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
+  const double deepest = predictContact(*region, {by_force, {15.0}}).indentation;
+  for (const double edge : {0.01, 0.3, 0.77, 0.999}) {
+    int count = 0;
+    const AllowedSpeed v = allowedSpeed({region}, {15.0}, kFast, [&](double x) {
+      ++count;
+      return flat(full * (x < edge * deepest ? 10.0 : 0.01))(x);
+    });
+    EXPECT_LE(v.speed, edge * by_force * (1.0 + kExact)) << edge;
+    EXPECT_GE(v.speed, (edge - kBisected) * by_force) << edge;
+    EXPECT_LE(count, 1 + kPressureHalvings + kMoreThanHalvings) << edge;
   }
 }
 
