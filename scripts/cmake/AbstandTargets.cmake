@@ -77,7 +77,8 @@ endfunction()
 # Programs that start threads, for the thread sanitizer: built by this target, and their labels end with `_threads`.
 add_custom_target(threaded_tests)
 
-# abstand_test(NAME [THREADS] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest.
+# abstand_test(NAME [THREADS] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest. With a sanitizer the
+# whole program is, as its start takes longer than most of its cases.
 function(abstand_test name)
   cmake_parse_arguments(T "THREADS" "" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT T_LABELS)
@@ -90,20 +91,32 @@ function(abstand_test name)
   add_executable(${name} ${T_SOURCES})
   target_precompile_headers(${name} REUSE_FROM abstand_test_support)
   target_link_libraries(${name} PRIVATE ${T_LIBS} abstand_test_support GTest::gtest GTest::gmock abstand_flags)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${T_LABELS} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+  if(ABSTAND_SANITIZE)
+    list(LENGTH T_SOURCES files)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS ${T_LABELS} COST ${files} TIMEOUT 1800)
+  else()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS ${T_LABELS} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+  endif()
 endfunction()
 
-# abstand_group_sources(DIRECTORY): the .cpp files of each folder of each target are compiled up to ten at a time, as most of the time
-# of a file goes into headers that its neighbours read too (docs/build-time.md). Names in unnamed namespaces are therefore unique in
-# a folder. Tests are left as they are: they name their tolerances alike. Called once all targets are there.
+# abstand_group_sources(DIRECTORY): the .cpp files of each folder of each target are compiled up to ten at a time, those of tests up to
+# six, as most of the time of a file goes into headers that its neighbours read too (docs/build-time.md). Names in unnamed namespaces
+# are therefore unique in a folder; a test file has a namespace of its own name, as tests name their tolerances alike. Called once all
+# targets are there.
 function(abstand_group_sources directory)
   get_property(folders DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
-  list(REMOVE_ITEM folders ${PROJECT_SOURCE_DIR}/tests)
+  # Its parts are linked one by one: a window's tests have a main function of their own.
+  list(REMOVE_ITEM folders ${PROJECT_SOURCE_DIR}/tests/support)
   foreach(folder IN LISTS folders)
     abstand_group_sources(${folder})
   endforeach()
   get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+  set(group_size 10)
+  if(directory MATCHES "^${PROJECT_SOURCE_DIR}/tests")
+    set(group_size 6)
+  endif()
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(NOT type MATCHES "^(STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE)$")
@@ -122,7 +135,7 @@ function(abstand_group_sources directory)
         string(MD5 name ${folder})
         set(count 0)
       endif()
-      math(EXPR group "${count} / 10")
+      math(EXPR group "${count} / ${group_size}")
       math(EXPR count "${count} + 1")
       set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name}_${group})
     endforeach()

@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace avoid_test {
 
 /// Coarser than the scenes are, and built once, so that the test is short; distances keep their bounds.
 std::unique_ptr<session::Session> sessionOf(const std::string& name) {
@@ -110,5 +110,5 @@ TEST(HumanoidSelf, ArmsThatReactStayApart) {
   EXPECT_EQ(s.contacts, 0);
 }
 
-}  // namespace
+}  // namespace avoid_test
 }  // namespace abstand::testing

@@ -7,7 +7,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand {
-namespace {
+namespace chain_test {
 
 constexpr double kLength = 1.1;  // m, listing 5.1
 constexpr double kCenter = 0.5;  // m, centre of a link in its frame, listing 5.1
@@ -63,5 +63,5 @@ TEST(ExperimentChain, SwingsThirtyDegreesAJointAndReturns) {
   EXPECT_NEAR(state.X_BF[2].linear()(1, 0), 1.0, tolerance);
 }
 
-}  // namespace
+}  // namespace chain_test
 }  // namespace abstand

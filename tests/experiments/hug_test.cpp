@@ -5,7 +5,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace hug_test {
 
 std::unique_ptr<session::Session> openHug() {
   session::SessionOptions options;
@@ -74,5 +74,5 @@ TEST(ThesisHug, TorquesPointAway) {
   EXPECT_GE(parting, 3);
 }
 
-}  // namespace
+}  // namespace hug_test
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace rods_test {
 
 const Vector3d kRod{0.4, 0.04, 0.04};
 const Vector3d kWideRod{0.4, 0.04,
@@ -85,5 +85,5 @@ TEST(ThesisRods, ForceIsStiffnessTimesOverlap) {
   }
 }
 
-}  // namespace
+}  // namespace rods_test
 }  // namespace abstand::testing

@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace spheres_test {
 
 std::unique_ptr<session::Session> openSpheres() {
   session::SessionOptions options;
@@ -101,5 +101,5 @@ TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
   for (auto g : groups) threads.stop(g);
 }
 
-}  // namespace
+}  // namespace spheres_test
 }  // namespace abstand::testing

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace abstand::humanmodel {
-namespace {
+namespace body_cells_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -63,5 +63,5 @@ TEST(BodyCells, AreCalledAsAPersonWould) {
   EXPECT_EQ(cellPlace(cellOf({0.01, 0.01, -1.0})), "lower end");
 }
 
-}  // namespace
+}  // namespace body_cells_test
 }  // namespace abstand::humanmodel

@@ -9,7 +9,7 @@
 #include "humanmodel/population.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace enclosed_share_test {
 
 HumanModel human(std::optional<double> height, std::optional<Sex> sex, std::optional<double> percentile = {},
                  HumanPreset preset = HumanPreset::kAnthropometric) {
@@ -142,5 +142,5 @@ TEST(EnclosedShare, OfATrunkTheTightestPlaceCounts) {
   EXPECT_NEAR(share(m, Sex::kMale, BodyPart::kTorso).at_stature, normalShare(-0.1 * .581 / .042), 1e-9);
 }
 
-}  // namespace
+}  // namespace enclosed_share_test
 }  // namespace abstand::humanmodel

@@ -10,7 +10,7 @@
 #include "humanmodel/anthropometry.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace human_model_test {
 
 constexpr double kRounding = 1e-12;
 // Table B.1 is exact; this is what its users compare with.
@@ -299,5 +299,5 @@ TEST(HumanModel, RefusesNonsense) {
   EXPECT_NO_THROW(human(2.5));
 }
 
-}  // namespace
+}  // namespace human_model_test
 }  // namespace abstand::humanmodel

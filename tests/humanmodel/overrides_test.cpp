@@ -6,7 +6,7 @@
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace overrides_test {
 
 constexpr double kRounding = 1e-12;
 constexpr BodyPart kHand = BodyPart::kHandLeft;
@@ -108,5 +108,5 @@ TEST(Overrides, RefusesNonsense) {
   }
 }
 
-}  // namespace
+}  // namespace overrides_test
 }  // namespace abstand::humanmodel

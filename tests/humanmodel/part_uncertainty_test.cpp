@@ -7,7 +7,7 @@
 #include "tests/humanmodel/skeletons.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace part_uncertainty_test {
 
 TEST(PartReach, TheQuantileHoldsNinetyNineInAHundred) {
   // The chi distribution with three degrees of freedom: erf(q / sqrt 2) - sqrt(2 / pi) q exp(-q^2 / 2).
@@ -63,5 +63,5 @@ TEST(PartSpread, GoesOnFromPartToPartAndStaysWhileHeld) {
   EXPECT_DOUBLE_EQ(pose.age[index(BodyPart::kForearmLeft)], 0.25);
 }
 
-}  // namespace
+}  // namespace part_uncertainty_test
 }  // namespace abstand::humanmodel

@@ -9,7 +9,7 @@
 #include "humanmodel/population.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace percentile_test {
 
 constexpr double kRounding = 1e-12;
 constexpr std::optional<Sex> kSexes[] = {{}, {Sex::kFemale}, {Sex::kMale}};
@@ -161,5 +161,5 @@ TEST(Percentile, RefusesNonsense) {
   EXPECT_THROW(makeHuman(thesis), UsageError);
 }
 
-}  // namespace
+}  // namespace percentile_test
 }  // namespace abstand::humanmodel

@@ -8,7 +8,7 @@
 #include "humanmodel/normal_distribution.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace population_test {
 
 constexpr double kRounding = 1e-12;
 constexpr std::optional<Sex> kBoth{};
@@ -82,5 +82,5 @@ TEST(Population, SexesShareAStature) {
   EXPECT_NEAR(shareOfSexAt(1.68, Sex::kFemale), women / (women + men), kRounding);
 }
 
-}  // namespace
+}  // namespace population_test
 }  // namespace abstand::humanmodel

@@ -4,7 +4,7 @@
 #include "tests/humanmodel/skeletons.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace poser_missing_test {
 
 using enum Joint;
 using testing::drop;
@@ -225,5 +225,5 @@ TEST(PoserMissing, AnyJointsMayBeMissingAtAnyTime) {
   }
 }
 
-}  // namespace
+}  // namespace poser_missing_test
 }  // namespace abstand::humanmodel

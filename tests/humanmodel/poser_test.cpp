@@ -7,7 +7,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace poser_test {
 
 using testing::largestShift;
 using testing::largestTurn;
@@ -250,5 +250,5 @@ TEST(Poser, AllocatesNothing) {
   EXPECT_EQ(counter.count(), 0);
 }
 
-}  // namespace
+}  // namespace poser_test
 }  // namespace abstand::humanmodel

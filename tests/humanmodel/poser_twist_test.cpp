@@ -5,7 +5,7 @@
 #include "tests/humanmodel/skeletons.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace poser_twist_test {
 
 using enum Joint;
 using testing::bend;
@@ -142,5 +142,5 @@ TEST(SegmentFrame, HingesBlendFromNoiseToSure) {
   EXPECT_LT(part, unit::deg(70));
 }
 
-}  // namespace
+}  // namespace poser_twist_test
 }  // namespace abstand::humanmodel

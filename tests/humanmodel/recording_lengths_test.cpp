@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 
 namespace abstand::humanmodel {
-namespace {
+namespace recording_lengths_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -132,5 +132,5 @@ TEST(RecordingLengths, LegRatio) {
   EXPECT_FALSE(legRatio(model, SkeletonFrame{}));
 }
 
-}  // namespace
+}  // namespace recording_lengths_test
 }  // namespace abstand::humanmodel

@@ -10,7 +10,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace real_recordings_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -147,5 +147,5 @@ TEST(TinyFixture, SaysWhatIsMissing) {
   }
 }
 
-}  // namespace
+}  // namespace real_recordings_test
 }  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include "tracking/bvh/bvh_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace rest_pose_test {
 
 /// A bone of the export: where its joint lies in the rest pose and in the movement's first frame, from its
 /// parent.
@@ -104,5 +104,5 @@ TEST(RestPose, TPoseAPoseAndCmuGiveTheSameBody) {
   }
 }
 
-}  // namespace
+}  // namespace rest_pose_test
 }  // namespace abstand::tracking

@@ -12,7 +12,7 @@
 #include "ui/panels/help_dialogs.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace actions_test {
 
 /// Actions in menus, without separators and the menus themselves.
 void collect(const QMenu* menu, std::set<QAction*>& found) {
@@ -85,5 +85,5 @@ TEST(Accessibility, EverythingThatTakesTheFocusHasAName) {
   }
 }
 
-}  // namespace
+}  // namespace actions_test
 }  // namespace abstand::ui

@@ -12,7 +12,7 @@
 #include "ui/window_grab.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace baseline_test {
 
 // Pixels of a baseline; of its cells so many a side: letters and edges blur, panels and colours do not.
 constexpr QSize kBaseline{600, 400}, kCells{60, 40};
@@ -85,5 +85,5 @@ TEST_F(BaselineTest, APictureThatDiffersIsFound) {
   EXPECT_GT(difference(grabWindow(window), now), kMaxShare) << "another camera";
 }
 
-}  // namespace
+}  // namespace baseline_test
 }  // namespace abstand::ui

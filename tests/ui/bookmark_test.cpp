@@ -14,7 +14,7 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace bookmark_test {
 
 struct BookmarkTest : ShownWindow {
   void add(double t, const QString& note) {
@@ -97,5 +97,5 @@ TEST_F(BookmarkTest, AreListedEditedAndRemovedInThePanel) {
   EXPECT_EQ(rows.rowCount(), 0);
 }
 
-}  // namespace
+}  // namespace bookmark_test
 }  // namespace abstand::ui

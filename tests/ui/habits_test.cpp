@@ -18,7 +18,7 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace habits_test {
 
 struct HabitsTest : ShownWindow {
   void SetUp() override {
@@ -119,5 +119,5 @@ TEST_F(HabitsTest, AnOpeningCanBeCancelled) {
   EXPECT_FALSE(cancel->isVisible());
 }
 
-}  // namespace
+}  // namespace habits_test
 }  // namespace abstand::ui

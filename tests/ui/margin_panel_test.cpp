@@ -11,12 +11,12 @@
 #include "ui/panels/margin_row.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace margin_panel_test {
 
 constexpr int kWaitMs = 2000;    // for a signal that comes after kGatherMs
 constexpr double kSame = 1e-12;  // m; mm to m and back is exact but for rounding
 
-struct MarginPanelTest : testing::Test {
+struct MarginPanelTest : ::testing::Test {
   void SetUp() override {
     margins.assign(session.outline().objects.size(), 0.01);
     margins[static_cast<std::size_t>(hand)] = 0.04;
@@ -85,5 +85,5 @@ TEST_F(MarginPanelTest, ShowsOtherMarginsWithoutASignal) {
   EXPECT_FALSE(changes.wait(3 * MarginPanel::kGatherMs));
 }
 
-}  // namespace
+}  // namespace margin_panel_test
 }  // namespace abstand::ui

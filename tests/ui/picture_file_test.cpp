@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace picture_file_test {
 
 namespace fs = std::filesystem;
 
@@ -54,5 +54,5 @@ TEST_F(PictureFile, IsWrittenIntoADevice) {
   EXPECT_EQ(files(), 2u);
 }
 
-}  // namespace
+}  // namespace picture_file_test
 }  // namespace abstand::ui

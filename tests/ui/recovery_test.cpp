@@ -9,7 +9,7 @@
 #include "ui/document/project_file.hpp"
 
 namespace abstand::studio {
-namespace {
+namespace recovery_test {
 
 struct RecoveryTest : StudioWindow {
   RecoveryTest() {
@@ -87,5 +87,5 @@ TEST_F(RecoveryTest, AnAutosaveStaysUntilItsWorkIsOpen) {
   EXPECT_EQ(autosaves().size(), 1);
 }
 
-}  // namespace
+}  // namespace recovery_test
 }  // namespace abstand::studio

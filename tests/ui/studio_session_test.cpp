@@ -21,7 +21,7 @@
 #include "ui/panels/timeline_panel.hpp"
 
 namespace abstand::studio {
-namespace {
+namespace studio_session_test {
 
 constexpr int kLimitMs = 240000;  // nothing takes so long, under a sanitizer either
 using State = view::AnalysisNews::State;
@@ -117,5 +117,5 @@ TEST_F(StudioSession, ItsEventsAreThereWithoutPlaying) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - *event) < 1e-9; }, kLimitMs));
 }
 
-}  // namespace
+}  // namespace studio_session_test
 }  // namespace abstand::studio

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace studio_test {
 
 namespace fs = std::filesystem;
 
@@ -111,5 +111,5 @@ TEST_F(StudioProgram, VersionAndHelpNeedNoDisplay) {
   }
 }
 
-}  // namespace
+}  // namespace studio_test
 }  // namespace abstand::ui

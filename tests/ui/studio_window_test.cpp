@@ -14,7 +14,7 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::studio {
-namespace {
+namespace studio_window_test {
 
 using ui::ActionId;
 
@@ -174,5 +174,5 @@ TEST_F(StudioWindow, SceneAndRecordingThatComeTogetherAreOneDocument) {
   EXPECT_EQ(work().recording, in("turn.csv"));
 }
 
-}  // namespace
+}  // namespace studio_window_test
 }  // namespace abstand::studio

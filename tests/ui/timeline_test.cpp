@@ -28,11 +28,11 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace timeline_test {
 
 constexpr int kLimitMs = 60000;  // nothing takes so long
 
-struct TimelineTest : testing::Test {
+struct TimelineTest : ::testing::Test {
   void SetUp() override {
     QSettings().clear();
     session.recording = &analysis;
@@ -185,5 +185,5 @@ TEST_F(TimelineTest, WithoutAnAnalysisThereAreNoLanes) {
   window.setSession(nullptr);
 }
 
-}  // namespace
+}  // namespace timeline_test
 }  // namespace abstand::ui

@@ -13,7 +13,7 @@
 #include "ui/window_grab.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace viewport_test {
 
 constexpr std::size_t kColours = 500;  // a picture with shading and text has many more, a blank one a few
 
@@ -170,5 +170,5 @@ TEST_F(ViewportTest, DarkAndLightDifferAndBothHaveContent) {
   window.actions()[ActionId::kDarkTheme]->setChecked(false);
 }
 
-}  // namespace
+}  // namespace viewport_test
 }  // namespace abstand::ui

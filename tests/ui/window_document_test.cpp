@@ -29,7 +29,7 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace window_document_test {
 
 struct WindowDocumentTest : ShownWindow {
   void SetUp() override {
@@ -313,5 +313,5 @@ TEST_F(WindowDocumentTest, AFileOfAnUnknownKindIsAnswered) {
   EXPECT_TRUE(box->text().contains(".bvh"));
 }
 
-}  // namespace
+}  // namespace window_document_test
 }  // namespace abstand::ui

@@ -40,12 +40,12 @@
 #include "ui/style/actions.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace window_test {
 
 constexpr int kWaitMs = 5000;
 constexpr double kExact = 1e-9;  // s; a frame is 0.02 s
 
-struct WindowTest : testing::Test {
+struct WindowTest : ::testing::Test {
   void SetUp() override {
     QSettings().clear();
     window.resize(1200, 800);
@@ -490,5 +490,5 @@ TEST_F(WindowTest, ASessionMayComeAndGo) {
   window.setSession(nullptr);
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace abstand::ui

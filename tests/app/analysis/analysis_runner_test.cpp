@@ -8,7 +8,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::analysis {
-namespace {
+namespace analysis_runner_test {
 
 using State = view::AnalysisNews::State;
 using testing::StoredRecording;
@@ -146,5 +146,5 @@ objects:
   EXPECT_FALSE(requestFor(*depth::openSession(scene_file::loadScene(scene), options), {}));
 }
 
-}  // namespace
+}  // namespace analysis_runner_test
 }  // namespace abstand::analysis

@@ -5,7 +5,7 @@
 #include "tracking/depth/formats/depth_stream.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace cli_depth_test {
 
 TEST_F(Cli, RenderDepthWritesAClip) {
   const std::string clip = (folder_.path() / "clip").string();
@@ -275,5 +275,5 @@ TEST_F(Cli, TrackSaysWhatIsWrong) {
   EXPECT_FALSE(std::filesystem::exists(csv));
 }
 
-}  // namespace
+}  // namespace cli_depth_test
 }  // namespace abstand::testing

@@ -6,7 +6,7 @@
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace cli_gate_test {
 
 constexpr int kFrames = 11;
 constexpr double kStep = 0.1;  // s
@@ -407,5 +407,5 @@ TEST_F(Gate, StrictFailuresAreFailuresOfJUnitWithTheirReason) {
   EXPECT_NE(readFile(html).find("Not passed"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace cli_gate_test
 }  // namespace abstand::testing

@@ -2,7 +2,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace cli_robots_test {
 
 TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
   write("slide.mech",
@@ -310,5 +310,5 @@ TEST_F(Cli, PairsOfARobotAreTakenByAScene) {
   EXPECT_EQ(run("pairs data/scenes/spheres_none.yaml").code, 3);
 }
 
-}  // namespace
+}  // namespace cli_robots_test
 }  // namespace abstand::testing

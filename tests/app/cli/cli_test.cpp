@@ -6,7 +6,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace cli_test {
 
 TEST_F(Cli, WrongUsageIsTwo) {
   for (const char* bad :
@@ -278,5 +278,5 @@ TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
   EXPECT_EQ(run("verify --only 'third law' --poses 100 --report /nowhere/v.html").code, 2);
 }
 
-}  // namespace
+}  // namespace cli_test
 }  // namespace abstand::testing

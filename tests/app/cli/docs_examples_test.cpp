@@ -5,7 +5,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace docs_examples_test {
 
 namespace fs = std::filesystem;
 
@@ -170,5 +170,5 @@ TEST_F(DocsExamples, RunAsTheyAreWritten) {
   EXPECT_GE(ran, 20u);
 }
 
-}  // namespace
+}  // namespace docs_examples_test
 }  // namespace abstand::testing

@@ -2,7 +2,7 @@
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace events_test {
 
 using Events = SevenPeople;
 
@@ -147,5 +147,5 @@ TEST_F(Events, TellsTheEventsThatItCounts) {
   EXPECT_EQ(run("events " + folder + " --margin 0.2 --part torsso").code, 2);
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace abstand::testing

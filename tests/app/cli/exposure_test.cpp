@@ -2,7 +2,7 @@
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace exposure_test {
 
 using Exposure = SevenPeople;
 
@@ -50,5 +50,5 @@ TEST_F(Exposure, TellsWhoWasNearForHowLongAndWhere) {
   EXPECT_EQ(run("exposure " + both + " --segment 0").code, 2);
 }
 
-}  // namespace
+}  // namespace exposure_test
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace margin_set_test {
 
 /// A ball on a rail that drives at a person who comes along.
 class MarginSet : public Cli {
@@ -132,5 +132,5 @@ TEST_F(MarginSet, RefusesWhatDoesNotFit) {
   }
 }
 
-}  // namespace
+}  // namespace margin_set_test
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace margin_variants_test {
 
 // m: rounding to whole millimetres, and one to the next frame of two bodies at 0.8 m/s.
 constexpr double kMillimetre = 1e-3, kFrame = 0.008;
@@ -87,5 +87,5 @@ TEST_F(MarginVariants, APlanRefusesWhatItDoesNotKnow) {
   }
 }
 
-}  // namespace
+}  // namespace margin_variants_test
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace same_bits_test {
 
 struct ShippedScene {
   const char* name;
@@ -51,5 +51,5 @@ TEST_F(Cli, RunGivesTheSameBitsOnAnyMachineAndForAnyNumberOfThreads) {
   }
 }
 
-}  // namespace
+}  // namespace same_bits_test
 }  // namespace abstand::testing

@@ -6,7 +6,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace session_log_test {
 
 /// A ball flies at a wall at 1 m/s, along -x, and stands still 2 mm inside the wall's margin.
 class SessionLogOfARun : public Cli {
@@ -103,5 +103,5 @@ TEST_F(SessionLogOfARun, TellsWhenItIsDamaged) {
   EXPECT_THROW(hdf5::TableReader(folder_.write("damaged.h5", bytes)), ParseError);
 }
 
-}  // namespace
+}  // namespace session_log_test
 }  // namespace abstand::testing

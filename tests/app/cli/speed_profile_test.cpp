@@ -2,7 +2,7 @@
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace speed_profile_test {
 
 using SpeedsOfTune = SevenPeople;
 
@@ -123,5 +123,5 @@ TEST_F(SpeedsOfTune, RefusesASpeedProfileThatCannotBe) {
   EXPECT_FALSE(std::filesystem::exists(out("x")));
 }
 
-}  // namespace
+}  // namespace speed_profile_test
 }  // namespace abstand::testing

@@ -6,7 +6,7 @@
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace tune_test {
 
 namespace fs = std::filesystem;
 
@@ -223,5 +223,5 @@ TEST_F(Tune, RefusesToMergeResultsOfDifferentOptions) {
   EXPECT_EQ(run("merge " + out("b") + " " + out("c")).code, 3);
 }
 
-}  // namespace
+}  // namespace tune_test
 }  // namespace abstand::testing

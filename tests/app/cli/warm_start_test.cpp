@@ -7,7 +7,7 @@
 #include "tests/app/program.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace warm_start_test {
 
 const std::string kScene = "data/scenes/hug_boxing.yaml --rate 10";  // 307 frames: blocks 0, 128 and 256
 
@@ -118,5 +118,5 @@ TEST_F(WarmStart, TheGateJudgesAsWithColdStarts) {
   }
 }
 
-}  // namespace
+}  // namespace warm_start_test
 }  // namespace abstand::testing

@@ -13,7 +13,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand {
-namespace {
+namespace scene_test {
 
 using testing::projectFile;
 using testing::ScratchFolder;
@@ -189,5 +189,5 @@ objects:
   }
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace abstand

@@ -12,7 +12,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::loop {
-namespace {
+namespace closed_loop_test {
 
 using testing::SlideScene;
 using testing::thingAt;
@@ -208,5 +208,5 @@ TEST(ClosedLoop, TheSnapshotTellsOfBrokenLimits) {
   EXPECT_GT(breach.count, 1);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace abstand::loop

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::loop {
-namespace {
+namespace joint_limits_test {
 
 // Relative, and absolute in rad, rad/s, N m: what may be beyond a limit by rounding.
 constexpr double kShare = 1e-6, kRounding = 1e-9;
@@ -127,5 +127,5 @@ TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
   EXPECT_GT(travel, 0.5) << "it did move";
 }
 
-}  // namespace
+}  // namespace joint_limits_test
 }  // namespace abstand::loop

@@ -11,7 +11,7 @@
 #include "tests/app/loop/slide_scene.hpp"
 
 namespace abstand::loop {
-namespace {
+namespace live_session_test {
 
 using testing::SlideScene;
 using testing::thingComesTo;
@@ -236,5 +236,5 @@ TEST(LiveSession, ARobotThatCannotReactDoesNotAndItIsSaidWhy) {
   EXPECT_TRUE(seen.robots.empty()) << "nothing reacts, and nothing ended";
 }
 
-}  // namespace
+}  // namespace live_session_test
 }  // namespace abstand::loop

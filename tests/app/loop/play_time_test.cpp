@@ -8,7 +8,7 @@
 #include "tests/app/loop/slide_scene.hpp"
 
 namespace abstand::loop {
-namespace {
+namespace play_time_test {
 
 using testing::ManualClock;
 using testing::ManualTime;
@@ -144,5 +144,5 @@ TEST(PlayTimeClosed, WhilePausedNoFactorIsShown) {
   EXPECT_NEAR(playing.seen.t, t + 0.5, 0.01);
 }
 
-}  // namespace
+}  // namespace play_time_test
 }  // namespace abstand::loop

@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::loop {
-namespace {
+namespace things_test {
 
 std::unique_ptr<session::Session> sessionOf(const std::string& text, const testing::ScratchFolder& folder,
                                             const std::filesystem::path& poses = {}) {
@@ -175,5 +175,5 @@ TEST(Held, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace things_test
 }  // namespace abstand::loop

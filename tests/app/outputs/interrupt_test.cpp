@@ -3,7 +3,7 @@
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace interrupt_test {
 
 /// So long a motion that nothing ends by itself.
 constexpr const char* kLongMotion = "t,q0\n0,0\n5000,0.002\n";
@@ -189,5 +189,5 @@ TEST_F(Interrupts, ASceneThatStillTracksItsPersonHasRunNothing) {
   EXPECT_EQ(j["reservations"].at(1)["recording"], "person.csv");
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace abstand::testing

@@ -2,7 +2,7 @@
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace messages_test {
 
 /// Whether a terminal shows it as it is: no control character but the end of a line, no line without end.
 ::testing::AssertionResult isPlain(const std::string& text) {
@@ -79,5 +79,5 @@ TEST_F(Outputs, MessagesArePlainWhateverAFileHolds) {
     EXPECT_TRUE(isPlain(run(bad).err)) << bad;
 }
 
-}  // namespace
+}  // namespace messages_test
 }  // namespace abstand::testing

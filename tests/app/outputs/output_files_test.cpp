@@ -3,7 +3,7 @@
 #include "tests/app/outputs/output_options.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace output_files_test {
 
 TEST_F(OutputFiles, ADirectoryIsWrongUsageAndStays) {
   for (const Output& o : kFiles) {
@@ -130,5 +130,5 @@ TEST_F(OutputFiles, AFullDeviceIsFour) {
   }
 }
 
-}  // namespace
+}  // namespace output_files_test
 }  // namespace abstand::testing

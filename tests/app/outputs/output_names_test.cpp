@@ -2,7 +2,7 @@
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace output_names_test {
 
 TEST_F(Outputs, AFileThatASceneReadsIsAnInputToo) {
   const std::string before = readFile(in("slide.csv"));
@@ -75,5 +75,5 @@ TEST_F(Outputs, AnSrdfKeepsWhatOthersWrote) {
   EXPECT_EQ(readFile(in("none.srdf")), "my notes\n");
 }
 
-}  // namespace
+}  // namespace output_names_test
 }  // namespace abstand::testing

@@ -2,7 +2,7 @@
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace output_sets_test {
 
 TEST_F(Outputs, SetsOfFilesAppearWholeOrNotAtAll) {
   makeClip();
@@ -77,5 +77,5 @@ TEST_F(Outputs, NoJointsAppearWhenThePicturesCannot) {
   EXPECT_EQ(names(), before);
 }
 
-}  // namespace
+}  // namespace output_sets_test
 }  // namespace abstand::testing

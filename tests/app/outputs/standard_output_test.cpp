@@ -2,7 +2,7 @@
 #include "tests/app/outputs/outputs.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace standard_output_test {
 
 TEST_F(Outputs, StandardOutputAndDescriptorsOfTheShell) {
   ASSERT_EQ(run("skeleton person.csv --out plain").code, 0);
@@ -43,5 +43,5 @@ TEST_F(Outputs, FullStandardOutputIsFour) {
   EXPECT_EQ(readFile(in("closed")), readFile(in("plain")));
 }
 
-}  // namespace
+}  // namespace standard_output_test
 }  // namespace abstand::testing

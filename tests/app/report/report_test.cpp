@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::report {
-namespace {
+namespace report_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -61,5 +61,5 @@ TEST(Report, PlotsStandValuesThatCannotBeShown) {
   EXPECT_THAT(svgPlot(plot), Not(HasSubstr("nan")));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace abstand::report

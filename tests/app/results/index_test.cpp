@@ -9,7 +9,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::results {
-namespace {
+namespace index_test {
 
 namespace fs = std::filesystem;
 using testing::Answer;
@@ -264,5 +264,5 @@ TEST_F(Index, AnswersTheQueriesOfTheDocuments) {
   EXPECT_GE(queries, 2);
 }
 
-}  // namespace
+}  // namespace index_test
 }  // namespace abstand::results

@@ -7,7 +7,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::results {
-namespace {
+namespace mcap_test {
 
 using testing::Answer;
 using testing::json;
@@ -128,5 +128,5 @@ TEST(TopicNames, AreShortPlainAndUnique) {
   EXPECT_EQ(topicNames({}), Names{});
 }
 
-}  // namespace
+}  // namespace mcap_test
 }  // namespace abstand::results

@@ -7,7 +7,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::report {
-namespace {
+namespace pdf_test {
 
 namespace fs = std::filesystem;
 using testing::Answer;
@@ -112,5 +112,5 @@ TEST(ChildProgram, IsKilledWithWhatItStarted) {
   EXPECT_FALSE(fs::exists(alive));
 }
 
-}  // namespace
+}  // namespace pdf_test
 }  // namespace abstand::report

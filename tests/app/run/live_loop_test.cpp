@@ -8,7 +8,7 @@
 #include "tests/app/loop/slide_scene.hpp"
 
 namespace abstand::run {
-namespace {
+namespace live_loop_test {
 
 using testing::SlideScene;
 using testing::thingComesTo;
@@ -83,5 +83,5 @@ TEST(LiveLoop, ASceneTakesResultsInThePlaceOfItsOwn) {
   }
 }
 
-}  // namespace
+}  // namespace live_loop_test
 }  // namespace abstand::run

@@ -13,7 +13,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::run {
-namespace {
+namespace live_run_test {
 
 using testing::projectFile;
 using testing::ScratchFolder;
@@ -162,5 +162,5 @@ TEST(LiveRun, InRealTimeTheForcesOfWhatTouchesAreThereFromTheFirstFrame) {
   }
 }
 
-}  // namespace
+}  // namespace live_run_test
 }  // namespace abstand::run

@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::run {
-namespace {
+namespace scene_notes_test {
 
 std::vector<scene::SceneNote> notesOfScene(const testing::ScratchFolder& folder, const std::string& text) {
   session::SessionOptions options;
@@ -67,5 +67,5 @@ TEST(SceneNotes, ASceneWithoutDoubtsHasNone) {
   EXPECT_TRUE(notes.empty()) << notes.front().text;
 }
 
-}  // namespace
+}  // namespace scene_notes_test
 }  // namespace abstand::run

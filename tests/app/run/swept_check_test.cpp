@@ -7,7 +7,7 @@
 #include "core/structure/haptic_structure.hpp"
 
 namespace abstand::run {
-namespace {
+namespace swept_check_test {
 
 std::shared_ptr<const structure::HapticStructure> build(const char* name, const geometry::Shape& shape) {
   structure::HapticOptions options;
@@ -83,5 +83,5 @@ TEST_F(Fly, AJumpBackHasNothingBetween) {
   EXPECT_EQ(swept.frame(0.0, at(0.0, {-0.4, 0, 0}), {&limit, 1})[0].lower, kInfinity);
 }
 
-}  // namespace
+}  // namespace swept_check_test
 }  // namespace abstand::run

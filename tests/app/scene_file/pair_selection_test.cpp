@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand::scene_file {
-namespace {
+namespace pair_selection_test {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
@@ -100,5 +100,5 @@ TEST(PairSelection, UnknownNamesAreRefusedWithTheNearest) {
   EXPECT_THROW(selectPairs(kBodies, r, kAdjacent), ParseError);
 }
 
-}  // namespace
+}  // namespace pair_selection_test
 }  // namespace abstand::scene_file

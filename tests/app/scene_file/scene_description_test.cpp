@@ -9,7 +9,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene_file {
-namespace {
+namespace scene_description_test {
 
 // Angles computed from a matrix and back: a few roundings.
 constexpr double kPoseTolerance = 1e-14;
@@ -412,5 +412,5 @@ TEST(YamlDocument, NodesKnowTheirPlaces) {
   EXPECT_EQ(root.items[1].items[0].items[0].kind, config::YamlNode::Kind::kNothing);
 }
 
-}  // namespace
+}  // namespace scene_description_test
 }  // namespace abstand::scene_file

@@ -6,7 +6,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::scene_file {
-namespace {
+namespace scene_errors_test {
 
 struct BadScene {
   const char* text;
@@ -291,5 +291,5 @@ TEST(BadScenes, TheMessageIsOneLineAndAHint) {
   EXPECT_NE(message.find("\nhint: did you mean `objects`?"), std::string::npos) << message;
 }
 
-}  // namespace
+}  // namespace scene_errors_test
 }  // namespace abstand::scene_file

@@ -12,7 +12,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace control_test {
 
 const PacketFormat kFormat{{{"arm", 1}}, {"operator"}, {"arm - operator", "arm - objects"}, {"l1", "p", "t"}};
 
@@ -219,5 +219,5 @@ TEST_F(ControlledScene, OrdersAllocateNothing) {
   EXPECT_EQ(no_alloc.count(), 0);
 }
 
-}  // namespace
+}  // namespace control_test
 }  // namespace abstand::serve

@@ -15,7 +15,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace line_input_test {
 
 class Pipe {
  public:
@@ -192,5 +192,5 @@ TEST(SkeletonSender, RefusesWhatCannotBeSent) {
   EXPECT_THROW(SkeletonSender("127.0.0.1:1", {"a", "a"}), UsageError);
 }
 
-}  // namespace
+}  // namespace line_input_test
 }  // namespace abstand::serve

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace packet_stream_test {
 
 const Address kHere = parseAddress("127.0.0.1:1000", "--bind");
 const Address kThere = parseAddress("127.0.0.1:1001", "--bind");
@@ -99,5 +99,5 @@ TEST(ServeAddress, ReadsAndWrites) {
     EXPECT_THROW(parseAddress(bad, "--bind"), UsageError) << bad;
 }
 
-}  // namespace
+}  // namespace packet_stream_test
 }  // namespace abstand::serve

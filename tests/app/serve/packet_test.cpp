@@ -9,7 +9,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace packet_test {
 
 using Bytes = std::vector<std::byte>;
 
@@ -229,5 +229,5 @@ TEST(ServePacket, BrokenPacketsNeitherCrashNorAllocate) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace packet_test
 }  // namespace abstand::serve

@@ -14,7 +14,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace served_scene_test {
 
 /// A ball on a vertical slide (q is its height) over a plate whose top lies at z = 0, and a person far away.
 const char* kScene = R"(abstand: 1
@@ -378,5 +378,5 @@ TEST_F(Served, APersonWhoComesNearerSlowsTheRobot) {
   EXPECT_NE(robot().state, safety::StopState::kRunning);
 }
 
-}  // namespace
+}  // namespace served_scene_test
 }  // namespace abstand::serve

@@ -9,7 +9,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::serve {
-namespace {
+namespace state_packet_test {
 
 const PacketFormat kFormat{{{"arm \"left\"", 2}}, {"operator"}};
 const StateNames kNames{{"link"}, {"link", "hand"}};
@@ -126,5 +126,5 @@ TEST(ServeState, TheTableEndsWhereThePacketEnds) {
   EXPECT_NE(text.find("1 hand"), text.npos);
 }
 
-}  // namespace
+}  // namespace state_packet_test
 }  // namespace abstand::serve

@@ -12,7 +12,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::session {
-namespace {
+namespace braking_watch_test {
 
 constexpr double kRadius = 0.05;  // of both balls of the slide scene, m
 
@@ -195,5 +195,5 @@ humans: [{name: person, height: 1.75}]
   EXPECT_NEAR(robot.record().nearest_person.value, 0.05 + closedForm(o, v, 0.5), 0.02);
 }
 
-}  // namespace
+}  // namespace braking_watch_test
 }  // namespace abstand::session

@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::session {
-namespace {
+namespace joint_torques_test {
 
 constexpr double kG = 9.80665;  // m/s^2
 
@@ -71,5 +71,5 @@ TEST(JointTorques, WithoutMassesAreNotKnownAndNotZero) {
   EXPECT_EQ(parts[0].reaction, 2.0);
 }
 
-}  // namespace
+}  // namespace joint_torques_test
 }  // namespace abstand::session

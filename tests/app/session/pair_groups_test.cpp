@@ -6,7 +6,7 @@
 #include <set>
 
 namespace abstand::session {
-namespace {
+namespace pair_groups_test {
 
 class PairGroups : public ::testing::Test {
  protected:
@@ -77,5 +77,5 @@ TEST_F(PairGroups, WithoutThreadsAreThoseOfTheBodies) {
   EXPECT_EQ(groups[3].name, "p - objects");
 }
 
-}  // namespace
+}  // namespace pair_groups_test
 }  // namespace abstand::session

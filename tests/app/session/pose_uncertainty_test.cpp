@@ -10,7 +10,7 @@
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace pose_uncertainty_test {
 
 constexpr double kRate = 10.0, kSeen = 1.0, kEnd = 3.0;  // Hz, s
 constexpr double kRounding = 1e-9;
@@ -134,5 +134,5 @@ TEST(Reach, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace pose_uncertainty_test
 }  // namespace abstand::testing

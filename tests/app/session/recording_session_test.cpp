@@ -9,7 +9,7 @@
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace recording_session_test {
 
 constexpr double kSame = 1e-9;  // m at the far end of a part; a table keeps every bit
 /// m; the compact form rounds joints to 0.5 um, and a twist, which follows from how far a limb is bent,
@@ -82,5 +82,5 @@ TEST(RecordingSession, RefusesMarkersThatMoveNobody) {
   EXPECT_THROW(openPerson(folder, trc), ParseError);
 }
 
-}  // namespace
+}  // namespace recording_session_test
 }  // namespace abstand::testing

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::session {
-namespace {
+namespace robot_scene_test {
 
 // a: box; b: two collision bodies; c: only a visual one; d: none. b turns, c is fixed to it.
 const char* const kRobot = R"(<robot name='r'>
@@ -246,5 +246,5 @@ TEST(PairsFile, MistakesHaveTheirPlace) {
   }
 }
 
-}  // namespace
+}  // namespace robot_scene_test
 }  // namespace abstand::session

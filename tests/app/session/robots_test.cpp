@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::session {
-namespace {
+namespace robots_test {
 
 std::unique_ptr<Session> sessionOf(scene_file::SceneDescription scene) {
   scene.defaults.haptic.voxel_size = scene.defaults.haptic.point_spacing = 0.02;
@@ -128,5 +128,5 @@ TEST(CollisionPairs, OfAShippedRobotAreThoseOfItsFile) {
             })));
 }
 
-}  // namespace
+}  // namespace robots_test
 }  // namespace abstand::session

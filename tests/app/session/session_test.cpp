@@ -12,7 +12,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace session_test {
 
 std::unique_ptr<session::Session> openReach(int threads = 1) {
   session::SessionOptions options;
@@ -201,5 +201,5 @@ TEST(LiveSession, PlaysSeeksAndTakesMargins) {
   EXPECT_GT(samples.size(), 5u);
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace abstand::testing

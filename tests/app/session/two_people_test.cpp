@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace two_people_test {
 
 class TwoPeople : public ::testing::Test {
  protected:
@@ -160,5 +160,5 @@ TEST_F(TwoPeople, SameBitsForOneAndFourThreadsAndEffortsWhereContactIs) {
   ::setenv("ABSTAND_CACHE", "off", 1);
 }
 
-}  // namespace
+}  // namespace two_people_test
 }  // namespace abstand::testing

@@ -7,7 +7,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace approach_test {
 
 // m and m/s: engine's distances, and speeds in whole steps.
 constexpr double kEngine = 3e-4;
@@ -134,5 +134,5 @@ TEST(Separation, OfARobotThatStandsOrGoesAwayIsNotAsked) {
   }
 }
 
-}  // namespace
+}  // namespace approach_test
 }  // namespace abstand::tune

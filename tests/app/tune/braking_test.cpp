@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace braking_test {
 
 // m: what the engine's warm and cold distances beyond 0.1 m may differ by, of the distance.
 constexpr double kFarShare = 0.011;
@@ -70,5 +70,5 @@ TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
   EXPECT_GT(moving, 200u);
 }
 
-}  // namespace
+}  // namespace braking_test
 }  // namespace abstand::tune

@@ -9,7 +9,7 @@
 #include "tests/app/tune/margin_clips.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace closed_loop_test {
 
 const std::vector<double> kMargins{0.0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4};
 // s, of sums of times.
@@ -137,5 +137,5 @@ TEST(ClosedLoopOfMargins, AgreesOverRealCaptures) {
   compareAll(clips);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace abstand::testing

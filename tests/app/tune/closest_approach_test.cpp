@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand::tune {
-namespace {
+namespace closest_approach_test {
 
 /// A hand with these clearances (m), a second apart; infinitely uncertain where it was not seen.
 TunedRecording handOf(const std::vector<double>& clearance) {
@@ -37,5 +37,5 @@ TEST(ClosestApproach, OfAPartThatIsSomewhereNotSeenIsNotKnown) {
   EXPECT_EQ(verdictOf({-kInfinity}), Verdict::kNotKnown) << "never seen";
 }
 
-}  // namespace
+}  // namespace closest_approach_test
 }  // namespace abstand::tune

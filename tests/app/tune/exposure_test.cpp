@@ -14,7 +14,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace exposure_test {
 
 constexpr double kEngine = 2e-3;  // m, of certified clearances: distance and its bound
 constexpr double kFrame = 0.01;   // s, of the recordings here
@@ -365,5 +365,5 @@ TEST(HeatScale, HasRoundBordersUpToTheLargestValue) {
   EXPECT_TRUE(report::HeatScale(0.0).empty());
 }
 
-}  // namespace
+}  // namespace exposure_test
 }  // namespace abstand::tune

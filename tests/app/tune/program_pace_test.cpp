@@ -9,7 +9,7 @@
 #include "core/math/transform.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace program_pace_test {
 
 // Relative: times are sums of some thousand numbers.
 constexpr double kRounding = 1e-9;
@@ -175,5 +175,5 @@ TEST_P(RandomPrograms, ChangeTheirPaceNoHarderThanTold) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPrograms, ::testing::Range(1u, 21u));
 
-}  // namespace
+}  // namespace program_pace_test
 }  // namespace abstand::tune

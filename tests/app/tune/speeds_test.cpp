@@ -8,7 +8,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace speeds_test {
 
 // m and m/s: engine's distances, and speeds in whole steps.
 constexpr double kEngine = 3e-4;
@@ -304,5 +304,5 @@ TEST_F(SpeedProofs, TheTradeIsTheoryAtEachScale) {
   EXPECT_LT(curve[0].margin, curve[2].margin);
 }
 
-}  // namespace
+}  // namespace speeds_test
 }  // namespace abstand::tune

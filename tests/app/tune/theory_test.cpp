@@ -5,7 +5,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace theory_test {
 
 // m: the engine's distances are within 1e-5 m of the true ones near contact, and searches between times end
 // within 1e-4 m.
@@ -99,5 +99,5 @@ TEST(TuneTheory, AHandThatStopsShortNeverNeedsAStop) {
   EXPECT_GT(widest.stoppedShare(), 0.5);
 }
 
-}  // namespace
+}  // namespace theory_test
 }  // namespace abstand::tune

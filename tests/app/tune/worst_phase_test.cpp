@@ -7,7 +7,7 @@
 #include "tests/app/tune/slide_scene.hpp"
 
 namespace abstand::tune {
-namespace {
+namespace worst_phase_test {
 
 // m: the search's own tolerance, and the engine's near contact.
 constexpr double kTolerance = 1e-3, kEngine = 3e-4;
@@ -127,5 +127,5 @@ TEST(BodyPath, ReachHoldsEveryPointAtEveryTime) {
   }
 }
 
-}  // namespace
+}  // namespace worst_phase_test
 }  // namespace abstand::tune

@@ -7,7 +7,7 @@
 #include "core/base/triple_buffer.hpp"
 
 namespace abstand {
-namespace {
+namespace channels_test {
 
 struct Twin {
   long a{0}, b{0};
@@ -49,5 +49,5 @@ TEST(SpscRing, KeepsOrderAndCountsEverySample) {
   for (std::size_t i = 1; i < out.size(); ++i) ASSERT_LT(out[i - 1], out[i]);
 }
 
-}  // namespace
+}  // namespace channels_test
 }  // namespace abstand

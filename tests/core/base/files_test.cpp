@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand {
-namespace {
+namespace files_test {
 
 TEST(TextFile, SaysWhatIsWrongWithAFile) {
   testing::ScratchFolder d;
@@ -96,5 +96,5 @@ TEST(ProgressReport, WritesALineNowAndThenWhereNobodyWatches) {
   EXPECT_EQ(out, "\rrun   0 %\rrun   5 %\rrun  10 %\rrun 100 %\n");
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace abstand

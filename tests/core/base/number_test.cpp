@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand {
-namespace {
+namespace number_test {
 
 TEST(Number, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parseDouble("1"), 1.0);
@@ -23,5 +23,5 @@ TEST(Number, ReadsBackTheSameDouble) {
   for (double v : {0.1, 1.0 / 3.0, 1e-300, -123456.789, 5e-324}) EXPECT_EQ(parseDouble(formatDouble(v)), v);
 }
 
-}  // namespace
+}  // namespace number_test
 }  // namespace abstand

@@ -6,7 +6,7 @@
 #include "tests/core/contact/contact_table.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace allowed_speed_test {
 
 constexpr double kExact = 1e-12;  // relative: the same formula in another order
 constexpr double kFast = 100.0;   // m/s, above every limit
@@ -165,5 +165,5 @@ TEST(SpeedShare, IsTheRobotsPartOfTheAllowedSpeed) {
   EXPECT_EQ(speedShare(kNaN, 0.5, 0.0), 0.0);
 }
 
-}  // namespace
+}  // namespace allowed_speed_test
 }  // namespace abstand::contact

@@ -9,7 +9,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace contact_area_test {
 
 using testing::randomPose;
 
@@ -272,5 +272,5 @@ TEST(ContactArea, SaysWhereAMeshIsNotClosed) {
   EXPECT_FALSE(contactArea(surface, {{0, 0, 0.05}, {0, 0, 1}, kX}).certified);
 }
 
-}  // namespace
+}  // namespace contact_area_test
 }  // namespace abstand::contact

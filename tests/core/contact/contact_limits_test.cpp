@@ -12,7 +12,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace contact_limits_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -181,5 +181,5 @@ TEST(ContactLimitsFile, RefusesWhatIsNoTable) {
   EXPECT_THROW(loadContactLimits("/nowhere.yaml", humanmodel::partNames()), ParseError);
 }
 
-}  // namespace
+}  // namespace contact_limits_test
 }  // namespace abstand::contact

@@ -6,7 +6,7 @@
 #include "tests/core/contact/contact_table.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace impact_simulation_test {
 
 // The agreement that is asked for. With 1000 steps a period the integration is wrong by far less.
 constexpr double kAgreement = 0.02;
@@ -77,5 +77,5 @@ TEST(ImpactSimulation, OfAClampedPartIsThatOfTheRobotAlone) {
   EXPECT_NEAR(c.energy, peak.energy, kAgreement * peak.energy);
 }
 
-}  // namespace
+}  // namespace impact_simulation_test
 }  // namespace abstand::contact

@@ -8,7 +8,7 @@
 #include "tests/core/contact/contact_table.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace predicted_contact_test {
 
 constexpr double kExact = 1e-12;   // relative: a few products and a root
 constexpr double kColumn = 0.005;  // m/s: the columns of speeds have two decimals
@@ -123,5 +123,5 @@ TEST(PredictedContact, OfAPartIsThatOfItsWorstRegion) {
   EXPECT_EQ(worstContact({}, {0.5, {10.0}}).region, nullptr);
 }
 
-}  // namespace
+}  // namespace predicted_contact_test
 }  // namespace abstand::contact

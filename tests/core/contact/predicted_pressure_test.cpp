@@ -6,7 +6,7 @@
 #include "tests/core/contact/contact_table.hpp"
 
 namespace abstand::contact {
-namespace {
+namespace predicted_pressure_test {
 
 constexpr double kExact = 1e-9;  // relative
 
@@ -72,5 +72,5 @@ TEST(NearestLimit, OfTheHeadIsThatItIsExcluded) {
   EXPECT_EQ(limitText(LimitKind::kExcluded), "contact excluded");
 }
 
-}  // namespace
+}  // namespace predicted_pressure_test
 }  // namespace abstand::contact

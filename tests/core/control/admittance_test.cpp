@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::control {
-namespace {
+namespace admittance_test {
 
 constexpr double kDt = 1e-3;
 
@@ -118,5 +118,5 @@ TEST(Admittance, AllocatesNothingAndChecksItsOptions) {
   EXPECT_THROW(Admittance({.damping = {1.0, 2.0}}, 3), UsageError);
 }
 
-}  // namespace
+}  // namespace admittance_test
 }  // namespace abstand::control

@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::control {
-namespace {
+namespace closed_loop_test {
 
 constexpr double kDt = 1e-3;
 constexpr int kSteps = 4000;
@@ -145,5 +145,5 @@ TEST(ClosedLoop, ADoubledSpeedLeavesLessAndALimitTooLowIsHit) {
   EXPECT_LT(punch(d, 1.0).nearest, 0.0);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace abstand::control

@@ -7,7 +7,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::control {
-namespace {
+namespace effective_mass_test {
 
 TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
   EffectiveMass mass(2);
@@ -55,5 +55,5 @@ TEST(EffectiveMass, OfWhatIsNoMassMatrixIsNotKnown) {
   EXPECT_TRUE(mass.take(Eigen::MatrixXd::Identity(2, 2)));
 }
 
-}  // namespace
+}  // namespace effective_mass_test
 }  // namespace abstand::control

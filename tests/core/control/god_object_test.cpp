@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::control {
-namespace {
+namespace god_object_test {
 
 const geometry::EnclosingSphere kBall{Vector3d::Zero(), 0.05};
 constexpr double kExact = 1e-9;
@@ -201,5 +201,5 @@ TEST(GodObject, OptionsAreChecked) {
   EXPECT_THROW(GodObject({.step = 0.0}, kBall), UsageError);
 }
 
-}  // namespace
+}  // namespace god_object_test
 }  // namespace abstand::control

@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::control {
-namespace {
+namespace pair_direction_test {
 
 TEST(PartingDirection, KeepsItsSenseInside) {
   query::PairResult r;
@@ -81,5 +81,5 @@ TEST(FastestAlong, HoldsForEveryPointOfTheBody) {
   EXPECT_GT(fullest, -0.01);
 }
 
-}  // namespace
+}  // namespace pair_direction_test
 }  // namespace abstand::control

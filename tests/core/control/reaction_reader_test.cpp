@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand::control {
-namespace {
+namespace reaction_reader_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -126,5 +126,5 @@ TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(refusal(c.text), HasSubstr(c.expected)) << c.text;
 }
 
-}  // namespace
+}  // namespace reaction_reader_test
 }  // namespace abstand::control

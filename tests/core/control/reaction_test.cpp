@@ -9,7 +9,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::control {
-namespace {
+namespace reaction_test {
 
 constexpr double kExact = 1e-12;
 const Eigen::MatrixXd kNoMass;
@@ -285,5 +285,5 @@ TEST(Reaction, OptionsAreCheckedForItsJoints) {
   EXPECT_THROW(Reaction(d, 2, 4), UsageError);
 }
 
-}  // namespace
+}  // namespace reaction_test
 }  // namespace abstand::control

@@ -9,7 +9,7 @@
 #include "core/math/random.hpp"
 
 namespace abstand::control {
-namespace {
+namespace repulsion_test {
 
 constexpr double kExact = 1e-12;
 // Central differences over 1e-6 m of a cubic.
@@ -152,5 +152,5 @@ TEST(Repulsion, WhoStandsIsNotToBeStopped) {
   EXPECT_TRUE(r.update(-0.01, -0.01, -0.01, 2.0).stop);
 }
 
-}  // namespace
+}  // namespace repulsion_test
 }  // namespace abstand::control

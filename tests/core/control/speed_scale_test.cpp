@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::control {
-namespace {
+namespace speed_scale_test {
 
 constexpr double kExact = 1e-9;
 constexpr double kDt = 1e-3;
@@ -147,5 +147,5 @@ TEST(SpeedScale, TheRobotStandsBeforeThePersonArrives) {
   }
 }
 
-}  // namespace
+}  // namespace speed_scale_test
 }  // namespace abstand::control

@@ -7,7 +7,7 @@
 #include "core/math/random.hpp"
 
 namespace abstand::control {
-namespace {
+namespace torque_limit_test {
 
 constexpr double kExact = 1e-12;
 
@@ -74,5 +74,5 @@ TEST(TorqueLimit, OptionsAreChecked) {
   }
 }
 
-}  // namespace
+}  // namespace torque_limit_test
 }  // namespace abstand::control

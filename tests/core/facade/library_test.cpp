@@ -10,7 +10,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand {
-namespace {
+namespace library_test {
 
 using Eigen::Vector3d;
 
@@ -181,5 +181,5 @@ TEST(Library, KnowsItsVersionAndData) {
   EXPECT_TRUE(std::filesystem::exists(dataDirectory() / "robots"));
 }
 
-}  // namespace
+}  // namespace library_test
 }  // namespace abstand

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand {
-namespace {
+namespace pair_set_test {
 
 // m. Inside each other distances are those of fields of 10 mm voxels, good to a tenth of one.
 constexpr double kExact = 1e-3;
@@ -69,5 +69,5 @@ TEST(PairSetOfTheLibrary, RefusesWhatDoesNotFit) {
   EXPECT_THROW(set.contacts(bent), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace pair_set_test
 }  // namespace abstand

@@ -10,7 +10,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand {
-namespace {
+namespace structure_file_test {
 
 namespace fs = std::filesystem;
 
@@ -155,5 +155,5 @@ TEST(StructureFile, IsWrittenWholeOrNotAtAll) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-}  // namespace
+}  // namespace structure_file_test
 }  // namespace abstand

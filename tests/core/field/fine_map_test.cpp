@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace fine_map_test {
 
 constexpr std::size_t kMaxBytes = 200'000'000;
 constexpr double kMaxBytesBuilding = 400e6;
@@ -120,5 +120,5 @@ TEST(FineMap, OfALinkInLayers) {
 }
 TEST(FineMap, OfATorus) { expectSmall(geometry::makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
 
-}  // namespace
+}  // namespace fine_map_test
 }  // namespace abstand::testing

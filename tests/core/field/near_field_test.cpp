@@ -12,7 +12,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::field {
-namespace {
+namespace near_field_test {
 
 using testing::randomPoint;
 
@@ -267,5 +267,5 @@ TEST(FarField, SurvivesAnyInput) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace near_field_test
 }  // namespace abstand::field

@@ -10,7 +10,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::field {
-namespace {
+namespace voxelmap_test {
 
 using testing::randomPoint;
 
@@ -280,5 +280,5 @@ INSTANTIATE_TEST_SUITE_P(Real, RealVoxelmap,
                                            RealMesh{"multibody.stl", true}),
                          [](const auto& p) { return std::string(p.param.file).substr(0, 5); });
 
-}  // namespace
+}  // namespace voxelmap_test
 }  // namespace abstand::field

@@ -6,7 +6,7 @@
 #include "core/geometry/shape.hpp"
 
 namespace abstand::geometry {
-namespace {
+namespace mesh_pieces_test {
 
 TEST(MeshPieces, OnePointOfEach) {
   TriangleMesh mesh;
@@ -23,5 +23,5 @@ TEST(MeshPieces, OnePointOfEach) {
     EXPECT_NEAR((found[static_cast<std::size_t>(n)] - n * Vector3d::UnitX()).norm(), 0.1, 1e-12);
 }
 
-}  // namespace
+}  // namespace mesh_pieces_test
 }  // namespace abstand::geometry

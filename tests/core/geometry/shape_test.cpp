@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::geometry {
-namespace {
+namespace shape_test {
 
 using testing::implicitValue;
 using testing::pairUncertainty;
@@ -238,5 +238,5 @@ TEST(ShapeText, WhatTheMessageSays) {
   for (const auto& shape : someShapes()) EXPECT_NO_THROW(validate(shape));
 }
 
-}  // namespace
+}  // namespace shape_test
 }  // namespace abstand::geometry

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::geometry {
-namespace {
+namespace surface_test {
 
 using testing::NoAlloc;
 using testing::randomPoint;
@@ -263,5 +263,5 @@ TEST(MeshSurface, QueriesAllocateNothingAndSurviveAnyInput) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace surface_test
 }  // namespace abstand::geometry

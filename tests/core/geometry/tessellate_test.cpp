@@ -9,7 +9,7 @@
 #include "tests/support/brute_force.hpp"
 
 namespace abstand::geometry {
-namespace {
+namespace tessellate_test {
 
 using testing::pairUncertainty;
 using testing::randomPoint;
@@ -134,5 +134,5 @@ TEST(Tessellate, RefusesWhatIsTooFine) {
   }
 }
 
-}  // namespace
+}  // namespace tessellate_test
 }  // namespace abstand::geometry

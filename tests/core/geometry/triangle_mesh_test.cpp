@@ -7,7 +7,7 @@
 #include "tests/support/brute_force.hpp"
 
 namespace abstand::geometry {
-namespace {
+namespace triangle_mesh_test {
 
 using testing::randomPose;
 using testing::randomUnit;
@@ -96,5 +96,5 @@ TEST(MeshMass, OfWhatIsNoSolidIsTheCentreOfTheArea) {
   EXPECT_EQ(surfaceArea(sheet), 1.0);
 }
 
-}  // namespace
+}  // namespace triangle_mesh_test
 }  // namespace abstand::geometry

@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace triangle_pair_test {
 
 /// m; of coordinates below some metres.
 constexpr double kRounding = 1e-9;
@@ -55,5 +55,5 @@ TEST(TrianglePair, ParallelOnesAreAsFarAsTheirPlanes) {
   }
 }
 
-}  // namespace
+}  // namespace triangle_pair_test
 }  // namespace abstand::testing

@@ -10,7 +10,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace search_kernels_test {
 
 /// m; rounding of a sample in float.
 constexpr float kRounding = 1e-5f;
@@ -273,5 +273,5 @@ TEST(SearchKernels, SupportIsTheLargestProduct) {
   }
 }
 
-}  // namespace
+}  // namespace search_kernels_test
 }  // namespace abstand::testing

@@ -5,7 +5,7 @@
 #include "tests/core/margin/stored_pairs.hpp"
 
 namespace abstand::margin {
-namespace {
+namespace clearance_store_test {
 
 TEST(HalfFloat, ErrsOnItsSideAndByLittle) {
   std::mt19937 random(1);
@@ -114,5 +114,5 @@ TEST(ClearanceStore, NeedsFewBytesAFrame) {
   EXPECT_LT(static_cast<double>(pairs.store().bytes()), 1.25 * 15.0 * 28.0 * 2560.0);
 }
 
-}  // namespace
+}  // namespace clearance_store_test
 }  // namespace abstand::margin

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace abstand::margin {
-namespace {
+namespace margin_confidence_test {
 
 TEST(UnseenShare, IsTheRuleOfThree) {
   EXPECT_EQ(unseenShare(0), 1.0);
@@ -53,5 +53,5 @@ TEST(GumbelFit, NeedsDifferentValues) {
   EXPECT_FALSE(fitGumbel(std::vector<double>{0.1, 0.2, 0.3, 0.4, INFINITY}));
 }
 
-}  // namespace
+}  // namespace margin_confidence_test
 }  // namespace abstand::margin

@@ -5,7 +5,7 @@
 #include "core/base/error.hpp"
 
 namespace abstand::margin {
-namespace {
+namespace margin_outcome_test {
 
 // Sums of frame times.
 constexpr double kRounding = 1e-12;
@@ -130,5 +130,5 @@ TEST(ClearanceTrack, LeastOfSeveralIsTheLeastOfEachFrame) {
   EXPECT_THROW(leastOf(different), UsageError);
 }
 
-}  // namespace
+}  // namespace margin_outcome_test
 }  // namespace abstand::margin

@@ -10,7 +10,7 @@
 #include "tests/core/margin/stored_pairs.hpp"
 
 namespace abstand::margin {
-namespace {
+namespace margin_review_test {
 
 using Kind = ReviewEvent::Kind;
 
@@ -203,5 +203,5 @@ TEST(MarginReview, OfNothingIsEmpty) {
   EXPECT_EQ(result.outcome.time, 0.0);
 }
 
-}  // namespace
+}  // namespace margin_review_test
 }  // namespace abstand::margin

@@ -10,7 +10,7 @@
 #include "tests/core/margin/same_outcome.hpp"
 
 namespace abstand::margin {
-namespace {
+namespace pair_margins_test {
 
 /// Clearances of some pairs over one recording, with stretches far away, near, inside and not seen.
 struct PairTracks {
@@ -199,5 +199,5 @@ TEST(SafeMarginWatch, IsTheSmallestSafeMarginFromTheFirstFrameThatCanBeJudged) {
   }
 }
 
-}  // namespace
+}  // namespace pair_margins_test
 }  // namespace abstand::margin

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace abstand::margin {
-namespace {
+namespace safe_margin_test {
 
 /// Clearances, braking clearances and what lies between frames at random, some of them at or below 0.
 ClearanceTrack randomTrack(std::uint32_t seed) {
@@ -59,5 +59,5 @@ TEST(SafeMargin, IsInfiniteWhereTheFirstFrameIsTooNear) {
   EXPECT_FALSE(smallestSafeMargin(from(track, 1), {}).decided);
 }
 
-}  // namespace
+}  // namespace safe_margin_test
 }  // namespace abstand::margin

@@ -8,7 +8,7 @@
 #include "core/math/transform.hpp"
 
 namespace abstand::margin {
-namespace {
+namespace threshold_masks_test {
 
 TEST(ThresholdMasks, AreTheComparisonWithEachValue) {
   std::mt19937 random(5);
@@ -29,5 +29,5 @@ TEST(ThresholdMasks, AreTheComparisonWithEachValue) {
     }
 }
 
-}  // namespace
+}  // namespace threshold_masks_test
 }  // namespace abstand::margin

@@ -7,7 +7,7 @@
 #include <numeric>
 
 namespace abstand {
-namespace {
+namespace quantile_test {
 
 TEST(Quantile, OfFourValuesTheCustomsDiffer) {
   const std::vector<double> values{3, 1, 2, 4};
@@ -54,5 +54,5 @@ TEST(Quantile, IsWhatCountingFinds) {
   }
 }
 
-}  // namespace
+}  // namespace quantile_test
 }  // namespace abstand

@@ -7,7 +7,7 @@
 #include "core/math/random.hpp"
 
 namespace abstand {
-namespace {
+namespace turn_between_test {
 
 constexpr double kRounding = 1e-12;
 
@@ -34,5 +34,5 @@ TEST(TurnBetween, TurnsAHalfTurnBetweenOpposites) {
   }
 }
 
-}  // namespace
+}  // namespace turn_between_test
 }  // namespace abstand

@@ -6,7 +6,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace efforts_test {
 
 using testing::randomUnit;
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
@@ -106,5 +106,5 @@ TEST(JointEfforts, DoAsMuchWorkAsTheForce) {
   }
 }
 
-}  // namespace
+}  // namespace efforts_test
 }  // namespace abstand::mechanism

@@ -5,7 +5,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace forward_dynamics_test {
 
 using namespace testing;
 
@@ -91,5 +91,5 @@ TEST(ForwardDynamics, KeepsEnergyToTheOrderOfTheStep) {
   }
 }
 
-}  // namespace
+}  // namespace forward_dynamics_test
 }  // namespace abstand::mechanism

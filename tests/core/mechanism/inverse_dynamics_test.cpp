@@ -8,7 +8,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace inverse_dynamics_test {
 
 using namespace testing;
 
@@ -195,5 +195,5 @@ TEST(RigidTree, HasTheFramesWhereForwardKinematicsHasThem) {
   }
 }
 
-}  // namespace
+}  // namespace inverse_dynamics_test
 }  // namespace abstand::mechanism

@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace kinematics_test {
 
 using testing::randomUnit;
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
@@ -139,5 +139,5 @@ TEST(KinematicsDeathTest, StopsWhenTheMechanismWasNotPrepared) {
   EXPECT_DEATH(forward(m, {}, state), "prepared");
 }
 
-}  // namespace
+}  // namespace kinematics_test
 }  // namespace abstand::mechanism

@@ -8,7 +8,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace link_inertia_test {
 
 using namespace testing;
 
@@ -74,5 +74,5 @@ TEST(LinkInertia, IsJudged) {
   EXPECT_NE(says(bad).find("without a mass"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace link_inertia_test
 }  // namespace abstand::mechanism

@@ -10,7 +10,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace mass_matrix_test {
 
 using namespace testing;
 
@@ -132,5 +132,5 @@ TEST(EffectiveMass, IsForceOverTheAccelerationThatItCauses) {
   }
 }
 
-}  // namespace
+}  // namespace mass_matrix_test
 }  // namespace abstand::mechanism

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace motion_file_test {
 
 TEST(MotionFile, IsLinearBetweenRowsAndClampedOutside) {
   const MotionTable table = parseMotion("t,q0,q1\n0,1,-1\n2,3,0\n3,0,4\n", "m.csv", 2);
@@ -135,5 +135,5 @@ TEST(MotionFile, NamesTheFile) {
   EXPECT_THROW(loadMotion(folder.path() / "none.csv", 1), ParseError);
 }
 
-}  // namespace
+}  // namespace motion_file_test
 }  // namespace abstand::mechanism

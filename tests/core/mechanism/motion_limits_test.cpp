@@ -6,7 +6,7 @@
 #include "core/robot_file/mech_file.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace motion_limits_test {
 
 const Vector3d kGravityZ(0, 0, -10);
 
@@ -87,5 +87,5 @@ TEST(MotionLimits, LimitsAreThoseOfTheDofNotOfTheJoint) {
   expectBreach(fast[0], LimitKind::kVelocity, 0.3, 0.25, 0.0, 0.0, 1);
 }
 
-}  // namespace
+}  // namespace motion_limits_test
 }  // namespace abstand::mechanism

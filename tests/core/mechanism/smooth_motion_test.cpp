@@ -6,7 +6,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::mechanism {
-namespace {
+namespace smooth_motion_test {
 
 using testing::randomValues;
 
@@ -78,5 +78,5 @@ TEST(SmoothMotion, OfACubicFromRestToRestIsThatCubic) {
   }
 }
 
-}  // namespace
+}  // namespace smooth_motion_test
 }  // namespace abstand::mechanism

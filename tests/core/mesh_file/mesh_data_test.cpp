@@ -10,7 +10,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::mesh_file {
-namespace {
+namespace mesh_data_test {
 
 using testing::sharedData;
 
@@ -111,5 +111,5 @@ TEST(RealMeshes, ALinkIsTheSameInStlAndCollada) {
   EXPECT_NEAR(geometry::surfaceArea(a.mesh), geometry::surfaceArea(b.mesh), 1e-6);
 }
 
-}  // namespace
+}  // namespace mesh_data_test
 }  // namespace abstand::mesh_file

@@ -17,7 +17,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::mesh_file {
-namespace {
+namespace mesh_file_test {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -447,5 +447,5 @@ TEST(MeshReport, CountsEdgesAndPieces) {
   EXPECT_TRUE(ball.remarks.empty());
 }
 
-}  // namespace
+}  // namespace mesh_file_test
 }  // namespace abstand::mesh_file

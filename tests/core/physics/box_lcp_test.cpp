@@ -7,7 +7,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace box_lcp_test {
 
 using testing::randomValues;
 
@@ -101,5 +101,5 @@ TEST(BoxLcp, RowsThatSayTheSameShareTheAnswer) {
   }
 }
 
-}  // namespace
+}  // namespace box_lcp_test
 }  // namespace abstand::physics

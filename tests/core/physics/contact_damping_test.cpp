@@ -6,7 +6,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace contact_damping_test {
 
 using testing::randomValues;
 
@@ -74,5 +74,5 @@ TEST(ContactPoint, IsOnTheLineOfTheForceNearTheBodies) {
   }
 }
 
-}  // namespace
+}  // namespace contact_damping_test
 }  // namespace abstand::physics

@@ -11,7 +11,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace free_body_test {
 
 using namespace testing;
 
@@ -225,5 +225,5 @@ TEST(PhysicsWorld, GivesTheSameBitsOnAnyThread) {
   EXPECT_EQ(b, expected);
 }
 
-}  // namespace
+}  // namespace free_body_test
 }  // namespace abstand::physics

@@ -12,7 +12,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace joint_limits_test {
 
 using namespace testing;
 
@@ -179,5 +179,5 @@ TEST(VelocityBounds, OnlyLeadBackFromBeyondALimit) {
   EXPECT_EQ(below.upper, 2.0);
 }
 
-}  // namespace
+}  // namespace joint_limits_test
 }  // namespace abstand::physics

@@ -9,7 +9,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace mechanism_test {
 
 using namespace testing;
 
@@ -399,5 +399,5 @@ TEST(MechanismBodies, FixedFramesWithoutMassAreTheirParentsBody) {
       world.pose({1, 2}).isApprox(world.pose({1, 0}) * Transform(Eigen::Translation3d(0.1, 0, -0.3)), 1e-13));
 }
 
-}  // namespace
+}  // namespace mechanism_test
 }  // namespace abstand::physics

@@ -6,7 +6,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::physics {
-namespace {
+namespace ode_dynamics_test {
 
 using namespace testing;
 
@@ -207,5 +207,5 @@ TEST(ForwardDynamicsOfOde, MovesAsOursDoesWhenStepsGoToZero) {
   }
 }
 
-}  // namespace
+}  // namespace ode_dynamics_test
 }  // namespace abstand::physics

@@ -9,7 +9,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace pair_memory_test {
 
 /// Two answers for one pose, the first of them from memory.
 void expectAgree(const query::PairResult& warm, const query::PairResult& cold, int frame) {
@@ -86,5 +86,5 @@ TEST(PairMemory, OfABodyThatJumpsBackStartsWhereItWas) {
   EXPECT_NEAR(after.distance, before.distance, 1e-12);
 }
 
-}  // namespace
+}  // namespace pair_memory_test
 }  // namespace abstand::testing

@@ -10,7 +10,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace pair_query_test {
 
 constexpr double kVoxel = 0.005;
 // The contract: one voxel with layers, a quarter of one with the float fields.
@@ -209,5 +209,5 @@ TEST(PairQuery, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace pair_query_test
 }  // namespace abstand::testing

@@ -10,7 +10,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace pair_set_test {
 
 /// m; a walk ends when a round gains less than 0.1 % of the distance, here up to 0.1 m (witness.hpp).
 constexpr double kSameDistance = 1e-4;
@@ -136,5 +136,5 @@ TEST(PairSet, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace pair_set_test
 }  // namespace abstand::testing

@@ -11,7 +11,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace parts_apart_test {
 
 /// m; float rounding of coordinates below a metre.
 constexpr double kFloat = 1e-6;
@@ -271,5 +271,5 @@ TEST(PairMemory, OfBodiesThatAreNotConvexKeepsWithinTheBounds) {
   }
 }
 
-}  // namespace
+}  // namespace parts_apart_test
 }  // namespace abstand::testing

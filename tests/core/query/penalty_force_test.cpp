@@ -8,7 +8,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace penalty_force_test {
 
 constexpr double kStiffness = 1e6;   // N/m^3
 constexpr double kTolerance = 0.02;  // of the force: what the sampling at 5 mm may cost
@@ -129,5 +129,5 @@ TEST(VolumeLaw, TorqueIsThatOfThePressureAboutTheCentre) {
   EXPECT_NEAR(r.torque_a.y(), torque - side, kTolerance * torque);
 }
 
-}  // namespace
+}  // namespace penalty_force_test
 }  // namespace abstand::testing

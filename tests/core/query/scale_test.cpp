@@ -12,7 +12,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace scale_test {
 
 // Shell points are kept and moved in float, 6e-8 of their coordinates a step, and a witness starts at one. Of
 // the bodies' size.
@@ -195,5 +195,5 @@ TEST(Scale, AGridOf1024CellsAlongAnAxisInUnder200Megabytes) {
   EXPECT_GE(seen.overlapping, 1);
 }
 
-}  // namespace
+}  // namespace scale_test
 }  // namespace abstand::testing

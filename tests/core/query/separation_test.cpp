@@ -8,7 +8,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace separation_test {
 
 constexpr double kSagitta = 5e-4;
 /// m; float rounding of coordinates below a metre.
@@ -88,5 +88,5 @@ TEST(Separation, NoPointMovesFartherThanMostMotion) {
   }
 }
 
-}  // namespace
+}  // namespace separation_test
 }  // namespace abstand::testing

@@ -12,7 +12,7 @@
 #include "tests/support/robots.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace dh_mechanism_test {
 
 // What `abstand convert` calls exact, m and rad.
 constexpr double kExact = 1e-9;
@@ -180,5 +180,5 @@ TEST(DhMechanism, LimitsMassAndGeometryComeAlong) {
   }
 }
 
-}  // namespace
+}  // namespace dh_mechanism_test
 }  // namespace abstand::robot_file

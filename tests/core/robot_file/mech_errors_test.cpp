@@ -3,7 +3,7 @@
 #include "tests/core/robot_file/bad_case.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace mech_errors_test {
 
 class BadMechFile : public ::testing::TestWithParam<BadCase> {};
 
@@ -137,5 +137,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"centre", LINK "id 1\ncentre 1 0 0 0 0 1 0 0 0 0 1 0\n", 6, 1, "did you mean center?"}));
 #undef LINK
 
-}  // namespace
+}  // namespace mech_errors_test
 }  // namespace abstand::robot_file

@@ -8,7 +8,7 @@
 #include "core/robot_file/robot_writer.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace mech_extras_test {
 
 const char* const kChain = "chain\nframe 1 0 0 0 theta\nframe 2 0 90 d 0\nframe 3 100 0 0 0\nend_chain\n";
 
@@ -137,5 +137,5 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"same name", "names\nname 1 2\nend_names\n", 2, 8, "another frame"},
         BadCase{"command", "names\nnames 1 a\nend_names\n", 2, 1, "did you mean name?"}));
 
-}  // namespace
+}  // namespace mech_extras_test
 }  // namespace abstand::robot_file

@@ -7,7 +7,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace mech_file_test {
 
 // Rounding of a few products.
 constexpr double kExact = 1e-14;
@@ -143,5 +143,5 @@ TEST(MechFile, FilesOfTheFuzzerAreReadOrRefused) {
   EXPECT_GT(files, 0);
 }
 
-}  // namespace
+}  // namespace mech_file_test
 }  // namespace abstand::robot_file

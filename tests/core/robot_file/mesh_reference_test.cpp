@@ -8,7 +8,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace mesh_reference_test {
 
 namespace fs = std::filesystem;
 
@@ -79,5 +79,5 @@ TEST_F(MeshReference, WalkingUpDropsLeadingFoldersAndSaysSo) {
   EXPECT_NE(finder.remarks()[0].find("package://vendor"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace mesh_reference_test
 }  // namespace abstand::robot_file

@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace real_robots_test {
 
 struct RealRobot {
   const char* file;
@@ -108,5 +108,5 @@ TEST(ShippedLwr, AgreesWithTheUrdfsOfTheArm) {
             1e-9);
 }
 
-}  // namespace
+}  // namespace real_robots_test
 }  // namespace abstand::robot_file

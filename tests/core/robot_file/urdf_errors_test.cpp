@@ -4,7 +4,7 @@
 #include "tests/core/robot_file/bad_case.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace urdf_errors_test {
 
 class BadUrdf : public ::testing::TestWithParam<BadCase> {};
 TEST_P(BadUrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), "bad.urdf", parseUrdf); }
@@ -138,5 +138,5 @@ TEST(Srdf, ReadsBackWithItsReasons) {
   EXPECT_EQ(moveit.disabled.size(), 1u);
 }
 
-}  // namespace
+}  // namespace urdf_errors_test
 }  // namespace abstand::robot_file

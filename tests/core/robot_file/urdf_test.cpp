@@ -9,7 +9,7 @@
 #include "core/mechanism/joint_range.hpp"
 
 namespace abstand::robot_file {
-namespace {
+namespace urdf_test {
 
 // A few roundings over some frames of 1 m.
 constexpr double kRounding = 1e-13;
@@ -228,5 +228,5 @@ TEST(Urdf, NothingIsPrinted) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-}  // namespace
+}  // namespace urdf_test
 }  // namespace abstand::robot_file

@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace braking_path_test {
 
 constexpr double kExact = 1e-12;
 // Central difference over 1e-6 s of a path with accelerations of some 10 rad/s^2.
@@ -100,5 +100,5 @@ TEST(BrakingPath, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace braking_path_test
 }  // namespace abstand::safety

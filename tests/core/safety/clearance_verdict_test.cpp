@@ -6,7 +6,7 @@
 #include "core/math/transform.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace clearance_verdict_test {
 
 using enum ClearanceVerdict;
 
@@ -39,5 +39,5 @@ TEST(CertifiedClearance, TakesOffBoundAndUncertainty) {
   EXPECT_EQ(certifiedClearance({kInfinity, 0.0, kInfinity}), -kInfinity);
 }
 
-}  // namespace
+}  // namespace clearance_verdict_test
 }  // namespace abstand::safety

@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace motion_prediction_test {
 
 constexpr double kExact = 1e-12;
 
@@ -98,5 +98,5 @@ TEST(MotionPrediction, OptionsAreChecked) {
   EXPECT_THROW(MotionPrediction({.longest_gap = 0.0}), UsageError);
 }
 
-}  // namespace
+}  // namespace motion_prediction_test
 }  // namespace abstand::safety

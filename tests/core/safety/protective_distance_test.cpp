@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace protective_distance_test {
 
 using testing::randomUnit;
 
@@ -114,5 +114,5 @@ TEST(SeparationOptions, AreChecked) {
   EXPECT_THROW(o.validate(), UsageError);
 }
 
-}  // namespace
+}  // namespace protective_distance_test
 }  // namespace abstand::safety

@@ -6,7 +6,7 @@
 #include "core/math/random.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace reach_set_test {
 
 // Rounding of positions of some metres, summed over some hundred steps.
 constexpr double kRounding = 1e-12;
@@ -117,5 +117,5 @@ TEST(TravelWithin, IsTheClosedForm) {
   EXPECT_EQ(travelWithin(0.5, b, 0.0), 0.0);
 }
 
-}  // namespace
+}  // namespace reach_set_test
 }  // namespace abstand::safety

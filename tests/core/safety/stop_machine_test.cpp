@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace stop_machine_test {
 
 using S = StopState;
 using E = StopEvent;
@@ -253,5 +253,5 @@ TEST(StopReason, NamesAreDistinct) {
   EXPECT_EQ(parseResponse("halt"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace stop_machine_test
 }  // namespace abstand::safety

@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace swept_distance_test {
 
 // Ways are rounded up by a part of 10^12.
 constexpr double kRounding = 1e-11;
@@ -147,5 +147,5 @@ TEST(SweptOptions, AreChecked) {
   EXPECT_THROW(o.validate(), UsageError);
 }
 
-}  // namespace
+}  // namespace swept_distance_test
 }  // namespace abstand::safety

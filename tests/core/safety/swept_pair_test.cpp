@@ -13,7 +13,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::safety {
-namespace {
+namespace swept_pair_test {
 
 using testing::projectFile;
 using testing::randomPose;
@@ -245,5 +245,5 @@ TEST(SweptPair, AllocatesNothing) {
   EXPECT_GT(r.samples, 1);
 }
 
-}  // namespace
+}  // namespace swept_pair_test
 }  // namespace abstand::safety

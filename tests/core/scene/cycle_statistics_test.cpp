@@ -11,7 +11,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace cycle_statistics_test {
 
 // Half a bin of 1 %, with room for rounding of the bin's edge.
 constexpr double kBinTolerance = 0.00505;
@@ -75,5 +75,5 @@ TEST(CycleStatistics, PeriodMustBePositive) {
   for (const double period : {0.0, -1.0, kNaN}) EXPECT_THROW(CycleStatistics{period}, UsageError) << period;
 }
 
-}  // namespace
+}  // namespace cycle_statistics_test
 }  // namespace abstand::scene

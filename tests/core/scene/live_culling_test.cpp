@@ -12,7 +12,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace live_culling_test {
 
 using testing::at;
 using testing::queried;
@@ -218,5 +218,5 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
   EXPECT_GT(rested, 2000);
 }
 
-}  // namespace
+}  // namespace live_culling_test
 }  // namespace abstand::scene

@@ -8,7 +8,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace minimum_tree_test {
 
 TEST(MinimumTree, AgreesWithALookAtAllValues) {
   for (const std::size_t count : {1u, 2u, 3u, 17u, 64u, 1000u}) {
@@ -39,5 +39,5 @@ TEST(MinimumTree, NothingHasNoSmallest) {
   EXPECT_FALSE(tree.smallest());
 }
 
-}  // namespace
+}  // namespace minimum_tree_test
 }  // namespace abstand::scene

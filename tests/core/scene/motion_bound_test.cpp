@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace motion_bound_test {
 
 // Sines and norms near 1.
 constexpr double kRounding = 1e-12;
@@ -99,5 +99,5 @@ TEST(MotionBound, GapIsNeverAboveADistanceOfPoints) {
   EXPECT_NEAR(gapOf(a, b), 1.25, kRounding);
 }
 
-}  // namespace
+}  // namespace motion_bound_test
 }  // namespace abstand::scene

@@ -13,7 +13,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace pair_threads_test {
 
 /// Bounds a wait, so that a mistake fails instead of hanging; far more than any machine needs.
 constexpr int kMaxWaits = 60000;
@@ -310,5 +310,5 @@ TEST_F(LiveScene, EverythingAtOnceStaysFinite) {
   EXPECT_TRUE(collectUntil(threads, grouped, 1e4));
 }
 
-}  // namespace
+}  // namespace pair_threads_test
 }  // namespace abstand::scene

@@ -5,7 +5,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace pair_workers_test {
 
 TEST(PairWorkers, EveryIndexIsDoneOnceACycle) {
   for (const int helpers : {0, 1, 2, 6}) {
@@ -33,5 +33,5 @@ TEST(PairWorkers, ComeAndGoWithoutWork) {
   for (int i = 0; i < 50; ++i) PairWorkers workers(i % 5);
 }
 
-}  // namespace
+}  // namespace pair_workers_test
 }  // namespace abstand::scene

@@ -10,7 +10,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace scene_budget_test {
 
 using testing::at;
 using testing::Drift;
@@ -141,5 +141,5 @@ TEST(SceneBudget, WhatIsNoTimeIsRefused) {
   EXPECT_THROW(scene.setCulling({.budget = kNaN}), UsageError);
 }
 
-}  // namespace
+}  // namespace scene_budget_test
 }  // namespace abstand::scene

@@ -7,7 +7,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace scene_pause_test {
 
 /// Three balls of 5 cm in a row along x: a and b overlap by 2 cm, c stands 10 cm beyond b.
 class PausedPairs : public ::testing::Test {
@@ -133,5 +133,5 @@ TEST_F(PausedPairs, ComeAndGoWithoutAllocation) {
   EXPECT_EQ(no_alloc.count(), 0);
 }
 
-}  // namespace
+}  // namespace scene_pause_test
 }  // namespace abstand::scene

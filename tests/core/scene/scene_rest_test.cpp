@@ -8,7 +8,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace scene_rest_test {
 
 using testing::at;
 using testing::crowd;
@@ -205,5 +205,5 @@ TEST_F(Approach, SwitchedOffMeansExactAgain) {
   EXPECT_EQ(stepAt(1.8).outcome, PairOutcome::kChecked);
 }
 
-}  // namespace
+}  // namespace scene_rest_test
 }  // namespace abstand::scene

@@ -11,7 +11,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace scene_reuse_test {
 
 using testing::at;
 using testing::crowd;
@@ -181,5 +181,5 @@ TEST(SceneRemember, WhatWasRememberedIsForgottenWhenItIsTurnedOff) {
   expectAllQueried(scene);
 }
 
-}  // namespace
+}  // namespace scene_reuse_test
 }  // namespace abstand::scene

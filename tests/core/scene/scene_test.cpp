@@ -13,7 +13,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::scene {
-namespace {
+namespace scene_test {
 
 // A few roundings of numbers near 1.
 constexpr double kRounding = 1e-12;
@@ -323,5 +323,5 @@ TEST(Snapshot, HoldsWhatTheSceneHolds) {
   }
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace abstand::scene

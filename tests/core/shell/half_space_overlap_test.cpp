@@ -6,7 +6,7 @@
 #include <random>
 
 namespace abstand::shell {
-namespace {
+namespace half_space_overlap_test {
 
 TEST(HalfSpaceOverlap, AnEllipsoidsCapIsThatOfItsTriangles) {
   // Triangles within a sagitta s of the surface take away a shell of s at most: of a cap of the height h,
@@ -52,5 +52,5 @@ TEST(HalfSpaceOverlap, ABoxesIsItsSlabAndASheetsIsNone) {
   EXPECT_TRUE(force.isZero(0.0));
 }
 
-}  // namespace
+}  // namespace half_space_overlap_test
 }  // namespace abstand::shell

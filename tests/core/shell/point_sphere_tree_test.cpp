@@ -8,7 +8,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::shell {
-namespace {
+namespace point_sphere_tree_test {
 
 Vector3d randomPoint(std::uint64_t seed, std::uint64_t i) {
   return {testing::randomUnit(seed, 3 * i), testing::randomUnit(seed, 3 * i + 1),
@@ -207,5 +207,5 @@ TEST(PointSphereTree, LeavesAreCompact) {
   EXPECT_LE(sum / leaves, 0.0152);
 }
 
-}  // namespace
+}  // namespace point_sphere_tree_test
 }  // namespace abstand::shell

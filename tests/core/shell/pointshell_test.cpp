@@ -10,7 +10,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::shell {
-namespace {
+namespace pointshell_test {
 
 constexpr double kSpacing = 0.005;
 /// Areas are stored as floats.
@@ -216,5 +216,5 @@ TEST(Pointshell, PressingTheBunnyIntoAWallGivesTheOverlap) {
   pressIntoWall(mesh, shell);
 }
 
-}  // namespace
+}  // namespace pointshell_test
 }  // namespace abstand::shell

@@ -7,7 +7,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::store {
-namespace {
+namespace build_report_test {
 
 constexpr structure::HapticOptions kOptions{.voxel_size = 0.005, .point_spacing = 0.005, .outer_layers = 2};
 // m; shell points are floats.
@@ -159,5 +159,5 @@ TEST(ConvexHull, OfNoVolume) {
   EXPECT_FALSE(geometry::convexHull(std::vector<Vector3d>(10, Vector3d(1, 2, 3))));
 }
 
-}  // namespace
+}  // namespace build_report_test
 }  // namespace abstand::store

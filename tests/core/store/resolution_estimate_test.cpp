@@ -7,7 +7,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::store {
-namespace {
+namespace resolution_estimate_test {
 
 // As ResolutionProbe promises.
 constexpr double kFactor = 1.25;
@@ -102,5 +102,5 @@ TEST(ResolutionProbe, CanBeInterrupted) {
   EXPECT_THROW(probe.estimate({}, monitor), structure::BuildCancelled);
 }
 
-}  // namespace
+}  // namespace resolution_estimate_test
 }  // namespace abstand::store

@@ -6,7 +6,7 @@
 #include <sstream>
 
 namespace abstand::store {
-namespace {
+namespace structure_archive_test {
 
 struct Part {
   double length{0.0};
@@ -153,5 +153,5 @@ TEST(Archive, RefusesCountsThatCannotBe) {
   }
 }
 
-}  // namespace
+}  // namespace structure_archive_test
 }  // namespace abstand::store

@@ -18,7 +18,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::store {
-namespace {
+namespace structure_cache_test {
 
 namespace fs = std::filesystem;
 using testing::ScratchFolder;
@@ -363,5 +363,5 @@ TEST(BuildMonitor, EndsABuildAnywhereAndNothingIsLeft) {
   EXPECT_EQ(filesIn(folder.path()), 0u);
 }
 
-}  // namespace
+}  // namespace structure_cache_test
 }  // namespace abstand::store

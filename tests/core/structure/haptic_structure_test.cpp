@@ -9,7 +9,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::structure {
-namespace {
+namespace haptic_structure_test {
 
 using testing::randomPoint;
 
@@ -145,5 +145,5 @@ TEST(HapticStructure, OfRealMeshesThatAreNotSound) {
   }
 }
 
-}  // namespace
+}  // namespace haptic_structure_test
 }  // namespace abstand::structure

@@ -9,7 +9,7 @@
 #include "tests/support/structures.hpp"
 
 namespace abstand::study {
-namespace {
+namespace pair_study_test {
 
 constexpr double kRadius = 0.05;
 // m; a query walks to the nearest points until they are hardly getting nearer.
@@ -204,5 +204,5 @@ TEST(PairStudy, AnInterruptLeavesUndecidedWhatIsNotKnownYet) {
   EXPECT_EQ(pairs[0].verdict, PairVerdict::kSometimes);
 }
 
-}  // namespace
+}  // namespace pair_study_test
 }  // namespace abstand::study

@@ -9,7 +9,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::verify {
-namespace {
+namespace checks_test {
 
 class Checks : public ::testing::TestWithParam<CheckFamily> {};
 
@@ -77,5 +77,5 @@ TEST(AdversarialPoses, AreTheSameForOneSeedAndOfEveryFamily) {
   for (const int n : count) EXPECT_GT(n, 100);
 }
 
-}  // namespace
+}  // namespace checks_test
 }  // namespace abstand::verify

@@ -9,7 +9,7 @@
 #include "core/verify/statistics.hpp"
 
 namespace abstand::verify {
-namespace {
+namespace closed_contact_test {
 
 TEST(ClosedContact, BallInBallIsItsIntegral) {
   constexpr double kSmall = 0.05, kLarge = 0.08;
@@ -79,5 +79,5 @@ TEST(Statistics, ACheckFailsBeyondItsLimitForNaNAndForNothing) {
   EXPECT_FALSE(r.passed);
 }
 
-}  // namespace
+}  // namespace closed_contact_test
 }  // namespace abstand::verify

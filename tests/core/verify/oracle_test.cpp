@@ -6,7 +6,7 @@
 #include "core/verify/penetration.hpp"
 
 namespace abstand::verify {
-namespace {
+namespace oracle_test {
 
 constexpr double kExact = 1e-12;  // of lengths of about 1: rounding in double
 
@@ -144,5 +144,5 @@ TEST(Penetration, IsNegativeWhereNothingIsInside) {
   EXPECT_LT(penetration(a, b, 0.01, 1000).most, 0.0);
 }
 
-}  // namespace
+}  // namespace oracle_test
 }  // namespace abstand::verify

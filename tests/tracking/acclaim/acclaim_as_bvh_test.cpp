@@ -12,7 +12,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace acclaim_as_bvh_test {
 
 // m; the directions of bones are unit vectors of six digits, which a reader makes one and what is written
 // here leaves as they are.
@@ -172,5 +172,5 @@ TEST(AcclaimAsBvh, TheSameCaptureGivesTheSamePerson) {
     }
 }
 
-}  // namespace
+}  // namespace acclaim_as_bvh_test
 }  // namespace abstand::tracking

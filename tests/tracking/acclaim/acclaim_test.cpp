@@ -11,7 +11,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace acclaim_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -201,5 +201,5 @@ TEST(Acclaim, AgreesWithCmuBvh) {
         << humanmodel::jointName(i) << " to " << humanmodel::jointName(j);
 }
 
-}  // namespace
+}  // namespace acclaim_test
 }  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tests/tracking/body/random_rig_pose.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace body_solver_test {
 
 using testing::randomRigPose;
 
@@ -139,5 +139,5 @@ TEST(BodySolver, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace body_solver_test
 }  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tests/tracking/body/random_rig_pose.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace joint_fit_test {
 
 using testing::randomRigPose;
 
@@ -53,5 +53,5 @@ TEST(JointFit, MissingJointsLeaveTheRestExact) {
   EXPECT_EQ(fitJoints(rig, humanmodel::SkeletonFrame{}, RigPose{}).rms, kInfinity);
 }
 
-}  // namespace
+}  // namespace joint_fit_test
 }  // namespace abstand::tracking

@@ -14,7 +14,7 @@
 #include "tracking/bvh/bvh_reader.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace bvh_pose_test {
 
 constexpr double kRounding = 1e-12;        // a few roundings of lengths about 1
 constexpr double kOraclePerExtent = 1e-4;  // assimp computes in floats
@@ -128,5 +128,5 @@ TEST_P(AgainstAssimp, SamePositions) {
 INSTANTIATE_TEST_SUITE_P(Captures, AgainstAssimp, ::testing::Values("Boxing_Toes.bvh", "01_01.bvh"),
                          [](const auto& i) { return std::string(i.param, 2) == "01" ? "Cmu" : "Boxing"; });
 
-}  // namespace
+}  // namespace bvh_pose_test
 }  // namespace abstand::tracking

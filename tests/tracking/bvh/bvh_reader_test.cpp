@@ -10,7 +10,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace bvh_reader_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -208,5 +208,5 @@ TEST(BvhReader, NothingElseEscapes) {
   EXPECT_LT(static_cast<std::size_t>(read), texts.size());
 }
 
-}  // namespace
+}  // namespace bvh_reader_test
 }  // namespace abstand::tracking

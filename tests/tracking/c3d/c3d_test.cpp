@@ -12,7 +12,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace c3d_test {
 
 using testing::c3dOf;
 using ::testing::Contains;
@@ -181,5 +181,5 @@ TEST(C3d, RealFilesOpenOrAreRefused) {
   EXPECT_THAT(openRecording(c3d("sample18/bad_parameter_section.c3d")).report.joints, Contains("P1"));
 }
 
-}  // namespace
+}  // namespace c3d_test
 }  // namespace abstand::tracking

@@ -13,7 +13,7 @@
 #include "tracking/table/skeleton_csv.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace compact_test {
 
 using ::testing::HasSubstr;
 
@@ -141,5 +141,5 @@ TEST(Compact, IsSmall) {
   EXPECT_LT(5 * bytesOf(r).size(), csv.str().size());
 }
 
-}  // namespace
+}  // namespace compact_test
 }  // namespace abstand::tracking

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace abstand::tracking {
-namespace {
+namespace doctor_test {
 
 constexpr double kRate = 100.0;
 
@@ -173,5 +173,5 @@ TEST(GapFill, KeepsTheWayAndTheLengthOfLimbs) {
   EXPECT_EQ(fillGaps(r.frames, 0.05).filled, 0u);
 }
 
-}  // namespace
+}  // namespace doctor_test
 }  // namespace abstand::tracking

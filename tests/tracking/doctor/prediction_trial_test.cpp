@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace abstand::tracking {
-namespace {
+namespace prediction_trial_test {
 
 constexpr double kAhead[] = {0.05, 0.1};
 
@@ -72,5 +72,5 @@ TEST(PredictionTrial, GapsAndGuessedJointsDoNotCount) {
   EXPECT_EQ(tryPredictions(Recording{}, {}, kAhead)[0].places, 0u);
 }
 
-}  // namespace
+}  // namespace prediction_trial_test
 }  // namespace abstand::tracking

@@ -13,7 +13,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace kinect_test {
 
 using ::testing::HasSubstr;
 
@@ -217,5 +217,5 @@ TEST(RealKinect, TakesAgree) {
   EXPECT_THROW(openRecording(testing::sharedData("depth/utd_mhad/a18_s1_t1_depth.mat")), ParseError);
 }
 
-}  // namespace
+}  // namespace kinect_test
 }  // namespace abstand::tracking

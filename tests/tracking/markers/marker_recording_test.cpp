@@ -12,7 +12,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace marker_recording_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -182,5 +182,5 @@ TEST(MarkerRecording, PlugInGaitCentresAreNearVicons) {
   }
 }
 
-}  // namespace
+}  // namespace marker_recording_test
 }  // namespace abstand::tracking

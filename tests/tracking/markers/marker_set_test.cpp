@@ -10,7 +10,7 @@
 #include "core/base/text_file.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace marker_set_test {
 
 const BodyRig& rig() {
   static const BodyRig made = makeRig(humanmodel::makeHuman({}));
@@ -129,5 +129,5 @@ TEST(MarkerSet, TheSetWithMostMarkersIsChosen) {
   EXPECT_FALSE(chooseMarkerSet(sets, rig(), few).has_value());
 }
 
-}  // namespace
+}  // namespace marker_set_test
 }  // namespace abstand::tracking

@@ -9,7 +9,7 @@
 #include "tests/tracking/markers/synthetic_markers.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace marker_solution_test {
 
 using testing::makeMarkers;
 using testing::SyntheticMarkers;
@@ -186,5 +186,5 @@ TEST(MarkerSolver, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace marker_solution_test
 }  // namespace abstand::tracking

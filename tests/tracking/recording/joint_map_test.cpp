@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace joint_map_test {
 
 using ::testing::HasSubstr;
 
@@ -149,5 +149,5 @@ TEST(DataFolder, FollowsTheEnvironmentFirst) {
   before ? ::setenv("ABSTAND_DATA", kept.c_str(), 1) : ::unsetenv("ABSTAND_DATA");
 }
 
-}  // namespace
+}  // namespace joint_map_test
 }  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "humanmodel/human_model.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace mirrored_person_test {
 
 using humanmodel::Joint;
 
@@ -63,5 +63,5 @@ TEST(MirroredPerson, NeedsTwoSides) {
   EXPECT_THROW(mirrorPerson(frames), UsageError);
 }
 
-}  // namespace
+}  // namespace mirrored_person_test
 }  // namespace abstand::tracking

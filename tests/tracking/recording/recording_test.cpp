@@ -12,7 +12,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace recording_test {
 
 using testing::bvhOf;
 using ::testing::Contains;
@@ -188,5 +188,5 @@ TEST(Recording, RefusesBadFiles) {
   }
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace abstand::tracking

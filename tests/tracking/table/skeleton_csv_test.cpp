@@ -13,7 +13,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace skeleton_csv_test {
 
 using ::testing::HasSubstr;
 
@@ -93,5 +93,5 @@ TEST(SkeletonCsv, RefusesWithThePlace) {
   }
 }
 
-}  // namespace
+}  // namespace skeleton_csv_test
 }  // namespace abstand::tracking

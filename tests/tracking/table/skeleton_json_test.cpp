@@ -10,7 +10,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace skeleton_json_test {
 
 using ::testing::HasSubstr;
 
@@ -76,5 +76,5 @@ TEST(SkeletonJson, RefusesWithTheLine) {
   }
 }
 
-}  // namespace
+}  // namespace skeleton_json_test
 }  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tests/support/no_alloc.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace body_observation_test {
 
 DepthCamera cameraOf(int width, int height) {
   DepthCamera camera;
@@ -112,5 +112,5 @@ TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-}  // namespace
+}  // namespace body_observation_test
 }  // namespace abstand::tracking

@@ -12,7 +12,7 @@
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace clip_tracker_test {
 
 using testing::JointErrors;
 
@@ -152,5 +152,5 @@ TEST(TrackedRecording, RefusesAPersonWhoIsNotThere) {
   }
 }
 
-}  // namespace
+}  // namespace clip_tracker_test
 }  // namespace abstand::tracking

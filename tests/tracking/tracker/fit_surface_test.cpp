@@ -7,7 +7,7 @@
 #include "tests/tracking/body/random_rig_pose.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace fit_surface_test {
 
 FitSurface surfaceOf(bool drum) {
   FitSurface s;
@@ -89,5 +89,5 @@ TEST_P(SurfaceKinds, ManyAtOnceAreAsOneByOne) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceKinds, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "drum" : "ellipsoid"; });
 
-}  // namespace
+}  // namespace fit_surface_test
 }  // namespace abstand::tracking

@@ -8,7 +8,7 @@
 #include "tests/tracking/body/random_rig_pose.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace hidden_spread_test {
 
 constexpr double kRounding = 1e-9;  // m
 
@@ -128,5 +128,5 @@ TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
               kRounding);
 }
 
-}  // namespace
+}  // namespace hidden_spread_test
 }  // namespace abstand::tracking

@@ -6,7 +6,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace limb_search_test {
 
 TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
@@ -39,5 +39,5 @@ TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
   EXPECT_GT(tried, 200);
 }
 
-}  // namespace
+}  // namespace limb_search_test
 }  // namespace abstand::tracking

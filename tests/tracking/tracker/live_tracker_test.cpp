@@ -7,7 +7,7 @@
 #include "tests/tracking/tracker/simulated_clip.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace live_tracker_test {
 
 // m; twice what two walks with a fitted body leave on the mean (docs/tracking.md), as here the body is the
 // usual one.
@@ -154,5 +154,5 @@ TEST(LiveTracker, LosesWhoGoes) {
   EXPECT_FALSE(track.people[0].frames.back().has(humanmodel::Joint::kPelvis));
 }
 
-}  // namespace
+}  // namespace live_tracker_test
 }  // namespace abstand::testing

@@ -6,7 +6,7 @@
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace simulated_people_test {
 
 using testing::ClipPlan;
 using testing::JointErrors;
@@ -158,5 +158,5 @@ INSTANTIATE_TEST_SUITE_P(Captures, PeopleFromBehind, ::testing::ValuesIn(walkers
 INSTANTIATE_TEST_SUITE_P(Captures, SimulatedPeople, ::testing::ValuesIn(cases()),
                          [](const auto& one) { return one.param.name; });
 
-}  // namespace
+}  // namespace simulated_people_test
 }  // namespace abstand::tracking

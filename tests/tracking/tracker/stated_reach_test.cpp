@@ -6,7 +6,7 @@
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace stated_reach_test {
 
 using testing::ClipPlan;
 using testing::JointErrors;
@@ -64,5 +64,5 @@ TEST(StatedReach, HoldsRawErrorsOfTrackedAndOfInferredJoints) {
   EXPECT_GE(inferred.within(), kInferred);
 }
 
-}  // namespace
+}  // namespace stated_reach_test
 }  // namespace abstand::tracking

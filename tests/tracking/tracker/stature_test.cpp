@@ -7,7 +7,7 @@
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace stature_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -116,5 +116,5 @@ TEST(Facing, ThatIsNotDecidedIsTheFrontAndAWarning) {
   EXPECT_THAT(trackWarnings(person), IsEmpty());
 }
 
-}  // namespace
+}  // namespace stature_test
 }  // namespace abstand::tracking

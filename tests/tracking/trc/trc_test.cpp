@@ -10,7 +10,7 @@
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
-namespace {
+namespace trc_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -151,5 +151,5 @@ TEST(Trc, MarkersMakeABody) {
   EXPECT_GT((f[humanmodel::Joint::kWristLeft] - f[humanmodel::Joint::kWristRight]).norm(), 1.0);
 }
 
-}  // namespace
+}  // namespace trc_test
 }  // namespace abstand::tracking

@@ -16,7 +16,7 @@
 #include "ui/document/left_overs.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace autosave_test {
 
 struct AutosaveTest : ::testing::Test {
   QStringList files() const { return QDir(folder).entryList(QDir::Files); }
@@ -111,5 +111,5 @@ TEST_F(AutosaveTest, ADamagedOneIsNamed) {
   EXPECT_TRUE(found[0].problem.contains("x.abstand")) << found[0].problem.toStdString();
 }
 
-}  // namespace
+}  // namespace autosave_test
 }  // namespace abstand::ui

@@ -9,7 +9,7 @@
 #include "tests/ui/document/sample_project.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace document_test {
 
 TEST(DocumentTest, UndoOfRandomEditsReturnsExactlyToTheStart) {
   Document document;
@@ -119,5 +119,5 @@ TEST(DocumentTest, FollowersHearOfEditUndoAndRedo) {
   EXPECT_EQ(heard, (std::vector<std::pair<int, int>>{{0, 1}, {1, 0}, {0, 1}}));
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace abstand::ui

@@ -12,7 +12,7 @@
 #include "ui/document/json_text.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace project_file_test {
 
 TEST(ProjectFileTest, SaveLoadSaveGivesTheSameBytes) {
   for (const Project& project : {sampleProject(), Project()})
@@ -105,5 +105,5 @@ TEST(JsonTextTest, EscapesWhatAStringMustNotHold) {
   EXPECT_EQ(jsonString("a\"b\\c\nd\te\x7f ü"), "\"a\\\"b\\\\c\\nd\\u0009e\\u007f ü\"");
 }
 
-}  // namespace
+}  // namespace project_file_test
 }  // namespace abstand::ui

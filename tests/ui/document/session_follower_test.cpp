@@ -6,9 +6,9 @@
 #include "tests/ui/fake_session.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace session_follower_test {
 
-struct SessionFollowerTest : testing::Test {
+struct SessionFollowerTest : ::testing::Test {
   void attach(const Work& work) {
     view::SceneSnapshot first;
     session.takeSnapshot(first);
@@ -64,5 +64,5 @@ TEST_F(SessionFollowerTest, WithoutASessionNothingIsSent) {
   EXPECT_TRUE(session.log.empty());
 }
 
-}  // namespace
+}  // namespace session_follower_test
 }  // namespace abstand::ui

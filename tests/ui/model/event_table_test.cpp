@@ -5,7 +5,7 @@
 #include "tests/ui/fake_analysis.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace event_table_test {
 
 using Column = EventTableModel::Column;
 
@@ -52,5 +52,5 @@ TEST(EventTable, HasARowForEachEvent) {
             model.event(inside).t0);
 }
 
-}  // namespace
+}  // namespace event_table_test
 }  // namespace abstand::ui

@@ -10,7 +10,7 @@
 #include "ui/model/run_history.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace frame_series_test {
 
 TEST(FrameSeries, KeepsTheExtremeOfAFrameAndTakesNewValuesWhenPlayedAgain) {
   FrameSeries series(1.0, 2.0, 0.1, Keep::kSmallest);
@@ -100,5 +100,5 @@ TEST(RunHistory, FindsWhereContactsBegin) {
   EXPECT_FALSE(history.previousContact(2.0).has_value());
 }
 
-}  // namespace
+}  // namespace frame_series_test
 }  // namespace abstand::ui

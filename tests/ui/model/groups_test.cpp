@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand::ui {
-namespace {
+namespace groups_test {
 
 TEST(Groups, NamesThatSeveralBodiesHaveAreWhole) {
   view::SceneOutline outline;
@@ -17,5 +17,5 @@ TEST(Groups, NamesThatSeveralBodiesHaveAreWhole) {
   EXPECT_EQ(clearName(outline, 3), "table");
 }
 
-}  // namespace
+}  // namespace groups_test
 }  // namespace abstand::ui

@@ -15,7 +15,7 @@
 #include "ui/panels/scene_tree_panel.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace item_models_test {
 
 using Mode = QAbstractItemModelTester::FailureReportingMode;
 
@@ -269,5 +269,5 @@ TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
   EXPECT_EQ(panel.table()->model()->rowCount(), static_cast<int>(session.outline().pairs.size()));
 }
 
-}  // namespace
+}  // namespace item_models_test
 }  // namespace abstand::ui

@@ -8,12 +8,12 @@
 #include "ui/style/heat.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace lane_image_test {
 
 constexpr double kRounding = 1e-9;  // s
 
 /// A made-up recording with gaps, of which the last third is not analysed yet.
-struct LaneImageTest : testing::Test {
+struct LaneImageTest : ::testing::Test {
   LaneImageTest() {
     analysis.run(512);
     review.open(&analysis, session.outline(), std::vector<double>(session.outline().objects.size(), 0.15));
@@ -98,5 +98,5 @@ TEST_F(LaneImageTest, AllPartsTogetherShowTheNearest) {
   EXPECT_GT(inside, 0u);
 }
 
-}  // namespace
+}  // namespace lane_image_test
 }  // namespace abstand::ui

@@ -10,9 +10,9 @@
 #include "ui/model/time_axis.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace play_rules_test {
 
-struct PlayRulesTest : testing::Test {
+struct PlayRulesTest : ::testing::Test {
   PlayRulesTest() {
     playback.setPort(&session);
     axis.open(session.outline().start, session.outline().end, session.outline().frame_period);
@@ -90,5 +90,5 @@ TEST_F(PlayRulesTest, PausesWhereAnEventBegins) {
   EXPECT_EQ(paused.size(), 2);
 }
 
-}  // namespace
+}  // namespace play_rules_test
 }  // namespace abstand::ui

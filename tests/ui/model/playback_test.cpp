@@ -6,9 +6,9 @@
 #include "tests/ui/fake_session.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace playback_test {
 
-struct PlaybackTest : testing::Test {
+struct PlaybackTest : ::testing::Test {
   void SetUp() override { playback.setPort(&session); }
   void pull() {
     view::SceneSnapshot snapshot;
@@ -86,5 +86,5 @@ TEST_F(PlaybackTest, WithoutASessionNothingMoves) {
   EXPECT_EQ(playback.time(), 0.0);
 }
 
-}  // namespace
+}  // namespace playback_test
 }  // namespace abstand::ui

@@ -9,13 +9,13 @@
 #include "ui/model/event_text.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace recording_review_test {
 
 constexpr int kWaitMs = 60000;  // only a limit
 using State = view::AnalysisNews::State;
 using Kind = margin::ReviewEvent::Kind;
 
-struct RecordingReviewTest : testing::Test {
+struct RecordingReviewTest : ::testing::Test {
   /// m, of parts; those of links are zero.
   void open(double margin) {
     std::vector<double> margins;
@@ -162,5 +162,5 @@ TEST_F(RecordingReviewTest, SaysWhatIsKnownOfAMoment) {
   EXPECT_TRUE(nearestMomentText(review, 2.0).contains("head: not seen")) << "never shown as farther";
 }
 
-}  // namespace
+}  // namespace recording_review_test
 }  // namespace abstand::ui

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace abstand::ui {
-namespace {
+namespace stop_spans_test {
 
 using safety::StopState;
 
@@ -35,5 +35,5 @@ TEST(StopSpans, GoFromTheStopUntilTheRobotRunsAgain) {
   EXPECT_TRUE(stops.spans().empty());
 }
 
-}  // namespace
+}  // namespace stop_spans_test
 }  // namespace abstand::ui

@@ -9,11 +9,11 @@
 #include "ui/model/time_text.hpp"
 
 namespace abstand::ui {
-namespace {
+namespace time_axis_test {
 
 constexpr double kExact = 1e-12;  // s
 
-struct TimeAxisTest : testing::Test {
+struct TimeAxisTest : ::testing::Test {
   TimeAxisTest() { axis.open(1.0, 11.0, 0.01); }
   TimeAxis axis;
 };
@@ -95,5 +95,5 @@ TEST(TimeFromText, UnderstandsSecondsMinutesAndFrames) {
     EXPECT_FALSE(time(wrong)) << wrong;
 }
 
-}  // namespace
+}  // namespace time_axis_test
 }  // namespace abstand::ui

@@ -13,7 +13,7 @@
 #include "tracking/depth/calibration/pose_spread.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace board_pose_test {
 
 /// Pixels; of corners in pictures with noise of 2 levels, in which a square is 14 to 25 pixels broad.
 constexpr double kCornerOff = 0.2;
@@ -251,5 +251,5 @@ TEST(PoseSpread, StepsTurnAboutThePoint) {
             1e-12);
 }
 
-}  // namespace
+}  // namespace board_pose_test
 }  // namespace abstand::testing

@@ -9,7 +9,7 @@
 #include "tests/support/random_pose.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace pose_from_points_test {
 
 std::vector<tracking::MatchedPoint> matched(const Transform& X_WC, std::size_t count, double noise,
                                             std::uint64_t seed) {
@@ -88,5 +88,5 @@ TEST(PoseFromPoints, TablesSayWhatIsWrongAndWhere) {
   }
 }
 
-}  // namespace
+}  // namespace pose_from_points_test
 }  // namespace abstand::testing

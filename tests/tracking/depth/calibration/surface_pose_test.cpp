@@ -12,7 +12,7 @@
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace surface_pose_test {
 
 Transform movedTo(const Vector3d& p) { return Transform(Eigen::Translation3d(p)); }
 
@@ -168,5 +168,5 @@ TEST(SurfaceSamples, LieOnTheSurfacesInProportionToTheirAreas) {
   EXPECT_NEAR(on_small / 2000.0, small->area() / (small->area() + large->area()), 0.01);
 }
 
-}  // namespace
+}  // namespace surface_pose_test
 }  // namespace abstand::testing

@@ -6,7 +6,7 @@
 #include "tracking/depth/camera/depth_camera.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace depth_camera_test {
 
 constexpr double kRounding = 1e-12;  // of poses through three angles
 
@@ -71,5 +71,5 @@ TEST(DepthCamera, LooksAtItsTarget) {
   EXPECT_THROW(tracking::lookingAt(eye, eye + Vector3d(0, 0, 1)), UsageError);
 }
 
-}  // namespace
+}  // namespace depth_camera_test
 }  // namespace abstand::testing

@@ -14,7 +14,7 @@
 #include "tracking/depth/formats/pcd_cloud.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace depth_formats_test {
 
 TEST(NpyArray, ReadsNumbersOfAllKinds) {
   const auto only = [](const std::string& type, const std::string& data) {
@@ -235,5 +235,5 @@ TEST(FreenectDepth, TellsDisparitiesFromMillimetresInBothOrders) {
   EXPECT_TRUE(holds(says(dump({60000, 60001, 60002, 0, 0, 0}, true)), "above 10000"));
 }
 
-}  // namespace
+}  // namespace depth_formats_test
 }  // namespace abstand::testing

@@ -11,7 +11,7 @@
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace depth_png_test {
 
 TEST(DepthPng, KeepsWholeUnitsAndNothingElse) {
   const ScratchFolder folder;
@@ -67,5 +67,5 @@ TEST(DepthPng, ReadsRealDepth) {
   EXPECT_LT(middle, 5.0f);
 }
 
-}  // namespace
+}  // namespace depth_png_test
 }  // namespace abstand::testing

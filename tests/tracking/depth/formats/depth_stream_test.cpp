@@ -12,7 +12,7 @@
 #include "tracking/depth/formats/depth_png.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace depth_stream_test {
 
 /// An image that tells its number: all `number` / 8 m, one pixel not measured.
 tracking::DepthImage numbered(int number, int width = 8, int height = 6) {
@@ -287,5 +287,5 @@ TEST(DepthStream, ReadsATiffOfPackBits) {
   EXPECT_GT(measured, frame.image.z.size() / 2);
 }
 
-}  // namespace
+}  // namespace depth_stream_test
 }  // namespace abstand::testing

@@ -11,7 +11,7 @@
 #include "tracking/depth/formats/depth_png.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace grey_png_test {
 
 TEST(GreyPng, ReadsColourAndSixteenBits) {
   ScratchFolder folder;
@@ -46,5 +46,5 @@ TEST(GreyPng, RefusesWhatIsNone) {
   EXPECT_THROW(tracking::loadGreyPng(folder.write("huge.png", huge)), ParseError);
 }
 
-}  // namespace
+}  // namespace grey_png_test
 }  // namespace abstand::testing

@@ -12,7 +12,7 @@
 #include "tracking/depth/formats/oni_recording.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace oni_test {
 
 using Numbers = std::vector<std::uint16_t>;
 
@@ -199,5 +199,5 @@ TEST(OniRecording, SaysWhatIsWrong) {
   EXPECT_TRUE(holds(refusalOf(future), "version 1.3.1.0"));
 }
 
-}  // namespace
+}  // namespace oni_test
 }  // namespace abstand::testing

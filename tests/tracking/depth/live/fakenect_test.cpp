@@ -7,7 +7,7 @@
 #include "tracking/depth/formats/freenect_depth.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace fakenect_test {
 
 /// A few images of a slope that rises, as `record` dumps them.
 void record(const std::filesystem::path& folder, int count) {
@@ -50,5 +50,5 @@ TEST(Fakenect, TheDriverGivesTheDepthsOfTheFileReader) {
   }
 }
 
-}  // namespace
+}  // namespace fakenect_test
 }  // namespace abstand::testing

@@ -4,7 +4,7 @@
 #include "tests/tracking/depth/live/live_frames.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace live_depth_test {
 
 std::string refusal(const char* role, const std::string& name = tracking::kKinectSource,
                     const tracking::DepthStreamOptions& options = {}) {
@@ -84,5 +84,5 @@ TEST(LiveDepth, TurnsTheImagesOfAMirrorBack) {
   EXPECT_GT(frames[0].frame.image.at(0, 0), 0.0f);
 }
 
-}  // namespace
+}  // namespace live_depth_test
 }  // namespace abstand::testing

@@ -8,7 +8,7 @@
 #include "core/math/random.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace floor_consensus_test {
 
 constexpr double kThick = 0.01;  // m
 
@@ -83,5 +83,5 @@ TEST(FloorConsensus, NothingInImagesWithNextToNothing) {
   EXPECT_FALSE(tracking::consensusPlane(grid, {1.0, 0.99, 100, 1}, all).has_value());
 }
 
-}  // namespace
+}  // namespace floor_consensus_test
 }  // namespace abstand::testing

@@ -16,7 +16,7 @@
 #include "tracking/depth/simulator/skin_body.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace people_finder_test {
 
 using enum humanmodel::Joint;
 
@@ -363,5 +363,5 @@ TEST(PeopleFinder, FindsThePersonOfItopAndNobodyInPclsOffice) {
   EXPECT_TRUE(other.find(0.0, frame.image).persons.empty());
 }
 
-}  // namespace
+}  // namespace people_finder_test
 }  // namespace abstand::testing

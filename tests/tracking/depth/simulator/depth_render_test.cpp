@@ -9,7 +9,7 @@
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace depth_render_test {
 
 constexpr double kFloat = 1e-6;    // of a depth: images are kept in float
 constexpr double kRadius = 0.3;    // m
@@ -146,5 +146,5 @@ TEST(KinectNoise, IsTheSameForTheSameSeed) {
   EXPECT_NE(seen(1, 0), seen(1, 1));
 }
 
-}  // namespace
+}  // namespace depth_render_test
 }  // namespace abstand::testing

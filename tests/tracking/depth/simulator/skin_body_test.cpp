@@ -12,7 +12,7 @@
 #include "tracking/depth/simulator/skin_loft.hpp"
 
 namespace abstand::testing {
-namespace {
+namespace skin_body_test {
 
 using enum humanmodel::Joint;
 
@@ -148,5 +148,5 @@ TEST(SkinBody, LegsSayTheStature) {
   EXPECT_FALSE(tracking::statureOfLegs(std::span(frames).first(1)).has_value());
 }
 
-}  // namespace
+}  // namespace skin_body_test
 }  // namespace abstand::testing
