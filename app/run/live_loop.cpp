@@ -56,7 +56,7 @@ double LiveLoop::cycle(std::vector<query::PairResult>& results) {
     threads_.collect(results);
   else
     settle(threads_, results);
-  scene.take(results, threads_.resultTimes());
+  scene.setResults(results, threads_.resultTimes());
   double oldest = loop_.time();
   for (const PairId id : felt_) oldest = std::min(oldest, threads_.resultTime(id));
   loop_.react(loop_.time() - oldest);
