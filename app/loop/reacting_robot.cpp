@@ -47,7 +47,7 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   for (auto* v : {&qdd_, &torque_, &applied_, &next_.q, &next_.qd, &scratch_.acceleration,
                   &scratch_.hold_efforts, &scratch_.bias})
     v->assign(n, 0.0);
-  limits_.look(t, q_, qd_, {}, {});
+  limits_.check(t, q_, qd_, {}, {});
   if (description.reaction->admittance) {
     wanted_ = last_wanted_ = q_;
     const bool weightless = std::any_of(dynamics_.tree.bodies.begin(), dynamics_.tree.bodies.end(),
@@ -198,7 +198,7 @@ void ReactingRobot::follow() {
     const std::span<const double> efforts = world_.mechanism(number_).appliedEfforts();
     std::copy(efforts.begin(), efforts.end(), applied_.begin());
   }
-  limits_.look(t_next_, q, qd, qdd_, applied_);
+  limits_.check(t_next_, q, qd, qdd_, applied_);
   std::copy(q.begin(), q.end(), q_.begin());
   std::copy(qd.begin(), qd.end(), qd_.begin());
 }
