@@ -20,7 +20,7 @@ physics::MechanismSolver solverOf(const mechanism::RigidTree& tree) {
                                               : physics::MechanismSolver::kJointed;
 }
 
-void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {
+void updateNearest(RobotRecord::Moment& moment, PairId pair, double t, double value) {
   if (!(moment.value <= value)) moment = {pair, t, value};
 }
 
@@ -71,14 +71,14 @@ void ReactingRobot::place(double t, scene::Scene& scene) {
   reaction_.placeHeld(t, scene);
 }
 
-void ReactingRobot::look(double t, double h, std::span<const control::ReactionPair> pairs,
-                         const scene::Scene& scene) {
+void ReactingRobot::recordProgress(double t, double h, std::span<const control::ReactionPair> pairs,
+                                   const scene::Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairId id = reaction_.pairs().own()[i].id;
     if (scene.pairs()[id.index()].paused) continue;  // its result is stale
     const double distance = scene.result(id).distance;
-    take(record_.nearest, id, t, distance);
-    if (pairs[i].person) take(record_.nearest_person, id, t, distance);
+    updateNearest(record_.nearest, id, t, distance);
+    if (pairs[i].person) updateNearest(record_.nearest_person, id, t, distance);
   }
   const std::span<const double> planned = plan_.now().q;
   for (std::size_t i = 0; i < q_.size(); ++i)
@@ -91,9 +91,10 @@ void ReactingRobot::look(double t, double h, std::span<const control::ReactionPa
 void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
   const double h = cycle.h;
   h_ = h;
-  look(cycle.t, h,
-       reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
-       scene);
+  recordProgress(
+      cycle.t, h,
+      reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
+      scene);
 
   mechanism::placeBodies(dynamics_.tree, q_, dynamics_.state);
   mechanism::massMatrix(dynamics_.tree, dynamics_.state, dynamics_.mass);

@@ -27,7 +27,7 @@ LiveLoop::LiveLoop(session::Session& session, double t, std::vector<std::vector<
       threads_(session.scene()),
       pace_(pace),
       pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * loop::ClosedLoop::kStep))) {
-  loop_.look();
+  loop_.refresh();
   threads_.publishPoses(session.scene());
   for (auto& group : groups) threads_.start(threads_.addGroup(std::move(group)));
   for (const auto& robot : loop_.robots()) {

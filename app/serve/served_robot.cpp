@@ -44,7 +44,7 @@ void ServedRobot::placeHeld(double t, scene::Scene& scene) {
 
 void ServedRobot::grow(double t, double stale, scene::Scene& scene) {
   if (stale_ || age(t) <= stale) return;
-  driver_.lose(t, scene);
+  driver_.markStale(t, scene);
   stale_ = true;
 }
 
