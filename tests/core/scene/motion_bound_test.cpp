@@ -28,7 +28,7 @@ Transform turned(double angle, const Vector3d& axis, const Vector3d& shift = Vec
   return X;
 }
 
-TEST(MotionBound, NoPointComesFartherThanTheWay) {
+TEST(MotionBound, NoPointMovesFartherThanTheBound) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     MotionBound reach(kSphere);
     Transform before = testing::randomPose(seed, 2.0);
@@ -68,7 +68,7 @@ TEST(MotionBound, IsSharp) {
   EXPECT_LT(reach.moveTo(Transform::Identity()), kRounding) << "standing still";
 }
 
-TEST(MotionBound, TheWayNeverFallsShortInALongSum) {
+TEST(MotionBound, TheBoundNeverFallsShortInALongSum) {
   // 1e-9 m a step is far below the resolution of plain sums when the way is long.
   MotionBound reach({Vector3d::Zero(), 0.1});
   reach.moveTo(turned(0.0, Vector3d::UnitX(), {1e6, 0, 0}));

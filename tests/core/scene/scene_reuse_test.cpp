@@ -103,7 +103,7 @@ TEST(SceneReuse, ARefusedPoseMovesNothing) {
   EXPECT_TRUE(scene.updated().empty());
 }
 
-TEST(SceneReuse, ASnapshotTakesWhatWasRenewedSince) {
+TEST(SceneReuse, ASnapshotCopiesWhatWasUpdatedSince) {
   Scene scene = crowd(10);
   view::SceneSnapshot often, rare;
   for (std::uint32_t frame = 0; frame < 60; ++frame) {

@@ -64,7 +64,7 @@ TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
     EXPECT_NEAR((camera.X_WC.inverse() * seen.points().point(i)).z(), 1.8, 1e-5);
 }
 
-TEST(BodyObservation, EmptyCellsKnowTheWayToThePerson) {
+TEST(BodyObservation, EmptyCellsKnowTheOffsetToThePerson) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
